@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+# What every target of the project is built with.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# One seed gives one tree, bit for bit: no fused multiply-add where the processor happens to have one.
+add_compile_options(-ffp-contract=off)
+
+set(OSGTREEWIND_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
+if(OSGTREEWIND_SANITIZE)
+    add_compile_options(-fsanitize=${OSGTREEWIND_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${OSGTREEWIND_SANITIZE})
+endif()
+
+add_library(osgTreeWind_warnings INTERFACE)
+target_compile_options(osgTreeWind_warnings INTERFACE -Wall -Wextra -Wpedantic -Werror)
