@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Result.h>
+
+namespace osgTreeWind {
+
+std::string Diagnostic::text() const {
+    std::string place = file;
+    if (line > 0) {
+        place += ':' + std::to_string(line);
+        if (column > 0)
+            place += ':' + std::to_string(column);
+    }
+    std::string result;
+    if (!place.empty())
+        result += place + ": ";
+    if (!key.empty())
+        result += key + ": ";
+    return result + message;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Text.h>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+namespace {
+
+bool isBinary(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\t' && c != '\r' && c != '\n' && c != '\f') || byte == 0x7f;
+}
+
+} // namespace
+
+TextPlace placeInText(std::string_view text, std::size_t offset) {
+    TextPlace place;
+    offset = std::min(offset, text.size());
+    for (std::size_t i = 0; i < offset; ++i) {
+        const bool lineEnds =
+            text[i] == '\n' || (text[i] == '\r' && (i + 1 >= text.size() || text[i + 1] != '\n'));
+        place = lineEnds ? TextPlace{place.line + 1, 1} : TextPlace{place.line, place.column + 1};
+    }
+    return place;
+}
+
+Result<std::string> readText(std::istream& input, const std::string& file) {
+    std::string text;
+    char buffer[1 << 14];
+    while (input.read(buffer, sizeof buffer) || input.gcount() > 0)
+        text.append(buffer, static_cast<std::size_t>(input.gcount()));
+    if (!input.eof() || input.bad())
+        return Diagnostic{file, 0, 0, {}, "cannot be read"};
+    if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+        text.erase(0, 3);
+    if (text.empty())
+        return Diagnostic{file, 0, 0, {}, "the file is empty"};
+
+    const auto binary = std::find_if(text.begin(), text.end(), isBinary);
+    if (binary != text.end()) {
+        const TextPlace place = placeInText(text, static_cast<std::size_t>(binary - text.begin()));
+        return Diagnostic{file, place.line, place.column, {}, "expected text, found binary data"};
+    }
+    return text;
+}
+
+} // namespace osgTreeWind

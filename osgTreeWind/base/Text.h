@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+
+#include <istream>
+#include <string>
+#include <string_view>
+
+namespace osgTreeWind {
+
+/// A place in a text, both 1-based; columns count bytes.
+struct TextPlace {
+    int line = 1;
+    int column = 1;
+};
+
+/// Where the byte at `offset` stands; offsets past the end give the end. Lines end in LF, CR LF or CR.
+TextPlace placeInText(std::string_view text, std::size_t offset);
+
+/// All of a text input, without a UTF-8 byte-order mark. An unreadable stream (a folder, say), an empty
+/// input, and control characters other than tab, CR, LF and form feed (binary data) are errors.
+/// @param file name for diagnostics only.
+Result<std::string> readText(std::istream& input, const std::string& file);
+
+} // namespace osgTreeWind

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+/// Path of a file in the shared real-input folder (OSGTREEWIND_DATA, default ../shared/data beside the
+/// checkout); empty when it is absent.
+inline std::string realData(const std::string& name) {
+    const char* folder = std::getenv("OSGTREEWIND_DATA");
+    const std::filesystem::path path =
+        std::filesystem::path(folder ? folder : OSGTREEWIND_SOURCE_DIR "/../shared/data") / name;
+    return std::filesystem::exists(path) ? path.string() : std::string();
+}
+
+/// Skips the running test, with the reason printed, unless the real-input file is there.
+#define REQUIRE_REAL_DATA(variable, name)                                                                    \
+    const std::string variable = realData(name);                                                             \
+    if (variable.empty())                                                                                    \
+    GTEST_SKIP() << "real input " << (name) << " not found; set OSGTREEWIND_DATA"

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "../TestData.h"
+#include "FirstProblem.h"
+
+#include <osgTreeWind/base/CsvTable.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+Result<CsvTable> read(const std::string& content, char delimiter = ',') {
+    std::istringstream input(content);
+    return readCsvTable(input, "t.csv", delimiter);
+}
+
+} // namespace
+
+TEST(CsvTable, ReadsHeaderAndRows) {
+    const auto table = read("a,b\n1,2\n3,4\n");
+    ASSERT_TRUE(table) << firstProblem(table);
+    EXPECT_EQ(table.value().file, "t.csv");
+    EXPECT_EQ(table.value().columns, (Cells{"a", "b"}));
+    ASSERT_EQ(table.value().rows.size(), 2u);
+    EXPECT_EQ(table.value().rows[1].cells, (Cells{"3", "4"}));
+    EXPECT_EQ(table.value().rows[1].line, 3);
+}
+
+TEST(CsvTable, TheLastLineNeedsNoLineEnd) {
+    EXPECT_EQ(read("a\n1").value().rows.at(0).cells, Cells{"1"});
+}
+
+TEST(CsvTable, AHeaderAloneIsATable) {
+    EXPECT_TRUE(read("a,b").value().rows.empty());
+}
+
+TEST(CsvTable, HeaderNamesLoseBlanksAndTheByteOrderMark) {
+    EXPECT_EQ(read("\xEF\xBB\xBF x , \"y\" \n1,2\n").value().columns, (Cells{"x", "y"}));
+}
+
+TEST(CsvTable, QuotedCellsKeepDelimitersQuotesAndLineEnds) {
+    const auto table = read("a,b\n\"x,\"\"y\"\"\",\"1\n2\"\n");
+    ASSERT_TRUE(table) << firstProblem(table);
+    EXPECT_EQ(table.value().rows[0].cells, (Cells{"x,\"y\"", "1\n2"}));
+}
+
+TEST(CsvTable, RowsAfterAQuotedLineEndKnowTheirLine) {
+    const auto table = read("a,b\n\"1\n\n2\",3\n4,5\n");
+    ASSERT_TRUE(table) << firstProblem(table);
+    EXPECT_EQ(table.value().rows[0].line, 2);
+    EXPECT_EQ(table.value().rows[1].line, 5);
+}
+
+TEST(CsvTable, AllLineEndsCountAlike) {
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        const auto table = read(std::string("a,b") + end + "1,2" + end + end + "3,4" + end);
+        ASSERT_TRUE(table) << firstProblem(table);
+        ASSERT_EQ(table.value().rows.size(), 2u);
+        EXPECT_EQ(table.value().rows[0].line, 2);
+        EXPECT_EQ(table.value().rows[1].line, 4);
+        EXPECT_EQ(table.value().rows[1].cells, (Cells{"3", "4"}));
+    }
+}
+
+TEST(CsvTable, EmptyCellsAreCells) {
+    EXPECT_EQ(read("a,b,c\n,,\n").value().rows.at(0).cells, (Cells{"", "", ""}));
+}
+
+TEST(CsvTable, OtherDelimiters) {
+    EXPECT_EQ(read("a\tb\n\t2\n", '\t').value().rows.at(0).cells, (Cells{"", "2"}));
+    EXPECT_EQ(read("a;b\n1,5;2\n", ';').value().rows.at(0).cells, (Cells{"1,5", "2"}));
+}
+
+TEST(CsvTable, FindsColumnsByTheirExactName) {
+    const auto table = read("x,X\n1,2\n");
+    EXPECT_EQ(table.value().column("X"), 1u);
+    EXPECT_FALSE(table.value().column("y"));
+}
+
+TEST(CsvTable, NumbersNameLineColumnAndText) {
+    const auto table = read("x,y\n1.5,n/a\n");
+    const CsvTable& t = table.value();
+    EXPECT_EQ(t.number(t.rows[0], 0).value(), 1.5);
+    EXPECT_EQ(firstProblem(t.number(t.rows[0], 1)), "t.csv:2: y: expected a number, found 'n/a'");
+}
+
+struct BadCsv {
+    const char* name;
+    std::string content;
+    char delimiter;
+    const char* problem;
+};
+
+void PrintTo(const BadCsv& bad, std::ostream* out) {
+    *out << bad.name;
+}
+
+class CsvTableRefuses : public testing::TestWithParam<BadCsv> {};
+
+TEST_P(CsvTableRefuses, WithAPlaceAndAReason) {
+    EXPECT_EQ(firstProblem(read(GetParam().content, GetParam().delimiter)), GetParam().problem);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, CsvTableRefuses,
+    testing::Values(
+        BadCsv{"Empty", "", ',', "t.csv: the file is empty"},
+        BadCsv{"Blank", "\n \n", ',', "t.csv:1: expected a header row, found only blank lines"},
+        BadCsv{"ShortRow", "a,b\n1,2\n3\n", ',', "t.csv:3: expected 2 cells as in the header, found 1"},
+        BadCsv{"LongRow", "a,b\n\n1,2,3\n", ',', "t.csv:3: expected 2 cells as in the header, found 3"},
+        BadCsv{"RaggedAfterQuotedLineEnd", "a,b\n\"x\ny\",2\n1\n", ',',
+               "t.csv:4: expected 2 cells as in the header, found 1"},
+        BadCsv{"OpenQuote", "a,b\n1,2\n3,\"4\n5,6\n", ',', "t.csv:3: quotation mark is never closed"},
+        BadCsv{"QuoteInCell", "a,b\n1,2\"2\n", ',',
+               "t.csv:2:4: misplaced quotation mark; expected \"\" inside quotes"},
+        BadCsv{"TextAfterQuote", "a,b\n\"1\"2,3\n", ',',
+               "t.csv:2:4: misplaced quotation mark; expected \"\" inside quotes"},
+        BadCsv{"Nul", std::string("a,b\n1,\0002\n", 9), ',', "t.csv:2:3: expected text, found binary data"},
+        BadCsv{"TwoColumnsOfOneName", "a,b,a\n", ',', "t.csv:1: a: the header names this column twice"},
+        BadCsv{"QuoteAsDelimiter", "a,b\n", '"',
+               "t.csv: delimiter: expected a character that can part cells, such as , ; or a tab"},
+        BadCsv{"NulAsDelimiter", "a,b\n", '\0',
+               "t.csv: delimiter: expected a character that can part cells, such as , ; or a tab"}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(CsvTable, ReportsEveryRaggedRow) {
+    const auto table = read("a,b\n1\n1,2\n1,2,3\n");
+    ASSERT_FALSE(table);
+    ASSERT_EQ(table.problems().size(), 2u);
+    EXPECT_EQ(table.problems()[1].line, 4);
+}
+
+TEST(CsvTable, CutAnywhereItIsATableOrAProblem) {
+    const std::string content = "\xEF\xBB\xBF\"a\",b\r\n\"x\r\n\"\"y\",2\r\n3,4\r\n";
+    for (std::size_t length = 0; length <= content.size(); ++length) {
+        const auto table = read(content.substr(0, length));
+        if (table) {
+            for (const auto& row : table.value().rows)
+                EXPECT_EQ(row.cells.size(), table.value().columns.size()) << length;
+        } else {
+            EXPECT_FALSE(firstProblem(table).empty()) << length;
+        }
+    }
+}
+
+TEST(CsvTable, RealCampusTrees) {
+    REQUIRE_REAL_DATA(path, "utah_campus/utah_campus_trees.csv");
+    std::ifstream file(path);
+    const auto table = readCsvTable(file, path);
+    ASSERT_TRUE(table) << firstProblem(table);
+    const CsvTable& trees = table.value();
+    EXPECT_EQ(trees.rows.size(), 1233u);
+    EXPECT_EQ(trees.columns.size(), 8u);
+    EXPECT_EQ(trees.number(trees.rows[0], *trees.column("x")).value(), 428759.19);
+    EXPECT_EQ(trees.rows[0].line, 2);
+    EXPECT_EQ(trees.rows.back().line, 1234);
+}
+
+TEST(CsvTable, RealTablesWithQuotedCommasAndTabs) {
+    REQUIRE_REAL_DATA(sway, "sway/NaturalFrequencies_FieldData.csv");
+    REQUIRE_REAL_DATA(species, "species/species_parameters_1.txt");
+    std::ifstream commas(sway), tabs(species);
+    EXPECT_EQ(firstProblem(readCsvTable(commas, sway)), "");
+    EXPECT_EQ(firstProblem(readCsvTable(tabs, species, '\t')), "");
+}

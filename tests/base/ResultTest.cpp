@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Result.h>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+TEST(Diagnostic, TextHasEveryKnownPart) {
+    EXPECT_EQ((Diagnostic{"a.treewind", 3, 7, "wind.speed", "expected m/s"}.text()),
+              "a.treewind:3:7: wind.speed: expected m/s");
+}
+
+TEST(Diagnostic, TextLeavesOutWhatIsUnknown) {
+    EXPECT_EQ((Diagnostic{"a.csv", 3, 0, {}, "ragged"}.text()), "a.csv:3: ragged");
+    EXPECT_EQ((Diagnostic{"a.csv", 0, 5, {}, "empty"}.text()), "a.csv: empty");
+    EXPECT_EQ((Diagnostic{{}, 0, 0, "cell", "wrong"}.text()), "cell: wrong");
+    EXPECT_EQ((Diagnostic{{}, 0, 0, {}, "wrong"}.text()), "wrong");
+}
+
+TEST(Result, HoldsAValueOrItsProblems) {
+    const Result<int> good = 3;
+    ASSERT_TRUE(good.ok());
+    EXPECT_EQ(good.value(), 3);
+
+    const Result<int> bad = Diagnostics{{"f", 1, 0, {}, "first"}, {"f", 2, 0, {}, "second"}};
+    ASSERT_FALSE(bad);
+    EXPECT_EQ(bad.problems().size(), 2u);
+    EXPECT_EQ(bad.problems().back().line, 2);
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "FirstProblem.h"
+
+#include <osgTreeWind/base/Text.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+std::string problemOf(const std::string& content) {
+    std::istringstream input(content);
+    return firstProblem(readText(input, "f"));
+}
+
+} // namespace
+
+TEST(Text, DropsTheByteOrderMark) {
+    std::istringstream input("\xEF\xBB\xBFhello");
+    EXPECT_EQ(readText(input, "f").value(), "hello");
+}
+
+TEST(Text, ReadsTextLongerThanItsBuffer) {
+    const std::string content(100001, 'x');
+    std::istringstream input(content);
+    EXPECT_EQ(readText(input, "f").value(), content);
+}
+
+TEST(Text, RefusesAnEmptyFile) {
+    EXPECT_EQ(problemOf(""), "f: the file is empty");
+    EXPECT_EQ(problemOf("\xEF\xBB\xBF"), "f: the file is empty");
+}
+
+TEST(Text, PlacesBinaryData) {
+    EXPECT_EQ(problemOf(std::string("ab\nc\0d", 6)), "f:2:2: expected text, found binary data");
+    EXPECT_EQ(problemOf("\x7f"
+                        "ELF"),
+              "f:1:1: expected text, found binary data");
+}
+
+TEST(Text, AFolderCannotBeRead) {
+    std::ifstream folder("/");
+    EXPECT_EQ(firstProblem(readText(folder, "/")), "/: cannot be read");
+}
+
+TEST(Text, AMissingFileCannotBeRead) {
+    std::ifstream missing("/no/such/file");
+    EXPECT_EQ(firstProblem(readText(missing, "f")), "f: cannot be read");
+}
+
+TEST(Text, PlacesCountEveryKindOfLineEnd) {
+    const std::string text = "a\nbc\r\nd\re";
+    const auto place = [&](std::size_t offset) {
+        const TextPlace p = placeInText(text, offset);
+        return std::to_string(p.line) + ":" + std::to_string(p.column);
+    };
+    EXPECT_EQ(place(0), "1:1");
+    EXPECT_EQ(place(text.find('c')), "2:2");
+    EXPECT_EQ(place(text.find('d')), "3:1");
+    EXPECT_EQ(place(text.find('e')), "4:1");
+    EXPECT_EQ(place(1000), "4:2");
+}
