@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/Skeleton.h>
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// A vertex of the bark. Its rest position is centre + radius * outward; keeping the two apart lets one
+/// skin serve trees of different trunk diameter.
+struct SkinVertex {
+    glm::vec3 centre{0.0f};  ///< Point of the skeleton it belongs to (rigid skinning: exactly one).
+    float radius = 0.0f;     ///< Metres.
+    glm::vec3 outward{0.0f}; ///< Unit normal, across the tangent of the branch.
+    float unit = 0.0f;       ///< Index of the branch unit (exact as a float below 2^24).
+    glm::vec2 uv{0.0f};      ///< Once around the branch; metres along it over its circumference.
+
+    glm::vec3 position() const { return centre + radius * outward; }
+};
+
+/// The surface of a tree's wood: rings of eight around every skeleton point (thesis §2.3).
+struct BranchSkin {
+    static constexpr int verticesPerRing = 8;
+
+    std::vector<SkinVertex> vertices;   ///< The thesis' `vertices`: eight per skeleton point.
+    std::vector<std::uint32_t> indices; ///< Triangles, counter-clockwise seen from outside, unit after unit.
+
+    /// Indices used by one unit.
+    std::size_t indicesPerUnit = 0;
+
+    /// The thesis' `newArr` (§2.3.5): vertices in the order in which triangles use them.
+    std::vector<SkinVertex> drawOrder() const;
+};
+
+BranchSkin makeBranchSkin(const Skeleton& skeleton);
+
+} // namespace osgTreeWind

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/Skeleton.h>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// How leaves sit on a tree (thesis §2.4). The default makes 16 clusters of 3 quads on every branch.
+struct LeafParameters {
+    int clustersPerBranch = 16; ///< 0 to 64; 0 for a bare tree.
+    int firstLevel = 1;         ///< Lowest branch level that bears leaves (the trunk is 0), 0 to 9.
+    float length = 0.5f; ///< Cluster length along its petiole at the outermost level, metres, [0.001, 100].
+    float width = 0.45f; ///< Cluster width, metres, [0.001, 100].
+    float innerSize = 0.5f; ///< Size at `firstLevel` over size at the outermost level, [0.01, 1].
+    float droop = 0.3f;     ///< 0: clusters stand off the branch; 1: they hang down; -1: they point up.
+    std::uint32_t seed = 1;
+};
+
+/// The parameters with every value brought into its range; NaN becomes the default.
+LeafParameters clamped(LeafParameters parameters);
+
+/// One cluster: what the thesis calls a leaf, with angles of its own (§2.4, §3.2).
+struct LeafCluster {
+    glm::vec3 anchor{0.0f}; ///< Where its petiole meets the branch, metres, tree frame at rest.
+    int unit = 0;           ///< Branch unit it sits on.
+    glm::quat orientation{1.0f, 0.0f, 0.0f,
+                          0.0f}; ///< Leaf frame (petiole along +Z, face normal -Y) to tree frame.
+    float size = 1.0f;           ///< Factor on the mesh of makeLeafMesh().
+};
+
+/// Clusters in access order: unit after unit, clustersPerBranch each. Parameters are clamped().
+std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafParameters& parameters);
+
+/// A corner of one of the three quads that make up a cluster, in the leaf frame.
+struct LeafVertex {
+    glm::vec3 corner{0.0f}; ///< Metres; the petiole starts at the origin.
+    glm::vec3 normal{0.0f};
+    glm::vec2 uv{0.0f}; ///< (0,0) to (1,1) over each quad, v along the petiole.
+};
+
+constexpr int quadsPerLeafCluster = 3;
+constexpr int verticesPerLeafCluster = quadsPerLeafCluster * 4;
+constexpr int trianglesPerLeafCluster = quadsPerLeafCluster * 2;
+
+/// The one shape all clusters share (the thesis' display list, §2.4.1): quads 4i .. 4i+3.
+std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters& parameters);
+
+} // namespace osgTreeWind

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/model/RecursiveTree.h>
+
+#include <osgTreeWind/model/Numeric.h>
+#include <osgTreeWind/model/Random.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr glm::vec3 up{0.0f, 0.0f, 1.0f};
+
+/// A branch is never longer than this times its parent, whatever the jitter.
+constexpr float maxLengthRatio = 1.5f;
+
+/// The direction `inclination` away from `axis`, at `azimuth` measured from the side nearest to +x.
+glm::vec3 inclined(const glm::vec3& axis, float inclination, float azimuth) {
+    const glm::vec3 e1 = perpendicular(axis);
+    const glm::vec3 e2 = glm::cross(axis, e1);
+    return cosine(inclination) * axis + sine(inclination) * (cosine(azimuth) * e1 + sine(azimuth) * e2);
+}
+
+float trunkLength(const RecursiveTreeParameters& p) {
+    return p.length * static_cast<float>(p.trunkUnits);
+}
+
+/// An upper bound for the distance of any point from the root, metres.
+float longestReach(const RecursiveTreeParameters& p) {
+    const float ratio = std::min(p.lengthRatio * (1.0f + p.jitter), maxLengthRatio);
+    float branch = trunkLength(p) *
+                   std::min(p.boughLength * std::max(p.crownTaper, 1.0f) * (1.0f + p.jitter), maxLengthRatio);
+    float reach = trunkLength(p);
+    for (int level = 1; level <= p.levels; ++level, branch *= ratio)
+        reach += branch;
+    return reach;
+}
+
+/// Units the values would make as they stand.
+std::uint64_t countUnits(const RecursiveTreeParameters& p) {
+    std::uint64_t count = static_cast<std::uint64_t>(p.trunkUnits);
+    std::uint64_t onLevel = static_cast<std::uint64_t>(branchingUnits(p));
+    for (int level = 1; level <= p.levels; ++level)
+        count += onLevel *= static_cast<std::uint64_t>(p.childrenPerBranch);
+    return count;
+}
+
+class Generator {
+public:
+    /// @param parameters within their ranges.
+    explicit Generator(const RecursiveTreeParameters& parameters)
+        : _p(parameters), _shortest(1e-4f * longestReach(parameters)),
+          _thinnest(1e-5f * longestReach(parameters)), _random(parameters.seed) {
+        _skeleton.ringsPerBranch = _p.ringsPerBranch;
+        _skeleton.units.reserve(countUnits(_p));
+        _skeleton.points.reserve(countUnits(_p) * static_cast<std::size_t>(_p.ringsPerBranch));
+    }
+
+    Skeleton grow() {
+        BranchUnit ground;
+        ground.tipRadius = thickEnough(_p.radius);
+        growTrunk(0, ground);
+        return std::move(_skeleton);
+    }
+
+private:
+    /// Thinner or shorter would be lost in the rounding of the coordinates.
+    float thickEnough(float radius) const { return std::max(radius, _thinnest); }
+
+    void growTrunk(int index, const BranchUnit& below) {
+        const glm::vec3 sideways{_random.symmetric(), _random.symmetric(), 0.0f};
+        const float units = static_cast<float>(_p.trunkUnits);
+        BranchUnit unit;
+        unit.base = below.tip;
+        unit.tip = unit.base + _p.length * glm::normalize(up + 0.4f * _p.jitter / units * sideways);
+        unit.baseRadius = below.tipRadius;
+        unit.tipRadius = thickEnough(unit.baseRadius * power(_p.taper, 1.0f / units));
+        unit.parent = index == 0 ? -1 : _trunkTop;
+        _trunkTop = addUnit(unit);
+
+        const int bare = _p.trunkUnits - branchingUnits(_p);
+        if (index >= bare) {
+            const float height =
+                static_cast<float>(index - bare) / static_cast<float>(std::max(_p.trunkUnits - 1 - bare, 1));
+            growBranches(_trunkTop, trunkLength(_p), _p.boughLength * glm::mix(1.0f, _p.crownTaper, height));
+        }
+        if (index + 1 < _p.trunkUnits)
+            growTrunk(index + 1, unit);
+    }
+
+    /// @param ratio of the branches' length over `parentLength`.
+    void growBranches(int parentIndex, float parentLength, float ratio) {
+        const BranchUnit parent = _skeleton.units[static_cast<std::size_t>(parentIndex)];
+        if (parent.level == _p.levels)
+            return;
+        const int level = parent.level + 1;
+        const glm::vec3 axis = glm::normalize(parent.tip - parent.base);
+        const float spacing = glm::two_pi<float>() / static_cast<float>(_p.childrenPerBranch);
+        const float levelInclination =
+            _p.inclination * power(_p.inclinationGrowth, static_cast<float>(level - 1));
+        // Whorls on a trunk are turned against each other like levels are.
+        const float turn = _p.twist * static_cast<float>(level == 1 ? ++_whorls : level);
+        const bool trunkGoesOn = level == 1 && _whorls < branchingUnits(_p);
+
+        for (int child = 0; child < _p.childrenPerBranch; ++child) {
+            const float azimuth =
+                spacing * (static_cast<float>(child) + 0.5f * _p.jitter * _random.symmetric()) + turn;
+            const float lean = child == 0 && !trunkGoesOn ? 1.0f - _p.leader : 1.0f;
+            const float inclination =
+                std::min(lean * levelInclination * (1.0f + _p.jitter * _random.symmetric()), maxInclination);
+            const float jittered = ratio * (1.0f + _p.jitter * _random.symmetric());
+            const float length = std::max(parentLength * std::min(jittered, maxLengthRatio), _shortest);
+            const glm::vec3 fromVertical = inclined(up, inclination, azimuth);
+            const glm::vec3 direction = directionOr(
+                glm::mix(fromVertical, inclined(axis, inclination, azimuth), _p.follow), fromVertical);
+
+            BranchUnit unit;
+            unit.parent = parentIndex;
+            unit.level = level;
+            unit.base = parent.tip;
+            unit.tip = unit.base + length * direction;
+            unit.baseRadius = thickEnough(parent.tipRadius * _p.radiusRatio);
+            unit.tipRadius = thickEnough(unit.baseRadius * _p.taper);
+            growBranches(addUnit(unit), length, _p.lengthRatio);
+        }
+    }
+
+    /// Appends a unit and breaks it into points: straight, plus two slow waves and a little unevenness that
+    /// all vanish at both ends.
+    int addUnit(const BranchUnit& unit) {
+        const glm::vec3 along = unit.tip - unit.base;
+        const float length = glm::length(along);
+        const glm::vec3 e1 = perpendicular(along / length);
+        const glm::vec3 e2 = glm::cross(along / length, e1);
+        const glm::vec2 bow{_random.symmetric(), _random.symmetric()};
+        const glm::vec2 wave{_random.symmetric(), _random.symmetric()};
+        const int last = _p.ringsPerBranch - 1;
+        // Rings closer together than the reference tree's must not zigzag more steeply.
+        const float roughness = 0.15f * 15.0f / static_cast<float>(std::max(last, 15));
+        for (int i = 0; i <= last; ++i) {
+            const float t = static_cast<float>(i) / static_cast<float>(last);
+            const glm::vec2 uneven{_random.symmetric(), _random.symmetric()};
+            const glm::vec2 offset =
+                0.7f * 4.0f * t * (1.0f - t) *
+                (0.5f * bow + 0.35f * wave * sine(glm::two_pi<float>() * t) + roughness * uneven);
+            const glm::vec3 point =
+                unit.base + t * along + _p.crook * length * (offset.x * e1 + offset.y * e2);
+            _skeleton.points.push_back(i == last ? unit.tip : point);
+        }
+        _skeleton.units.push_back(unit);
+        return static_cast<int>(_skeleton.units.size()) - 1;
+    }
+
+    const RecursiveTreeParameters _p;
+    const float _shortest; ///< Branch length.
+    const float _thinnest; ///< Radius.
+    Random _random;
+    Skeleton _skeleton;
+    int _trunkTop = -1; ///< Unit the trunk has grown to.
+    int _whorls = 0;    ///< Sets of first branches so far.
+};
+
+} // namespace
+
+RecursiveTreeParameters clamped(RecursiveTreeParameters p) {
+    const RecursiveTreeParameters usual;
+    p.levels = glm::clamp(p.levels, 0, 8);
+    p.childrenPerBranch = glm::clamp(p.childrenPerBranch, 1, 8);
+    p.trunkUnits = glm::clamp(p.trunkUnits, 1, 16);
+    p.bareUnits = glm::clamp(p.bareUnits, 0, 15);
+    p.ringsPerBranch = glm::clamp(p.ringsPerBranch, 2, 64);
+    p.length = inRange(p.length, 0.01f, 100.0f, usual.length);
+    p.lengthRatio = inRange(p.lengthRatio, 0.05f, maxLengthRatio, usual.lengthRatio);
+    p.boughLength = inRange(p.boughLength, 0.02f, maxLengthRatio, usual.boughLength);
+    p.crownTaper = inRange(p.crownTaper, 0.02f, maxLengthRatio, usual.crownTaper);
+    p.leader = inRange(p.leader, 0.0f, 1.0f, usual.leader);
+    p.inclination = inRange(p.inclination, 0.0f, maxInclination, usual.inclination);
+    p.inclinationGrowth = inRange(p.inclinationGrowth, 0.05f, 3.0f, usual.inclinationGrowth);
+    p.follow = inRange(p.follow, 0.0f, 1.0f, usual.follow);
+    p.twist = inRange(p.twist, -glm::two_pi<float>(), glm::two_pi<float>(), usual.twist);
+    p.jitter = inRange(p.jitter, 0.0f, 1.0f, usual.jitter);
+    p.crook = inRange(p.crook, 0.0f, 0.3f, usual.crook);
+    const float thickest = 0.5f * trunkLength(p);
+    p.radius = inRange(p.radius, 0.001f, thickest, std::min(usual.radius, thickest));
+    p.taper = inRange(p.taper, 0.01f, 1.0f, usual.taper);
+    p.radiusRatio = inRange(p.radiusRatio, 0.01f, 1.0f, usual.radiusRatio);
+    while (countUnits(p) * static_cast<std::uint64_t>(p.ringsPerBranch) > maxSkeletonPoints)
+        --p.levels;
+    return p;
+}
+
+int branchingUnits(const RecursiveTreeParameters& p) {
+    return p.trunkUnits - std::min(p.bareUnits, p.trunkUnits - 1);
+}
+
+std::uint64_t branchUnitCount(const RecursiveTreeParameters& parameters) {
+    return countUnits(clamped(parameters));
+}
+
+Skeleton makeRecursiveTree(const RecursiveTreeParameters& parameters) {
+    return Generator(clamped(parameters)).grow();
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// One rigid piece of wood that turns about its base: a trunk segment or a branch (thesis §3.1.3).
+struct BranchUnit {
+    int parent = -1;         ///< Index of the unit it is attached to; -1 for the root. Always < own index.
+    int level = 0;           ///< `branchLevel` of the thesis: 0 for the trunk, 1 for the first branches, ...
+    glm::vec3 base{0.0f};    ///< Attach point at rest, metres, tree frame (Z up, root at the origin).
+    glm::vec3 tip{0.0f};     ///< End point at rest.
+    float baseRadius = 0.0f; ///< Metres.
+    float tipRadius = 0.0f;  ///< Metres.
+};
+
+/// The rest geometry of a tree's wood as centre lines: the thesis' `verticesForLeaves` (§2.2).
+/// Units stand in depth-first access order (Fig 4.5); every parent comes before its children.
+/// Generic: any maker (recursive generator, species form, scan) may fill it.
+struct Skeleton {
+    int ringsPerBranch = 16;       ///< `numBreaks`: points of one unit, at least 2.
+    std::vector<BranchUnit> units; ///< In access order.
+    std::vector<glm::vec3> points; ///< units.size() * ringsPerBranch, unit after unit, base to tip.
+
+    const glm::vec3& point(std::size_t unit, int ring) const {
+        return points[unit * static_cast<std::size_t>(ringsPerBranch) + static_cast<std::size_t>(ring)];
+    }
+    /// Radius at a ring: linear from baseRadius to tipRadius.
+    float radius(std::size_t unit, int ring) const;
+    /// Unit direction of the unit's centre line at a ring (central difference, one-sided at the ends).
+    glm::vec3 tangent(std::size_t unit, int ring) const;
+};
+
+} // namespace osgTreeWind

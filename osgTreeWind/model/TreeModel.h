@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/BranchSkin.h>
+#include <osgTreeWind/model/LeafClusters.h>
+#include <osgTreeWind/model/RecursiveTree.h>
+#include <osgTreeWind/model/Skeleton.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// Everything that shapes a tree.
+struct TreeParameters {
+    RecursiveTreeParameters wood;
+    LeafParameters leaves;
+};
+
+/// The rest geometry of one tree shape, shared by all trees drawn with it.
+struct TreeModel {
+    Skeleton skeleton;
+    BranchSkin skin;
+    std::vector<LeafCluster> leaves;
+    std::array<LeafVertex, verticesPerLeafCluster> leafMesh;
+};
+
+/// Grows skeleton, skin and leaves. Both seeds of `parameters` are offset by `variant`.
+TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
+
+/// What a tree is made of. Vertices are unique ones; triangles are what is drawn.
+struct TreeCounts {
+    std::uint64_t units = 0, branches = 0, skeletonPoints = 0;
+    std::uint64_t skinVertices = 0, skinTriangles = 0;
+    std::uint64_t leafVertices = 0, leafTriangles = 0;
+
+    std::uint64_t totalVertices() const { return skinVertices + leafVertices; }
+    std::uint64_t totalTriangles() const { return skinTriangles + leafTriangles; }
+    TreeCounts& operator+=(const TreeCounts& other);
+};
+
+TreeCounts countTree(const TreeModel& model);
+/// The same numbers without growing the tree; all are exact.
+TreeCounts countTree(const TreeParameters& parameters);
+
+} // namespace osgTreeWind

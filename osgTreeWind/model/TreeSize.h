@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeModel.h>
+
+namespace osgTreeWind {
+
+/// What a forester measures, in metres, 0.001 to 1000. A value that is not above 0 means "not given".
+struct TreeSize {
+    float height = 0.0f;        ///< Ground to the highest point of wood or leaves.
+    float trunkDiameter = 0.0f; ///< At breast height, 1.3 m (or a tenth of the height if that is lower).
+    float crownWidth = 0.0f;    ///< Mean of the east-west and north-south extents.
+};
+
+/// How a shared model is stretched to one tree: a rest point p of the centre line becomes axes * p, radii are
+/// multiplied by `radius`, leaf clusters by `leaf`.
+struct TreeScale {
+    glm::vec3 axes{1.0f};
+    float radius = 1.0f;
+    float leaf = 1.0f;
+};
+
+/// Size of a model under a scale, measured on every vertex of wood and leaves.
+TreeSize measureTree(const TreeModel& model, const TreeScale& scale = {});
+
+/// The scale under which measureTree() gives `size` (within 1 %) as far as the shape can have it: no crown is
+/// narrower than its trunk. Sizes not given follow the height in proportion; with no size at all the scale
+/// is 1.
+TreeScale fitTree(const TreeModel& model, const TreeSize& size);
+
+} // namespace osgTreeWind

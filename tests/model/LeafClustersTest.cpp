@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "ModelTestCases.h"
+
+#include <osgTreeWind/model/LeafClusters.h>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace osgTreeWind {
+namespace {
+
+const glm::vec3 petiole{0, 0, 1}; // in the leaf frame
+
+TEST(LeafClusters, SixteenSitOnEveryBranchAndNoneOnTheTrunk) {
+    const Skeleton skeleton = makeRecursiveTree({});
+    std::vector<int> perUnit(skeleton.units.size());
+    for (const LeafCluster& cluster : makeLeafClusters(skeleton, {}))
+        ++perUnit[static_cast<std::size_t>(cluster.unit)];
+    for (std::size_t unit = 0; unit < perUnit.size(); ++unit)
+        EXPECT_EQ(perUnit[unit], skeleton.units[unit].level == 0 ? 0 : 16) << "unit " << unit;
+}
+
+TEST(LeafClusters, StandInAccessOrder) {
+    const std::vector<LeafCluster> clusters = makeLeafClusters(makeRecursiveTree({}), {});
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+        ASSERT_EQ(clusters[i].unit, static_cast<int>(2 + i / 16));
+}
+
+TEST(LeafClusters, FirstLevelLeavesInnerBranchesBare) {
+    const Skeleton skeleton = makeRecursiveTree({});
+    LeafParameters leaves;
+    leaves.firstLevel = 3;
+    EXPECT_EQ(makeLeafClusters(skeleton, leaves).size(), (27u + 81u) * 16);
+    leaves.firstLevel = 0;
+    EXPECT_EQ(makeLeafClusters(skeleton, leaves).size(), 122u * 16);
+    leaves.firstLevel = 5;
+    EXPECT_TRUE(makeLeafClusters(skeleton, leaves).empty());
+}
+
+TEST(LeafClusters, AreAnchoredOnTheCentreLineOfTheirBranch) {
+    RecursiveTreeParameters p;
+    p.crook = 0.3f;
+    const Skeleton skeleton = makeRecursiveTree(p);
+    for (const LeafCluster& cluster : makeLeafClusters(skeleton, {})) {
+        float nearest = 1e9f;
+        const auto unit = static_cast<std::size_t>(cluster.unit);
+        for (int ring = 0; ring + 1 < skeleton.ringsPerBranch; ++ring) {
+            const glm::vec3 a = skeleton.point(unit, ring), ab = skeleton.point(unit, ring + 1) - a;
+            const float t =
+                std::min(std::max(glm::dot(cluster.anchor - a, ab) / glm::dot(ab, ab), 0.0f), 1.0f);
+            nearest = std::min(nearest, glm::distance(cluster.anchor, a + t * ab));
+        }
+        ASSERT_LT(nearest, 1e-5f) << "unit " << cluster.unit;
+    }
+}
+
+TEST(LeafClusters, SpreadAlongTheWholeBranch) {
+    const Skeleton skeleton = makeRecursiveTree(regularTree());
+    const std::vector<LeafCluster> clusters = makeLeafClusters(skeleton, {});
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        const BranchUnit& unit = skeleton.units[static_cast<std::size_t>(clusters[i].unit)];
+        const float t = glm::distance(clusters[i].anchor, unit.base) / glm::distance(unit.tip, unit.base);
+        ASSERT_NEAR(t, (static_cast<float>(i % 16) + 0.5f) / 16.0f, 1e-4f);
+    }
+}
+
+TEST(LeafClusters, AnyParametersGiveUnitQuaternionsAndFiniteAnchors) {
+    const float nan = std::nanf(""), huge = 1e30f;
+    for (const float value : {nan, huge, -huge, 0.0f}) {
+        LeafParameters leaves;
+        leaves.length = leaves.width = leaves.innerSize = leaves.droop = value;
+        for (const NamedParameters& c : extremeTrees()) {
+            leaves.clustersPerBranch = c.name == "reference" ? 999 : 2;
+            for (const LeafCluster& cluster : makeLeafClusters(makeRecursiveTree(c.parameters), leaves)) {
+                ASSERT_NEAR(glm::length(cluster.orientation), 1.0f, 1e-5f) << c.name << ", " << value;
+                ASSERT_TRUE(isFinite(cluster.anchor)) << c.name << ", " << value;
+                ASSERT_GT(cluster.size, 0.0f) << c.name << ", " << value;
+                ASSERT_LE(cluster.size, 1.25f) << c.name << ", " << value;
+            }
+        }
+        for (const LeafVertex& vertex : makeLeafMesh(leaves)) {
+            ASSERT_TRUE(isFinite(vertex.corner)) << value;
+            ASSERT_TRUE(isFinite(vertex.normal)) << value;
+        }
+    }
+}
+
+TEST(LeafClusters, OutOfRangeLevelsAndCountsAreClamped) {
+    LeafParameters leaves;
+    leaves.clustersPerBranch = std::numeric_limits<int>::min();
+    leaves.firstLevel = std::numeric_limits<int>::min();
+    EXPECT_EQ(clamped(leaves).clustersPerBranch, 0);
+    EXPECT_EQ(clamped(leaves).firstLevel, 0);
+    EXPECT_TRUE(makeLeafClusters(makeRecursiveTree({}), leaves).empty());
+    leaves.clustersPerBranch = std::numeric_limits<int>::max();
+    EXPECT_EQ(makeLeafClusters(makeRecursiveTree({}), leaves).size(), 122u * 64);
+}
+
+TEST(LeafClusters, DroopTurnsPetiolesDown) {
+    const auto meanRise = [](float droop) {
+        LeafParameters leaves;
+        leaves.droop = droop;
+        float sum = 0.0f;
+        for (const LeafCluster& cluster : makeLeafClusters(makeRecursiveTree({}), leaves))
+            sum += (cluster.orientation * petiole).z;
+        return sum / 1920.0f;
+    };
+    EXPECT_LT(meanRise(1.0f), -0.4f);
+    EXPECT_GT(meanRise(-1.0f), 0.4f);
+    EXPECT_LT(meanRise(0.3f), meanRise(0.0f));
+}
+
+TEST(LeafClusters, InnerClustersAreSmaller) {
+    const Skeleton skeleton = makeRecursiveTree({});
+    LeafParameters leaves;
+    leaves.innerSize = 0.5f;
+    for (const LeafCluster& cluster : makeLeafClusters(skeleton, leaves)) {
+        const int level = skeleton.units[static_cast<std::size_t>(cluster.unit)].level;
+        const float expected = 0.5f + 0.5f * static_cast<float>(level - 1) / 3.0f;
+        ASSERT_NEAR(cluster.size, expected, 0.2501f * expected) << "level " << level;
+    }
+}
+
+// A stored value, so that compilers, optimisation levels and machines are held against each other.
+TEST(LeafClusters, ReferenceLeavesAreTheSameOnEveryMachine) {
+    std::vector<glm::vec3> bits;
+    for (const LeafCluster& cluster : makeLeafClusters(makeRecursiveTree({}), {})) {
+        bits.push_back(cluster.anchor);
+        bits.emplace_back(cluster.orientation.x, cluster.orientation.y, cluster.orientation.z);
+        bits.emplace_back(cluster.orientation.w, cluster.size, 0.0f);
+    }
+    EXPECT_EQ(fingerprint(bits), 0x70be2dc77253b229ull);
+}
+
+TEST(LeafClusters, AnotherSeedMovesTheLeaves) {
+    LeafParameters other;
+    other.seed = 2;
+    const Skeleton skeleton = makeRecursiveTree({});
+    EXPECT_NE(makeLeafClusters(skeleton, {})[0].orientation,
+              makeLeafClusters(skeleton, other)[0].orientation);
+}
+
+TEST(LeafMesh, IsThreeRectanglesOfTheGivenSizeAtThePetiole) {
+    LeafParameters leaves;
+    leaves.length = 0.8f;
+    leaves.width = 0.3f;
+    const auto mesh = makeLeafMesh(leaves);
+    for (std::size_t quad = 0; quad < 12; quad += 4) {
+        const glm::vec3 bottom = mesh[quad + 1].corner - mesh[quad].corner;
+        const glm::vec3 side = mesh[quad + 3].corner - mesh[quad].corner;
+        EXPECT_NEAR(glm::length(bottom), 0.3f, 1e-6f);
+        EXPECT_NEAR(glm::length(side), 0.8f, 1e-6f);
+        EXPECT_NEAR(glm::dot(bottom, side), 0.0f, 1e-6f);
+        EXPECT_LT(glm::distance(mesh[quad + 2].corner, mesh[quad].corner + bottom + side), 1e-6f);
+        EXPECT_LT(glm::length(mesh[quad].corner + mesh[quad + 1].corner), 1e-6f) << "centred on the petiole";
+    }
+}
+
+TEST(LeafMesh, NormalsAreUnitVectorsOnTheCounterClockwiseSide) {
+    const auto mesh = makeLeafMesh({});
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+        const std::size_t quad = i / 4 * 4;
+        const glm::vec3 face = glm::normalize(
+            glm::cross(mesh[quad + 1].corner - mesh[quad].corner, mesh[quad + 3].corner - mesh[quad].corner));
+        EXPECT_LT(glm::distance(mesh[i].normal, face), 1e-5f);
+    }
+}
+
+TEST(LeafMesh, TextureCoversEveryQuadOnce) {
+    const auto mesh = makeLeafMesh({});
+    for (std::size_t quad = 0; quad < 12; quad += 4) {
+        EXPECT_EQ(mesh[quad].uv, glm::vec2(0, 0));
+        EXPECT_EQ(mesh[quad + 1].uv, glm::vec2(1, 0));
+        EXPECT_EQ(mesh[quad + 2].uv, glm::vec2(1, 1));
+        EXPECT_EQ(mesh[quad + 3].uv, glm::vec2(0, 1));
+    }
+}
+
+} // namespace
+} // namespace osgTreeWind

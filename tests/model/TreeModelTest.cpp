@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "ModelTestCases.h"
+
+#include <osgTreeWind/model/TreeModel.h>
+
+#include <gtest/gtest.h>
+
+namespace osgTreeWind {
+namespace {
+
+std::vector<std::uint64_t> values(const TreeCounts& c) {
+    return {c.units,         c.branches,     c.skeletonPoints, c.skinVertices,
+            c.skinTriangles, c.leafVertices, c.leafTriangles};
+}
+
+// Design section 4.
+TEST(TreeModel, ReferenceTreeCountsAreExact) {
+    const TreeCounts counts = countTree(makeTreeModel({}));
+    EXPECT_EQ(values(counts), (std::vector<std::uint64_t>{122, 120, 1952, 15616, 29280, 23040, 11520}));
+    EXPECT_EQ(counts.totalVertices(), 38656u);
+    EXPECT_EQ(counts.totalTriangles(), 40800u);
+}
+
+TEST(TreeModel, CountsAreKnownWithoutGrowing) {
+    for (int levels = 0; levels <= 5; ++levels)
+        for (int children = 1; children <= 4; ++children)
+            for (int firstLevel = 0; firstLevel <= 3; ++firstLevel) {
+                TreeParameters p;
+                p.wood.levels = levels;
+                p.wood.childrenPerBranch = children;
+                p.wood.trunkUnits = 1 + firstLevel;
+                p.wood.ringsPerBranch = 2 + levels;
+                p.leaves.firstLevel = firstLevel;
+                p.leaves.clustersPerBranch = children;
+                EXPECT_EQ(values(countTree(p)), values(countTree(makeTreeModel(p))))
+                    << levels << " levels of " << children << ", leaves from " << firstLevel;
+            }
+}
+
+TEST(TreeModel, CountsOfExtremeTreesAreKnownWithoutGrowing) {
+    for (const NamedParameters& c : extremeTrees()) {
+        TreeParameters p;
+        p.wood = c.parameters;
+        p.leaves.clustersPerBranch = -3;
+        p.leaves.firstLevel = -1000;
+        EXPECT_EQ(values(countTree(p)), values(countTree(makeTreeModel(p)))) << c.name;
+    }
+}
+
+TEST(TreeModel, CountsAddUp) {
+    TreeCounts sum = countTree(TreeParameters{});
+    sum += countTree(TreeParameters{});
+    EXPECT_EQ(values(sum), (std::vector<std::uint64_t>{244, 240, 3904, 31232, 58560, 46080, 23040}));
+}
+
+TEST(TreeModel, VariantsDifferInShapeButNotInCounts) {
+    const TreeModel a = makeTreeModel({}, 0), b = makeTreeModel({}, 1);
+    EXPECT_NE(fingerprint(a.skeleton.points), fingerprint(b.skeleton.points));
+    EXPECT_NE(a.leaves[0].orientation, b.leaves[0].orientation);
+    EXPECT_EQ(values(countTree(a)), values(countTree(b)));
+}
+
+TEST(TreeModel, AVariantIsAnOffsetOfBothSeeds) {
+    TreeParameters p;
+    p.wood.seed = p.leaves.seed = 8;
+    const TreeModel a = makeTreeModel({}, 7), b = makeTreeModel(p, 0);
+    EXPECT_EQ(fingerprint(a.skeleton.points), fingerprint(b.skeleton.points));
+    EXPECT_EQ(a.leaves.back().orientation, b.leaves.back().orientation);
+}
+
+} // namespace
+} // namespace osgTreeWind
