@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/GridWind.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/wind/FiniteVelocity.h>
+#include <osgTreeWind/wind/ForestWind.h>
+#include <osgTreeWind/wind/SampleSpan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+Diagnostic problem(const char* key, std::string message) {
+    return {{}, 0, 0, key, std::move(message)};
+}
+
+bool allFinite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// @param expected a double, so that no product of sizes overflows.
+/// @param shape how the count comes about, for the message.
+void checkValues(const std::vector<float>& values, double expected, const std::string& shape,
+                 Diagnostics& problems) {
+    if (static_cast<double>(values.size()) != expected)
+        problems.push_back(problem("values", "expected " + numberText(expected) + " numbers (" + shape +
+                                                 "), found " + std::to_string(values.size())));
+    const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
+    if (bad != values.end())
+        problems.push_back(problem("values", "expected finite m/s, found " + numberText(*bad) + " at index " +
+                                                 std::to_string(bad - values.begin())));
+}
+
+Diagnostics check(const GridWind::Grid& grid) {
+    Diagnostics problems = checkTimes(grid.times);
+    const glm::ivec3& n = grid.points;
+    const glm::dvec3& cell = grid.cell;
+    if (!allFinite(grid.origin))
+        problems.push_back(problem("origin", "expected finite metres"));
+    if (!allFinite(cell) || cell.x <= 0.0 || cell.y <= 0.0 || cell.z <= 0.0)
+        problems.push_back(problem("cell", "expected metres above 0, found " + numberText(cell.x) + ", " +
+                                               numberText(cell.y) + ", " + numberText(cell.z)));
+    if (n.x < 1 || n.y < 1 || n.z < 1) {
+        problems.push_back(problem("points", "expected at least 1 in each direction, found " +
+                                                 std::to_string(n.x) + ", " + std::to_string(n.y) + ", " +
+                                                 std::to_string(n.z)));
+        return problems;
+    }
+    const std::size_t steps = std::max<std::size_t>(1, grid.times.size());
+    std::string shape =
+        "3 x " + std::to_string(n.x) + " x " + std::to_string(n.y) + " x " + std::to_string(n.z) + " points";
+    if (!grid.times.empty())
+        shape += " x " + std::to_string(steps) + " times";
+    checkValues(grid.values, 3.0 * n.x * n.y * n.z * static_cast<double>(steps), shape, problems);
+    return problems;
+}
+
+/// The grid between two of its times.
+class Sampler {
+public:
+    Sampler(const GridWind::Grid& grid, double time)
+        : _grid(grid), _nx(static_cast<std::size_t>(grid.points.x)),
+          _ny(static_cast<std::size_t>(grid.points.y)), _nz(static_cast<std::size_t>(grid.points.z)),
+          _time(grid.times.empty() ? SampleSpan{} : spanAtTime(time, grid.times)) {}
+
+    glm::vec3 at(const glm::vec3& position) const {
+        const glm::dvec3 index = (glm::dvec3(position) - _grid.origin) / _grid.cell;
+        const SampleSpan x = spanAtIndex(index.x, _nx), y = spanAtIndex(index.y, _ny),
+                         z = spanAtIndex(index.z, _nz);
+        glm::dvec3 result = inStep(_time.lower, x, y, z);
+        if (_time.fraction > 0.0)
+            result = _time.mix(result, inStep(_time.upper, x, y, z));
+        return clampedVelocity(result);
+    }
+
+private:
+    glm::dvec3 inStep(std::size_t step, const SampleSpan& x, const SampleSpan& y, const SampleSpan& z) const {
+        const glm::dvec3 low = inLayer(step * _nz + z.lower, x, y);
+        return z.fraction > 0.0 ? z.mix(low, inLayer(step * _nz + z.upper, x, y)) : low;
+    }
+
+    glm::dvec3 inLayer(std::size_t layer, const SampleSpan& x, const SampleSpan& y) const {
+        const std::size_t south = (layer * _ny + y.lower) * _nx, north = (layer * _ny + y.upper) * _nx;
+        return y.mix(x.mix(value(south + x.lower), value(south + x.upper)),
+                     x.mix(value(north + x.lower), value(north + x.upper)));
+    }
+
+    glm::dvec3 value(std::size_t point) const {
+        const float* v = _grid.values.data() + 3 * point;
+        return {v[0], v[1], v[2]};
+    }
+
+    const GridWind::Grid& _grid;
+    std::size_t _nx, _ny, _nz;
+    SampleSpan _time;
+};
+
+} // namespace
+
+GridWind::GridWind(Grid grid) : _grid(std::move(grid)) {}
+
+Result<std::shared_ptr<const GridWind>> GridWind::create(Grid grid) {
+    Diagnostics problems = check(grid);
+    if (!problems.empty())
+        return problems;
+    return std::shared_ptr<const GridWind>(new GridWind(std::move(grid)));
+}
+
+Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector<float> values,
+                                              const glm::dvec3& origin) {
+    Diagnostics problems;
+    if (width < 1)
+        problems.push_back(problem("width", "expected at least 1 cell, found " + std::to_string(width)));
+    if (length < 1)
+        problems.push_back(problem("length", "expected at least 1 cell, found " + std::to_string(length)));
+    if (!allFinite(origin))
+        problems.push_back(problem("origin", "expected finite metres"));
+    if (problems.empty())
+        checkValues(values, 3.0 * width * length,
+                    "width " + std::to_string(width) + " x length " + std::to_string(length) + " x 3",
+                    problems);
+    if (!problems.empty())
+        return problems;
+    return WindFieldPtr(std::make_shared<ForestWind>(width, length, std::move(values), origin));
+}
+
+glm::vec3 GridWind::velocity(const glm::vec3& position, double time) const {
+    return Sampler(_grid, time).at(position);
+}
+
+void GridWind::sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
+    const Sampler sampler(_grid, time);
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = sampler.at(positions[i]);
+}
+
+} // namespace osgTreeWind

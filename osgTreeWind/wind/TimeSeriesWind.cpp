@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/TimeSeriesWind.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/wind/FiniteVelocity.h>
+#include <osgTreeWind/wind/SampleSpan.h>
+
+#include <cmath>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+Diagnostics check(const WindSeries& series) {
+    Diagnostics problems = checkTimes(series.times);
+    if (series.times.empty())
+        problems.push_back({{}, 0, 0, "times", "expected at least one record"});
+    if (series.velocities.size() != series.times.size())
+        problems.push_back({{},
+                            0,
+                            0,
+                            "velocities",
+                            "expected one per time, " + std::to_string(series.times.size()) + ", found " +
+                                std::to_string(series.velocities.size())});
+    for (std::size_t i = 0; i < series.velocities.size(); ++i)
+        if (calmUnlessFinite(series.velocities[i]) != series.velocities[i])
+            problems.push_back(
+                {{}, 0, 0, "velocities", "expected finite m/s at velocities[" + std::to_string(i) + "]"});
+    if (series.profile && !series.profile->valid())
+        problems.push_back({{},
+                            0,
+                            0,
+                            "profile",
+                            "expected 0 < roughness < height in metres, found roughness " +
+                                numberText(series.profile->roughness) + " and height " +
+                                numberText(series.profile->height)});
+    return problems;
+}
+
+/// The time within the first period, counted from the first record on.
+double wrapped(double time, const std::vector<double>& times) {
+    const double first = times.front(), period = times.back() - first;
+    const double phase = std::fmod(time - first, period); // NaN, and so the first record, for no period
+    return first + (phase < 0.0 ? phase + period : phase);
+}
+
+} // namespace
+
+TimeSeriesWind::TimeSeriesWind(WindSeries series) : _series(std::move(series)) {}
+
+Result<std::shared_ptr<const TimeSeriesWind>> TimeSeriesWind::create(WindSeries series) {
+    Diagnostics problems = check(series);
+    if (!problems.empty())
+        return problems;
+    return std::shared_ptr<const TimeSeriesWind>(new TimeSeriesWind(std::move(series)));
+}
+
+glm::dvec3 TimeSeriesWind::measured(double time) const {
+    const SampleSpan span = spanAtTime(_series.repeat ? wrapped(time, _series.times) : time, _series.times);
+    return span.mix(glm::dvec3(_series.velocities[span.lower]), glm::dvec3(_series.velocities[span.upper]));
+}
+
+glm::vec3 TimeSeriesWind::atHeight(const glm::dvec3& measured, float z) const {
+    return clampedVelocity(_series.profile ? measured * _series.profile->factor(z) : measured);
+}
+
+glm::vec3 TimeSeriesWind::velocity(const glm::vec3& position, double time) const {
+    return atHeight(measured(time), position.z);
+}
+
+void TimeSeriesWind::sample(const glm::vec3* positions, std::size_t count, double time,
+                            glm::vec3* out) const {
+    const glm::dvec3 now = measured(time);
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = atHeight(now, positions[i].z);
+}
+
+} // namespace osgTreeWind

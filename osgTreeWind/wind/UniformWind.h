@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/WindField.h>
+
+namespace osgTreeWind {
+
+/// The same velocity everywhere and always.
+class UniformWind final : public WindField {
+public:
+    /// @param velocity m/s toward; calm when a component is not finite.
+    explicit UniformWind(const glm::vec3& velocity);
+
+    glm::vec3 velocity(const glm::vec3& position, double time) const override;
+
+private:
+    glm::vec3 _velocity;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <memory>
+
+namespace osgTreeWind {
+
+/// The wind: a velocity at every place and time.
+///
+/// Positions are metres in the scene (x east, y north, z up, relative to the forest's origin); velocities are
+/// m/s, the direction the air moves *toward*; times are seconds of simulation time.
+/// Fields are immutable once shared: any number of threads may sample one. Replace a wind by handing over
+/// another field.
+class WindField {
+public:
+    virtual ~WindField() = default;
+
+    /// Velocity at one place and time. Finite for finite arguments.
+    virtual glm::vec3 velocity(const glm::vec3& position, double time) const = 0;
+
+    /// Velocities at `count` places at one time. Does not allocate.
+    virtual void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
+        for (std::size_t i = 0; i < count; ++i)
+            out[i] = velocity(positions[i], time);
+    }
+};
+
+using WindFieldPtr = std::shared_ptr<const WindField>;
+
+} // namespace osgTreeWind

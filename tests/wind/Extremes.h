@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/WindField.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+/// Asks a wind for absurd places and times, and expects finite answers, the same from velocity and sample.
+inline void expectFiniteEverywhere(const osgTreeWind::WindField& wind) {
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<float> odd = {0.0f, -0.0f, 0.5f, -1.0f, 1e-40f, 1e30f, -1e30f, 3.4e38f, inf, -inf, nan};
+    std::vector<glm::vec3> positions;
+    for (float x : odd)
+        for (float y : odd)
+            for (float z : odd)
+                positions.emplace_back(x, y, z);
+    std::vector<glm::vec3> sampled(positions.size());
+    for (double time : {0.0, -1.0, 0.3, 1e30, -1e300, double(inf), -double(inf), double(nan)}) {
+        wind.sample(positions.data(), positions.size(), time, sampled.data());
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const glm::vec3& at = positions[i];
+            const glm::vec3 v = wind.velocity(at, time);
+            ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z))
+                << "at " << at.x << ' ' << at.y << ' ' << at.z << ", time " << time;
+            ASSERT_EQ(v, sampled[i]) << "at " << at.x << ' ' << at.y << ' ' << at.z << ", time " << time;
+        }
+    }
+}
