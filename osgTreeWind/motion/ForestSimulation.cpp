@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <osgTreeWind/model/ThesisFrame.h>
+#include <osgTreeWind/motion/Laws.h>
+#include <osgTreeWind/motion/NoiseTime.h>
+#include <osgTreeWind/motion/Rotations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+std::size_t shapeCount(const Species& species) {
+    return static_cast<std::size_t>(std::clamp(species.shapes, 1, 64));
+}
+
+/// v turned counter-clockwise about the vertical.
+glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine) {
+    return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+}
+
+} // namespace
+
+ForestSimulation::ForestSimulation(ForestDescription description)
+    : _description(std::move(description)), _wind(_description.wind) {
+    const std::size_t speciesCount = _description.species.size();
+    auto& placements = _description.trees;
+    placements.erase(std::remove_if(placements.begin(), placements.end(),
+                                    [=](const TreePlacement& p) { return p.species >= speciesCount; }),
+                     placements.end());
+
+    std::vector<std::size_t> firstModel;
+    for (const Species& species : _description.species) {
+        firstModel.push_back(_models.size());
+        for (std::size_t shape = 0; shape < shapeCount(species); ++shape)
+            _models.push_back(makeTreeModel(species.tree, static_cast<std::uint32_t>(shape)));
+    }
+    std::size_t units = 0, leaves = 0;
+    _trees.reserve(placements.size());
+    for (const TreePlacement& placement : placements) {
+        Tree tree;
+        tree.species = placement.species;
+        tree.model =
+            firstModel[tree.species] + placement.seed % shapeCount(_description.species[tree.species]);
+        tree.scale = fitTree(_models[tree.model], placement.size);
+        tree.position = glm::vec3(placement.position - _description.origin);
+        tree.heading = placement.heading;
+        tree.firstUnit = units;
+        tree.firstLeaf = leaves;
+        units += _models[tree.model].skeleton.units.size();
+        leaves += _models[tree.model].leaves.size();
+        _trees.push_back(tree);
+    }
+    for (const Tree& tree : _trees)
+        prepareUnits(tree);
+    _windSamples.resize(units);
+    _branchStates.resize(units);
+    _rotations.resize(units);
+    _poses.resize(units);
+    _leafStates.resize(leaves);
+    reset();
+}
+
+void ForestSimulation::prepareUnits(const Tree& tree) {
+    const TreeModel& model = _models[tree.model];
+    const Species& species = _description.species[tree.species];
+    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    for (const BranchUnit& unit : model.skeleton.units)
+        _windPositions.push_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine));
+    if (_description.law == MotionLaw::Damped) {
+        const auto damped = makeDampedParameters(model, tree.scale, species);
+        _dampedBranches.insert(_dampedBranches.end(), damped.begin(), damped.end());
+    } else {
+        for (const BranchUnit& unit : model.skeleton.units)
+            _branches.push_back(makeBranchParameters(unit, tree.scale, species));
+    }
+}
+
+void ForestSimulation::reset() {
+    std::fill(_windSamples.begin(), _windSamples.end(), glm::vec3(0.0f));
+    std::fill(_branchStates.begin(), _branchStates.end(), glm::vec4(0.0f));
+    std::fill(_leafStates.begin(), _leafStates.end(), glm::vec4(0.0f));
+    std::fill(_rotations.begin(), _rotations.end(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
+    std::fill(_poses.begin(), _poses.end(), UnitPose());
+    _time.reset();
+}
+
+void ForestSimulation::setWind(WindFieldPtr wind) {
+    const std::lock_guard<std::mutex> lock(_windMutex);
+    _wind.swap(wind); // the old field goes when the parameter does, after the lock
+}
+
+WindFieldPtr ForestSimulation::wind() const {
+    const std::lock_guard<std::mutex> lock(_windMutex);
+    return _wind;
+}
+
+bool ForestSimulation::advance(double time) {
+    if (!std::isfinite(time))
+        return false;
+    const double elapsed = _time ? std::min(time - *_time, maxStep) : 0.0;
+    const bool forward = elapsed > 0.0;
+    _time = time;
+    if (!forward)
+        return false;
+
+    if (const WindFieldPtr field = wind())
+        field->sample(_windPositions.data(), _windPositions.size(), time, _windSamples.data());
+    else
+        std::fill(_windSamples.begin(), _windSamples.end(), glm::vec3(0.0f));
+    for (std::size_t i = 0; i < _trees.size(); ++i) {
+        const Tree& tree = _trees[i];
+        const std::uint32_t seed = _description.trees[i].seed;
+        if (_description.law == MotionLaw::Damped)
+            swingBranches(tree, static_cast<float>(elapsed));
+        else
+            turnBranches(tree, seed, time);
+        flutterLeaves(tree, seed, time);
+        composePoses(_models[tree.model].skeleton, tree.scale, _rotations.data() + tree.firstUnit,
+                     _poses.data() + tree.firstUnit);
+    }
+    return true;
+}
+
+void ForestSimulation::turnBranches(const Tree& tree, std::uint32_t seed, double time) {
+    Laws laws;
+    const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
+    const NoiseTime now = NoiseTime::at(time, _description.species[tree.species].branch.noiseFrequency);
+    const auto units = static_cast<std::uint32_t>(_models[tree.model].skeleton.units.size());
+    for (std::uint32_t unit = 0; unit < units; ++unit) {
+        const std::size_t i = tree.firstUnit + unit;
+        const glm::vec3 air = toThesis(turnHeading(_windSamples[i], sine, cosine));
+        glm::vec3 noise;
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            noise[static_cast<int>(axis)] =
+                laws.streamNoise(laws.noiseStream(seed, unit, axis), now.cell, now.fraction);
+
+        const BranchParameters& p = _branches[i];
+        const Laws::ThesisBranch branch{p.spring, p.length, p.maxAngle, p.partialSteps, p.levelLoad};
+        glm::vec4& state = _branchStates[i];
+        state = _description.law == MotionLaw::Thesis
+                    ? laws.thesisBranchStep(state, air, noise, branch)
+                    : laws.thesisSmoothBranchStep(state, air, noise, branch);
+        _rotations[i] = branchRotation(state);
+    }
+}
+
+void ForestSimulation::swingBranches(const Tree& tree, float seconds) {
+    Laws laws;
+    const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
+    const std::size_t end = tree.firstUnit + _models[tree.model].skeleton.units.size();
+    for (std::size_t i = tree.firstUnit; i < end; ++i) {
+        const DampedParameters& p = _dampedBranches[i];
+        const glm::vec3 air = turnHeading(_windSamples[i], sine, cosine);
+        const glm::vec2 across(glm::dot(air, laws.branchAxis1(p.direction)),
+                               glm::dot(air, laws.branchAxis3(p.direction)));
+        const Laws::DampedBranch branch{p.stiffness, p.inertia, p.damping, p.drag, p.lever, p.maxAngle};
+        glm::vec4& state = _branchStates[i];
+        state = laws.dampedBranchStep(state, across, branch, seconds);
+        _rotations[i] = dampedRotation(state, p.direction);
+    }
+}
+
+void ForestSimulation::flutterLeaves(const Tree& tree, std::uint32_t seed, double time) {
+    Laws laws;
+    const LeafMotion& motion = _description.species[tree.species].leaf;
+    const Laws::ThesisLeaf leaf{motion.maxAngleX,    motion.maxAngleZ, motion.maxRotation,
+                                motion.partialSteps, motion.factor,    motion.linkedFactor};
+    const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency);
+    const auto leaves = static_cast<std::uint32_t>(_models[tree.model].leaves.size());
+    for (std::uint32_t i = 0; i < leaves; ++i) {
+        const float x = laws.streamNoise(laws.noiseStream(seed, i, 3), now.cell, now.fraction);
+        const float z = laws.streamNoise(laws.noiseStream(seed, i, 4), now.cell, now.fraction);
+        glm::vec4& state = _leafStates[tree.firstLeaf + i];
+        state = laws.thesisLeafStep(state, x, z, leaf);
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/BranchParameters.h>
+#include <osgTreeWind/motion/DampedParameters.h>
+#include <osgTreeWind/motion/ForestDescription.h>
+#include <osgTreeWind/motion/UnitPose.h>
+
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// A forest in motion, without graphics: the `cpu` way to the pose (design, "The frame").
+///
+/// All arrays run tree after tree in the order of the description and, within a tree, in access order.
+/// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
+class ForestSimulation {
+public:
+    struct Tree {
+        std::size_t model = 0; ///< Index into models().
+        std::size_t species = 0;
+        TreeScale scale;
+        glm::vec3 position{0.0f}; ///< Scene coordinates.
+        float heading = 0.0f;
+        std::size_t firstUnit = 0;
+        std::size_t firstLeaf = 0;
+    };
+
+    /// Grows the shapes and places the trees at rest. Trees of a species that is not there are left out.
+    explicit ForestSimulation(ForestDescription description);
+
+    /// As given, but for trees left out; its wind is the first one, whatever setWind() did.
+    const ForestDescription& description() const { return _description; }
+    const std::vector<TreeModel>& models() const { return _models; }
+    const std::vector<Tree>& trees() const { return _trees; }
+
+    /// The wind from the next advance() on. Null: calm.
+    void setWind(WindFieldPtr wind);
+    WindFieldPtr wind() const;
+
+    /// Moves on to `time` (seconds): samples the wind at every branch base, takes one step of the law,
+    /// flutters the leaves, composes the poses. The first call, and a call with an unchanged or earlier time,
+    /// keeps the state (a pause holds), and a time that is not finite is ignored. The laws of the thesis take
+    /// one step however much time has passed; for `damped` a jump of more than maxStep counts as maxStep.
+    /// Does not allocate.
+    /// @return whether a step was taken.
+    bool advance(double time);
+    static constexpr double maxStep = 0.1;
+
+    /// Back to rest.
+    void reset();
+
+    /// Where the wind is sampled: base of each unit at rest, scene coordinates.
+    const std::vector<glm::vec3>& windPositions() const { return _windPositions; }
+    /// What was sampled at the last step, scene axes, m/s.
+    const std::vector<glm::vec3>& windSamples() const { return _windSamples; }
+    /// Per unit: (angleXY, angleYZ, wind.x, wind.z), thesis axes of the tree's own frame; for the law
+    /// `damped` the angles about both axes of the branch, radians, and their speeds.
+    const std::vector<glm::vec4>& branchStates() const { return _branchStates; }
+    /// Per leaf cluster: (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame.
+    const std::vector<glm::vec4>& leafStates() const { return _leafStates; }
+    /// Per unit: its own turn about its base, in the tree's rest axes.
+    const std::vector<glm::quat>& rotations() const { return _rotations; }
+    /// Per unit: pose in the tree's frame.
+    const std::vector<UnitPose>& poses() const { return _poses; }
+
+private:
+    void prepareUnits(const Tree& tree);
+    void turnBranches(const Tree& tree, std::uint32_t seed, double time);
+    void swingBranches(const Tree& tree, float seconds);
+    void flutterLeaves(const Tree& tree, std::uint32_t seed, double time);
+
+    ForestDescription _description;
+    std::vector<TreeModel> _models;
+    std::vector<Tree> _trees;
+    std::vector<BranchParameters> _branches;       // per unit, for the laws of the thesis
+    std::vector<DampedParameters> _dampedBranches; // per unit, for `damped`
+    std::vector<glm::vec3> _windPositions, _windSamples;
+    std::vector<glm::vec4> _branchStates, _leafStates;
+    std::vector<glm::quat> _rotations;
+    std::vector<UnitPose> _poses;
+    std::optional<double> _time;
+    mutable std::mutex _windMutex; // guards _wind
+    WindFieldPtr _wind;
+};
+
+} // namespace osgTreeWind

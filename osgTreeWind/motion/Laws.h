@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace osgTreeWind {
+namespace lawText {
+
+using namespace glm;
+
+/// The law files of shaders/law, compiled as C++. Functions in the body of a class are inline and may stay
+/// unused, which the same text in a namespace could not say. Stateless: call Laws().thesisBranchStep(...).
+/// Not for installed headers, since it needs shaders/.
+struct Laws {
+#include <shaders/law/limits.glsl>
+
+#include <shaders/law/noise.glsl>
+
+#include <shaders/law/thesis_branch.glsl>
+
+#include <shaders/law/thesis_leaf.glsl>
+
+#include <shaders/law/rotation.glsl>
+
+#include <shaders/law/damped_branch.glsl>
+};
+
+} // namespace lawText
+
+using lawText::Laws;
+
+} // namespace osgTreeWind

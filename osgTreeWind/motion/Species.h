@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeModel.h>
+
+#include <glm/vec3.hpp>
+
+#include <string>
+
+namespace osgTreeWind {
+
+/// Mechanical properties of wood and crown, SI units.
+struct WoodParameters {
+    float elasticModulus = 9.0e9f; ///< Of green wood, Pa, > 0.
+    // The rest is for the law `damped`.
+    float density = 900.0f;     ///< Of green wood, kg/m^3, > 0.
+    float dampingRatio = 0.08f; ///< Of a branch's own oscillation in vacuum, [0, 2].
+    float leafMass = 0.2f;      ///< Fresh leaves over their area, kg/m^2, >= 0.
+    float woodDrag = 1.0f;      ///< Drag coefficient of a branch, >= 0.
+    float leafDrag = 0.25f;     ///< Drag coefficient of leaves, which turn out of the wind, >= 0.
+};
+
+/// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.
+struct BranchMotion {
+    float maxAngle = 0.5f;       ///< Largest angle about either axis, [0, pi/2].
+    float partialSteps = 24.0f;  ///< `NUMB`: a new angle is reached in this many partial steps, >= 1.
+    float levelFactor = 0.0f;    ///< `factor`: added to the load per branch level (§3.1.2), m/s.
+    float noiseFrequency = 0.7f; ///< Of the load noise, Hz, >= 0.
+};
+
+/// How leaf clusters flutter (§3.2, appendix D). Angles in radians.
+struct LeafMotion {
+    float maxAngleX = 0.35f;     ///< `maxMotionAngleX`, about the leaf's thesis Z axis.
+    float maxAngleZ = 0.35f;     ///< `maxMotionAngleZ`, about the leaf's X axis.
+    float maxRotation = 0.6f;    ///< `maxRotationAngle`, about the petiole.
+    float partialSteps = 6.0f;   ///< `NUM`, >= 1.
+    float factor = 1.0f;         ///< `fact`, [0, 1].
+    float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation that goes with the X motion.
+    float noiseFrequency = 1.3f; ///< Hz, >= 0.
+};
+
+/// Linear RGB colours, each in [0, 1].
+struct Appearance {
+    glm::vec3 bark{0.40f, 0.33f, 0.27f};
+    glm::vec3 leaves{0.38f, 0.50f, 0.20f};
+    bool needles = false; ///< Leaf texture: sprays of needles instead of blades.
+};
+
+/// A kind of tree: how it grows, moves and looks.
+struct Species {
+    std::string name;
+    TreeParameters tree;
+    int shapes = 3; ///< Distinct models shared by all trees of the species, 1 to 64.
+    WoodParameters wood;
+    BranchMotion branch;
+    LeafMotion leaf;
+    Appearance appearance;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeSize.h>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// Where a branch unit stands: a rest point p of the scaled tree is drawn at rotation * p + translation,
+/// in the tree's own frame (metres, Z up).
+struct UnitPose {
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    glm::vec3 translation{0.0f};
+
+    glm::vec3 apply(const glm::vec3& p) const { return rotation * p + translation; }
+};
+
+/// Composes M(unit) = M(parent) * T(base) * R(unit) * T(-base) down the hierarchy (thesis §3.1.3), with
+/// `rotations` the turn of each unit about its own base in the tree's rest axes.
+/// @param rotations, poses skeleton.units.size() elements each.
+void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,
+                  UnitPose* poses);
+
+} // namespace osgTreeWind

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Needs limits.glsl and rotation.glsl. Law `damped`: a driven oscillator per branch and axis, SI units,
+// independent of the frame rate and stable at any step.
+// J w' + (C + b l^2) w + K x = b l v,  b = drag |v - l w|
+
+/// What a branch is to this law.
+struct DampedBranch {
+    float stiffness; // K, N m/rad
+    float inertia;   // J, kg m^2
+    float damping;   // C, N m s
+    float drag;      // half the air's density times the sum of CdA, kg/m
+    float lever;     // l, metres
+    float maxAngle;  // [0, pi/2]
+};
+
+/// The same within ranges in which no step overflows.
+DampedBranch soundBranch(DampedBranch given) {
+    DampedBranch branch;
+    branch.stiffness = max(bounded(given.stiffness, 1.0e12f), 1.0e-6f);
+    branch.inertia = max(bounded(given.inertia, 1.0e12f), 1.0e-6f);
+    branch.damping = max(bounded(given.damping, 1.0e9f), 0.0f);
+    branch.drag = max(bounded(given.drag, 1.0e6f), 0.0f);
+    branch.lever = max(bounded(given.lever, 1.0e3f), 0.0f);
+    branch.maxAngle = angleLimit(given.maxAngle);
+    return branch;
+}
+
+/// (angle, speed) after h seconds under the drag factor b held constant: the exact solution.
+vec2 dampedExactStep(vec2 motion, float wind, float b, DampedBranch branch, float h) {
+    float equilibrium = b * branch.lever * wind / branch.stiffness;
+    float x = motion.x - equilibrium;
+    float w = sqrt(branch.stiffness / branch.inertia) * h;                                  // Omega h
+    float g = (branch.damping + b * branch.lever * branch.lever) / (2.0f * branch.inertia) * h; // gamma h
+    float d = (w - g) * (w + g);                                                            // D h^2
+    float cosine = 0.0f; // e^-gh cos(sqrt(D) h)
+    float sine = 0.0f;   // e^-gh sin(sqrt(D) h) / (sqrt(D) h)
+    if (abs(d) < 0.01f) {
+        cosine = exp(-g) * (1.0f - d / 2.0f + d * d / 24.0f);
+        sine = exp(-g) * (1.0f - d / 6.0f + d * d / 120.0f);
+    } else if (d > 0.0f) {
+        float phase = sqrt(d);
+        cosine = exp(-g) * cos(phase);
+        sine = exp(-g) * sin(phase) / phase;
+    } else {
+        float q = g * sqrt((1.0f - w / g) * (1.0f + w / g));
+        float slow = exp(-w * w / (g + q));
+        float fast = exp(-(g + q));
+        cosine = 0.5f * (slow + fast);
+        sine = 0.5f * (slow - fast) / q;
+    }
+    return vec2(equilibrium + (cosine + g * sine) * x + h * sine * motion.y,
+                -w * w * sine * x / h + (cosine - g * sine) * motion.y);
+}
+
+/// One axis over h > 0 seconds: half a step to find the drag, a whole one with it, then the limit.
+vec2 dampedAxisStep(vec2 motion, float wind, DampedBranch branch, float h) {
+    float before = branch.drag * abs(wind - branch.lever * motion.y);
+    vec2 middle = dampedExactStep(motion, wind, before, branch, 0.5f * h);
+    float during = branch.drag * abs(wind - branch.lever * bounded(middle.y, 1.0e3f));
+    vec2 next = dampedExactStep(motion, wind, during, branch, h);
+    float angle = bounded(next.x, branch.maxAngle);
+    float speed = bounded(next.y, 1.0e3f);
+    if (angle >= branch.maxAngle) speed = min(speed, 0.0f);
+    if (angle <= -branch.maxAngle) speed = max(speed, 0.0f);
+    return vec2(angle, speed);
+}
+
+/// `seconds` of motion, in substeps of at most 1/120 s, at most 16; none for 0 or less.
+/// State: angles about both axes, rad, then their speeds, rad/s. Wind: along both, m/s.
+vec4 dampedBranchStep(vec4 state, vec2 wind, DampedBranch given, float seconds) {
+    DampedBranch branch = soundBranch(given);
+    float time = max(bounded(seconds, 16.0f / 120.0f), 0.0f);
+    int steps = int(ceil(time * 120.0f - 0.001f));
+    vec2 air = vec2(bounded(wind.x, 1.0e3f), bounded(wind.y, 1.0e3f));
+    vec2 first = vec2(bounded(state.x, branch.maxAngle), bounded(state.z, 1.0e3f));
+    vec2 second = vec2(bounded(state.y, branch.maxAngle), bounded(state.w, 1.0e3f));
+    for (int i = 0; i < steps; ++i) {
+        first = dampedAxisStep(first, air.x, branch, time / float(steps));
+        second = dampedAxisStep(second, air.y, branch, time / float(steps));
+    }
+    return vec4(first.x, second.x, first.y, second.y);
+}
+
+/// First axis of a branch, across its unit direction: nearest to +x (to +y for a branch along x).
+vec3 branchAxis1(vec3 direction) {
+    vec3 side = vec3(1.0f, 0.0f, 0.0f);
+    if (abs(direction.x) > 0.99f) side = vec3(0.0f, 1.0f, 0.0f);
+    return normalize(side - dot(side, direction) * direction);
+}
+
+/// Second axis; thesis +z for an upright branch.
+vec3 branchAxis3(vec3 direction) { return cross(branchAxis1(direction), direction); }
+
+/// Turn of a branch about its base: the rotation vector angle1 (d x e1) + angle3 (d x e3).
+vec4 dampedRotation(float angle1, float angle3, vec3 direction) {
+    vec3 turn =
+        angle1 * cross(direction, branchAxis1(direction)) + angle3 * cross(direction, branchAxis3(direction));
+    float angle = length(turn);
+    if (angle < 1.0e-12f) return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    return turnAbout(turn / angle, angle);
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// From angles to rotations. Quaternions are vec4(x, y, z, w); the axes are OSG's (Z up): thesis X, Y, Z are
+// (1, 0, 0), (0, 0, 1) and (0, -1, 0) there.
+
+/// Turn by `angle` radians about a unit axis.
+vec4 turnAbout(vec3 axis, float angle) { return vec4(axis * sin(0.5f * angle), cos(0.5f * angle)); }
+
+/// The turn `second` after the turn `first`.
+vec4 turnAfter(vec4 second, vec4 first) {
+    vec3 a = vec3(second.x, second.y, second.z);
+    vec3 b = vec3(first.x, first.y, first.z);
+    return vec4(second.w * b + first.w * a + cross(a, b), second.w * first.w - dot(a, b));
+}
+
+/// v turned by the unit quaternion q.
+vec3 turnVector(vec4 q, vec3 v) {
+    vec3 a = vec3(q.x, q.y, q.z);
+    vec3 t = 2.0f * cross(a, v);
+    return v + q.w * t + cross(a, t);
+}
+
+/// Turn of a branch about its base (Fig 3.1): Rx(angleYZ) * Rz(-angleXY) about thesis axes, so that wind
+/// toward +x moves a tip toward +x and wind toward thesis +z moves it toward thesis +z.
+vec4 branchRotation(float angleXY, float angleYZ) {
+    return turnAfter(turnAbout(vec3(1.0f, 0.0f, 0.0f), angleYZ), turnAbout(vec3(0.0f, 1.0f, 0.0f), angleXY));
+}
+
+/// Turn of a leaf in the leaf frame, petiole along +Z (thesis Y), before its rest orientation (Figs 3.11,
+/// 3.12): Rx(motionAngleZ) * Rz(motionAngleX) * Ry(totalRotaAngle) about thesis axes.
+vec4 leafRotation(float motionAngleX, float motionAngleZ, float totalRotaAngle) {
+    return turnAfter(turnAbout(vec3(1.0f, 0.0f, 0.0f), motionAngleZ),
+                     turnAfter(turnAbout(vec3(0.0f, -1.0f, 0.0f), motionAngleX),
+                               turnAbout(vec3(0.0f, 0.0f, 1.0f), totalRotaAngle)));
+}

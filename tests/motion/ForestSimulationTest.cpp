@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <thread>
+
+using namespace osgTreeWind;
+
+namespace {
+
+class TestWind : public WindField {
+public:
+    explicit TestWind(std::function<glm::vec3(const glm::vec3&, double)> f) : _f(std::move(f)) {}
+    glm::vec3 velocity(const glm::vec3& position, double time) const override { return _f(position, time); }
+
+private:
+    std::function<glm::vec3(const glm::vec3&, double)> _f;
+};
+
+WindFieldPtr uniform(const glm::vec3& v) {
+    return std::make_shared<TestWind>([v](const glm::vec3&, double) { return v; });
+}
+
+/// One small limber tree at the origin: 2 + 3 + 9 units.
+ForestDescription oneTree(MotionLaw law = MotionLaw::Thesis) {
+    ForestDescription forest;
+    Species species;
+    species.name = "sapling";
+    species.tree.wood.levels = 2;
+    species.tree.leaves.clustersPerBranch = 2;
+    species.wood.elasticModulus = 2.0e6f;
+    forest.species.push_back(species);
+    forest.trees.resize(1);
+    forest.law = law;
+    return forest;
+}
+
+void run(ForestSimulation& simulation, int frames, double start = 0.0, double step = 1.0 / 60.0) {
+    for (int i = 0; i <= frames; ++i)
+        simulation.advance(start + i * step);
+}
+
+/// Tip of a unit, tree frame.
+glm::vec3 tip(const ForestSimulation& simulation, std::size_t unit) {
+    const ForestSimulation::Tree& tree = simulation.trees()[0];
+    const BranchUnit& branch = simulation.models()[tree.model].skeleton.units[unit];
+    return simulation.poses()[tree.firstUnit + unit].apply(tree.scale.axes * branch.tip);
+}
+
+glm::vec3 turned(const glm::vec3& v, float heading) {
+    return glm::angleAxis(heading, glm::vec3(0, 0, 1)) * v;
+}
+
+template <typename T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+} // namespace
+
+TEST(ForestSimulation, StartsAtRest) {
+    const ForestSimulation simulation(oneTree());
+    ASSERT_EQ(simulation.poses().size(), 14u);
+    ASSERT_EQ(simulation.leafStates().size(), 24u);
+    for (std::size_t unit = 0; unit < 14; ++unit)
+        EXPECT_EQ(tip(simulation, unit), simulation.models()[0].skeleton.units[unit].tip);
+}
+
+TEST(ForestSimulation, TipsMoveDownwind) {
+    for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped})
+        for (const glm::vec3 wind : {glm::vec3(3, 0, 0), glm::vec3(0, 3, 0), glm::vec3(-2, 2, 0)}) {
+            ForestDescription forest = oneTree(law);
+            forest.wind = uniform(wind);
+            ForestSimulation simulation(forest);
+            std::vector<glm::vec3> rest;
+            for (std::size_t unit = 0; unit < 14; ++unit)
+                rest.push_back(tip(simulation, unit));
+            run(simulation, 30);
+            for (std::size_t unit = 0; unit < 14; ++unit)
+                EXPECT_GT(glm::dot(tip(simulation, unit) - rest[unit], wind), 0.0f) << "unit " << unit;
+        }
+}
+
+TEST(ForestSimulation, JointsStayConnected) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({4, -3, 1});
+    forest.trees[0].size = {11.0f, 0.5f, 9.0f};
+    ForestSimulation simulation(forest);
+    run(simulation, 100);
+    const ForestSimulation::Tree& tree = simulation.trees()[0];
+    const Skeleton& skeleton = simulation.models()[tree.model].skeleton;
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
+        const int parent = skeleton.units[i].parent;
+        const glm::vec3 joint = tree.scale.axes * skeleton.units[i].base;
+        const glm::vec3 below =
+            parent < 0 ? joint : simulation.poses()[static_cast<std::size_t>(parent)].apply(joint);
+        EXPECT_LT(glm::length(below - simulation.poses()[i].apply(joint)), 1e-4f);
+    }
+}
+
+TEST(ForestSimulation, AnglesStayWithinTheirLimits) {
+    ForestDescription forest = oneTree();
+    forest.species[0].branch.maxAngle = 0.3f;
+    forest.wind = std::make_shared<TestWind>(
+        [](const glm::vec3&, double t) { return glm::vec3(40 * std::sin(t), 40 * std::cos(3 * t), 0); });
+    ForestSimulation simulation(forest);
+    run(simulation, 300);
+    for (const glm::vec4& state : simulation.branchStates()) {
+        EXPECT_LE(std::abs(state.x), 0.3f);
+        EXPECT_LE(std::abs(state.y), 0.3f);
+    }
+}
+
+TEST(ForestSimulation, CalmAfterWindFreezesTheThesisLaw) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({2, 1, 0});
+    ForestSimulation simulation(forest);
+    run(simulation, 20);
+    const auto poses = simulation.poses();
+    simulation.setWind(nullptr);
+    run(simulation, 60, 1.0);
+    EXPECT_GT(simulation.branchStates()[5].x, 0.01f);
+    EXPECT_TRUE(sameBits(poses, simulation.poses()));
+}
+
+TEST(ForestSimulation, ThesisLawFollowsTheFrameRate) {
+    ForestDescription forest = oneTree();
+    forest.species[0].wood.elasticModulus = 2.0e8f; // stiff: far from the limit
+    forest.wind = uniform({2, 0, 0});
+    ForestSimulation slow(forest), fast(forest);
+    run(slow, 30, 0.0, 1.0 / 30.0);
+    run(fast, 60, 0.0, 1.0 / 60.0);
+    EXPECT_NEAR(fast.branchStates()[8].x / slow.branchStates()[8].x, 2.0f, 0.02f);
+}
+
+TEST(ForestSimulation, DampedLawDoesNotFollowTheFrameRate) {
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    forest.species[0].wood.elasticModulus = 2.0e8f;
+    forest.wind = uniform({6, 2, 0});
+    ForestSimulation slow(forest), fast(forest);
+    run(slow, 40, 0.0, 1.0 / 20.0);
+    run(fast, 240, 0.0, 1.0 / 120.0);
+    for (std::size_t unit = 0; unit < 14; ++unit)
+        EXPECT_LT(glm::length(tip(slow, unit) - tip(fast, unit)), 1e-3f);
+}
+
+TEST(ForestSimulation, DampedTreeComesBackToRestInACalm) {
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    forest.species[0].wood.dampingRatio = 0.5f;
+    forest.wind = uniform({6, 2, 0});
+    ForestSimulation simulation(forest);
+    const glm::vec3 rest = tip(simulation, 13);
+    run(simulation, 120);
+    EXPECT_GT(glm::length(tip(simulation, 13) - rest), 0.01f);
+    simulation.setWind(nullptr);
+    run(simulation, 3600, 3.0);
+    EXPECT_LT(glm::length(tip(simulation, 13) - rest), 1e-3f);
+}
+
+TEST(ForestSimulation, AJumpCountsAsTheLongestStepOfTheDampedLaw) {
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    forest.wind = uniform({6, 2, 0});
+    ForestSimulation jump(forest), step(forest);
+    jump.advance(0.0);
+    jump.advance(1000.0);
+    step.advance(0.0);
+    step.advance(ForestSimulation::maxStep);
+    EXPECT_TRUE(sameBits(jump.branchStates(), step.branchStates()));
+}
+
+TEST(ForestSimulation, ATurnedTreeInATurnedWindMakesTheTurnedPose) {
+    const float heading = 0.8f;
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({2, 0.5f, 0.1f});
+    ForestSimulation straight(forest);
+    forest.trees[0].heading = heading;
+    forest.wind = uniform(turned({2, 0.5f, 0.1f}, heading));
+    ForestSimulation other(forest);
+    run(straight, 20);
+    run(other, 20);
+    for (std::size_t i = 0; i < 14; ++i) {
+        EXPECT_LT(glm::length(tip(straight, i) - tip(other, i)), 1e-4f);
+        EXPECT_LT(glm::length(turned(straight.windPositions()[i], heading) - other.windPositions()[i]),
+                  1e-4f);
+    }
+}
+
+TEST(ForestSimulation, SamplesTheWindAtEachBranchBase) {
+    ForestDescription forest = oneTree();
+    forest.origin = {448262.0, 4413000.0, 1600.0};
+    forest.trees[0].position = forest.origin + glm::dvec3(100.25, -7.5, 2.0);
+    forest.wind = std::make_shared<TestWind>(
+        [](const glm::vec3& p, double t) { return p + glm::vec3(0, 0, static_cast<float>(t)); });
+    ForestSimulation simulation(forest);
+    simulation.advance(0.0);
+    simulation.advance(2.0);
+    const auto& units = simulation.models()[0].skeleton.units;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const glm::vec3 base = glm::vec3(100.25f, -7.5f, 2.0f) + units[i].base;
+        EXPECT_LT(glm::length(simulation.windPositions()[i] - base), 1e-4f);
+        EXPECT_LT(glm::length(simulation.windSamples()[i] - base - glm::vec3(0, 0, 2)), 1e-4f);
+    }
+}
+
+TEST(ForestSimulation, StateCarriesTheWindInThesisAxesOfTheTree) {
+    ForestDescription forest = oneTree();
+    forest.trees[0].heading = 1.5707963f; // the tree's x points north
+    forest.wind = uniform({3, 5, 0});
+    ForestSimulation simulation(forest);
+    run(simulation, 1);
+    EXPECT_NEAR(simulation.branchStates()[0].z, 5.0f, 1e-5f); // north is the tree's x
+    EXPECT_NEAR(simulation.branchStates()[0].w, 3.0f, 1e-5f); // east is the tree's -y, thesis z
+}
+
+TEST(ForestSimulation, AReplacedWindShowsInTheNextStep) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({1, 0, 0});
+    ForestSimulation simulation(forest);
+    run(simulation, 3);
+    simulation.setWind(uniform({0, -4, 0}));
+    simulation.advance(1.0);
+    for (const glm::vec3& sample : simulation.windSamples())
+        EXPECT_EQ(sample, glm::vec3(0, -4, 0));
+    simulation.setWind(nullptr);
+    simulation.advance(1.1);
+    EXPECT_EQ(simulation.windSamples()[3], glm::vec3(0.0f));
+}
+
+TEST(ForestSimulation, FirstCallPauseAndEarlierTimesHoldTheState) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({2, 0, 0});
+    ForestSimulation simulation(forest);
+    EXPECT_FALSE(simulation.advance(5.0));
+    EXPECT_EQ(simulation.branchStates()[3], glm::vec4(0.0f));
+    EXPECT_TRUE(simulation.advance(5.1));
+    const auto states = simulation.branchStates();
+    const auto leaves = simulation.leafStates();
+    EXPECT_FALSE(simulation.advance(5.1));
+    EXPECT_FALSE(simulation.advance(2.0));
+    EXPECT_FALSE(simulation.advance(std::nan("")));
+    EXPECT_TRUE(sameBits(states, simulation.branchStates()));
+    EXPECT_TRUE(sameBits(leaves, simulation.leafStates()));
+    EXPECT_TRUE(simulation.advance(2.1)); // goes on from the earlier time
+}
+
+TEST(ForestSimulation, AJumpIsOneStep) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({0.2f, 0, 0});
+    ForestSimulation one(forest), jump(forest);
+    run(one, 1);
+    jump.advance(0.0);
+    jump.advance(1.0e6);
+    EXPECT_NEAR(jump.branchStates()[9].x, one.branchStates()[9].x, 0.2f * one.branchStates()[9].x);
+}
+
+TEST(ForestSimulation, ResetGoesBackToRest) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({2, 0, 0});
+    ForestSimulation simulation(forest), fresh(forest);
+    run(simulation, 20);
+    simulation.reset();
+    EXPECT_TRUE(sameBits(simulation.poses(), fresh.poses()));
+    run(simulation, 20);
+    run(fresh, 20);
+    EXPECT_TRUE(sameBits(simulation.branchStates(), fresh.branchStates()));
+    EXPECT_TRUE(sameBits(simulation.leafStates(), fresh.leafStates()));
+}
+
+TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
+    ForestDescription forest = oneTree(MotionLaw::ThesisSmooth);
+    forest.trees.resize(5);
+    for (std::uint32_t i = 0; i < 5; ++i)
+        forest.trees[i].seed = i;
+    forest.wind = uniform({2, 1, 0});
+    ForestSimulation a(forest), b(forest);
+    run(a, 50);
+    run(b, 50);
+    EXPECT_TRUE(sameBits(a.branchStates(), b.branchStates()));
+    EXPECT_TRUE(sameBits(a.leafStates(), b.leafStates()));
+    EXPECT_TRUE(sameBits(a.poses(), b.poses()));
+}
+
+TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
+    ForestDescription forest = oneTree();
+    forest.trees.resize(2);
+    forest.trees[1].seed = 3; // the same shape: 3 shapes
+    ForestSimulation simulation(forest);
+    run(simulation, 30);
+    const auto& leaves = simulation.leafStates();
+    EXPECT_EQ(simulation.trees()[0].model, simulation.trees()[1].model);
+    EXPECT_NE(leaves[0].x, leaves[1].x);
+    EXPECT_NE(leaves[0].x, leaves[simulation.trees()[1].firstLeaf].x);
+    EXPECT_NE(leaves[0].x, leaves[0].y);
+}
+
+TEST(ForestSimulation, LeavesMoveSmoothly) {
+    ForestSimulation simulation(oneTree());
+    run(simulation, 60);
+    for (int frame = 61; frame < 400; ++frame) {
+        const auto before = simulation.leafStates();
+        simulation.advance(frame / 60.0);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            ASSERT_LT(std::abs(simulation.leafStates()[i].x - before[i].x), 0.05f);
+    }
+}
+
+TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
+    ForestDescription forest = oneTree();
+    forest.species.push_back(forest.species[0]);
+    forest.species[0].shapes = 2;
+    forest.species[1].shapes = 4;
+    forest.trees.resize(9);
+    for (std::uint32_t i = 0; i < 9; ++i)
+        forest.trees[i] = {i < 4 ? 0u : 1u, glm::dvec3(i), 0.0f, {}, i};
+    const ForestSimulation simulation(forest);
+    EXPECT_EQ(simulation.models().size(), 6u);
+    EXPECT_EQ(simulation.trees()[3].model, 1u);
+    EXPECT_EQ(simulation.trees()[6].model, 2u + 6u % 4u);
+    EXPECT_EQ(simulation.trees()[8].firstUnit, 8u * 14u);
+}
+
+TEST(ForestSimulation, TreesOfNoSpeciesAreLeftOut) {
+    ForestDescription forest = oneTree();
+    forest.trees.resize(2);
+    forest.trees[0].species = 7;
+    ForestSimulation simulation(forest);
+    EXPECT_EQ(simulation.trees().size(), 1u);
+    EXPECT_EQ(simulation.description().trees.size(), 1u);
+}
+
+TEST(ForestSimulation, AnEmptyForestAdvances) {
+    ForestSimulation simulation(ForestDescription{});
+    simulation.advance(0.0);
+    EXPECT_TRUE(simulation.advance(1.0));
+    EXPECT_TRUE(simulation.poses().empty());
+}
+
+TEST(ForestSimulation, AHostileWindLeavesNoTrace) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({0.5f, 0, 0});
+    ForestSimulation simulation(forest);
+    run(simulation, 5);
+    for (const float bad : {std::nanf(""), HUGE_VALF, -HUGE_VALF, 1e30f}) {
+        simulation.setWind(uniform(glm::vec3(bad)));
+        run(simulation, 3, 1.0);
+        for (const UnitPose& pose : simulation.poses())
+            ASSERT_TRUE(std::isfinite(glm::length(pose.translation)) &&
+                        std::isfinite(glm::length(pose.rotation)));
+    }
+    simulation.setWind(uniform({-3, 0, 0}));
+    run(simulation, 200, 2.0);
+    EXPECT_FLOAT_EQ(simulation.branchStates()[13].x, -0.5f);
+}
+
+TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({1, 0, 0});
+    ForestSimulation simulation(forest);
+    std::atomic<bool> done{false};
+    std::thread feeder([&] {
+        for (int i = 0; !done; ++i)
+            simulation.setWind(uniform({static_cast<float>(i % 7), 2, 0}));
+    });
+    for (int frame = 0; frame < 500; ++frame) {
+        simulation.advance(frame / 60.0);
+        const glm::vec3 first = simulation.windSamples()[0];
+        for (const glm::vec3& sample : simulation.windSamples()) // one field for all branches of a step
+            ASSERT_EQ(sample, first);
+    }
+    done = true;
+    feeder.join();
+}
