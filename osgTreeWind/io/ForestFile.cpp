@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/io/ForestSections.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <tuple>
+
+namespace osgTreeWind {
+
+namespace {
+
+std::string absolute(const std::string& folder) {
+    std::error_code ignored;
+    const std::filesystem::path path = folder.empty() ? "." : folder;
+    std::string result = std::filesystem::absolute(path, ignored).lexically_normal().string();
+    return result.empty() ? folder : result;
+}
+
+void sortByPlace(Diagnostics& problems, const std::string& document) {
+    const auto place = [&](const Diagnostic& d) {
+        return std::make_tuple(d.file != document, d.file, d.line, d.column);
+    };
+    std::stable_sort(problems.begin(), problems.end(),
+                     [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
+}
+
+} // namespace
+
+Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options) {
+    ForestReading reading;
+    reading.log.file = options.file;
+    reading.forest.folder = absolute(options.folder);
+    reading.folders = {reading.forest.folder};
+    auto text = readText(input, options.file);
+    if (!text.ok())
+        return text.problems();
+    reading.forest.source = std::move(text.value());
+    TableReader::readDocument(reading.forest.source, reading.log,
+                              [&](TableReader& root) { readRoot(root, reading); });
+
+    if (reading.log.problems.empty())
+        return std::move(reading.forest);
+    sortByPlace(reading.log.problems, options.file);
+    return std::move(reading.log.problems);
+}
+
+Result<ForestDescription> readForestFile(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        return Diagnostic{path, 0, 0, "", "no such file"};
+    if (!std::filesystem::is_regular_file(path, error))
+        return Diagnostic{path, 0, 0, "", "not a regular file"};
+    std::ifstream input(path, std::ios::binary);
+    if (!input)
+        return Diagnostic{path, 0, 0, "", "cannot be opened for reading"};
+    return readForest(input, {path, std::filesystem::path(path).parent_path().string()});
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/motion/ForestDescription.h>
+
+#include <istream>
+#include <string>
+
+namespace osgTreeWind {
+
+/// Where a document came from.
+struct ForestFileOptions {
+    std::string file;   ///< Name used in diagnostics; may be empty.
+    std::string folder; ///< Folder of the document, for relative paths in it; empty: the current folder.
+};
+
+/// Reads a .treewind document (docs/treewind.md) and the files it names.
+///
+/// Relative paths are looked for in `options.folder`, then in each folder of the document's `search`, then in
+/// the folder that the environment variable OSGTREEWIND_DATA names. `source` and `folder` of the description
+/// are such that reading `source` with that folder gives the same forest again.
+/// @return the forest, or every problem found (at most 100), those of the document first, in order of place.
+/// Thread-safe: keeps no state.
+Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options = {});
+
+/// Opens `path` and reads it with its own folder as the folder for relative paths.
+Result<ForestDescription> readForestFile(const std::string& path);
+
+} // namespace osgTreeWind

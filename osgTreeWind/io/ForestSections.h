@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/io/TableReader.h>
+#include <osgTreeWind/motion/ForestDescription.h>
+
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The sections of a .treewind document, one reader each. Not part of the interface.
+namespace osgTreeWind {
+
+/// What the sections share while a document is read.
+struct ForestReading {
+    ReadLog log;
+    std::vector<std::string> folders; ///< Where relative paths are looked for, in order.
+    std::uint32_t seed = 1;
+    ForestDescription forest;
+    std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
+
+    static constexpr std::size_t mostTrees = 1000000;
+    static constexpr std::uint64_t mostVertices = 50000000; ///< Of all distinct shapes.
+    static constexpr double farthest =
+        100000.0; ///< A tree from the origin, metres: floats still resolve 8 mm.
+
+    /// Index of the species with this name or alias, whatever its case.
+    std::optional<std::size_t> species(const std::string& name) const;
+    /// Whether `count` more trees are still allowed; a problem with `key` when not.
+    bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);
+
+    struct InputFile {
+        std::string path;
+        std::ifstream stream;
+    };
+    /// Opens the file that `key` names; a problem when it cannot.
+    std::optional<InputFile> open(TableReader& table, const std::string& key);
+};
+
+/// The whole document.
+void readRoot(TableReader& root, ForestReading& reading);
+
+void readSpecies(TableReader& table, ForestReading& reading);   ///< One [[species]].
+void readTree(TableReader& table, ForestReading& reading);      ///< One [[tree]].
+void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatter]].
+void readInventory(TableReader& table, ForestReading& reading); ///< One [[inventory]].
+void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; needs the forest's origin.
+
+} // namespace osgTreeWind

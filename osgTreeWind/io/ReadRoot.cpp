@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/Wording.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+namespace osgTreeWind {
+
+std::optional<std::size_t> ForestReading::species(const std::string& name) const {
+    const auto found = speciesByName.find(folded(name));
+    if (found == speciesByName.end())
+        return std::nullopt;
+    return found->second;
+}
+
+bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
+    if (count <= mostTrees && forest.trees.size() + count <= mostTrees)
+        return true;
+    table.problem(key, "more than " + std::to_string(mostTrees) + " trees in all");
+    return false;
+}
+
+std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, const std::string& key) {
+    std::string name;
+    if (!table.require(key, name))
+        return std::nullopt;
+    std::error_code error;
+    for (const std::string& folder : folders) {
+        const std::filesystem::path path = std::filesystem::path(folder) / name; // an absolute name wins
+        if (!std::filesystem::is_regular_file(path, error))
+            continue;
+        InputFile file{path.string(), std::ifstream(path, std::ios::binary)};
+        if (file.stream)
+            return file;
+        table.problem(key, inQuotes(path.string()) + " cannot be opened for reading");
+        return std::nullopt;
+    }
+    table.problem(key, "no file " + inQuotes(name) + " in " + joined(folders));
+    return std::nullopt;
+}
+
+namespace {
+
+void readHead(TableReader& root, ForestReading& reading) {
+    int version = 0;
+    root.require("version", version, within(1, 1));
+    root.read("seed", reading.seed);
+
+    std::vector<std::string> search;
+    root.read("search", search);
+    for (const std::string& folder : search)
+        reading.folders.push_back((std::filesystem::path(reading.forest.folder) / folder).lexically_normal());
+    if (const char* data = std::getenv("OSGTREEWIND_DATA"))
+        reading.folders.emplace_back(data);
+}
+
+void readMotion(TableReader& table, ForestReading& reading) {
+    table.readChoice<MotionLaw>("law", reading.forest.law,
+                                {{"thesis", MotionLaw::Thesis},
+                                 {"thesis-smooth", MotionLaw::ThesisSmooth},
+                                 {"damped", MotionLaw::Damped}});
+}
+
+/// A file without species has one, with every default.
+void ensureSpecies(TableReader& root, ForestReading& reading) {
+    if (root.has("species"))
+        return;
+    Species species;
+    species.name = "tree";
+    reading.forest.species = {species};
+    reading.speciesByName["tree"] = 0;
+}
+
+void checkShapes(TableReader& root, ForestReading& reading) {
+    std::uint64_t vertices = 0;
+    for (const Species& species : reading.forest.species)
+        vertices += countTree(species.tree).totalVertices() * static_cast<std::uint64_t>(species.shapes);
+    if (vertices > ForestReading::mostVertices)
+        root.problem("species", "the shapes of all species have " + std::to_string(vertices) +
+                                    " vertices; at most " + std::to_string(ForestReading::mostVertices) +
+                                    " are possible (fewer levels, children_per_branch, rings_per_branch, "
+                                    "clusters_per_branch or shapes)");
+}
+
+/// (0, 0, 0) for trees near it; else the whole-metre centre of the trees, at the height of the lowest.
+glm::dvec3 defaultOrigin(const std::vector<TreePlacement>& trees) {
+    constexpr double near = 10000.0;
+    if (trees.empty())
+        return glm::dvec3(0.0);
+    glm::dvec3 low = trees.front().position, high = low;
+    for (const TreePlacement& tree : trees) {
+        low = glm::min(low, tree.position);
+        high = glm::max(high, tree.position);
+    }
+    if (glm::length(glm::max(glm::abs(low), glm::abs(high))) < near)
+        return glm::dvec3(0.0);
+    const glm::dvec3 centre = 0.5 * (low + high);
+    return {std::round(centre.x), std::round(centre.y), std::floor(low.z)};
+}
+
+void readOrigin(TableReader& root, ForestReading& reading) {
+    ForestDescription& forest = reading.forest;
+    std::vector<double> origin;
+    if (root.readNumbers("origin", origin, 3, 3))
+        forest.origin = {origin[0], origin[1], origin[2]};
+    else
+        forest.origin = defaultOrigin(forest.trees);
+    for (const TreePlacement& tree : forest.trees)
+        if (glm::distance(tree.position, forest.origin) > ForestReading::farthest)
+            return root.problem(
+                "origin", "a tree at (" + numberText(tree.position.x) + ", " + numberText(tree.position.y) +
+                              ", " + numberText(tree.position.z) + ") is more than 100 km from the origin");
+}
+
+} // namespace
+
+void readRoot(TableReader& root, ForestReading& reading) {
+    readHead(root, reading);
+    root.table("motion", [&](TableReader& table) { readMotion(table, reading); });
+    ensureSpecies(root, reading);
+    root.tables("species", [&](TableReader& table) { readSpecies(table, reading); });
+    if (reading.forest.species.empty())
+        root.problem("species", "expected at least one [[species]]");
+    checkShapes(root, reading);
+
+    root.tables("tree", [&](TableReader& table) { readTree(table, reading); });
+    root.tables("scatter", [&](TableReader& table) { readScatter(table, reading); });
+    root.tables("inventory", [&](TableReader& table) { readInventory(table, reading); });
+    if (!root.has("tree") && !root.has("scatter") && !root.has("inventory"))
+        root.problem("", "no trees: expected [[tree]], [scatter] or [inventory]");
+
+    readOrigin(root, reading);
+    root.table("wind", [&](TableReader& table) { readWind(table, reading); });
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/Wording.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
+    table.read("levels", tree.levels, within(0, 8));
+    table.read("children_per_branch", tree.childrenPerBranch, within(1, 8));
+    table.read("trunk_units", tree.trunkUnits, within(1, 16));
+    table.read("bare_units", tree.bareUnits, within(0, 15));
+    table.read("rings_per_branch", tree.ringsPerBranch, within(2, 64));
+    table.read("length", tree.length, within(0.01, 100));
+    table.read("length_ratio", tree.lengthRatio, within(0.05, 1.5));
+    table.read("bough_length", tree.boughLength, within(0.02, 1.5));
+    table.read("crown_taper", tree.crownTaper, within(0.02, 1.5));
+    table.read("leader", tree.leader, within(0, 1));
+    table.readDegrees("inclination", tree.inclination, within(0, 124));
+    table.read("inclination_growth", tree.inclinationGrowth, within(0.05, 3));
+    table.read("follow", tree.follow, within(0, 1));
+    table.readDegrees("twist", tree.twist, within(-360, 360));
+    table.read("jitter", tree.jitter, within(0, 1));
+    table.read("crook", tree.crook, within(0, 0.3));
+    table.read("radius", tree.radius, within(0.001, 10));
+    table.read("taper", tree.taper, within(0.01, 1));
+    table.read("radius_ratio", tree.radiusRatio, within(0.01, 1));
+    table.read("seed", tree.seed);
+
+    if (tree.radius > 0.5f * tree.length * static_cast<float>(tree.trunkUnits))
+        table.problem("radius", "expected at most half the trunk, length * trunk_units");
+    if (clamped(tree).levels != tree.levels)
+        table.problem("levels", "with children_per_branch and rings_per_branch they make more than " +
+                                    std::to_string(maxSkeletonPoints) + " skeleton points");
+}
+
+void readLeafShape(TableReader& table, LeafParameters& leaves) {
+    table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64));
+    table.read("first_level", leaves.firstLevel, within(0, 9));
+    table.read("length", leaves.length, within(0.001, 10));
+    table.read("width", leaves.width, within(0.001, 10));
+    table.read("inner_size", leaves.innerSize, within(0.01, 1));
+    table.read("droop", leaves.droop, within(-1, 1));
+    table.read("seed", leaves.seed);
+}
+
+void readWood(TableReader& table, WoodParameters& wood) {
+    table.read("elastic_modulus", wood.elasticModulus, within(1e3, 1e12));
+    table.read("density", wood.density, within(1, 1e4));
+    table.read("damping_ratio", wood.dampingRatio, within(0, 2));
+    table.read("leaf_mass", wood.leafMass, within(0, 100));
+    table.read("wood_drag", wood.woodDrag, within(0, 10));
+    table.read("leaf_drag", wood.leafDrag, within(0, 10));
+}
+
+void readBranchMotion(TableReader& table, BranchMotion& branch) {
+    table.readDegrees("max_angle", branch.maxAngle, within(0, 90));
+    table.read("partial_steps", branch.partialSteps, within(1, 10000));
+    table.read("level_factor", branch.levelFactor, within(-100, 100));
+    table.read("noise_frequency", branch.noiseFrequency, within(0, 100));
+}
+
+void readLeafMotion(TableReader& table, LeafMotion& leaf) {
+    table.readDegrees("max_angle_x", leaf.maxAngleX, within(0, 90));
+    table.readDegrees("max_angle_z", leaf.maxAngleZ, within(0, 90));
+    table.readDegrees("max_rotation", leaf.maxRotation, within(0, 180));
+    table.read("partial_steps", leaf.partialSteps, within(1, 10000));
+    table.read("factor", leaf.factor, within(0, 1));
+    table.read("linked_factor", leaf.linkedFactor, within(-10, 10));
+    table.read("noise_frequency", leaf.noiseFrequency, within(0, 100));
+}
+
+void readAppearance(TableReader& table, Appearance& appearance) {
+    table.read("bark", appearance.bark, within(0, 1));
+    table.read("leaves", appearance.leaves, within(0, 1));
+    table.read("needles", appearance.needles);
+}
+
+void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
+    if (!reading.speciesByName.emplace(folded(name), reading.forest.species.size()).second)
+        table.problem(key, "the name " + inQuotes(name) + " is taken already");
+}
+
+} // namespace
+
+void readSpecies(TableReader& table, ForestReading& reading) {
+    Species species;
+    if (table.require("name", species.name))
+        addName(table, reading, "name", species.name);
+    std::vector<std::string> aliases;
+    table.read("aliases", aliases);
+    for (const std::string& alias : aliases)
+        addName(table, reading, "aliases", alias);
+
+    table.read("shapes", species.shapes, within(1, 64));
+    table.table("tree", [&](TableReader& t) { readWoodShape(t, species.tree.wood); });
+    table.table("leaves", [&](TableReader& t) { readLeafShape(t, species.tree.leaves); });
+    table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
+    table.table("branch", [&](TableReader& t) { readBranchMotion(t, species.branch); });
+    table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
+    table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance); });
+    reading.forest.species.push_back(std::move(species));
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/SizeRanges.h>
+#include <osgTreeWind/io/Wording.h>
+
+#include <osgTreeWind/model/Random.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/vec2.hpp>
+
+#include <cmath>
+#include <unordered_map>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Uniform in [low, high], 53 bits: fine enough for world coordinates.
+double uniform(Random& random, double low, double high) {
+    return low + (high - low) * (static_cast<double>(random.next() >> 11) * 0x1p-53);
+}
+
+std::optional<std::size_t> findSpecies(TableReader& table, const ForestReading& reading,
+                                       const std::string& key, const std::string& name) {
+    const auto found = reading.species(name);
+    if (!found) {
+        std::vector<std::string> known;
+        for (const Species& species : reading.forest.species)
+            known.push_back(species.name);
+        const std::string near = nearest(name, known);
+        table.problem(key, "no species " + inQuotes(name) + "; " +
+                               (near.empty() ? "known: " + joined(known) : "did you mean " + near + '?'));
+    }
+    return found;
+}
+
+/// A number, or an array [min, max] from which each tree draws its own.
+struct Span {
+    double min = 0.0, max = 0.0;
+    double draw(Random& random) const { return uniform(random, min, max); }
+};
+
+std::optional<Span> readSpan(TableReader& table, const std::string& key, const Range& range) {
+    if (!table.hasArray(key)) {
+        Span span;
+        if (!table.read(key, span.min, range))
+            return std::nullopt;
+        span.max = span.min;
+        return span;
+    }
+    std::vector<double> ends;
+    if (!table.readNumbers(key, ends, 2, 2, range))
+        return std::nullopt;
+    if (ends[0] > ends[1]) {
+        table.problem(key, "expected [min, max] with min not above max");
+        return std::nullopt;
+    }
+    return Span{ends[0], ends[1]};
+}
+
+/// Points with a least distance between them, found by trial (dart throwing) with a hash of square cells.
+class SpacedPoints {
+public:
+    explicit SpacedPoints(double spacing) : _spacing(spacing) {}
+
+    /// Adds the point unless it is too close to another.
+    bool add(const glm::dvec2& point) {
+        if (_spacing == 0.0)
+            return true;
+        const std::int64_t x = cell(point.x), y = cell(point.y);
+        for (std::int64_t i = x - 1; i <= x + 1; ++i)
+            for (std::int64_t j = y - 1; j <= y + 1; ++j) {
+                const auto [first, last] = _points.equal_range(key(i, j));
+                for (auto other = first; other != last; ++other)
+                    if (glm::distance(other->second, point) < _spacing)
+                        return false;
+            }
+        _points.emplace(key(x, y), point);
+        return true;
+    }
+
+private:
+    std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / _spacing)); }
+    static std::uint64_t key(std::int64_t x, std::int64_t y) {
+        return Random(static_cast<std::uint64_t>(x)).next() ^ static_cast<std::uint64_t>(y);
+    }
+
+    double _spacing;
+    std::unordered_multimap<std::uint64_t, glm::dvec2> _points;
+};
+
+struct Scatter {
+    int count = 0;
+    glm::dvec2 low{0.0}, high{0.0};
+    double spacing = 0.0;
+    std::vector<std::size_t> species;
+    std::vector<double> weights;
+    std::optional<Span> height, trunkDiameter, crownWidth, trunkRatio, crownRatio;
+    std::uint32_t seed = 0;
+
+    std::size_t drawSpecies(Random& random) const {
+        double total = 0.0;
+        for (double weight : weights)
+            total += weight;
+        double left = uniform(random, 0.0, total);
+        for (std::size_t i = 0; i + 1 < species.size(); ++i) {
+            if (left < weights[i])
+                return species[i];
+            left -= weights[i];
+        }
+        return species.back();
+    }
+
+    TreeSize drawSize(Random& random) const {
+        const double tall = height ? height->draw(random) : 0.0;
+        const auto either = [&](const std::optional<Span>& metres, const std::optional<Span>& ratio) {
+            return static_cast<float>(metres  ? metres->draw(random)
+                                      : ratio ? tall * ratio->draw(random)
+                                              : 0.0);
+        };
+        TreeSize size;
+        size.height = static_cast<float>(tall);
+        size.trunkDiameter = either(trunkDiameter, trunkRatio);
+        size.crownWidth = either(crownWidth, crownRatio);
+        return size;
+    }
+};
+
+bool readArea(TableReader& table, Scatter& scatter) {
+    std::vector<double> area;
+    if (!table.readNumbers("area", area, 4, 4, worldCoordinates))
+        return table.missing("area");
+    scatter.low = {area[0], area[1]};
+    scatter.high = {area[2], area[3]};
+    if (scatter.low.x < scatter.high.x && scatter.low.y < scatter.high.y)
+        return true;
+    table.problem("area", "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1");
+    return false;
+}
+
+bool readMixture(TableReader& table, const ForestReading& reading, Scatter& scatter) {
+    std::vector<std::string> names;
+    if (!table.read("species", names))
+        for (const Species& species : reading.forest.species)
+            names.push_back(species.name);
+    for (const std::string& name : names)
+        if (const auto index = findSpecies(table, reading, "species", name))
+            scatter.species.push_back(*index);
+    if (names.empty())
+        table.problem("species", "expected at least one species");
+    scatter.weights.assign(names.size(), 1.0);
+    table.readNumbers("weights", scatter.weights, names.size(), names.size(), above(0, 1e6));
+    return !names.empty() && scatter.species.size() == names.size();
+}
+
+/// A size in metres, or as a ratio to the height; not both.
+void readEither(TableReader& table, const Scatter& scatter, const std::string& key, const Range& range,
+                std::optional<Span>& metres, const std::string& ratioKey, std::optional<Span>& ratio) {
+    metres = readSpan(table, key, range);
+    ratio = readSpan(table, ratioKey, above(0, 10));
+    if (table.has(key) && ratio)
+        table.problem(ratioKey, "give either this or " + key);
+    else if (ratio && !scatter.height)
+        table.problem(ratioKey, "needs height");
+}
+
+} // namespace
+
+void readTree(TableReader& table, ForestReading& reading) {
+    TreePlacement tree;
+    std::string name;
+    if (!reading.roomFor(1, table, ""))
+        return table.ignoreRest();
+    if (table.read("species", name))
+        tree.species = findSpecies(table, reading, "species", name).value_or(0);
+    else if (reading.forest.species.size() > 1)
+        table.missing("species");
+
+    std::vector<double> position;
+    if (table.readNumbers("position", position, 2, 3, worldCoordinates))
+        tree.position = {position[0], position[1], position.size() > 2 ? position[2] : 0.0};
+    else
+        table.missing("position");
+    table.read("height", tree.size.height, treeHeights);
+    table.read("trunk_diameter", tree.size.trunkDiameter, trunkDiameters);
+    table.read("crown_width", tree.size.crownWidth, crownWidths);
+    table.readDegrees("heading", tree.heading, within(-360, 360));
+    tree.seed = reading.seed + static_cast<std::uint32_t>(reading.forest.trees.size());
+    table.read("seed", tree.seed);
+    reading.forest.trees.push_back(tree);
+}
+
+void readScatter(TableReader& table, ForestReading& reading) {
+    Scatter scatter;
+    scatter.seed = reading.seed;
+    bool complete = table.require("count", scatter.count, atLeast(1));
+    complete &= readArea(table, scatter);
+    if (table.read("spacing", scatter.spacing, within(0, 1e6)) && scatter.spacing > 0.0 &&
+        scatter.spacing < 0.001) {
+        table.problem("spacing", "expected 0, or at least 0.001");
+        complete = false;
+    }
+    complete &= readMixture(table, reading, scatter);
+    scatter.height = readSpan(table, "height", treeHeights);
+    readEither(table, scatter, "trunk_diameter", trunkDiameters, scatter.trunkDiameter, "trunk_ratio",
+               scatter.trunkRatio);
+    readEither(table, scatter, "crown_width", crownWidths, scatter.crownWidth, "crown_ratio",
+               scatter.crownRatio);
+    table.read("seed", scatter.seed);
+    if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))
+        return;
+
+    constexpr int mostTries = 2000;
+    Random random(scatter.seed);
+    SpacedPoints points(scatter.spacing);
+    for (int i = 0; i < scatter.count; ++i) {
+        glm::dvec2 place;
+        int tries = 0;
+        do {
+            place = {uniform(random, scatter.low.x, scatter.high.x),
+                     uniform(random, scatter.low.y, scatter.high.y)};
+        } while (++tries <= mostTries && !points.add(place));
+        if (tries > mostTries)
+            return table.problem("spacing", "only " + std::to_string(i) + " of " +
+                                                std::to_string(scatter.count) +
+                                                " trees fit into the area with this spacing");
+        TreePlacement tree;
+        tree.position = {place, 0.0};
+        tree.species = scatter.drawSpecies(random);
+        tree.size = scatter.drawSize(random);
+        tree.heading = random.uniform() * glm::two_pi<float>();
+        tree.seed = static_cast<std::uint32_t>(random.next());
+        reading.forest.trees.push_back(tree);
+    }
+}
+
+} // namespace osgTreeWind

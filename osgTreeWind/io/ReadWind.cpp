@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/NumberList.h>
+#include <osgTreeWind/io/SizeRanges.h>
+#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/wind/GridWind.h>
+#include <osgTreeWind/wind/QesSensor.h>
+#include <osgTreeWind/wind/RetimedWind.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindSeriesCsv.h>
+#include <osgTreeWind/wind/WindUnits.h>
+
+#include <filesystem>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Components, m/s; no wind on Earth was faster.
+constexpr Range windSpeeds = within(-200, 200);
+constexpr Range directions = within(-360, 360);
+
+/// Passes on what is wrong with a field made from this table: at the key it names, else at the table.
+template <typename Field>
+WindFieldPtr checked(const Result<Field>& field, TableReader& table, ForestReading& reading) {
+    if (field.ok())
+        return field.value();
+    for (const Diagnostic& problem : field.problems()) {
+        if (problem.file.empty())
+            table.problem(table.has(problem.key) ? problem.key : "", problem.message);
+        else
+            reading.log.add(problem);
+    }
+    return nullptr;
+}
+
+/// Name of a unit of speed, "m/s" when the key is not there. @return the unit in m/s, if it is one.
+std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name) {
+    name = "m/s";
+    table.read(key, name);
+    const auto unit = speedUnit(name);
+    if (unit.ok())
+        return unit.value();
+    table.problem(key, unit.problems().front().message);
+    return std::nullopt;
+}
+
+/// `velocity`, or `speed` with a direction; in `unit`.
+WindFieldPtr readUniform(TableReader& table, ForestReading&) {
+    std::string unitName;
+    const double unit = readSpeedUnit(table, "unit", unitName).value_or(1.0);
+    const Range speeds = within(windSpeeds.min / unit, windSpeeds.max / unit);
+    glm::vec3 velocity(0.0f);
+    WindReading wind;
+    const bool hasVelocity = table.read("velocity", velocity, speeds);
+    const bool hasSpeed = table.read("speed", wind.speed, within(0.0, speeds.max));
+    const bool from = table.read("direction_from", wind.direction, directions);
+    const bool toward = table.read("direction_toward", wind.direction, directions);
+    if (table.has("velocity") == table.has("speed"))
+        table.problem("", "expected either velocity, or speed and a direction");
+    else if (hasVelocity && (from || toward))
+        table.problem(from ? "direction_from" : "direction_toward", "velocity says the direction already");
+    else if (hasSpeed && table.has("direction_from") == table.has("direction_toward"))
+        table.problem("speed", "expected either direction_from or direction_toward beside it");
+    if (hasSpeed)
+        velocity = windVelocity(wind, from ? DirectionSense::From : DirectionSense::Toward);
+    return std::make_shared<UniformWind>(velocity * static_cast<float>(unit));
+}
+
+/// Numbers in the array `values`, or in the text file `file`.
+bool readValues(TableReader& table, ForestReading& reading, std::vector<float>& values) {
+    std::vector<double> numbers;
+    if (table.has("values") == table.has("file")) {
+        table.problem("", "expected either values or file");
+        table.ignoreRest();
+        return false;
+    }
+    if (table.read("values", numbers, windSpeeds)) {
+        values.assign(numbers.begin(), numbers.end());
+        return true;
+    }
+    if (table.has("values"))
+        return false;
+    auto file = reading.open(table, "file");
+    if (!file)
+        return false;
+    const auto list = readNumberList(file->stream, file->path);
+    if (!list.ok()) {
+        reading.log.add(list.problems().front());
+        return false;
+    }
+    for (double number : list.value())
+        if (!windSpeeds.contains(number)) {
+            table.problem("file", "expected velocities " + windSpeeds.text() + " m/s");
+            return false;
+        }
+    values.assign(list.value().begin(), list.value().end());
+    return true;
+}
+
+bool readCorner(TableReader& table, const ForestReading& reading, glm::dvec3& corner) {
+    std::vector<double> world = {reading.forest.origin.x, reading.forest.origin.y, reading.forest.origin.z};
+    if (!table.readNumbers("origin", world, 3, 3, worldCoordinates) && table.has("origin"))
+        return false;
+    corner = glm::dvec3(world[0], world[1], world[2]) - reading.forest.origin;
+    return true;
+}
+
+WindFieldPtr readGrid(TableReader& table, ForestReading& reading) {
+    GridWind::Grid grid;
+    std::vector<double> points, cell;
+    bool complete = table.readNumbers("points", points, 2, 3, within(1, 100000)) || table.missing("points");
+    complete &= table.readNumbers("cell", cell, 2, 3, above(0, 1e6)) || table.missing("cell");
+    complete &= readCorner(table, reading, grid.origin);
+    complete &= table.read("times", grid.times) || !table.has("times");
+    complete &= readValues(table, reading, grid.values);
+    if (!complete)
+        return nullptr;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        grid.points[static_cast<int>(i)] = static_cast<int>(points[i]);
+        if (grid.points[static_cast<int>(i)] != points[i])
+            table.problem("points", "expected whole numbers");
+    }
+    for (std::size_t i = 0; i < cell.size(); ++i)
+        grid.cell[static_cast<int>(i)] = cell[i];
+    if (points.size() == 3 && cell.size() == 2)
+        table.problem("cell", "expected 3 numbers, as in points");
+    return checked(GridWind::create(std::move(grid)), table, reading);
+}
+
+WindFieldPtr readForestWind(TableReader& table, ForestReading& reading) {
+    int width = 0, length = 0;
+    glm::dvec3 corner(0.0);
+    std::vector<float> values;
+    bool complete = table.require("width", width, within(1, 100000));
+    complete &= table.require("length", length, within(1, 100000));
+    complete &= readCorner(table, reading, corner);
+    complete &= readValues(table, reading, values);
+    if (!complete)
+        return nullptr;
+    return checked(GridWind::fromForestWind(width, length, std::move(values), corner), table, reading);
+}
+
+/// The column map of a CSV record.
+bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
+    table.readChoice<char>("delimiter", columns.delimiter,
+                           {{",", ','}, {";", ';'}, {"\t", '\t'}, {"|", '|'}});
+    table.readChoice<std::string>("time_unit", columns.timeUnit,
+                                  {{"s", "s"}, {"min", "min"}, {"h", "h"}, {"iso8601", "iso8601"}});
+    const bool known = readSpeedUnit(table, "speed_unit", columns.speedUnit).has_value();
+    if (!table.has("columns"))
+        return table.missing("columns");
+    table.table("columns", [&](TableReader& t) {
+        t.require("time", columns.time);
+        t.read("u", columns.u);
+        t.read("v", columns.v);
+        t.read("w", columns.w);
+        t.read("speed", columns.speed);
+        const bool from = t.read("direction_from", columns.direction);
+        const bool toward = t.read("direction_toward", columns.direction);
+        if (from && toward)
+            t.problem("direction_toward", "give either this or direction_from");
+        columns.sense = toward ? DirectionSense::Toward : DirectionSense::From;
+    });
+    return known;
+}
+
+/// A record in a file: QES sensor XML or CSV, by its extension.
+bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& series) {
+    auto file = reading.open(table, "file");
+    std::string name;
+    table.read("file", name);
+    const bool xml = folded(std::filesystem::path(name).extension().string()) == ".xml";
+    WindSeriesColumns columns;
+    if (!xml && !readSeriesColumns(table, columns))
+        return false;
+    if (!file)
+        return false;
+    auto record =
+        xml ? readQesSensor(file->stream, file->path) : readWindSeriesCsv(file->stream, file->path, columns);
+    if (record.ok()) {
+        series = std::move(record.value());
+        return true;
+    }
+    for (const Diagnostic& problem : record.problems())
+        if (problem.line > 0)
+            reading.log.add(problem);
+        else
+            table.problem("", problem.text());
+    return false;
+}
+
+/// A record in the document: `times`, and `velocities` as one flat array.
+bool readSeriesValues(TableReader& table, WindSeries& series) {
+    std::vector<std::vector<double>> velocities;
+    bool complete = table.require("times", series.times);
+    if (!table.readRows("velocities", velocities, 3, windSpeeds))
+        complete = table.missing("velocities");
+    for (const std::vector<double>& v : velocities)
+        series.velocities.emplace_back(v[0], v[1], v[2]);
+    return complete;
+}
+
+WindFieldPtr readSeries(TableReader& table, ForestReading& reading) {
+    WindSeries series;
+    bool complete =
+        table.has("file") ? readSeriesFile(table, reading, series) : readSeriesValues(table, series);
+    table.read("repeat", series.repeat);
+    LogProfile profile;
+    if (table.has("height") || table.has("roughness")) {
+        complete &= table.require("height", profile.height, above(0, 10000));
+        complete &= table.require("roughness", profile.roughness, above(0, 100));
+        series.profile = profile;
+        if (complete && !profile.valid()) {
+            table.problem("roughness", "expected less than height");
+            complete = false;
+        }
+    }
+    return complete ? checked(TimeSeriesWind::create(std::move(series)), table, reading) : nullptr;
+}
+
+WindFieldPtr readCalm(TableReader&, ForestReading&) {
+    return nullptr;
+}
+
+} // namespace
+
+void readWind(TableReader& table, ForestReading& reading) {
+    WindFieldPtr (*kind)(TableReader&, ForestReading&) = nullptr;
+    table.readChoice<decltype(kind)>("kind", kind,
+                                     {{"calm", readCalm},
+                                      {"uniform", readUniform},
+                                      {"grid", readGrid},
+                                      {"forest_wind", readForestWind},
+                                      {"series", readSeries}});
+    if (!kind) {
+        table.missing("kind");
+        return table.ignoreRest();
+    }
+    double start = 0.0, scale = 1.0;
+    table.read("start", start, within(-1e12, 1e12));
+    table.read("time_scale", scale, within(-1e6, 1e6));
+    reading.forest.wind = kind(table, reading);
+    if (reading.forest.wind && (start != 0.0 || scale != 1.0))
+        reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, start, scale);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/TableReader.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/io/Wording.h>
+
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <memory>
+#include <vector>
+
+// libtomlplusplus throws parse errors; as headers alone it returns them.
+#undef TOML_SHARED_LIB
+#undef TOML_HEADER_ONLY
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/impl/preprocessor.h>
+// Malformed text ("[=]") fails assertions of toml++ 3.3, which it takes for granted when NDEBUG is set.
+// Behind them it checks again and reports the error.
+#undef TOML_ASSERT
+#undef TOML_ASSERT_ASSUME
+#define TOML_ASSERT(condition) static_assert(true)
+#define TOML_ASSERT_ASSUME(condition) static_assert(true)
+// So that a program's own toml++ does not take the place of this one. The standard headers it uses stand
+// above.
+#pragma GCC visibility push(hidden)
+#include <toml++/toml.h>
+#pragma GCC visibility pop
+
+namespace osgTreeWind {
+
+namespace {
+
+/// the text "abc", 3, a table: what stands in the file instead of what was expected.
+std::string describe(const toml::node& node) {
+    if (const auto text = node.value_exact<std::string>())
+        return "the text " + inQuotes(*text);
+    if (const auto number = node.value_exact<std::int64_t>())
+        return std::to_string(*number);
+    if (const auto number = node.value_exact<double>())
+        return numberText(*number);
+    if (const auto flag = node.value_exact<bool>())
+        return *flag ? "true" : "false";
+    return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
+}
+
+} // namespace
+
+void TableReader::readDocument(const std::string& text, ReadLog& log, const Section& root) {
+    const toml::parse_result parsed = toml::parse(text, log.file);
+    if (!parsed) {
+        const toml::parse_error& error = parsed.error();
+        const toml::source_position place = error.source().begin;
+        log.add({log.file, static_cast<int>(place.line), static_cast<int>(place.column), "",
+                 "not valid TOML: " + printable(std::string(error.description()))});
+        return;
+    }
+    TableReader reader(parsed.table(), "", log);
+    root(reader);
+    reader.reportUnknown();
+}
+
+TableReader::TableReader(const toml::table& table, std::string path, ReadLog& log)
+    : _table(table), _path(std::move(path)), _log(log) {}
+
+std::string TableReader::dotted(const std::string& key) const {
+    return _path.empty() || key.empty() ? _path + key : _path + '.' + key;
+}
+
+const toml::node* TableReader::find(const std::string& key) {
+    if (_asked.insert(key).second)
+        _log.keys.insert(dotted(key));
+    return _table.get(key);
+}
+
+bool TableReader::has(const std::string& key) const {
+    return _table.contains(key);
+}
+
+bool TableReader::hasArray(const std::string& key) const {
+    const toml::node* node = _table.get(key);
+    return node && node->is_array();
+}
+
+void TableReader::problemAt(const toml::node& node, const std::string& key, const std::string& message) {
+    const toml::source_position place = node.source().begin;
+    _log.add({_log.file, static_cast<int>(place.line), static_cast<int>(place.column), dotted(key), message});
+}
+
+void TableReader::problem(const std::string& key, const std::string& message) {
+    const toml::node* node = key.empty() ? nullptr : _table.get(key);
+    problemAt(node ? *node : _table, key, message);
+}
+
+bool TableReader::missing(const std::string& key) {
+    if (!has(key))
+        problemAt(_table, key, "missing");
+    return false;
+}
+
+bool TableReader::readNumber(const toml::node& node, const std::string& key, double& field,
+                             const Range& range) {
+    double number = 0.0;
+    if (const auto whole = node.value_exact<std::int64_t>())
+        number = static_cast<double>(*whole);
+    else if (const auto real = node.value_exact<double>())
+        number = *real;
+    else {
+        problemAt(node, key, "expected a number, found " + describe(node));
+        return false;
+    }
+    if (!std::isfinite(number) || !range.contains(number)) {
+        const std::string allowed = range.text();
+        problemAt(node, key,
+                  "expected a finite number" + (allowed.empty() ? "" : ' ' + allowed) + ", found " +
+                      describe(node));
+        return false;
+    }
+    field = number;
+    return true;
+}
+
+bool TableReader::read(const std::string& key, double& field, const Range& range) {
+    const toml::node* node = find(key);
+    return node && readNumber(*node, key, field, range);
+}
+
+bool TableReader::read(const std::string& key, float& field, const Range& range) {
+    double number = 0.0;
+    if (!read(key, number, range))
+        return false;
+    field = static_cast<float>(number);
+    return true;
+}
+
+bool TableReader::readDegrees(const std::string& key, float& radians, const Range& range) {
+    double degrees = 0.0;
+    if (!read(key, degrees, range))
+        return false;
+    radians = static_cast<float>(glm::radians(degrees));
+    return true;
+}
+
+bool TableReader::read(const std::string& key, int& field, const Range& range) {
+    const toml::node* node = find(key);
+    if (!node)
+        return false;
+    const auto whole = node->value_exact<std::int64_t>();
+    const Range allowed = {std::max<double>(range.min, std::numeric_limits<int>::min()),
+                           std::min<double>(range.max, std::numeric_limits<int>::max()), range.aboveMin};
+    if (!whole || !allowed.contains(static_cast<double>(*whole))) {
+        const std::string limits = allowed.text();
+        problemAt(*node, key, "expected a whole number " + limits + ", found " + describe(*node));
+        return false;
+    }
+    field = static_cast<int>(*whole);
+    return true;
+}
+
+bool TableReader::read(const std::string& key, std::uint32_t& field) {
+    const toml::node* node = find(key);
+    if (!node)
+        return false;
+    const auto whole = node->value_exact<std::int64_t>();
+    if (!whole || *whole < 0 || *whole > std::numeric_limits<std::uint32_t>::max()) {
+        problemAt(*node, key, "expected a whole number in [0, 4294967295], found " + describe(*node));
+        return false;
+    }
+    field = static_cast<std::uint32_t>(*whole);
+    return true;
+}
+
+bool TableReader::read(const std::string& key, bool& field) {
+    const toml::node* node = find(key);
+    if (!node)
+        return false;
+    const auto flag = node->value_exact<bool>();
+    if (!flag) {
+        problemAt(*node, key, "expected true or false, found " + describe(*node));
+        return false;
+    }
+    field = *flag;
+    return true;
+}
+
+bool TableReader::read(const std::string& key, std::string& field) {
+    const toml::node* node = find(key);
+    if (!node)
+        return false;
+    auto text = node->value_exact<std::string>();
+    if (!text || text->empty()) {
+        problemAt(*node, key, "expected a text in quotes, found " + describe(*node));
+        return false;
+    }
+    field = std::move(*text);
+    return true;
+}
+
+bool TableReader::readArray(const toml::node& node, const std::string& key, std::vector<double>& field,
+                            std::size_t least, std::size_t most, const Range& range) {
+    const toml::array* array = node.as_array();
+    if (!array || array->size() < least || array->size() > most) {
+        const std::string amount = most == SIZE_MAX ? std::string()
+                                   : least == most
+                                       ? std::to_string(least) + ' '
+                                       : std::to_string(least) + " to " + std::to_string(most) + ' ';
+        problemAt(node, key,
+                  "expected an array of " + amount + "numbers, found " +
+                      (array ? std::to_string(array->size()) : describe(node)));
+        return false;
+    }
+    std::vector<double> numbers(array->size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (!readNumber((*array)[i], key, numbers[i], range))
+            return false;
+    field = std::move(numbers);
+    return true;
+}
+
+bool TableReader::readNumbers(const std::string& key, std::vector<double>& field, std::size_t least,
+                              std::size_t most, const Range& range) {
+    const toml::node* node = find(key);
+    return node && readArray(*node, key, field, least, most, range);
+}
+
+bool TableReader::readRows(const std::string& key, std::vector<std::vector<double>>& field, std::size_t width,
+                           const Range& range) {
+    const toml::node* node = find(key);
+    if (!node)
+        return false;
+    const toml::array* array = node->as_array();
+    if (!array || array->empty()) {
+        problemAt(*node, key, "expected an array of arrays of " + std::to_string(width) + " numbers");
+        return false;
+    }
+    std::vector<std::vector<double>> rows(array->size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!readArray((*array)[i], key, rows[i], width, width, range))
+            return false;
+    field = std::move(rows);
+    return true;
+}
+
+bool TableReader::read(const std::string& key, std::vector<double>& field, const Range& range) {
+    return readNumbers(key, field, 1, SIZE_MAX, range);
+}
+
+bool TableReader::read(const std::string& key, glm::vec3& field, const Range& range) {
+    std::vector<double> numbers;
+    if (!readNumbers(key, numbers, 3, 3, range))
+        return false;
+    field = glm::vec3(numbers[0], numbers[1], numbers[2]);
+    return true;
+}
+
+bool TableReader::read(const std::string& key, std::vector<std::string>& field) {
+    const toml::node* node = find(key);
+    if (!node)
+        return false;
+    const toml::array* array = node->as_array();
+    if (!array) {
+        problemAt(*node, key, "expected an array of texts, found " + describe(*node));
+        return false;
+    }
+    std::vector<std::string> texts;
+    for (const toml::node& element : *array) {
+        texts.push_back(element.value_exact<std::string>().value_or(""));
+        if (texts.back().empty()) {
+            problemAt(element, key, "expected a text in quotes, found " + describe(element));
+            return false;
+        }
+    }
+    field = std::move(texts);
+    return true;
+}
+
+std::size_t TableReader::readWord(const std::string& key, const std::vector<std::string>& words) {
+    const toml::node* node = find(key);
+    if (!node)
+        return words.size();
+    const auto text = node->value_exact<std::string>();
+    const auto found = text ? std::find(words.begin(), words.end(), *text) : words.end();
+    if (found == words.end())
+        problemAt(*node, key, "expected " + alternatives(words) + ", found " + describe(*node));
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+void TableReader::readSection(const toml::node& node, const std::string& key, const Section& section) {
+    const toml::table* table = node.as_table();
+    if (!table)
+        return problemAt(node, key, "expected a table, found " + describe(node));
+    TableReader reader(*table, dotted(key), _log);
+    section(reader);
+    reader.reportUnknown();
+}
+
+void TableReader::table(const std::string& key, const Section& section) {
+    if (const toml::node* node = find(key))
+        readSection(*node, key, section);
+}
+
+void TableReader::tables(const std::string& key, const Section& section) {
+    const toml::node* node = find(key);
+    if (!node)
+        return;
+    const toml::array* array = node->as_array();
+    if (!array)
+        return readSection(*node, key, section);
+    for (const toml::node& element : *array)
+        readSection(element, key, section);
+}
+
+void TableReader::reportUnknown() {
+    if (_ignoreRest)
+        return;
+    const std::vector<std::string> known(_asked.begin(), _asked.end());
+    for (const auto& [key, node] : _table) {
+        const std::string name(key.str());
+        if (_asked.count(name))
+            continue;
+        const std::string near = nearest(name, known);
+        const toml::source_position place = key.source().begin;
+        _log.add({_log.file, static_cast<int>(place.line), static_cast<int>(place.column),
+                  dotted(printable(name)),
+                  "unknown key; " +
+                      (near.empty() ? "known here: " + joined(known) : "did you mean " + near + '?')});
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// Words as they stand in messages.
+namespace osgTreeWind {
+
+/// With control characters replaced by '?', cut to 200 bytes.
+std::string printable(std::string text);
+/// printable() between double quotes.
+std::string inQuotes(const std::string& text);
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& words);
+/// "\"a\", \"b\" or \"c\"".
+std::string alternatives(const std::vector<std::string>& words);
+/// The word closest to `word` by edit distance; empty when none is similar.
+std::string nearest(const std::string& word, const std::vector<std::string>& words);
+/// Without blanks around it, ASCII letters in lower case: how names of species are compared.
+std::string folded(const std::string& text);
+
+} // namespace osgTreeWind

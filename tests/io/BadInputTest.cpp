@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+#include "TemporaryFolder.h"
+
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// A document that cannot be read. The '@' in `document`, or else in `content`, stands before the place that
+/// must be named and is taken out before reading.
+struct BadInput {
+    const char* name;
+    std::string document;
+    const char* key;     ///< Dotted key or column name the problem must name.
+    const char* message; ///< Part of what must be said.
+    const char* file = "";
+    std::string content = ""; ///< Of `file`, which stands beside the document.
+};
+
+std::ostream& operator<<(std::ostream& out, const BadInput& bad) {
+    return out << bad.name;
+}
+
+struct Place {
+    int line = 0, column = 0;
+};
+
+/// Takes the marker out of the text.
+Place takeMarker(std::string& text) {
+    const std::size_t at = text.find('@');
+    if (at == std::string::npos)
+        return {};
+    text.erase(at, 1);
+    Place place{1, 1};
+    for (std::size_t i = 0; i < at; ++i)
+        place = text[i] == '\n' ? Place{place.line + 1, 1} : Place{place.line, place.column + 1};
+    return place;
+}
+
+const std::string head = "version = 1\n";
+const std::string tree = "[[tree]]\nposition = [0, 0]\n";
+const std::string oak = "[[species]]\nname = \"oak\"\n";
+const std::string csvHead = "x,y,h,kind\n";
+
+std::string species(const std::string& lines) {
+    return head + tree + oak + lines;
+}
+std::string oneTree(const std::string& lines) {
+    return head + "[[tree]]\n" + lines;
+}
+std::string wind(const std::string& lines) {
+    return head + tree + "[wind]\n" + lines;
+}
+std::string scatter(const std::string& lines) {
+    return head + "[scatter]\ncount = 3\narea = [0, 0, 9, 9]\n" + lines;
+}
+std::string inventory(const std::string& columns = "x = \"x\", y = \"y\", height = \"h\"",
+                      const std::string& lines = "") {
+    return head + "[inventory]\nfile = \"a.csv\"\ncolumns = {" + columns + "}\n" + lines;
+}
+std::string csvWind(const std::string& lines) {
+    return wind("kind = \"series\"\nfile = \"a.csv\"\n" + lines);
+}
+
+const BadInput badInputs[] = {
+    // The document as a whole
+    {"Empty", "", "", "empty"},
+    {"Binary",
+     std::string("\x7f"
+                 "ELF\2\1\1\0\0\0",
+                 10),
+     "", "binary"},
+    {"NulByte", head + std::string("seed = 1\0", 9), "", "binary"},
+    {"InvalidUtf8", head + "# ca@f\xe9\n", "", "not valid TOML"},
+    {"BrokenHeader", head + "[@=]\n", "", "not valid TOML"},
+    {"Truncated", head + "[wind@\n", "", "not valid TOML"},
+    {"UnclosedString", head + "search = [\"a@\n", "", "not valid TOML"},
+    {"KeyTwice", head + tree + "height = 3\nheight = @4\n", "", "not valid TOML"},
+    {"NoVersion", "@" + tree, "version", "missing"},
+    {"NewerVersion", "version = @2\n" + tree, "version", "expected a whole number in [1, 1], found 2"},
+    {"VersionAsText", "version = @\"1\"\n" + tree, "version", "found the text \"1\""},
+    {"NoTrees", "@" + head, "", "no trees"},
+    {"UnknownKey", head + "@sead = 3\n" + tree, "sead", "did you mean seed?"},
+    {"UnknownTable", head + tree + "[@weather]\nkind = \"calm\"\n", "weather", "unknown key; known here: "},
+    {"NegativeSeed", head + "seed = @-1\n" + tree, "seed", "in [0, 4294967295], found -1"},
+    {"SearchNotAList", head + "search = @\"data\"\n" + tree, "search", "expected an array of texts"},
+    {"EmptySearch", head + "search = [\"a\", @\"\"]\n" + tree, "search", "expected a text in quotes"},
+    {"OriginOfTwo", head + "origin = @[1, 2]\n" + tree, "origin", "array of 3 numbers, found 2"},
+    {"FarFromOrigin", head + "origin = @[4.3e5, 4.5e6, 0]\n" + tree, "origin", "more than 100 km"},
+    {"TreesFarApart", "@" + head + tree + "[[tree]]\nposition = [1e6, 0]\n", "origin", "more than 100 km"},
+
+    // [motion]
+    {"UnknownLaw", head + tree + "[motion]\nlaw = @\"newton\"\n", "motion.law",
+     "expected \"thesis\", \"thesis-smooth\" or \"damped\""},
+    {"MotionNotATable", head + "motion = @\"thesis\"\n" + tree, "motion", "expected a table, found the text"},
+
+    // [[species]]
+    {"SpeciesEmpty", head + "species = @[]\n" + tree, "species", "at least one"},
+    {"SpeciesNameless", head + tree + "@[[species]]\nshapes = 2\n", "species.name", "missing"},
+    {"SpeciesTwice", head + tree + "species = \"oak\"\n" + oak + "[[species]]\nname = @\"OAK\"\n",
+     "species.name", "taken already"},
+    {"AliasTaken", species("aliases = @[\"oak\"]\n"), "species.aliases", "taken already"},
+    {"NoShapes", species("shapes = @0\n"), "species.shapes", "in [1, 64], found 0"},
+    {"LevelsTooMany", species("[species.tree]\nlevels = @9\n"), "species.tree.levels", "in [0, 8], found 9"},
+    {"LevelsNotWhole", species("[species.tree]\nlevels = @2.5\n"), "species.tree.levels", "whole number"},
+    {"ShapesTooLarge", species("[species.tree]\nlevels = @8\nchildren_per_branch = 8\n"),
+     "species.tree.levels", "more than 1048576 skeleton points"},
+    {"ShapesTooMany", head + tree + "@[[species]]\nname = \"a\"\nshapes = 64\n[species.tree]\nlevels = 8\n",
+     "species", "at most 50000000 are possible"},
+    {"TrunkThickerThanTall", species("[species.tree]\nlength = 0.5\nradius = @0.6\n"), "species.tree.radius",
+     "half the trunk"},
+    {"LengthNegative", species("[species.tree]\nlength = @-1.0\n"), "species.tree.length", "in [0.01, 100]"},
+    {"LengthNaN", species("[species.tree]\nlength = @nan\n"), "species.tree.length", "finite number"},
+    {"ModulusInfinite", species("[species.wood]\nelastic_modulus = @inf\n"), "species.wood.elastic_modulus",
+     "finite number"},
+    {"NumberAsText", species("[species.leaves]\nlength = @\"long\"\n"), "species.leaves.length",
+     "expected a number, found the text \"long\""},
+    {"AngleTooLarge", species("[species.branch]\nmax_angle = @91.0\n"), "species.branch.max_angle",
+     "in [0, 90], found 91"},
+    {"LeafFactor", species("[species.leaf]\nfactor = @1.5\n"), "species.leaf.factor", "in [0, 1], found 1.5"},
+    {"ColourOfTwo", species("[species.appearance]\nbark = @[0.1, 0.2]\n"), "species.appearance.bark",
+     "array of 3 numbers, found 2"},
+    {"ColourTooBright", species("[species.appearance]\nbark = [0.1, 0.2, @255]\n"), "species.appearance.bark",
+     "in [0, 1], found 255"},
+    {"NeedlesAsNumber", species("[species.appearance]\nneedles = @1\n"), "species.appearance.needles",
+     "expected true or false, found 1"},
+    {"UnknownNestedKey", species("[species.tree]\n@level = 3\n"), "species.tree.level",
+     "did you mean levels?"},
+
+    // [[tree]]
+    {"TreeNowhere", head + "@[[tree]]\nheight = 3\n", "tree.position", "missing"},
+    {"PositionOfOne", oneTree("position = @[1]\n"), "tree.position", "array of 2 to 3 numbers, found 1"},
+    {"PositionWithText", oneTree("position = [1, @\"2\"]\n"), "tree.position", "expected a number"},
+    {"PositionAsDate", oneTree("position = @2026-01-01\n"), "tree.position", "found a date"},
+    {"HeightZero", oneTree("position = [0, 0]\nheight = @0\n"), "tree.height", "in (0, 150], found 0"},
+    {"HeightHuge", oneTree("position = [0, 0]\nheight = @1e300\n"), "tree.height", "found 1e+300"},
+    {"SpeciesUnknown", oneTree("position = [0, 0]\nspecies = @\"oakt\"\n") + oak, "tree.species",
+     "no species \"oakt\"; did you mean oak?"},
+    {"SpeciesUnclear", head + "@" + tree + oak + "[[species]]\nname = \"fir\"\n", "tree.species", "missing"},
+    {"TreeNotATable", head + "tree = @3\n", "tree", "expected a table, found 3"},
+
+    // [scatter]
+    {"BillionTrees", head + "[scatter]\ncount = @1000000000\narea = [0, 0, 9, 9]\n", "scatter.count",
+     "more than 1000000 trees"},
+    {"MoreThanInteger", head + "[scatter]\ncount = @5000000000\narea = [0, 0, 9, 9]\n", "scatter.count",
+     "found 5000000000"},
+    {"MillionsInAll",
+     head + "[[scatter]]\ncount = 600000\narea = [0, 0, 9, 9]\n" +
+         "[[scatter]]\ncount = @600000\narea = [0, 0, 9, 9]\n",
+     "scatter.count", "more than 1000000 trees"},
+    {"CountMissing", head + "@[scatter]\narea = [0, 0, 9, 9]\n", "scatter.count", "missing"},
+    {"AreaReversed", head + "[scatter]\ncount = 1\narea = @[9, 9, 0, 0]\n", "scatter.area", "x0 < x1"},
+    {"NoRoom", scatter("spacing = @20.0\n"), "scatter.spacing", "only 1 of 3 trees fit"},
+    {"SpacingTiny", scatter("spacing = @1e-300\n"), "scatter.spacing", "0, or at least 0.001"},
+    {"WeightsOfOther", scatter("species = [\"oak\"]\nweights = @[1, 2]\n") + oak, "scatter.weights",
+     "array of 1 numbers, found 2"},
+    {"WeightZero", scatter("weights = [@0]\n"), "scatter.weights", "in (0, 1000000], found 0"},
+    {"RangeReversed", scatter("height = @[9, 3]\n"), "scatter.height", "min not above max"},
+    {"RatioAlone", scatter("trunk_ratio = @0.03\n"), "scatter.trunk_ratio", "needs height"},
+    {"RatioAndSize", scatter("height = 9\ncrown_width = 4\ncrown_ratio = @0.5\n"), "scatter.crown_ratio",
+     "give either this or crown_width"},
+
+    // [inventory]
+    {"InventoryAbsent", head + "[inventory]\nfile = @\"no.csv\"\ncolumns = {x = \"x\", y = \"y\"}\n",
+     "inventory.file", "no file \"no.csv\" in "},
+    {"InventoryIsFolder", head + "[inventory]\nfile = @\".\"\ncolumns = {x = \"x\", y = \"y\"}\n",
+     "inventory.file", "no file"},
+    {"ColumnsMissing", head + "@[inventory]\nfile = \"a.csv\"\n", "inventory.columns", "missing", "a.csv",
+     csvHead + "1,2,3,oak\n"},
+    {"ColumnYMissing", head + "[inventory]\nfile = \"a.csv\"\ncolumns = @{x = \"x\"}\n",
+     "inventory.columns.y", "missing", "a.csv", csvHead + "1,2,3,oak\n"},
+    {"ColumnAbsent", inventory("x = \"x\", y = \"y\", height = @\"tall\""), "inventory.columns.height",
+     "no column \"tall\" in", "a.csv", csvHead + "1,2,3,oak\n"},
+    {"ColumnUnknown", inventory("x = \"x\", y = \"y\", @girth = \"h\""), "inventory.columns.girth",
+     "unknown key", "a.csv", csvHead + "1,2,3,oak\n"},
+    {"UnitUnknown", inventory("x = \"x\", y = \"y\", height = \"h\"", "units = {height = @\"yd\"}\n"),
+     "inventory.units.height", "\"ft\" or \"in\", found the text \"yd\"", "a.csv", csvHead + "1,2,3,oak\n"},
+    {"DelimiterUnknown", inventory("x = \"x\", y = \"y\"", "delimiter = @\":\"\n"), "inventory.delimiter",
+     "expected \",\"", "a.csv", csvHead + "1,2,3,oak\n"},
+    {"DefaultUnknown", inventory("x = \"x\", y = \"y\"", "default_species = @\"elm\"\n"),
+     "inventory.default_species", "no species \"elm\"", "a.csv", csvHead + "1,2,3,oak\n"},
+    {"CsvEmpty", inventory(), "", "empty", "a.csv", ""},
+    {"CsvWithoutRows", inventory(), "", "without trees", "a.csv", "@" + csvHead},
+    {"CsvRagged", inventory(), "", "expected 4", "a.csv", csvHead + "1,2,3,oak\n@1,2,3\n"},
+    {"CsvTextInNumber", inventory(), "h", "found", "a.csv", csvHead + "1,2,3,oak\n1,2,@tall,oak\n"},
+    {"CsvNaN", inventory(), "y", "found", "a.csv", csvHead + "1,@nan,3,oak\n"},
+    {"CsvNoPosition", inventory(), "x", "found", "a.csv", csvHead + "@,2,3,oak\n"},
+    {"CsvHeightNegative", inventory(), "h", "in (0, 150] metres, found \"-3\"", "a.csv",
+     csvHead + "1,2,@-3,oak\n"},
+    {"CsvSpeciesUnknown",
+     inventory("x = \"x\", y = \"y\", species = \"kind\"") + oak + "[[species]]\nname = \"fir\"\n", "kind",
+     "no species \"elm\", and no default_species", "a.csv", csvHead + "1,2,3,Oak\n@1,2,3,elm\n1,2,3,elm\n"},
+    {"CsvBinary", inventory(), "", "", "a.csv", csvHead + std::string("@1,2,\0,oak\n", 11)},
+
+    // [wind]
+    {"WindKindless", head + tree + "@[wind]\nspeed = 3.0\n", "wind.kind", "missing"},
+    {"WindKindUnknown", wind("kind = @\"gale\"\nspeed = 3.0\n"), "wind.kind", "\"calm\", \"uniform\""},
+    {"WindNothing", head + tree + "@[wind]\nkind = \"uniform\"\n", "wind", "either velocity, or speed"},
+    {"WindDirectionless", wind("kind = \"uniform\"\nspeed = @3.0\n"), "wind.speed", "direction_from"},
+    {"WindBothDirections",
+     wind("kind = \"uniform\"\nspeed = @3.0\ndirection_from = 1.0\ndirection_toward = 2.0\n"), "wind.speed",
+     "either direction_from or direction_toward"},
+    {"WindVelocityAndDirection", wind("kind = \"uniform\"\nvelocity = [1, 2, 0]\ndirection_from = @3.0\n"),
+     "wind.direction_from", "velocity says"},
+    {"WindSpeedNegative", wind("kind = \"uniform\"\nspeed = @-3.0\ndirection_from = 1.0\n"), "wind.speed",
+     "in [0, 200]"},
+    {"WindUnitUnknown", wind("kind = \"uniform\"\nvelocity = [1, 2, 0]\nunit = @\"furlong\"\n"), "wind.unit",
+     "m/s"},
+    {"WindInfinite", wind("kind = \"uniform\"\nvelocity = [1, @inf, 0]\n"), "wind.velocity", "finite number"},
+    {"WindKeyOfOtherKind", wind("kind = \"calm\"\n@speed = 3.0\n"), "wind.speed", "unknown key"},
+    {"GridLength", wind("kind = \"grid\"\npoints = [2, 2]\ncell = [5, 5]\nvalues = @[1, 0, 0]\n"),
+     "wind.values", "12"},
+    {"GridHuge",
+     wind("kind = \"grid\"\npoints = [99999, 99999, 99999]\ncell = [5, 5, 5]\nvalues = @[1, 0]\n"),
+     "wind.values", ""},
+    {"GridCellZero", wind("kind = \"grid\"\npoints = [1, 1]\ncell = [@0, 5]\nvalues = [1, 0, 0]\n"),
+     "wind.cell", "in (0, 1000000]"},
+    {"GridHalfPoints", wind("kind = \"grid\"\npoints = @[1.5, 1]\ncell = [5, 5]\nvalues = [1, 0, 0]\n"),
+     "wind.points", "whole numbers"},
+    {"GridTimes",
+     wind("kind = \"grid\"\npoints = [1, 1]\ncell = [5, 5]\ntimes = @[1, 1]\n"
+          "values = [1, 0, 0, 1, 0, 0]\n"),
+     "wind.times", "increas"},
+    {"GridBothSources",
+     head + tree +
+         "@[wind]\nkind = \"grid\"\npoints = [1, 1]\ncell = [5, 5]\nvalues = [1, 0, 0]\n"
+         "file = \"a.txt\"\n",
+     "wind", "either values or file", "a.txt", "1 0 0"},
+    {"GridFileText", wind("kind = \"grid\"\npoints = [1, 1]\ncell = [5, 5]\nfile = \"a.txt\"\n"), "",
+     "expected a finite number", "a.txt", "1 0\n @zero"},
+    {"ForestWindLength", wind("kind = \"forest_wind\"\nwidth = 2\nlength = 1\nvalues = @[1, 2, 3]\n"),
+     "wind.values", "6"},
+    {"ForestWindWidth", wind("kind = \"forest_wind\"\nwidth = @0\nlength = 1\nvalues = [1, 2, 3]\n"),
+     "wind.width", "in [1, 100000], found 0"},
+    {"SeriesUneven", wind("kind = \"series\"\ntimes = [0, 1]\nvelocities = @[[1, 0, 0]]\n"),
+     "wind.velocities", ""},
+    {"SeriesFlat", wind("kind = \"series\"\ntimes = [0]\nvelocities = [@1, 0, 0]\n"), "wind.velocities",
+     "array of 3 numbers, found 1"},
+    {"SeriesBackwards", wind("kind = \"series\"\ntimes = @[1, 0]\nvelocities = [[1, 0, 0], [1, 0, 0]]\n"),
+     "wind.times", "increas"},
+    {"SeriesRoughness",
+     wind("kind = \"series\"\ntimes = [0]\nvelocities = [[1, 0, 0]]\nheight = 2\nroughness = @3\n"),
+     "wind.roughness", "less than height"},
+    {"SeriesAbsent", wind("kind = \"series\"\nfile = @\"no.xml\"\n"), "wind.file", "no file"},
+    {"SeriesColumnAbsent", csvWind("columns = {time = \"t\", u = \"u\", v = \"w\"}\n"), "w",
+     "no such column for v", "a.csv", "@t,u,v\n0,1,2\n1,2,3\n"},
+    {"SeriesUnitUnknown",
+     csvWind("speed_unit = @\"beaufort\"\ncolumns = {time = \"t\", u = \"u\", v = \"v\"}\n"),
+     "wind.speed_unit", "m/s", "a.csv", "t,u,v\n0,1,2\n1,2,3\n"},
+    {"SeriesTimeUnitUnknown",
+     csvWind("time_unit = @\"fortnight\"\ncolumns = {time = \"t\", u = \"u\", v = \"v\"}\n"),
+     "wind.time_unit", "min", "a.csv", "t,u,v\n0,1,2\n1,2,3\n"},
+    {"SeriesTextInNumber", csvWind("columns = {time = \"t\", u = \"u\", v = \"v\"}\n"), "u", "found", "a.csv",
+     "t,u,v\n0,1,2\n1,@calm,3\n"},
+    {"SeriesXmlBroken", wind("kind = \"series\"\nfile = \"a.xml\"\n"), "", "", "a.xml",
+     "<timeSeries>\n<timeEpoch> 1 </time@Epoch"},
+    {"TimeScaleInfinite", wind("kind = \"calm\"\ntime_scale = @inf\n"), "wind.time_scale", "finite number"},
+};
+
+class BadInputTest : public testing::TestWithParam<BadInput> {};
+
+} // namespace
+
+TEST_P(BadInputTest, GivesOneProblemWithItsPlace) {
+    const BadInput& bad = GetParam();
+    const TemporaryFolder folder;
+    std::string document = bad.document, content = bad.content;
+    const Place inDocument = takeMarker(document), inContent = takeMarker(content);
+    if (*bad.file)
+        folder.write(bad.file, content);
+
+    std::istringstream input(document);
+    const auto result = readForest(input, {"bad.treewind", folder.path()});
+    ASSERT_FALSE(result.ok());
+    ASSERT_EQ(result.problems().size(), 1u) << result.problems()[1].text();
+    const Diagnostic& problem = result.problems().front();
+    SCOPED_TRACE(problem.text());
+
+    const bool inFile = inDocument.line == 0 && *bad.file;
+    EXPECT_EQ(problem.file, inFile ? folder.path() + '/' + bad.file : "bad.treewind");
+    if (const Place place = inFile ? inContent : inDocument; place.line > 0) {
+        EXPECT_EQ(problem.line, place.line);
+        if (!inFile) { // a table of cells knows the line only
+            EXPECT_EQ(problem.column, place.column);
+        }
+    }
+    EXPECT_EQ(problem.key, bad.key);
+    EXPECT_NE(problem.message.find(bad.message), std::string::npos);
+    EXPECT_FALSE(problem.message.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadInputTest, testing::ValuesIn(badInputs),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(BadInput, MissingFileIsNamed) {
+    const auto result = readForestFile("/nowhere/at/all.treewind");
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.problems().front().text(), "/nowhere/at/all.treewind: no such file");
+}
+
+TEST(BadInput, FolderIsNotAFile) {
+    const TemporaryFolder folder;
+    const auto result = readForestFile(folder.path());
+    ASSERT_FALSE(result.ok());
+    EXPECT_NE(result.problems().front().message.find("not a regular file"), std::string::npos);
+}
+
+TEST(BadInput, EveryProblemIsReportedInTheOrderOfTheFile) {
+    std::istringstream input(
+        "seed = -1\n[wind]\nkind = \"gale\"\n[[tree]]\nheight = 0\n[[tree]]\nposition = 3\n"
+        "colour = 1\n");
+    const auto result = readForest(input, {"f", ""});
+    ASSERT_FALSE(result.ok());
+    std::vector<std::string> places;
+    for (const Diagnostic& problem : result.problems())
+        places.push_back(std::to_string(problem.line) + ' ' + problem.key);
+    EXPECT_EQ(places, (std::vector<std::string>{"1 version", "1 seed", "3 wind.kind", "4 tree.position",
+                                                "5 tree.height", "7 tree.position", "8 tree.colour"}));
+}
+
+TEST(BadInput, ProblemsAreCapped) {
+    std::string document = head;
+    for (int i = 0; i < 1000; ++i)
+        document += "[[tree]]\n";
+    std::istringstream input(document);
+    const auto result = readForest(input);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.problems().size(), 100u);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "../TestData.h"
+#include "TemporaryFolder.h"
+
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace osgTreeWind {
+
+namespace {
+
+const std::string examples = OSGTREEWIND_SOURCE_DIR "/examples/";
+
+/// The forest, or an empty one and a test failure for every problem.
+ForestDescription expectForest(const Result<ForestDescription>& result) {
+    if (result.ok())
+        return result.value();
+    for (const Diagnostic& problem : result.problems())
+        ADD_FAILURE() << problem.text();
+    return {};
+}
+
+ForestDescription forestOf(const std::string& text, const std::string& folder = "") {
+    std::istringstream input("version = 1\n" + text);
+    return expectForest(readForest(input, {"test.treewind", folder}));
+}
+
+glm::vec3 windOf(const std::string& lines, const glm::vec3& position = glm::vec3(0.0f), double time = 0.0,
+                 const std::string& folder = "") {
+    const ForestDescription forest = forestOf("[[tree]]\nposition = [0, 0]\n[wind]\n" + lines, folder);
+    return forest.wind ? forest.wind->velocity(position, time) : glm::vec3(NAN);
+}
+
+void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-4f) {
+    EXPECT_LT(glm::distance(actual, expected), tolerance) << actual.x << ", " << actual.y << ", " << actual.z;
+}
+
+const std::string tree = "[[tree]]\nposition = [0, 0]\n";
+
+} // namespace
+
+TEST(ForestFile, ThesisExampleIsOneReferenceTree) {
+    const ForestDescription forest = expectForest(readForestFile(examples + "thesis.treewind"));
+    ASSERT_EQ(forest.trees.size(), 1u);
+    ASSERT_EQ(forest.species.size(), 1u);
+    EXPECT_EQ(forest.law, MotionLaw::Thesis);
+    const TreeCounts counts = countTree(forest.species[0].tree);
+    EXPECT_EQ(counts.units, 122u);
+    EXPECT_EQ(counts.totalVertices(), 38656u);
+    EXPECT_EQ(counts.totalTriangles(), 40800u);
+    expectNear(forest.wind->velocity({}, 0.0), {4, 0, 0});
+}
+
+TEST(ForestFile, ForestExampleKeepsItsSpacing) {
+    const ForestDescription forest = expectForest(readForestFile(examples + "forest.treewind"));
+    ASSERT_EQ(forest.trees.size(), 40u);
+    ASSERT_EQ(forest.species.size(), 2u);
+    std::size_t oaks = 0;
+    for (std::size_t i = 0; i < forest.trees.size(); ++i) {
+        const TreePlacement& a = forest.trees[i];
+        oaks += a.species == 0;
+        EXPECT_LE(std::abs(a.position.x), 40.0);
+        EXPECT_LE(std::abs(a.position.y), 40.0);
+        EXPECT_GE(a.size.height, 8.0f);
+        EXPECT_LE(a.size.height, 16.0f);
+        EXPECT_GE(a.size.trunkDiameter, 0.0249f * a.size.height);
+        EXPECT_LE(a.size.crownWidth, 0.7501f * a.size.height);
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_GE(glm::distance(a.position, forest.trees[j].position), 7.0);
+    }
+    EXPECT_GT(oaks, 12u); // three of five, give or take
+    EXPECT_LT(oaks, 36u);
+    EXPECT_NE(forest.wind->velocity({0, 0, 10}, 3.0), forest.wind->velocity({0, 0, 10}, 9.0));
+}
+
+TEST(ForestFile, ScatterIsTheSameOnEveryMachine) {
+    const ForestDescription forest = forestOf("[scatter]\ncount = 2\narea = [0, 0, 1, 1]\nseed = 0\n");
+    // First two numbers of SplitMix64 from seed 0 (Vigna's reference: e220a8397b1dcdaf, 6e789e6aa1b965f4).
+    ASSERT_EQ(forest.trees.size(), 2u);
+    EXPECT_DOUBLE_EQ(forest.trees[0].position.x, static_cast<double>(0xe220a8397b1dcdafull >> 11) * 0x1p-53);
+    EXPECT_DOUBLE_EQ(forest.trees[0].position.y, static_cast<double>(0x6e789e6aa1b965f4ull >> 11) * 0x1p-53);
+}
+
+TEST(ForestFile, CampusExampleIsWhatWasMeasured) {
+    REQUIRE_REAL_DATA(csv, "utah_campus/utah_campus_trees.csv");
+    const ForestDescription forest = expectForest(readForestFile(examples + "campus.treewind"));
+    ASSERT_EQ(forest.trees.size(), 1233u);
+
+    std::ifstream file(csv);
+    std::string line;
+    std::getline(file, line);
+    for (const TreePlacement& placed : forest.trees) {
+        ASSERT_TRUE(std::getline(file, line));
+        double x, y, diameter, crown, height;
+        ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf", &x, &y, &diameter, &crown, &height), 5);
+        EXPECT_DOUBLE_EQ(placed.position.x, x);
+        EXPECT_DOUBLE_EQ(placed.position.y, y);
+        EXPECT_FLOAT_EQ(placed.size.height, static_cast<float>(height));
+        EXPECT_FLOAT_EQ(placed.size.trunkDiameter, static_cast<float>(diameter));
+        EXPECT_FLOAT_EQ(placed.size.crownWidth, static_cast<float>(crown));
+        const std::string& name = forest.species[placed.species].name;
+        EXPECT_EQ(name == "Austrian pine", line.find("Pinus nigra") != std::string::npos ||
+                                               line.find("Pinus ponderosa") != std::string::npos ||
+                                               line.find("Cedrus deodara") != std::string::npos);
+        EXPECT_LT(glm::distance(placed.position, forest.origin), 2000.0);
+    }
+    ASSERT_EQ(forest.notes.size(), 1u);
+    EXPECT_NE(forest.notes[0].find("Ginkgo biloba (3)"), std::string::npos);
+}
+
+TEST(ForestFile, CampusWindIsTheRecord) {
+    REQUIRE_REAL_DATA(xml, "utah_campus/sensor2015.xml");
+    const ForestDescription forest = expectForest(readForestFile(examples + "campus.treewind"));
+    ASSERT_TRUE(forest.wind);
+    // First record: 3.1 m/s from 78.4 degrees at 42 m.
+    expectNear(forest.wind->velocity({0, 0, 42}, 0.0), {-3.0367f, -0.6233f, 0.0f}, 1e-3f);
+}
+
+TEST(ForestFile, ReadsPlotInventoryWithUnits) {
+    REQUIRE_REAL_DATA(csv, "scbi/scbi_joined_xy_height_dbh.csv");
+    const ForestDescription forest =
+        forestOf("[inventory]\nfile = \"" + csv +
+                 "\"\ncolumns = { x = \"px\", y = \"py\", height = \"height.m\", "
+                 "trunk_diameter = \"dbh_cm\" }\nunits = { trunk_diameter = \"cm\" }\n");
+    ASSERT_EQ(forest.trees.size(), 661u);
+    EXPECT_FLOAT_EQ(forest.trees[0].size.height, 26.0f);
+    EXPECT_NEAR(forest.trees[0].size.trunkDiameter, 0.4173f, 1e-6f);
+    EXPECT_EQ(forest.origin, glm::dvec3(0.0)); // plot coordinates need no other origin
+}
+
+TEST(ForestFile, EmptyCellsAreSizesNotGiven) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,h\n1,2,\n3,4,30\n");
+    const ForestDescription forest =
+        forestOf("[inventory]\nfile = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n"
+                 "units = { height = \"ft\" }\n",
+                 folder.path());
+    ASSERT_EQ(forest.trees.size(), 2u);
+    EXPECT_EQ(forest.trees[0].size.height, 0.0f);
+    EXPECT_NEAR(forest.trees[1].size.height, 9.144f, 1e-5f);
+}
+
+TEST(ForestFile, LargeCoordinatesGetAnOriginAmongTheTrees) {
+    const ForestDescription forest = forestOf("[[tree]]\nposition = [428759.19, 4512931.77, 1423.6]\n"
+                                              "[[tree]]\nposition = [428760.19, 4512933.77, 1424.6]\n");
+    EXPECT_EQ(forest.origin, glm::dvec3(428760, 4512933, 1423));
+}
+
+TEST(ForestFile, GivenOriginIsKept) {
+    EXPECT_EQ(forestOf("origin = [10, 20, 30]\n" + tree).origin, glm::dvec3(10, 20, 30));
+}
+
+TEST(ForestFile, AnglesAreDegrees) {
+    const ForestDescription forest = forestOf("[[tree]]\nposition = [0, 0]\nheading = 90\n[[species]]\n"
+                                              "name = \"a\"\n[species.tree]\ninclination = 30\n");
+    EXPECT_FLOAT_EQ(forest.trees[0].heading, 1.5707964f);
+    EXPECT_FLOAT_EQ(forest.species[0].tree.wood.inclination, 0.5235988f);
+}
+
+TEST(ForestFile, FindsFilesBesideTheDocumentThenInSearch) {
+    const TemporaryFolder folder, other;
+    other.write("a.csv", "x,y\n1,2\n");
+    const std::string text = "[inventory]\nfile = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\" }\n";
+    const std::string search = "search = [\"" + other.path() + "\"]\n";
+    EXPECT_EQ(forestOf(search + text, folder.path()).trees.size(), 1u);
+    folder.write("a.csv", "x,y\n1,2\n3,4\n");
+    EXPECT_EQ(forestOf(search + text, folder.path()).trees.size(), 2u);
+}
+
+TEST(ForestFile, SourceAndFolderGiveTheSameForestAgain) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y\n1,2\n3,4\n");
+    const std::string path = folder.write("f.treewind", "version = 1\n[inventory]\nfile = \"a.csv\"\n"
+                                                        "columns = { x = \"x\", y = \"y\" }\n");
+    const ForestDescription first = expectForest(readForestFile(path));
+    std::istringstream again(first.source);
+    const ForestDescription second = expectForest(readForest(again, {"", first.folder}));
+    ASSERT_EQ(second.trees.size(), 2u);
+    EXPECT_EQ(second.trees[1].seed, first.trees[1].seed);
+    EXPECT_EQ(second.source, first.source);
+}
+
+TEST(ForestFile, CalmIsNoWind) {
+    EXPECT_FALSE(forestOf(tree).wind);
+    EXPECT_FALSE(forestOf(tree + "[wind]\nkind = \"calm\"\n").wind);
+}
+
+TEST(ForestFile, UniformWindKnowsUnitsAndDirections) {
+    expectNear(windOf("kind = \"uniform\"\nvelocity = [1, 2, 3]\n"), {1, 2, 3});
+    expectNear(windOf("kind = \"uniform\"\nspeed = 36\nunit = \"km/h\"\ndirection_from = 0\n"), {0, -10, 0});
+    expectNear(windOf("kind = \"uniform\"\nspeed = 10\ndirection_toward = 90\n"), {10, 0, 0});
+}
+
+TEST(ForestFile, GridIsGivenInWorldCoordinates) {
+    const ForestDescription forest = forestOf(
+        "[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"grid\"\norigin = [499990, 4000000, 0]\n"
+        "points = [2, 1]\ncell = [20, 20]\nvalues = [1, 0, 0, 3, 0, 0]\n");
+    ASSERT_TRUE(forest.wind);
+    expectNear(forest.wind->velocity({-10, 0, 0}, 0.0), {1, 0, 0}); // the first point, from the tree
+    expectNear(forest.wind->velocity({0, 0, 0}, 0.0), {2, 0, 0});
+}
+
+TEST(ForestFile, ForestWindReadsItsArrayFromAFile) {
+    const TemporaryFolder folder;
+    folder.write("w.txt", "# u v w in thesis axes\n1 0 0\n2, 0, 0\n");
+    expectNear(windOf("kind = \"forest_wind\"\nwidth = 2\nlength = 1\nfile = \"w.txt\"\n", {1.5f, 0, 0}, 0.0,
+                      folder.path()),
+               {2, 0, 0});
+}
+
+TEST(ForestFile, SeriesIsLinearAndRetimed) {
+    const std::string record = "kind = \"series\"\ntimes = [0, 10]\nvelocities = [[0, 0, 0], [4, 2, 0]]\n";
+    expectNear(windOf(record, {}, 5.0), {2, 1, 0});
+    expectNear(windOf(record + "start = 2.5\ntime_scale = 2.0\n", {}, 1.25), {2, 1, 0});
+    expectNear(windOf(record + "repeat = true\n", {}, 15.0), {2, 1, 0});
+}
+
+TEST(ForestFile, SeriesFollowsTheLogarithmicProfile) {
+    const float u = windOf("kind = \"series\"\ntimes = [0]\nvelocities = [[5, 0, 0]]\nheight = 10\n"
+                           "roughness = 0.1\n",
+                           {0, 0, 1})
+                        .x;
+    EXPECT_NEAR(u, 5.0f * std::log(1.0f / 0.1f) / std::log(10.0f / 0.1f), 1e-4f);
+}
+
+TEST(ForestFile, SeriesReadsNamedColumns) {
+    const TemporaryFolder folder;
+    folder.write("w.csv", "when;kmh;deg\n0;36;270\n1;72;270\n");
+    expectNear(windOf("kind = \"series\"\nfile = \"w.csv\"\ndelimiter = \";\"\ntime_unit = \"min\"\n"
+                      "speed_unit = \"km/h\"\n"
+                      "columns = { time = \"when\", speed = \"kmh\", direction_from = \"deg\" }\n",
+                      {}, 30.0, folder.path()),
+               {15, 0, 0});
+}
+
+TEST(ForestFile, SpeciesAreFoundByAliasInAnyCase) {
+    const ForestDescription forest =
+        forestOf("[[tree]]\nposition = [0, 0]\nspecies = \"PINUS nigra\"\n[[species]]\nname = \"a\"\n"
+                 "[[species]]\nname = \"b\"\naliases = [\"Pinus nigra\"]\n");
+    EXPECT_EQ(forest.trees[0].species, 1u);
+}
+
+TEST(ForestFile, MessagesCarryFileLineAndColumn) {
+    std::istringstream input("version = 1\n[[tree]]\nposition = [0, 0]\nheight = -2\n");
+    const auto result = readForest(input, {"my.treewind", ""});
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.problems().front().text(),
+              "my.treewind:4:10: tree.height: expected a finite number in (0, 150], found -2");
+}
+
+} // namespace osgTreeWind

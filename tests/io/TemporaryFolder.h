@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+/// A folder of its own for one test, gone with it.
+class TemporaryFolder {
+public:
+    TemporaryFolder() : _path(std::filesystem::temp_directory_path() / "osgTreeWind-XXXXXX") {
+        if (!mkdtemp(_path.data()))
+            ADD_FAILURE() << "no temporary folder " << _path;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(_path, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::string& path() const { return _path; }
+
+    /// Writes a file and returns its path.
+    std::string write(const std::string& name, const std::string& content) const {
+        const std::string file = _path + '/' + name;
+        std::ofstream(file, std::ios::binary) << content;
+        return file;
+    }
+
+private:
+    std::string _path;
+};
