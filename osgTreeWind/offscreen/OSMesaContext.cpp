@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+#include <osgTreeWind/offscreen/PixelContext.h>
+
+#include <GL/osmesa.h>
+#include <dlfcn.h>
+
+#include <cstdint>
+#include <memory>
+#include <new>
+
+namespace osgTreeWind {
+namespace {
+
+class OSMesaGraphicsContext : public PixelContext {
+public:
+    OSMesaGraphicsContext(int width, int height, OSMesaContext context,
+                          std::unique_ptr<std::uint32_t[]> pixels)
+        : PixelContext(width, height), _context(context), _pixels(std::move(pixels)) {}
+
+    const char* className() const override { return "OSMesaGraphicsContext"; }
+    bool valid() const override { return _context != nullptr; }
+    bool makeCurrentImplementation() override {
+        return valid() &&
+               OSMesaMakeCurrent(_context, _pixels.get(), GL_UNSIGNED_BYTE, _traits->width, _traits->height);
+    }
+    bool releaseContextImplementation() override { return OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+    void closeImplementation() override {
+        if (_context)
+            OSMesaDestroyContext(_context);
+        _context = nullptr;
+        _pixels.reset();
+        _realized = false;
+    }
+
+protected:
+    ~OSMesaGraphicsContext() override { close(); }
+
+private:
+    OSMesaContext _context;
+    std::unique_ptr<std::uint32_t[]> _pixels; ///< Mesa's colour buffer, width x height RGBA8.
+};
+
+/// The file of the library that a symbol of the global scope comes from; empty when it is not there.
+std::string libraryOf(const char* symbol) {
+    Dl_info info{};
+    void* const address = dlsym(RTLD_DEFAULT, symbol);
+    return address && dladdr(address, &info) ? info.dli_fname : std::string();
+}
+
+Diagnostic problem(const std::string& message) {
+    Diagnostic diagnostic;
+    diagnostic.message = message;
+    return diagnostic;
+}
+
+} // namespace
+
+const char* offscreenBackendName() {
+    return "osmesa";
+}
+
+Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int height) {
+    if (const auto wrongSize = PixelContext::sizeProblem(width, height))
+        return *wrongSize;
+
+    // OSG calls OpenGL through the global scope; were that libGL, its first call would crash.
+    const std::string library = libraryOf("glGetString");
+    if (library != libraryOf("OSMesaMakeCurrent"))
+        return problem(
+            "OpenGL comes from " + library +
+            " and not from libOSMesa; expected a program that links osgTreeWind::OSMesa directly and "
+            "does not link OpenGL::GL");
+
+    std::unique_ptr<std::uint32_t[]> pixels(new (std::nothrow) std::uint32_t[std::size_t(width) * height]);
+    if (!pixels)
+        return problem("not enough memory for the pixels of an offscreen context");
+
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_STENCIL_BITS,
+                              8,
+                              OSMESA_PROFILE,
+                              OSMESA_COMPAT_PROFILE,
+                              0};
+    const OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
+    if (!context)
+        return problem("libOSMesa made no context; expected an OpenGL compatibility profile");
+
+    return osg::ref_ptr<osg::GraphicsContext>(
+        new OSMesaGraphicsContext(width, height, context, std::move(pixels)));
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/offscreen/PixelContext.h>
+
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <osg/GLExtensions>
+#include <osg/Notify>
+
+namespace osgTreeWind {
+
+std::optional<Diagnostic> PixelContext::sizeProblem(int width, int height) {
+    const auto isGood = [](int size) { return size >= 1 && size <= maxOffscreenSize; };
+    if (isGood(width) && isGood(height))
+        return std::nullopt;
+    Diagnostic problem;
+    problem.key = "size";
+    problem.message = "an offscreen context of " + std::to_string(width) + "x" + std::to_string(height) +
+                      " pixels cannot be made; expected width and height from 1 to " +
+                      std::to_string(maxOffscreenSize);
+    return problem;
+}
+
+PixelContext::PixelContext(int width, int height) {
+    _traits = new Traits;
+    _traits->width = width;
+    _traits->height = height;
+    _traits->red = _traits->green = _traits->blue = _traits->alpha = 8;
+    _traits->depth = 24;
+    _traits->stencil = 8;
+    _traits->pbuffer = true;
+    _traits->doubleBuffer = false;
+
+    setState(new osg::State);
+    getState()->setGraphicsContext(this);
+    getState()->setContextID(createNewContextID());
+}
+
+bool PixelContext::realizeImplementation() {
+    if (!valid() || !makeCurrentImplementation())
+        return false;
+    // Mesa and libglvnd have an entry point for every extension. OSG takes that for support, and every
+    // multisampled frame buffer object then fails.
+    const unsigned int id = getState()->getContextID();
+    if (!osg::isGLExtensionSupported(id, "GL_NV_framebuffer_multisample_coverage"))
+        osg::GLExtensions::Get(id, true)->glRenderbufferStorageMultisampleCoverageNV = nullptr;
+    _realized = releaseContextImplementation();
+    return _realized;
+}
+
+bool PixelContext::makeContextCurrentImplementation(osg::GraphicsContext* readContext) {
+    return readContext == this && makeCurrentImplementation();
+}
+
+void PixelContext::bindPBufferToTextureImplementation(GLenum) {
+    OSG_WARN << "osgTreeWind: an offscreen context cannot be bound as a texture; render to a texture instead"
+             << std::endl;
+}
+
+} // namespace osgTreeWind

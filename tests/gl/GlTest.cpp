@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "GlTest.h"
+
+#include <osgTreeWind/offscreen/FrameImage.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <stdexcept>
+#include <utility>
+
+void MessageCollector::notify(osg::NotifySeverity severity, const char* message) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    if (severity <= osg::NOTICE)
+        _messages += message;
+}
+
+std::string MessageCollector::take() {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    return std::exchange(_messages, std::string());
+}
+
+GlTest::GlTest()
+    : _collector(new MessageCollector), _formerHandler(osg::getNotifyHandler()),
+      _formerLevel(osg::getNotifyLevel()) {
+    osg::setNotifyHandler(_collector);
+    osg::setNotifyLevel(osg::NOTICE);
+}
+
+GlTest::~GlTest() {
+    osg::setNotifyLevel(_formerLevel);
+    osg::setNotifyHandler(_formerHandler);
+}
+
+void GlTest::open(int width, int height, int samples) {
+    _viewer = nullptr;
+    _context = nullptr;
+    auto made = osgTreeWind::createOffscreenContext(width, height);
+    if (!made)
+        throw std::runtime_error(made.problems().front().message);
+    _context = made.value();
+    _context->getState()->setCheckForGLErrors(osg::State::ONCE_PER_ATTRIBUTE);
+    _viewer = new osgViewer::Viewer;
+    _viewer->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    _viewer->getCamera()->setClearColor(osg::Vec4(0, 0, 0, 1));
+    _image = osgTreeWind::attachFrameImage(*_viewer->getCamera(), *_context, samples);
+}
+
+osg::Vec4ub GlTest::pixel(int x, int y) const {
+    const unsigned char* const bytes = _image->data(x, y);
+    return osg::Vec4ub(bytes[0], bytes[1], bytes[2], bytes[3]);
+}
+
+void GlTest::frame(double time) {
+    _viewer->frame(time);
+    EXPECT_EQ(takeMessages(), "") << "said while drawing the frame at " << time << " s";
+}
+
+osg::ref_ptr<osg::Image> GlTest::render(osg::Node* node, int width, int height, int frames) {
+    open(width, height);
+    _viewer->setSceneData(node);
+    const osg::BoundingSphere bound = node->getBound();
+    osg::Camera& camera = *_viewer->getCamera();
+    camera.setProjectionMatrixAsPerspective(40, double(width) / height, 1, 100);
+    camera.setViewMatrixAsLookAt(bound.center() - osg::Vec3(0, 2.5f * bound.radius(), 0), bound.center(),
+                                 osg::Vec3(0, 0, 1));
+    for (int i = 0; i < frames; ++i)
+        frame(i / 25.0);
+    return new osg::Image(*_image, osg::CopyOp::DEEP_COPY_ALL);
+}
+
+void GlTest::TearDown() {
+    _viewer = nullptr;
+    _context = nullptr;
+    EXPECT_EQ(takeMessages(), "") << "said outside of frames";
+}
