@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/gpu/DataTexture.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace osgTreeWind {
+
+DataTexture::DataTexture(const char* name, std::size_t texels)
+    : _image(new osg::Image), _texture(new osg::Texture2D) {
+    const std::size_t rows = std::max<std::size_t>((texels + width - 1) / width, 1);
+    _image->allocateImage(width, static_cast<int>(rows), 1, GL_RGBA, GL_FLOAT);
+    _image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    _image->setDataVariance(osg::Object::DYNAMIC);
+    std::memset(_image->data(), 0, _image->getTotalSizeInBytes());
+
+    _texture->setName(name);
+    _texture->setDataVariance(osg::Object::DYNAMIC);
+    _texture->setImage(_image);
+    _texture->setInternalFormat(GL_RGBA32F_ARB);
+    _texture->setResizeNonPowerOfTwoHint(false);
+    _texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    _texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    _texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    _texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+}
+
+} // namespace osgTreeWind

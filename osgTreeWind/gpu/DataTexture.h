@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/Texture2D>
+
+#include <cstddef>
+
+namespace osgTreeWind {
+
+/// An array of RGBA32F texels as a texture: element i stands at (i % width, i / width). Shaders read it with
+/// `texelFetch` (shaders/tree.glsl). Filled on the CPU, or the target of a pass.
+class DataTexture {
+public:
+    static constexpr int width = 2048;
+
+    /// @param name of the texture, for people who look at the scene.
+    DataTexture(const char* name, std::size_t texels);
+
+    osg::Texture2D* texture() const { return _texture.get(); }
+
+    /// The texels, 4 floats each. Write only during update, then call dirty().
+    float* data() const { return reinterpret_cast<float*>(_image->data()); }
+    /// Has the texels uploaded before the next draw in every context.
+    void dirty() const { _image->dirty(); }
+
+private:
+    osg::ref_ptr<osg::Image> _image;
+    osg::ref_ptr<osg::Texture2D> _texture;
+};
+
+} // namespace osgTreeWind

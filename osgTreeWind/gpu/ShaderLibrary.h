@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/Program>
+
+#include <string>
+
+namespace osgTreeWind {
+
+/// The text of a shader: the file `name` in a folder of OSG_FILE_PATH if there is one, else the embedded
+/// copy. Lines `#include "other"` are replaced by that shader's text. An unknown name gives an empty text and
+/// an OSG_WARN. Thread-safe.
+std::string shaderText(const std::string& name);
+
+/// A program of `name`.vert and `name`.frag.
+osg::ref_ptr<osg::Program> createProgram(const std::string& name);
+
+} // namespace osgTreeWind

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/Quat>
+#include <osg/Vec3>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+namespace osgTreeWind {
+
+inline osg::Vec3 toOsg(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+inline osg::Quat toOsg(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
+
+} // namespace osgTreeWind

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/BranchTransform.h>
+
+namespace osgTreeWind {
+
+BranchTransform::BranchTransform() {
+    setDataVariance(osg::Object::DYNAMIC);
+}
+
+BranchTransform::BranchTransform(unsigned unit, const osg::Vec3& base) : BranchTransform() {
+    _unit = unit;
+    _base = base;
+}
+
+BranchTransform::BranchTransform(const BranchTransform& other, const osg::CopyOp& copyop)
+    : osg::MatrixTransform(other, copyop), _unit(other._unit), _base(other._base),
+      _rotation(other._rotation) {
+    setDataVariance(osg::Object::DYNAMIC);
+}
+
+void BranchTransform::setRotation(const osg::Quat& rotation) {
+    _rotation = rotation;
+    osg::Matrix matrix = osg::Matrix::translate(-_base);
+    matrix.postMultRotate(rotation);
+    matrix.postMultTranslate(_base);
+    setMatrix(matrix);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/MatrixTransform>
+
+namespace osgTreeWind {
+
+/// One branch unit as a transform: it turns about its base, and everything below it goes along (the
+/// glPushMatrix and glPopMatrix of thesis §3.1.3). Coordinates below it are those of the tree at rest, so a
+/// node placed at a rest position of the branch stays attached to it.
+class BranchTransform : public osg::MatrixTransform {
+public:
+    BranchTransform();
+    /// @param unit index in access order; @param base attach point in the tree's frame at rest, metres.
+    BranchTransform(unsigned unit, const osg::Vec3& base);
+    BranchTransform(const BranchTransform& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgTreeWind, BranchTransform)
+
+        unsigned getUnit() const {
+        return _unit;
+    }
+    const osg::Vec3& getBase() const { return _base; }
+
+    /// The branch's own turn about its base, in the tree's rest axes. Sets the matrix T(base) R T(-base).
+    void setRotation(const osg::Quat& rotation);
+    const osg::Quat& getRotation() const { return _rotation; }
+
+protected:
+    ~BranchTransform() override = default;
+
+private:
+    unsigned _unit = 0;
+    osg::Vec3 _base;
+    osg::Quat _rotation;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/gpu/ToOsg.h>
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/UnitPose.h>
+
+#include <osg/BoundingBox>
+#include <osg/Referenced>
+
+#include <glm/vec4.hpp>
+
+#include <memory>
+
+namespace osgTreeWind {
+
+/// One tree as it stands now: its model, its size, and where its units and leaves are. Shared by the nodes
+/// that draw it. Not thread-safe: changed in the update traversal only.
+class PosedTree : public osg::Referenced {
+public:
+    PosedTree(std::shared_ptr<const TreeModel> model, const TreeScale& scale);
+
+    const TreeModel& model() const { return *_model; }
+    const TreeScale& scale() const { return _scale; }
+
+    /// The state the tree follows; null pointers stand for rest.
+    /// @param poses, rotations one per unit; @param leafStates one per leaf cluster (ForestSimulation).
+    /// They must outlive this object, or be kept alive by `owner`.
+    void follow(std::shared_ptr<const void> owner, const UnitPose* poses, const glm::quat* rotations,
+                const glm::vec4* leafStates);
+
+    UnitPose pose(std::size_t unit) const { return _poses ? _poses[unit] : UnitPose(); }
+    glm::quat rotation(std::size_t unit) const {
+        return _rotations ? _rotations[unit] : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
+    }
+    /// A vertex of the bark, in the tree's frame; `pose` of its unit.
+    glm::vec3 skinPoint(const SkinVertex& vertex, const UnitPose& pose) const;
+    /// The twelve corners of a leaf cluster, in the tree's frame.
+    void leafPoints(std::size_t leaf, glm::vec3* corners) const;
+
+    /// Everything the tree has covered so far, in its own frame.
+    const osg::BoundingBox& bounds() const { return _bounds; }
+    /// Takes the current pose into bounds(). @return whether they grew.
+    bool growBounds();
+
+private:
+    std::shared_ptr<const TreeModel> _model;
+    TreeScale _scale;
+    std::shared_ptr<const void> _owner;
+    const UnitPose* _poses = nullptr;
+    const glm::quat* _rotations = nullptr;
+    const glm::vec4* _leafStates = nullptr;
+    float _reach = 0.0f; // of leaves and bark from the centre line
+    osg::BoundingBox _bounds;
+};
+
+} // namespace osgTreeWind

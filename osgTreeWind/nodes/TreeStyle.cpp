@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/TreeStyle.h>
+
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/gpu/ToOsg.h>
+#include <osgTreeWind/nodes/TreeTextures.h>
+
+namespace osgTreeWind {
+namespace {
+
+osg::ref_ptr<osg::Texture2D> createTexture(const char* name, osg::Image* image, osg::Texture::WrapMode wrap) {
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setName(name);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, wrap);
+    return texture;
+}
+
+} // namespace
+
+TreeStyles::TreeStyles()
+    : _barkProgram(createProgram("bark")), _leafProgram(createProgram("leaf")),
+      _bark(createTexture("bark", createBarkImage(), osg::Texture::REPEAT)),
+      _blades(createTexture("blades", createBladeImage(), osg::Texture::CLAMP_TO_EDGE)),
+      _needles(createTexture("needles", createNeedleImage(), osg::Texture::CLAMP_TO_EDGE)) {}
+
+TreeStyle TreeStyles::style(const Appearance& appearance) const {
+    TreeStyle style{new osg::StateSet, nullptr, new osg::StateSet};
+    style.bark->setAttributeAndModes(_barkProgram);
+    style.bark->setTextureAttribute(0, _bark);
+    style.bark->addUniform(new osg::Uniform("barkTexture", 0));
+    style.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
+    style.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
+
+    style.branchBark = new osg::StateSet(*style.bark);
+    style.branchBark->addUniform(new osg::Uniform("treeFirstUnit", -1));
+
+    style.leaves->setAttributeAndModes(_leafProgram);
+    style.leaves->setTextureAttribute(0, appearance.needles ? _needles : _blades);
+    style.leaves->addUniform(new osg::Uniform("leafTexture", 0));
+    style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
+    style.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    return style;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/nodes/Forest.h>
+
+#include <osgDB/InputStream>
+#include <osgDB/ObjectWrapper>
+#include <osgDB/OutputStream>
+
+#include <sstream>
+
+// A Forest is written to .osgt, .osgb and .osgx as the .treewind document it was read from, and grown again
+// when it is read: a few kilobytes in place of its geometry, and the wind comes along.
+namespace {
+
+using osgTreeWind::Forest;
+
+bool checkDocument(const Forest& forest) {
+    if (forest.getDescription().source.empty()) {
+        OSG_WARN << "osgTreeWind: a Forest that was not read from a .treewind document cannot be written"
+                 << std::endl;
+        return false;
+    }
+    return true;
+}
+
+bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
+    output << output.BEGIN_BRACKET << std::endl;
+    output << output.PROPERTY("Folder");
+    output.writeWrappedString(forest.getDescription().folder);
+    output << std::endl << output.PROPERTY("Source");
+    output.writeWrappedString(forest.getDescription().source);
+    output << std::endl << output.END_BRACKET << std::endl;
+    return true;
+}
+
+bool readDocument(osgDB::InputStream& input, Forest& forest) {
+    osgTreeWind::ForestFileOptions where;
+    std::string source;
+    input >> input.BEGIN_BRACKET >> input.PROPERTY("Folder");
+    input.readWrappedString(where.folder);
+    input >> input.PROPERTY("Source");
+    input.readWrappedString(source);
+    input >> input.END_BRACKET;
+
+    std::istringstream document(source);
+    osgTreeWind::Result<osgTreeWind::ForestDescription> description =
+        osgTreeWind::readForest(document, where);
+    if (!description) {
+        OSG_WARN << "osgTreeWind: " << description.problems().front().text() << std::endl;
+        return true; // an empty forest; the rest of the scene is still good
+    }
+    forest.setDescription(std::move(description.value()));
+    return true;
+}
+
+} // namespace
+
+// Not an osg::Group here: the trees are grown again, not stored.
+REGISTER_OBJECT_WRAPPER(osgTreeWind_Forest, new osgTreeWind::Forest, osgTreeWind::Forest,
+                        "osg::Object osg::Node osgTreeWind::Forest") {
+    ADD_USER_SERIALIZER(Document);
+}

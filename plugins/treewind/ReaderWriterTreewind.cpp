@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/nodes/Forest.h>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/Registry>
+
+#include <fstream>
+
+namespace {
+
+using namespace osgTreeWind;
+
+/// Reads .treewind files (docs/treewind.md) as a Forest. Stateless, so that pager threads may share it.
+class ReaderWriterTreewind : public osgDB::ReaderWriter {
+public:
+    ReaderWriterTreewind() { supportsExtension("treewind", "osgTreeWind forest description"); }
+
+    const char* className() const override { return "osgTreeWind forest reader"; }
+
+    ReadResult readObject(const std::string& file, const Options* options) const override {
+        return readNode(file, options);
+    }
+    ReadResult readObject(std::istream& input, const Options* options) const override {
+        return readNode(input, options);
+    }
+
+    ReadResult readNode(const std::string& file, const Options* options) const override {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
+            return ReadResult::FILE_NOT_HANDLED;
+        const std::string path = osgDB::findDataFile(file, options);
+        if (path.empty())
+            return ReadResult::FILE_NOT_FOUND;
+        std::ifstream input(path, std::ios::binary);
+        if (!input)
+            return ReadResult(path + ": cannot be opened");
+        return read(input, {path, osgDB::getFilePath(path)});
+    }
+
+    /// Relative paths are looked for in the first folder of the options' database paths.
+    ReadResult readNode(std::istream& input, const Options* options) const override {
+        ForestFileOptions where;
+        if (options && !options->getDatabasePathList().empty())
+            where.folder = options->getDatabasePathList().front();
+        return read(input, where);
+    }
+
+private:
+    static ReadResult read(std::istream& input, const ForestFileOptions& where) {
+        Result<ForestDescription> forest = readForest(input, where);
+        if (!forest)
+            return ReadResult(forest.problems().front().text());
+        for (const std::string& note : forest.value().notes)
+            OSG_NOTICE << "osgTreeWind: " << note << std::endl;
+        return new Forest(std::move(forest.value()));
+    }
+};
+
+} // namespace
+
+REGISTER_OSGPLUGIN(treewind, ReaderWriterTreewind)

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What every vertex shader of a tree shares: where its units stand, and how large it is.
+
+#include "law/rotation.glsl"
+
+uniform sampler2D unitPoses; // two texels a unit: rotation (quaternion x, y, z, w), translation
+uniform int treeFirstUnit;   // of this tree in unitPoses; negative: units stand at rest
+uniform vec3 treeAxes;       // scale of centre lines
+uniform vec2 treeSizes;      // scale of radii, of leaf clusters
+
+vec4 dataTexel(sampler2D data, int index) {
+    int width = textureSize(data, 0).x;
+    return texelFetch(data, ivec2(index % width, index / width), 0);
+}
+
+struct UnitPose {
+    vec4 rotation;
+    vec3 translation;
+};
+
+UnitPose unitPose(int unit) {
+    if (treeFirstUnit < 0)
+        return UnitPose(vec4(0.0, 0.0, 0.0, 1.0), vec3(0.0));
+    int texel = 2 * (treeFirstUnit + unit);
+    return UnitPose(dataTexel(unitPoses, texel), dataTexel(unitPoses, texel + 1).xyz);
+}
