@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+/// How a command ended; the exit status of the program.
+enum ExitCode { Succeeded = 0, Failed = 1, BadInput = 2 };
+
+// Each command adds itself to the program and, when it was the one asked for, sets `exitCode`.
+void addInfoCommand(CLI::App& app, ExitCode& exitCode);
+void addValidateCommand(CLI::App& app, ExitCode& exitCode);
+void addRenderCommand(CLI::App& app, ExitCode& exitCode);
+void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
+
+/// The forest in `file`; prints the first problem, or what is worth knowing, on standard error.
+std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file);

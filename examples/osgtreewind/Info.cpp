@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "Command.h"
+
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <iostream>
+
+namespace {
+
+using namespace osgTreeWind;
+using Json = nlohmann::ordered_json;
+
+Json toJson(const TreeCounts& counts, std::size_t trees) {
+    return {{"trees", trees},
+            {"units", counts.units},
+            {"branches", counts.branches},
+            {"skeletonPoints", counts.skeletonPoints},
+            {"skinVertices", counts.skinVertices},
+            {"skinTriangles", counts.skinTriangles},
+            {"leafVertices", counts.leafVertices},
+            {"leafTriangles", counts.leafTriangles},
+            {"totalVertices", counts.totalVertices()},
+            {"totalTriangles", counts.totalTriangles()}};
+}
+
+Json toJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+const char* lawName(MotionLaw law) {
+    switch (law) {
+    case MotionLaw::Thesis:
+        return "thesis";
+    case MotionLaw::ThesisSmooth:
+        return "thesis-smooth";
+    case MotionLaw::Damped:
+        break;
+    }
+    return "damped";
+}
+
+Json boundsOf(const ForestDescription& forest) {
+    if (forest.trees.empty())
+        return nullptr;
+    glm::dvec3 low = forest.trees.front().position, high = low;
+    for (const TreePlacement& tree : forest.trees) {
+        low = glm::min(low, tree.position);
+        high = glm::max(high, tree.position + glm::dvec3(0, 0, tree.size.height));
+    }
+    return {{"low", toJson(low)}, {"high", toJson(high)}};
+}
+
+Json windOf(const ForestDescription& forest) {
+    const glm::vec3 above{0.0f, 0.0f, 10.0f};
+    const glm::vec3 velocity = forest.wind ? forest.wind->velocity(above, 0.0) : glm::vec3(0.0f);
+    return {{"calm", !forest.wind}, {"velocityAtOrigin10m", toJson(velocity)}};
+}
+
+/// Bytes of vertex and index buffers, which grow with shapes, and of state, which grows with trees.
+Json memoryOf(const TreeCounts& shapes, const TreeCounts& all) {
+    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
+    constexpr std::uint64_t unitTexels = 32, leafTexel = 16;
+    return {{"shapeBytes", shapes.skinVertices * skinVertex + shapes.leafVertices * leafVertex +
+                               3 * index * shapes.totalTriangles()},
+            {"textureBytes", all.units * unitTexels + all.leafVertices / verticesPerLeafCluster * leafTexel}};
+}
+
+Json describe(const ForestDescription& forest) {
+    std::vector<std::size_t> trees(forest.species.size(), 0);
+    for (const TreePlacement& tree : forest.trees)
+        ++trees[tree.species];
+
+    Json species = Json::array();
+    TreeCounts all, shapes;
+    for (std::size_t i = 0; i < forest.species.size(); ++i) {
+        const TreeCounts one = countTree(forest.species[i].tree);
+        TreeCounts ofSpecies;
+        for (std::size_t n = 0; n < trees[i]; ++n)
+            ofSpecies += one;
+        for (int n = 0; n < forest.species[i].shapes && trees[i] > 0; ++n)
+            shapes += one;
+        all += ofSpecies;
+        Json entry = {{"name", forest.species[i].name}, {"shapes", forest.species[i].shapes}};
+        entry.update(toJson(ofSpecies, trees[i]));
+        species.push_back(entry);
+    }
+
+    Json info = toJson(all, forest.trees.size());
+    info["species"] = species;
+    info["origin"] = toJson(forest.origin);
+    info["bounds"] = boundsOf(forest);
+    info["wind"] = windOf(forest);
+    info["motion"] = {{"law", lawName(forest.law)}};
+    info["memory"] = memoryOf(shapes, all);
+    return info;
+}
+
+void printTable(const Json& info) {
+    const std::vector<std::pair<const char*, const char*>> columns = {{"trees", "trees"},
+                                                                      {"units", "units"},
+                                                                      {"skinTriangles", "skin triangles"},
+                                                                      {"leafTriangles", "leaf triangles"},
+                                                                      {"totalVertices", "vertices"},
+                                                                      {"totalTriangles", "triangles"}};
+    const auto row = [&](const std::string& name, const Json& counts) {
+        std::cout << std::left << std::setw(32) << name << std::right;
+        for (const auto& column : columns)
+            std::cout << std::setw(16) << counts[column.first].get<std::uint64_t>();
+        std::cout << '\n';
+    };
+    std::cout << std::left << std::setw(32) << "species" << std::right;
+    for (const auto& column : columns)
+        std::cout << std::setw(16) << column.second;
+    std::cout << '\n';
+    for (const Json& species : info["species"])
+        row(species["name"], species);
+    row("total", info);
+    std::cout << "origin  " << info["origin"] << "\nbounds  " << info["bounds"] << "\nwind    "
+              << info["wind"] << "\nmotion  " << info["motion"] << "\nmemory  " << info["memory"] << '\n';
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("info", "Count what a forest is made of");
+    auto file = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
+    command->add_option("file", *file, "A .treewind file")->required();
+    command->add_flag("--json", *json, "Print JSON");
+    command->callback([=, &exitCode] {
+        const auto forest = loadForest(*file);
+        if (!forest) {
+            exitCode = BadInput;
+            return;
+        }
+        const Json info = describe(*forest);
+        if (*json)
+            std::cout << info.dump(2) << '\n';
+        else
+            printTable(info);
+    });
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+/// A progress bar on standard error for work that takes longer than a second, when a person is watching.
+class Progress {
+public:
+    Progress(std::string what, std::size_t total);
+    ~Progress();
+    void advance();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string _what;
+    std::size_t _total, _done = 0;
+    Clock::time_point _start = Clock::now(), _shown = _start;
+    bool _terminal, _visible = false;
+};

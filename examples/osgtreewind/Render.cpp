@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "Command.h"
+#include "Progress.h"
+#include "Setting.h"
+#include "VideoWriter.h"
+
+#include <osgTreeWind/offscreen/FrameImage.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/WriteFile>
+#include <osgUtil/UpdateVisitor>
+#include <osgViewer/Viewer>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <regex>
+#include <unistd.h>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct RenderOptions {
+    std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(),
+                      pose = "cpu";
+    int frames = 1, samples = 4, width = 0, height = 0;
+    double fps = 30.0, start = 0.0, fov = 40.0;
+    std::vector<double> eye, center;
+};
+
+/// Runs this command in the program that is linked with the other backend; returns only on failure.
+ExitCode runOtherBackend(const std::string& backend) {
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+    const std::filesystem::path other =
+        self.parent_path() / (backend == "egl" ? "osgtreewind-egl" : "osgtreewind");
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(file, word, '\0');)
+        words.push_back(word);
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execv(other.c_str(), arguments.data());
+    std::cerr << other.string() << ": cannot be run, so there is no backend \"" << backend << "\"\n";
+    return Failed;
+}
+
+/// "%04d" and its like in a name; empty when there is none, or more than one.
+std::string framePath(const std::string& pattern, int frame) {
+    static const std::regex field("%(0?)([0-9]*)d");
+    std::smatch match;
+    if (!std::regex_search(pattern, match, field))
+        return {};
+    std::string number = std::to_string(frame);
+    const std::size_t width = match[2].length() ? std::min<std::size_t>(std::stoul(match[2]), 20) : 0;
+    if (number.size() < width)
+        number.insert(0, width - number.size(), match[1].length() ? '0' : ' ');
+    return match.prefix().str() + number + match.suffix().str();
+}
+
+/// Looks at the whole forest from the south-west, from above its crowns if it is wide.
+void placeCamera(osg::Camera& camera, const RenderOptions& options, const osg::BoundingSphere& bound) {
+    const double aspect = static_cast<double>(options.width) / options.height;
+    osg::Vec3d center = bound.center(), eye;
+    if (!options.center.empty())
+        center.set(options.center[0], options.center[1], options.center[2]);
+    if (!options.eye.empty()) {
+        eye.set(options.eye[0], options.eye[1], options.eye[2]);
+    } else {
+        const double halfAngle = osg::DegreesToRadians(0.5 * options.fov) * std::min(1.0, aspect);
+        const double distance = 0.75 * bound.radius() / std::sin(halfAngle);
+        const double rise = bound.radius() < 15.0 ? 0.05 : 0.3;
+        osg::Vec3d direction(-0.5, -1.0, rise);
+        direction.normalize();
+        eye = center + direction * distance;
+    }
+    camera.setViewMatrixAsLookAt(eye, center, osg::Z_AXIS);
+    camera.setProjectionMatrixAsPerspective(options.fov, aspect, 1.0, 10000.0);
+}
+
+/// Moves the forest on to `start` without drawing, in the steps that frames would have taken.
+void runUp(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& options) {
+    const auto steps = static_cast<unsigned>(std::llround(options.start * options.fps));
+    osgUtil::UpdateVisitor visitor;
+    visitor.setFrameStamp(&stamp);
+    Progress progress("run up", steps);
+    for (unsigned i = 0; i < steps; ++i) {
+        stamp.setFrameNumber(stamp.getFrameNumber() + 1);
+        stamp.setSimulationTime(i / options.fps);
+        scene.accept(visitor);
+        progress.advance();
+    }
+}
+
+ExitCode render(RenderOptions options) {
+    if (options.backend != offscreenBackendName())
+        return runOtherBackend(options.backend);
+    const bool video = osgDB::getLowerCaseFileExtension(options.output) == "mp4";
+    const bool numbered = !framePath(options.output, 0).empty();
+    if (options.frames > 1 && !video && !numbered) {
+        std::cerr << "--output: " << options.frames
+                  << " frames need a name with %04d in it, or one that ends in .mp4\n";
+        return BadInput;
+    }
+    if (video && !VideoWriter::available()) {
+        std::cerr << options.output
+                  << ": MP4 needs the ffmpeg program; render PNG frames with -o 'frame_%04d.png'\n";
+        return Failed;
+    }
+
+    auto description = loadForest(options.file);
+    if (!description)
+        return BadInput;
+    osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
+    forest->setPoseMode(options.pose == "scenegraph" ? Forest::SCENE_GRAPH_POSE : Forest::CPU_POSE);
+    osg::ref_ptr<osg::Group> scene = createSetting(*forest);
+
+    auto context = createOffscreenContext(options.width, options.height);
+    if (!context) {
+        std::cerr << context.problems().front().text() << '\n';
+        return Failed;
+    }
+    osgViewer::Viewer viewer;
+    viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
+    viewer.setKeyEventSetsDone(0);
+    viewer.setLightingMode(osg::View::NO_LIGHT);
+    osg::ref_ptr<osg::Image> image = attachFrameImage(*viewer.getCamera(), *context.value(), options.samples);
+    viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
+    placeCamera(*viewer.getCamera(), options, forest->getBound());
+    viewer.setSceneData(scene);
+    viewer.realize();
+    runUp(*scene, *viewer.getFrameStamp(), options);
+
+    std::unique_ptr<VideoWriter> movie;
+    if (video)
+        movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
+    Progress progress("render", static_cast<std::size_t>(options.frames));
+    for (int frame = 0; frame < options.frames; ++frame) {
+        viewer.frame(options.start + frame / options.fps);
+        const std::string path = numbered ? framePath(options.output, frame) : options.output;
+        if (!(movie ? movie->write(*image) : osgDB::writeImageFile(*image, path))) {
+            std::cerr << path << ": cannot be written\n";
+            return Failed;
+        }
+        progress.advance();
+    }
+    if (movie && !movie->close()) {
+        std::cerr << options.output << ": ffmpeg failed\n";
+        return Failed;
+    }
+    return Succeeded;
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("render", "Draw frames without a display");
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("file", options->file, "A .treewind file")->required();
+    command->add_option("-o,--output", options->output, "out.png, frames_%04d.png or clip.mp4")
+        ->capture_default_str();
+    command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+    command->add_option("--frames", options->frames, "Number of frames")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--fps", options->fps, "Frames a second of simulation time")
+        ->check(CLI::Range(0.001, 10000.0))
+        ->capture_default_str();
+    command
+        ->add_option("--start", options->start,
+                     "Simulation time of the first frame, seconds; the forest moves there from rest")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    command->add_option("--eye", options->eye, "Where the camera is: x,y,z in the scene, metres")
+        ->delimiter(',')
+        ->expected(3);
+    command->add_option("--center", options->center, "Where it looks")->delimiter(',')->expected(3);
+    command->add_option("--fov", options->fov, "Vertical field of view, degrees")
+        ->check(CLI::Range(1.0, 170.0))
+        ->capture_default_str();
+    command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges")
+        ->check(CLI::Range(1, 16))
+        ->capture_default_str();
+    command->add_option("--backend", options->backend, "Where OpenGL comes from")
+        ->check(CLI::IsMember({"osmesa", "egl"}))
+        ->capture_default_str();
+    command->add_option("--pose", options->pose, "How poses reach the picture")
+        ->check(CLI::IsMember({"cpu", "scenegraph"}))
+        ->capture_default_str();
+    command->footer(
+        "The same file and arguments give the same pixels.\n"
+        "Example: osgtreewind render forest.treewind -o clip.mp4 --size 1920x1080 --frames 300 --fps 30");
+    command->callback([options, &exitCode] {
+        static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
+        std::smatch match;
+        if (!std::regex_match(options->size, match, form))
+            throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, found " + options->size);
+        options->width = std::stoi(match[1]);
+        options->height = std::stoi(match[2]);
+        exitCode = render(*options);
+    });
+}

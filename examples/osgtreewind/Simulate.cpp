@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "Command.h"
+#include "Progress.h"
+
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct SimulateOptions {
+    std::string file, output = "-";
+    double duration = 10.0, fps = 60.0;
+    bool tips = false;
+};
+
+void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time, bool tips) {
+    for (std::size_t t = 0; t < simulation.trees().size(); ++t) {
+        const ForestSimulation::Tree& tree = simulation.trees()[t];
+        const std::vector<BranchUnit>& units = simulation.models()[tree.model].skeleton.units;
+        const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
+        for (std::size_t u = 0; u < units.size(); ++u) {
+            const std::size_t at = tree.firstUnit + u;
+            const glm::vec3& wind = simulation.windSamples()[at];
+            const glm::vec4& state = simulation.branchStates()[at];
+            std::fprintf(out, "%.6g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g", time, t, u, units[u].level, wind.x,
+                         wind.y, wind.z, state.x, state.y);
+            if (tips) {
+                const glm::vec3 tip =
+                    tree.position + heading * simulation.poses()[at].apply(tree.scale.axes * units[u].tip);
+                std::fprintf(out, ",%.6f,%.6f,%.6f", tip.x, tip.y, tip.z);
+            }
+            std::fputc('\n', out);
+        }
+    }
+}
+
+ExitCode simulate(const SimulateOptions& options) {
+    auto description = loadForest(options.file);
+    if (!description)
+        return BadInput;
+    ForestSimulation simulation(std::move(*description));
+
+    const bool toFile = options.output != "-";
+    std::FILE* out = toFile ? std::fopen(options.output.c_str(), "w") : stdout;
+    if (!out) {
+        std::cerr << options.output << ": cannot be written\n";
+        return Failed;
+    }
+    std::fprintf(out, "time,tree,unit,level,wind_x,wind_y,wind_z,angle_a,angle_b%s\n",
+                 options.tips ? ",tip_x,tip_y,tip_z" : "");
+    const auto frames = static_cast<std::size_t>(std::llround(options.duration * options.fps)) + 1;
+    Progress progress("simulate", frames);
+    for (std::size_t frame = 0; frame < frames && !std::ferror(out); ++frame) {
+        const double time = static_cast<double>(frame) / options.fps;
+        simulation.advance(time);
+        writeFrame(out, simulation, time, options.tips);
+        progress.advance();
+    }
+    const bool failed = std::fflush(out) != 0 || std::ferror(out);
+    if (toFile)
+        std::fclose(out);
+    if (failed)
+        std::cerr << options.output << ": writing failed\n";
+    return failed ? Failed : Succeeded;
+}
+
+} // namespace
+
+void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("simulate", "Compute the motion without graphics, as CSV");
+    auto options = std::make_shared<SimulateOptions>();
+    command->add_option("file", options->file, "A .treewind file")->required();
+    command->add_option("--duration", options->duration, "Seconds to simulate, from time 0")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    command->add_option("--fps", options->fps, "Steps a second")
+        ->check(CLI::Range(1e-3, 1e5))
+        ->capture_default_str();
+    command->add_option("-o,--output", options->output, "CSV file, or - for standard output")
+        ->capture_default_str();
+    command->add_flag("--tips", options->tips, "Add the position of each branch tip, metres in the scene");
+    command->footer(
+        "Columns: time (s), tree, unit, level, wind (m/s: x east, y north, z up), angle_a and angle_b\n"
+        "(radians: angleXY and angleYZ of the thesis).\n"
+        "Example: osgtreewind simulate thesis.treewind --duration 5 --fps 30 --tips -o motion.csv");
+    command->callback([options, &exitCode] { exitCode = simulate(*options); });
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "Command.h"
+
+#include <iostream>
+
+void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("validate", "List every problem of a file, with line and column");
+    auto file = std::make_shared<std::string>();
+    command->add_option("file", *file, "A .treewind file")->required();
+    command->callback([file, &exitCode] {
+        const auto forest = osgTreeWind::readForestFile(*file);
+        if (forest) {
+            for (const std::string& note : forest.value().notes)
+                std::cout << *file << ": note: " << note << '\n';
+            std::cout << *file << ": good, " << forest.value().trees.size() << " trees\n";
+            return;
+        }
+        for (const osgTreeWind::Diagnostic& problem : forest.problems())
+            std::cerr << problem.text() << '\n';
+        exitCode = BadInput;
+    });
+}
