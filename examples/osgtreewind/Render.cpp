@@ -71,8 +71,8 @@ void placeCamera(osg::Camera& camera, const RenderOptions& options, const osg::B
         eye.set(options.eye[0], options.eye[1], options.eye[2]);
     } else {
         const double halfAngle = osg::DegreesToRadians(0.5 * options.fov) * std::min(1.0, aspect);
-        const double distance = 0.75 * bound.radius() / std::sin(halfAngle);
-        const double rise = bound.radius() < 15.0 ? 0.05 : 0.3;
+        const double distance = 0.62 * bound.radius() / std::sin(halfAngle);
+        const double rise = bound.radius() < 15.0 ? 0.05 : bound.radius() < 100.0 ? 0.16 : 0.28;
         osg::Vec3d direction(-0.5, -1.0, rise);
         direction.normalize();
         eye = center + direction * distance;
@@ -92,6 +92,23 @@ void runUp(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& option
         stamp.setSimulationTime(i / options.fps);
         scene.accept(visitor);
         progress.advance();
+    }
+}
+
+/// Means of factor x factor pixels. Alpha-tested leaves need this: multisampling smooths only their quads.
+void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
+    const int count = factor * factor;
+    for (int y = 0; y < to.t(); ++y) {
+        for (int x = 0; x < to.s(); ++x) {
+            int sum[4] = {};
+            for (int i = 0; i < count; ++i) {
+                const unsigned char* pixel = from.data(x * factor + i % factor, y * factor + i / factor);
+                for (int channel = 0; channel < 4; ++channel)
+                    sum[channel] += pixel[channel];
+            }
+            for (int channel = 0; channel < 4; ++channel)
+                to.data(x, y)[channel] = static_cast<unsigned char>((sum[channel] + count / 2) / count);
+        }
     }
 }
 
@@ -118,7 +135,8 @@ ExitCode render(RenderOptions options) {
     forest->setPoseMode(options.pose == "scenegraph" ? Forest::SCENE_GRAPH_POSE : Forest::CPU_POSE);
     osg::ref_ptr<osg::Group> scene = createSetting(*forest);
 
-    auto context = createOffscreenContext(options.width, options.height);
+    const int factor = static_cast<int>(std::sqrt(options.samples));
+    auto context = createOffscreenContext(options.width * factor, options.height * factor);
     if (!context) {
         std::cerr << context.problems().front().text() << '\n';
         return Failed;
@@ -127,7 +145,9 @@ ExitCode render(RenderOptions options) {
     viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     viewer.setKeyEventSetsDone(0);
     viewer.setLightingMode(osg::View::NO_LIGHT);
-    osg::ref_ptr<osg::Image> image = attachFrameImage(*viewer.getCamera(), *context.value(), options.samples);
+    osg::ref_ptr<osg::Image> drawn = attachFrameImage(*viewer.getCamera(), *context.value());
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(options.width, options.height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     placeCamera(*viewer.getCamera(), options, forest->getBound());
     viewer.setSceneData(scene);
@@ -140,6 +160,7 @@ ExitCode render(RenderOptions options) {
     Progress progress("render", static_cast<std::size_t>(options.frames));
     for (int frame = 0; frame < options.frames; ++frame) {
         viewer.frame(options.start + frame / options.fps);
+        averagePixels(*drawn, *image, factor);
         const std::string path = numbered ? framePath(options.output, frame) : options.output;
         if (!(movie ? movie->write(*image) : osgDB::writeImageFile(*image, path))) {
             std::cerr << path << ": cannot be written\n";
@@ -181,8 +202,8 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--fov", options->fov, "Vertical field of view, degrees")
         ->check(CLI::Range(1.0, 170.0))
         ->capture_default_str();
-    command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges")
-        ->check(CLI::Range(1, 16))
+    command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges: 1, 4, 9 or 16")
+        ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();
     command->add_option("--backend", options->backend, "Where OpenGL comes from")
         ->check(CLI::IsMember({"osmesa", "egl"}))

@@ -118,7 +118,7 @@ osg::ref_ptr<osg::Geometry> createSky() {
 osg::ref_ptr<osg::Geometry> createGround(const osg::BoundingSphere& bound) {
     osg::ref_ptr<osg::Vec3Array> rim = new osg::Vec3Array;
     const osg::Vec3 centre(bound.center().x(), bound.center().y(), 0.0f);
-    const float radius = std::max(1500.0f, 4.0f * bound.radius());
+    const float radius = std::max(2000.0f, 8.0f * bound.radius());
     rim->push_back(centre);
     for (int i = 0; i <= 64; ++i) {
         const double angle = 2.0 * osg::PI * i / 64;
@@ -129,7 +129,7 @@ osg::ref_ptr<osg::Geometry> createGround(const osg::BoundingSphere& bound) {
     osg::ref_ptr<osg::Geometry> ground = geometry(rim, GL_TRIANGLE_FAN);
     osg::StateSet* state = ground->getOrCreateStateSet();
     state->setAttributeAndModes(program(groundVertex, groundFragment));
-    state->addUniform(new osg::Uniform("haze", 2.5f / radius));
+    state->addUniform(new osg::Uniform("haze", 1.6f / radius));
     state->setRenderBinDetails(-2, "RenderBin"); // first, then the shadows over it, then all else
     return ground;
 }

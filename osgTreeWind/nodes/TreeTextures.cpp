@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,59 @@ namespace osgTreeWind {
 namespace {
 
 constexpr int leafPixels = 256;
+constexpr float leafAlphaThreshold = 0.5f; // shaders/leaf.frag
+
+struct Level {
+    int size;
+    std::vector<glm::vec4> texels;
+
+    glm::vec4& texel(int x, int y) { return texels[static_cast<std::size_t>(y * size + x)]; }
+    /// Share of texels that the alpha test keeps when alpha is multiplied by `scale`.
+    float coverage(float scale) const {
+        const auto kept = std::count_if(texels.begin(), texels.end(), [=](const glm::vec4& texel) {
+            return texel.a * scale >= leafAlphaThreshold;
+        });
+        return static_cast<float>(kept) / static_cast<float>(texels.size());
+    }
+};
+
+/// All levels down to one texel. Alpha is scaled on each so that the alpha test keeps the same share of it:
+/// the crown stays as dense far away as close by (Castaño, "Computing alpha mipmaps", 2010).
+osg::ref_ptr<osg::Image> mipmapped(Level level) {
+    const float coverage = level.coverage(1.0f);
+    const int levels = static_cast<int>(std::log2(level.size)) + 1;
+    std::vector<unsigned char> bytes;
+    osg::Image::MipmapDataType offsets;
+    for (int i = 0; i < levels; ++i) {
+        float low = 0.0f, high = 8.0f;
+        for (int step = 0; step < 12 && i > 0; ++step)
+            (level.coverage(0.5f * (low + high)) < coverage ? low : high) = 0.5f * (low + high);
+        const float scale = i > 0 ? high : 1.0f;
+        for (glm::vec4 texel : level.texels) {
+            texel.a *= scale;
+            for (int channel = 0; channel < 4; ++channel)
+                bytes.push_back(
+                    static_cast<unsigned char>(255.0f * glm::clamp(texel[channel], 0.0f, 1.0f) + 0.5f));
+        }
+        if (i + 1 == levels)
+            break;
+        offsets.push_back(static_cast<unsigned>(bytes.size()));
+        Level half{level.size / 2, std::vector<glm::vec4>(level.texels.size() / 4)};
+        for (int y = 0; y < half.size; ++y)
+            for (int x = 0; x < half.size; ++x)
+                half.texel(x, y) =
+                    0.25f * (level.texel(2 * x, 2 * y) + level.texel(2 * x + 1, 2 * y) +
+                             level.texel(2 * x, 2 * y + 1) + level.texel(2 * x + 1, 2 * y + 1));
+        level = std::move(half);
+    }
+    auto* data = new unsigned char[bytes.size()];
+    std::copy(bytes.begin(), bytes.end(), data);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->setImage(leafPixels, leafPixels, 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, data,
+                    osg::Image::USE_NEW_DELETE);
+    image->setMipmapLevels(offsets);
+    return image;
+}
 
 /// Draws shapes over each other, `samples`² to a pixel.
 class Canvas {
@@ -42,8 +96,7 @@ public:
     }
 
     osg::ref_ptr<osg::Image> image() const {
-        osg::ref_ptr<osg::Image> image = new osg::Image;
-        image->allocateImage(leafPixels, leafPixels, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+        Level level{leafPixels, std::vector<glm::vec4>(leafPixels * leafPixels)};
         for (int y = 0; y < leafPixels; ++y) {
             for (int x = 0; x < leafPixels; ++x) {
                 glm::vec3 sum(0.0f);
@@ -55,14 +108,10 @@ public:
                 }
                 // Outside the shape the colour stays leaf-like, so that mipmaps get no dark rim.
                 const glm::vec3 color = count ? sum / static_cast<float>(count) : glm::vec3(0.75f);
-                const float alpha = static_cast<float>(count) / (samples * samples);
-                unsigned char* texel = image->data(x, y);
-                for (int i = 0; i < 3; ++i)
-                    texel[i] = static_cast<unsigned char>(255.0f * glm::clamp(color[i], 0.0f, 1.0f));
-                texel[3] = static_cast<unsigned char>(255.0f * alpha);
+                level.texel(x, y) = {color, static_cast<float>(count) / (samples * samples)};
             }
         }
-        return image;
+        return mipmapped(std::move(level));
     }
 
 private:
