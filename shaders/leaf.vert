@@ -37,7 +37,7 @@ void main() {
     float own = 0.88 + 0.24 * fract(0.618034 * float(treeFirstUnit) + 0.754878 * gl_MultiTexCoord0.w);
     leafLight = own * open *
                 (ambientLight(eyeNormal) +
-                 (max(0.6 * facing + 0.4, 0.0) + through) * gl_LightSource[0].diffuse.rgb);
+                 (max(0.5 * facing + 0.5, 0.0) + through) * gl_LightSource[0].diffuse.rgb);
 
     leafCoord = gl_MultiTexCoord0.xy;
     gl_ClipVertex = eyePosition;

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What every vertex shader of a tree shares: where its units stand, and how large it is.
 
+#include "data.glsl"
 #include "law/rotation.glsl"
 
 uniform sampler2D unitPoses; // two texels a unit: rotation (quaternion x, y, z, w), translation
 uniform int treeFirstUnit;   // of this tree in unitPoses; negative: units stand at rest
 uniform vec3 treeAxes;       // scale of centre lines
 uniform vec2 treeSizes;      // scale of radii, of leaf clusters
-
-vec4 dataTexel(sampler2D data, int index) {
-    int width = textureSize(data, 0).x;
-    return texelFetch(data, ivec2(index % width, index / width), 0);
-}
 
 struct UnitPose {
     vec4 rotation;

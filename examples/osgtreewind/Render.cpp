@@ -132,7 +132,6 @@ ExitCode render(RenderOptions options) {
     if (!description)
         return BadInput;
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
-    forest->setPoseMode(options.pose == "scenegraph" ? Forest::SCENE_GRAPH_POSE : Forest::CPU_POSE);
     osg::ref_ptr<osg::Group> scene = createSetting(*forest);
 
     const int factor = static_cast<int>(std::sqrt(options.samples));
@@ -150,6 +149,10 @@ ExitCode render(RenderOptions options) {
     image->allocateImage(options.width, options.height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     placeCamera(*viewer.getCamera(), options, forest->getBound());
+    if (options.pose != "cpu")
+        forest->setAngleSource(Forest::GPU_ANGLES);
+    if (options.pose == "scenegraph")
+        forest->setBranchDrawing(Forest::BRANCH_DRAWING);
     viewer.setSceneData(scene);
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);
@@ -209,7 +212,7 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
         ->check(CLI::IsMember({"osmesa", "egl"}))
         ->capture_default_str();
     command->add_option("--pose", options->pose, "How poses reach the picture")
-        ->check(CLI::IsMember({"cpu", "scenegraph"}))
+        ->check(CLI::IsMember({"cpu", "gpu", "scenegraph"}))
         ->capture_default_str();
     command->footer(
         "The same file and arguments give the same pixels.\n"

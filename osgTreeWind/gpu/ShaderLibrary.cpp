@@ -49,11 +49,16 @@ std::string shaderText(const std::string& name) {
     return expanded(name, 0);
 }
 
-osg::ref_ptr<osg::Program> createProgram(const std::string& name) {
+osg::ref_ptr<osg::Program> createProgram(const std::string& vertex, const std::string& fragment) {
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("osgTreeWind " + name);
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, shaderText(name + ".vert")));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shaderText(name + ".frag")));
+    program->setName("osgTreeWind " + fragment);
+    const auto add = [&](osg::Shader::Type type, const std::string& name) {
+        osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, shaderText(name));
+        shader->setName(name);
+        program->addShader(shader);
+    };
+    add(osg::Shader::VERTEX, vertex + ".vert");
+    add(osg::Shader::FRAGMENT, fragment + ".frag");
     return program;
 }
 

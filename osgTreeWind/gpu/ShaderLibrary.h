@@ -12,7 +12,7 @@ namespace osgTreeWind {
 /// an OSG_WARN. Thread-safe.
 std::string shaderText(const std::string& name);
 
-/// A program of `name`.vert and `name`.frag.
-osg::ref_ptr<osg::Program> createProgram(const std::string& name);
+/// A program of the shaders `vertex`.vert and `fragment`.frag.
+osg::ref_ptr<osg::Program> createProgram(const std::string& vertex, const std::string& fragment);
 
 } // namespace osgTreeWind

@@ -9,7 +9,11 @@
 
 namespace osgTreeWind {
 
-inline osg::Vec3 toOsg(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-inline osg::Quat toOsg(const glm::quat& q) { return {q.x, q.y, q.z, q.w}; }
+inline osg::Vec3 toOsg(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+inline osg::Quat toOsg(const glm::quat& q) {
+    return {q.x, q.y, q.z, q.w};
+}
 
 } // namespace osgTreeWind

@@ -99,24 +99,29 @@ WindFieldPtr ForestSimulation::wind() const {
     return _wind;
 }
 
-bool ForestSimulation::advance(double time) {
+std::optional<float> ForestSimulation::beginStep(double time) {
     if (!std::isfinite(time))
-        return false;
+        return {};
     const double elapsed = _time ? std::min(time - *_time, maxStep) : 0.0;
-    const bool forward = elapsed > 0.0;
     _time = time;
-    if (!forward)
-        return false;
-
+    if (elapsed <= 0.0)
+        return {};
     if (const WindFieldPtr field = wind())
         field->sample(_windPositions.data(), _windPositions.size(), time, _windSamples.data());
     else
         std::fill(_windSamples.begin(), _windSamples.end(), glm::vec3(0.0f));
+    return static_cast<float>(elapsed);
+}
+
+bool ForestSimulation::advance(double time) {
+    const std::optional<float> elapsed = beginStep(time);
+    if (!elapsed)
+        return false;
     for (std::size_t i = 0; i < _trees.size(); ++i) {
         const Tree& tree = _trees[i];
         const std::uint32_t seed = _description.trees[i].seed;
         if (_description.law == MotionLaw::Damped)
-            swingBranches(tree, static_cast<float>(elapsed));
+            swingBranches(tree, *elapsed);
         else
             turnBranches(tree, seed, time);
         flutterLeaves(tree, seed, time);
@@ -124,6 +129,26 @@ bool ForestSimulation::advance(double time) {
                      _poses.data() + tree.firstUnit);
     }
     return true;
+}
+
+void ForestSimulation::setBranchStates(const glm::vec4* states) {
+    std::copy(states, states + _branchStates.size(), _branchStates.begin());
+    for (std::size_t i = 0; i < _branchStates.size(); ++i)
+        _rotations[i] = _description.law == MotionLaw::Damped
+                            ? dampedRotation(_branchStates[i], _dampedBranches[i].direction)
+                            : branchRotation(_branchStates[i]);
+    for (const Tree& tree : _trees)
+        composePoses(_models[tree.model].skeleton, tree.scale, _rotations.data() + tree.firstUnit,
+                     _poses.data() + tree.firstUnit);
+}
+
+void ForestSimulation::localWind(glm::vec4* out) const {
+    for (const Tree& tree : _trees) {
+        const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
+        const std::size_t end = tree.firstUnit + _models[tree.model].skeleton.units.size();
+        for (std::size_t i = tree.firstUnit; i < end; ++i)
+            out[i] = glm::vec4(turnHeading(_windSamples[i], sine, cosine), 0.0f);
+    }
 }
 
 void ForestSimulation::turnBranches(const Tree& tree, std::uint32_t seed, double time) {

@@ -52,6 +52,12 @@ public:
     bool advance(double time);
     static constexpr double maxStep = 0.1;
 
+    /// The first half of advance(), for a GPU that does the rest: moves on to `time` and samples the wind.
+    /// @return seconds to step, or nothing when the state is to be kept.
+    std::optional<float> beginStep(double time);
+    /// The other half: takes over branch states computed elsewhere, one per unit, and composes the poses.
+    void setBranchStates(const glm::vec4* states);
+
     /// Back to rest.
     void reset();
 
@@ -62,6 +68,12 @@ public:
     /// Per unit: (angleXY, angleYZ, wind.x, wind.z), thesis axes of the tree's own frame; for the law
     /// `damped` the angles about both axes of the branch, radians, and their speeds.
     const std::vector<glm::vec4>& branchStates() const { return _branchStates; }
+    /// windSamples() in the axes of each tree's own frame, as texels (w is 0). @param out one per unit.
+    void localWind(glm::vec4* out) const;
+    /// Per unit, what the law of the description works with; the other one is empty.
+    const std::vector<BranchParameters>& branchParameters() const { return _branches; }
+    const std::vector<DampedParameters>& dampedParameters() const { return _dampedBranches; }
+
     /// Per leaf cluster: (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame.
     const std::vector<glm::vec4>& leafStates() const { return _leafStates; }
     /// Per unit: its own turn about its base, in the tree's rest axes.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/Forest.h>
 
+#include <osgTreeWind/gpu/AnglePrePass.h>
 #include <osgTreeWind/gpu/DataTexture.h>
+#include <osgTreeWind/gpu/FloatTargetProbe.h>
 
 #include <osg/NodeVisitor>
+#include <osg/Notify>
 
-#include <algorithm>
 #include <cstring>
 
 namespace osgTreeWind {
@@ -15,8 +17,8 @@ namespace {
 constexpr unsigned unitPosesTextureUnit = 1;
 constexpr unsigned leafAnglesTextureUnit = 2;
 
-void bind(osg::StateSet& state, const char* sampler, unsigned unit, const DataTexture& data) {
-    state.setTextureAttribute(unit, data.texture());
+void bind(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
+    state.setTextureAttribute(unit, texture);
     state.getOrCreateUniform(sampler, osg::Uniform::SAMPLER_2D)->set(static_cast<int>(unit));
 }
 
@@ -30,26 +32,24 @@ Forest::Forest(ForestDescription description) {
 }
 
 Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
-    : osg::Group(other, copyop), _poseMode(other._poseMode) {
+    : osg::Group(other, copyop), _wantedSource(other._wantedSource), _branchDrawing(other._branchDrawing) {
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
-    setStateSet(nullptr);
-    for (unsigned i = getNumChildren(); i-- > 0;)
-        if (std::find(other._trees.begin(), other._trees.end(), other.getChild(i)) != other._trees.end())
+    for (unsigned i = getNumChildren(); i-- > 0;) {
+        const osg::Node* child = other.getChild(i);
+        if (child == other._stand || child == other._probe ||
+            (other._prePass && child == other._prePass->node()))
             removeChild(i);
+    }
     setDescription(other.getDescription());
     setWind(other.getWind());
 }
 
 Forest::~Forest() = default;
 
-void Forest::removeTrees() {
-    for (const osg::ref_ptr<TreeNode>& tree : _trees)
-        removeChild(tree);
-    _trees.clear();
-}
-
 void Forest::setDescription(ForestDescription description) {
-    removeTrees();
+    useCpuAngles();
+    removeChild(_stand);
+    _trees.clear();
     _simulation = std::make_shared<ForestSimulation>(std::move(description));
     const ForestSimulation& simulation = *_simulation;
 
@@ -61,6 +61,9 @@ void Forest::setDescription(ForestDescription description) {
     for (const TreeModel& model : simulation.models())
         shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
 
+    _stand = new osg::Group;
+    _stand->setName("trees");
+    _stand->setDataVariance(osg::Object::DYNAMIC);
     for (const ForestSimulation::Tree& tree : simulation.trees()) {
         osg::ref_ptr<TreeNode> node =
             new TreeNode(shapes[tree.model], speciesStyles[tree.species], tree.scale);
@@ -70,29 +73,65 @@ void Forest::setDescription(ForestDescription description) {
         node->getPosedTree()->follow(_simulation, &simulation.poses()[tree.firstUnit],
                                      &simulation.rotations()[tree.firstUnit],
                                      simulation.leafStates().data() + tree.firstLeaf);
-        node->setBranchwise(_poseMode == SCENE_GRAPH_POSE);
-        insertChild(static_cast<unsigned>(_trees.size()), node);
+        node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
+        _stand->addChild(node);
         _trees.push_back(node);
     }
+    insertChild(0, _stand);
 
     _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * simulation.poses().size());
     _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.leafStates().size());
-    osg::StateSet* state = getOrCreateStateSet();
+    osg::StateSet* state = _stand->getOrCreateStateSet();
     state->setDataVariance(osg::Object::DYNAMIC);
-    bind(*state, "unitPoses", unitPosesTextureUnit, *_unitPoses);
-    bind(*state, "leafAngles", leafAnglesTextureUnit, *_leafAngles);
-    uploadPoses();
+    bind(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
+    bind(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
+    uploadUnitPoses();
+    uploadLeafAngles();
 }
 
-void Forest::setPoseMode(PoseMode mode) {
-    _poseMode = mode;
+void Forest::setBranchDrawing(BranchDrawing drawing) {
+    _branchDrawing = drawing;
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
-        tree->setBranchwise(mode == SCENE_GRAPH_POSE);
+        tree->setBranchwise(drawing == BRANCH_DRAWING);
 }
 
 osg::Vec3d Forest::getOrigin() const {
     const glm::dvec3& origin = getDescription().origin;
     return {origin.x, origin.y, origin.z};
+}
+
+void Forest::setAngleSource(AngleSource source) {
+    _wantedSource = source;
+    if (source == CPU_ANGLES)
+        useCpuAngles();
+}
+
+void Forest::useCpuAngles() {
+    removeChild(_probe);
+    _probe = nullptr;
+    if (!_prePass)
+        return;
+    removeChild(_prePass->node());
+    _prePass.reset();
+    bind(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
+}
+
+/// The passes start once a first frame has shown that the context can run them.
+void Forest::chooseAngleSource() {
+    if (_wantedSource == CPU_ANGLES || _prePass || _simulation->poses().empty())
+        return;
+    if (!_probe) {
+        _probe = new FloatTargetProbe;
+        addChild(_probe);
+    } else if (_probe->answer() == FloatTargetProbe::SUPPORTED) {
+        removeChild(_probe);
+        _prePass = std::make_unique<AnglePrePass>(*_simulation);
+        addChild(_prePass->node());
+    } else if (_probe->answer() == FloatTargetProbe::MISSING) {
+        OSG_NOTICE << "osgTreeWind: no float render targets or vertex textures here; angles come from the CPU"
+                   << std::endl;
+        setAngleSource(CPU_ANGLES);
+    }
 }
 
 void Forest::traverse(osg::NodeVisitor& visitor) {
@@ -105,14 +144,33 @@ void Forest::update(const osg::FrameStamp& stamp) {
     if (stamp.getFrameNumber() == _lastFrame)
         return;
     _lastFrame = stamp.getFrameNumber();
-    if (!_simulation->advance(stamp.getSimulationTime()))
+    chooseAngleSource();
+    const bool moved = _prePass ? stepOnGpu(stamp.getSimulationTime()) : stepOnCpu(stamp.getSimulationTime());
+    if (!moved)
         return;
-    uploadPoses();
+    uploadUnitPoses();
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
         tree->updatePose();
 }
 
-void Forest::uploadPoses() {
+bool Forest::stepOnCpu(double time) {
+    if (!_simulation->advance(time))
+        return false;
+    uploadLeafAngles();
+    return true;
+}
+
+bool Forest::stepOnGpu(double time) {
+    const bool moved = _prePass->readBack(*_simulation);
+    if (const std::optional<float> seconds = _simulation->beginStep(time))
+        _prePass->step(*_simulation, time, *seconds);
+    else
+        _prePass->hold();
+    bind(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
+    return moved;
+}
+
+void Forest::uploadUnitPoses() {
     float* texel = _unitPoses->data();
     for (const UnitPose& pose : _simulation->poses()) {
         const float values[8] = {pose.rotation.x,    pose.rotation.y,    pose.rotation.z,    pose.rotation.w,
@@ -121,6 +179,9 @@ void Forest::uploadPoses() {
         texel += 8;
     }
     _unitPoses->dirty();
+}
+
+void Forest::uploadLeafAngles() {
     const std::vector<glm::vec4>& leaves = _simulation->leafStates();
     if (!leaves.empty())
         std::memcpy(_leafAngles->data(), leaves.data(), leaves.size() * sizeof(glm::vec4));

@@ -12,18 +12,28 @@
 
 namespace osgTreeWind {
 
+class AnglePrePass;
 class DataTexture;
+class FloatTargetProbe;
 
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 ///
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's
-/// simulation time; a paused time holds the trees. Its children are its trees, and nodes you add.
+/// simulation time; a paused time holds the trees. The first child is the group of its trees; the others are
+/// yours.
 class Forest : public osg::Group {
 public:
-    /// How poses reach the picture.
-    enum PoseMode {
-        CPU_POSE,        ///< Poses are composed on the CPU and uploaded; two draws a tree.
-        SCENE_GRAPH_POSE ///< Every branch is a BranchTransform with its own bark (the thesis' way).
+    /// Where the angles of branches and leaves are worked out.
+    enum AngleSource {
+        CPU_ANGLES, ///< In the update traversal: the frame shows the wind of the same frame.
+        GPU_ANGLES  ///< In fragment shaders before the frame is drawn (thesis §5.2). Branch angles are read
+                   ///< back and move the branches one frame later; leaves show them at once. Falls back to
+                   ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
+    };
+    /// How branches are drawn.
+    enum BranchDrawing {
+        TREE_DRAWING,  ///< The bark of a tree in one draw, posed by its vertex shader.
+        BRANCH_DRAWING ///< Every branch below a BranchTransform of its own (the thesis' way, §3.1.3).
     };
 
     Forest();
@@ -40,9 +50,14 @@ public:
     void setWind(WindFieldPtr wind) { _simulation->setWind(std::move(wind)); }
     WindFieldPtr getWind() const { return _simulation->wind(); }
 
+    /// From the next frame on. Not during a traversal.
+    void setAngleSource(AngleSource source);
+    /// Where they are worked out now: GPU_ANGLES only once a context has been found to support it.
+    AngleSource getAngleSource() const { return _prePass ? GPU_ANGLES : CPU_ANGLES; }
+
     /// Not during a traversal.
-    void setPoseMode(PoseMode mode);
-    PoseMode getPoseMode() const { return _poseMode; }
+    void setBranchDrawing(BranchDrawing drawing);
+    BranchDrawing getBranchDrawing() const { return _branchDrawing; }
 
     /// World coordinates of the node's own origin: geometry is relative to it, so that it keeps its precision
     /// far from the world's origin.
@@ -53,6 +68,8 @@ public:
 
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }
+    /// The passes at work; null with CPU_ANGLES.
+    const AnglePrePass* getAnglePrePass() const { return _prePass.get(); }
 
     void traverse(osg::NodeVisitor& visitor) override;
 
@@ -61,13 +78,21 @@ protected:
 
 private:
     void update(const osg::FrameStamp& stamp);
-    void uploadPoses();
-    void removeTrees();
+    void chooseAngleSource();
+    bool stepOnCpu(double time);
+    bool stepOnGpu(double time);
+    void uploadUnitPoses();
+    void uploadLeafAngles();
+    void useCpuAngles();
 
     std::shared_ptr<ForestSimulation> _simulation;
+    osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
     std::vector<osg::ref_ptr<TreeNode>> _trees;
     std::unique_ptr<DataTexture> _unitPoses, _leafAngles;
-    PoseMode _poseMode = CPU_POSE;
+    std::unique_ptr<AnglePrePass> _prePass;
+    osg::ref_ptr<FloatTargetProbe> _probe;
+    AngleSource _wantedSource = CPU_ANGLES;
+    BranchDrawing _branchDrawing = TREE_DRAWING;
     unsigned _lastFrame = ~0u;
 };
 

@@ -21,7 +21,7 @@ osg::ref_ptr<osg::Texture2D> createTexture(const char* name, osg::Image* image, 
 } // namespace
 
 TreeStyles::TreeStyles()
-    : _barkProgram(createProgram("bark")), _leafProgram(createProgram("leaf")),
+    : _barkProgram(createProgram("bark", "bark")), _leafProgram(createProgram("leaf", "leaf")),
       _bark(createTexture("bark", createBarkImage(), osg::Texture::REPEAT)),
       _blades(createTexture("blades", createBladeImage(), osg::Texture::CLAMP_TO_EDGE)),
       _needles(createTexture("needles", createNeedleImage(), osg::Texture::CLAMP_TO_EDGE)) {}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+// What the angle passes work with, as texels: the counterpart of shaders/branch_angles.frag and
+// leaf_angles.frag.
+
+/// Three texels a unit: the parameters of the description's law, and where its noise comes from.
+std::vector<glm::vec4> branchTexels(const ForestSimulation& simulation);
+/// One texel a leaf cluster: species, seed of its tree in two halves, index in its tree.
+std::vector<glm::vec4> leafTexels(const ForestSimulation& simulation);
+
+constexpr std::size_t texelsPerSpecies = 4;
+/// Four texels a species: noise time of branches, noise time of leaves, leaf motion.
+/// @param out texelsPerSpecies elements for each species of the description. @param time seconds.
+void speciesTexels(const ForestSimulation& simulation, double time, glm::vec4* out);
+
+} // namespace osgTreeWind

@@ -1,0 +1,49 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The branch pass (thesis §5.2, appendix B): the next state of one branch unit from the one before, the wind at
+// its base and what it is made of. Texels are packed by osgTreeWind/gpu/LawTexels.cpp.
+
+#include "data.glsl"
+#include "target.glsl"
+#include "law/limits.glsl"
+#include "law/noise.glsl"
+#include "law/rotation.glsl"
+#include "law/thesis_branch.glsl"
+#include "law/damped_branch.glsl"
+
+uniform sampler2D previousAngles;   // one texel a unit: its state
+uniform sampler2D wind;             // one texel a unit: m/s in the tree's own frame, Z up
+uniform sampler2D branchParameters; // three texels a unit
+uniform sampler2D speciesTexels;    // four texels a species; the first: noise time of branches
+uniform int motionLaw;              // MotionLaw
+uniform float seconds;              // of this step
+
+vec3 thesisNoise(vec4 stream, uint unit) {
+    vec4 time = dataTexel(speciesTexels, 4 * int(stream.y + 0.5));
+    uint seed = wholeNumber(stream.zw);
+    uint cell = wholeNumber(time.xy);
+    return vec3(streamNoise(noiseStream(seed, unit, 0u), cell, time.z),
+                streamNoise(noiseStream(seed, unit, 1u), cell, time.z),
+                streamNoise(noiseStream(seed, unit, 2u), cell, time.z));
+}
+
+void main() {
+    int unit = targetIndex(previousAngles);
+    vec4 state = dataTexel(previousAngles, unit);
+    vec3 air = dataTexel(wind, unit).xyz;
+    vec4 a = dataTexel(branchParameters, 3 * unit);
+    vec4 b = dataTexel(branchParameters, 3 * unit + 1);
+    vec4 c = dataTexel(branchParameters, 3 * unit + 2);
+
+    if (motionLaw == 2) {
+        DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y);
+        vec2 across = vec2(dot(air, branchAxis1(c.xyz)), dot(air, branchAxis3(c.xyz)));
+        gl_FragColor = dampedBranchStep(state, across, branch, seconds);
+        return;
+    }
+    ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);
+    vec3 thesisAir = vec3(air.x, air.z, -air.y);
+    vec3 noise = thesisNoise(b, uint(c.x + 0.5));
+    gl_FragColor = motionLaw == 0 ? thesisBranchStep(state, thesisAir, noise, branch)
+                                  : thesisSmoothBranchStep(state, thesisAir, noise, branch);
+}
