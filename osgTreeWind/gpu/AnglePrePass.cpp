@@ -33,7 +33,7 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
       _branchParameters("branch parameters", 3 * simulation.branchStates().size()),
       _leafParameters("leaf parameters", simulation.leafStates().size()),
       _species("species", texelsPerSpecies * simulation.description().species.size()),
-      _seconds(new osg::Uniform("seconds", 0.0f)), _readback(new AngleReadback) {
+      _seconds(new osg::Uniform("seconds", 0.0f)), _branchReadback(new AngleReadback) {
     fill(_branchParameters, branchTexels(simulation));
     fill(_leafParameters, leafTexels(simulation));
 
@@ -43,7 +43,7 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
     _branches.inputs().addUniform(
         new osg::Uniform("motionLaw", static_cast<int>(simulation.description().law)));
     _branches.inputs().addUniform(_seconds);
-    _branches.setPostDrawCallback(_readback);
+    _branches.setPostDrawCallback(_branchReadback);
     bind(_leaves.inputs(), "leafParameters", 1, _leafParameters);
     bind(_leaves.inputs(), "speciesTexels", 2, _species);
 
@@ -67,9 +67,15 @@ void AnglePrePass::hold() {
     _leaves.hold();
 }
 
-bool AnglePrePass::readBack(ForestSimulation& simulation) {
+bool AnglePrePass::readBack(ForestSimulation& simulation, bool leavesToo) {
     unsigned frame = 0;
-    if (!_readback->take(_states, frame))
+    if (leavesToo != _leafReadback.valid()) {
+        _leafReadback = leavesToo ? new AngleReadback : nullptr;
+        _leaves.setPostDrawCallback(_leafReadback);
+    }
+    if (_leafReadback && _leafReadback->take(_states, frame))
+        simulation.setLeafStates(_states.data());
+    if (!_branchReadback->take(_states, frame))
         return false;
     simulation.setBranchStates(_states.data());
     return true;

@@ -27,8 +27,9 @@ public:
     /// Has the next frame keep the angles.
     void hold();
 
-    /// Hands the branch states of the frame drawn last to `simulation`. @return whether there were new ones.
-    bool readBack(ForestSimulation& simulation);
+    /// Hands the branch states of the frame drawn last to `simulation`, and those of leaves if `leavesToo`,
+    /// from the frame after the first such call on. @return whether there were new ones.
+    bool readBack(ForestSimulation& simulation, bool leavesToo);
 
     /// Leaf angles, once the frame being prepared has drawn its passes.
     osg::Texture2D* leafAngles() const { return _leaves.states(); }
@@ -41,8 +42,8 @@ private:
     AnglePass _branches, _leaves;
     DataTexture _wind, _branchParameters, _leafParameters, _species;
     osg::ref_ptr<osg::Uniform> _seconds;
-    osg::ref_ptr<AngleReadback> _readback;
-    std::vector<glm::vec4> _states; // as read back
+    osg::ref_ptr<AngleReadback> _branchReadback, _leafReadback; ///< The second is null until it is asked for.
+    std::vector<glm::vec4> _states;                             ///< As read back.
 };
 
 } // namespace osgTreeWind

@@ -9,13 +9,19 @@
 
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <sstream>
+#include <vector>
 
 namespace osgTreeWind {
 namespace {
 
-std::string fileText(const std::string& name) {
-    const std::string path = osgDB::findFileInPath(name, osgDB::getDataFilePathList());
+/// Where the text of a shader may come from.
+enum Source { FilesFirst, EmbeddedOnly };
+
+std::string fileText(const std::string& name, Source source) {
+    const std::string path =
+        source == FilesFirst ? osgDB::findFileInPath(name, osgDB::getDataFilePathList()) : std::string();
     if (!path.empty()) {
         std::ifstream file(path);
         return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -27,38 +33,63 @@ std::string fileText(const std::string& name) {
     return {};
 }
 
-std::string expanded(const std::string& name, int depth) {
+std::string expanded(const std::string& name, Source source, int depth = 0) {
     constexpr const char* directive = "#include \"";
-    std::istringstream input(fileText(name));
+    std::istringstream input(fileText(name, source));
     std::string text, line;
     while (std::getline(input, line)) {
         const std::size_t start =
             line.rfind(directive, 0) == 0 ? std::char_traits<char>::length(directive) : 0;
         const std::size_t end = start ? line.find('"', start) : std::string::npos;
         if (end != std::string::npos && depth < 8)
-            text += expanded(line.substr(start, end - start), depth + 1);
+            text += expanded(line.substr(start, end - start), source, depth + 1);
         else
             text += line + '\n';
     }
     return text;
 }
 
+/// A program that goes back to the embedded shaders when files put in their place do not work.
+class OverridableProgram : public osg::Program {
+public:
+    void add(osg::Shader::Type type, const std::string& name) {
+        osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, expanded(name, FilesFirst));
+        shader->setName(name);
+        _overridden = _overridden || shader->getShaderSource() != expanded(name, EmbeddedOnly);
+        addShader(shader);
+        _shaders.push_back(shader);
+    }
+
+    void apply(osg::State& state) const override {
+        osg::Program::apply(state);
+        const std::lock_guard<std::mutex> lock(_mutex);
+        if (!_overridden || getPCP(state)->isLinked())
+            return;
+        OSG_WARN << "osgTreeWind: shader files of OSG_FILE_PATH do not work for \"" << getName()
+                 << "\"; the embedded ones are used instead" << std::endl;
+        for (const osg::ref_ptr<osg::Shader>& shader : _shaders)
+            shader->setShaderSource(expanded(shader->getName(), EmbeddedOnly));
+        _overridden = false;
+        osg::Program::apply(state);
+    }
+
+private:
+    std::vector<osg::ref_ptr<osg::Shader>> _shaders;
+    mutable std::mutex _mutex; // contexts may draw in threads of their own
+    mutable bool _overridden = false;
+};
+
 } // namespace
 
 std::string shaderText(const std::string& name) {
-    return expanded(name, 0);
+    return expanded(name, FilesFirst);
 }
 
 osg::ref_ptr<osg::Program> createProgram(const std::string& vertex, const std::string& fragment) {
-    osg::ref_ptr<osg::Program> program = new osg::Program;
+    osg::ref_ptr<OverridableProgram> program = new OverridableProgram;
     program->setName("osgTreeWind " + fragment);
-    const auto add = [&](osg::Shader::Type type, const std::string& name) {
-        osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, shaderText(name));
-        shader->setName(name);
-        program->addShader(shader);
-    };
-    add(osg::Shader::VERTEX, vertex + ".vert");
-    add(osg::Shader::FRAGMENT, fragment + ".frag");
+    program->add(osg::Shader::VERTEX, vertex + ".vert");
+    program->add(osg::Shader::FRAGMENT, fragment + ".frag");
     return program;
 }
 

@@ -142,6 +142,10 @@ void ForestSimulation::setBranchStates(const glm::vec4* states) {
                      _poses.data() + tree.firstUnit);
 }
 
+void ForestSimulation::setLeafStates(const glm::vec4* states) {
+    std::copy(states, states + _leafStates.size(), _leafStates.begin());
+}
+
 void ForestSimulation::localWind(glm::vec4* out) const {
     for (const Tree& tree : _trees) {
         const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);

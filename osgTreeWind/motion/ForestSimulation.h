@@ -57,6 +57,8 @@ public:
     std::optional<float> beginStep(double time);
     /// The other half: takes over branch states computed elsewhere, one per unit, and composes the poses.
     void setBranchStates(const glm::vec4* states);
+    /// Takes over leaf states computed elsewhere, one per cluster.
+    void setLeafStates(const glm::vec4* states);
 
     /// Back to rest.
     void reset();

@@ -5,9 +5,11 @@
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/FloatTargetProbe.h>
 
+#include <osg/ApplicationUsage>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
 
+#include <cstdlib>
 #include <cstring>
 
 namespace osgTreeWind {
@@ -16,6 +18,15 @@ namespace {
 // Unit 0 is for the textures of bark and leaves.
 constexpr unsigned unitPosesTextureUnit = 1;
 constexpr unsigned leafAnglesTextureUnit = 2;
+
+osg::ApplicationUsageProxy
+    anglesUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_ANGLES <cpu|gpu>",
+                "Where new osgTreeWind forests work out the angles of branches and leaves.");
+
+Forest::AngleSource environmentSource() {
+    const char* value = std::getenv("OSGTREEWIND_ANGLES");
+    return value && std::strcmp(value, "gpu") == 0 ? Forest::GPU_ANGLES : Forest::CPU_ANGLES;
+}
 
 void bind(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
     state.setTextureAttribute(unit, texture);
@@ -26,13 +37,14 @@ void bind(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture
 
 Forest::Forest() : Forest(ForestDescription()) {}
 
-Forest::Forest(ForestDescription description) {
+Forest::Forest(ForestDescription description) : _wantedSource(environmentSource()) {
     setNumChildrenRequiringUpdateTraversal(1);
     setDescription(std::move(description));
 }
 
 Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
-    : osg::Group(other, copyop), _wantedSource(other._wantedSource), _branchDrawing(other._branchDrawing) {
+    : osg::Group(other, copyop), _wantedSource(other._wantedSource), _branchDrawing(other._branchDrawing),
+      _leafDrawing(other._leafDrawing) {
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
     for (unsigned i = getNumChildren(); i-- > 0;) {
         const osg::Node* child = other.getChild(i);
@@ -74,6 +86,7 @@ void Forest::setDescription(ForestDescription description) {
                                      &simulation.rotations()[tree.firstUnit],
                                      simulation.leafStates().data() + tree.firstLeaf);
         node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
+        node->setLeafwise(_leafDrawing == LEAF_TRANSFORMS);
         _stand->addChild(node);
         _trees.push_back(node);
     }
@@ -93,6 +106,12 @@ void Forest::setBranchDrawing(BranchDrawing drawing) {
     _branchDrawing = drawing;
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
         tree->setBranchwise(drawing == BRANCH_DRAWING);
+}
+
+void Forest::setLeafDrawing(LeafDrawing drawing) {
+    _leafDrawing = drawing;
+    for (const osg::ref_ptr<TreeNode>& tree : _trees)
+        tree->setLeafwise(drawing == LEAF_TRANSFORMS);
 }
 
 osg::Vec3d Forest::getOrigin() const {
@@ -161,7 +180,7 @@ bool Forest::stepOnCpu(double time) {
 }
 
 bool Forest::stepOnGpu(double time) {
-    const bool moved = _prePass->readBack(*_simulation);
+    const bool moved = _prePass->readBack(*_simulation, _leafDrawing == LEAF_TRANSFORMS);
     if (const std::optional<float> seconds = _simulation->beginStep(time))
         _prePass->step(*_simulation, time, *seconds);
     else

@@ -27,13 +27,19 @@ public:
     enum AngleSource {
         CPU_ANGLES, ///< In the update traversal: the frame shows the wind of the same frame.
         GPU_ANGLES  ///< In fragment shaders before the frame is drawn (thesis §5.2). Branch angles are read
-                   ///< back and move the branches one frame later; leaves show them at once. Falls back to
-                   ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
+                    ///< back and move the branches one frame later; leaves show them at once. Falls back to
+                    ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
     };
     /// How branches are drawn.
     enum BranchDrawing {
         TREE_DRAWING,  ///< The bark of a tree in one draw, posed by its vertex shader.
         BRANCH_DRAWING ///< Every branch below a BranchTransform of its own (the thesis' way, §3.1.3).
+    };
+
+    /// How leaves are drawn.
+    enum LeafDrawing {
+        TREE_LEAVES,    ///< All of a tree in one draw, whose vertex shader fetches each cluster's angles.
+        LEAF_TRANSFORMS ///< Every cluster below a transform of its own (as published, §2.4.1).
     };
 
     Forest();
@@ -50,7 +56,8 @@ public:
     void setWind(WindFieldPtr wind) { _simulation->setWind(std::move(wind)); }
     WindFieldPtr getWind() const { return _simulation->wind(); }
 
-    /// From the next frame on. Not during a traversal.
+    /// From the next frame on. Not during a traversal. A new Forest takes the environment's
+    /// OSGTREEWIND_ANGLES (cpu or gpu), else CPU_ANGLES.
     void setAngleSource(AngleSource source);
     /// Where they are worked out now: GPU_ANGLES only once a context has been found to support it.
     AngleSource getAngleSource() const { return _prePass ? GPU_ANGLES : CPU_ANGLES; }
@@ -58,6 +65,10 @@ public:
     /// Not during a traversal.
     void setBranchDrawing(BranchDrawing drawing);
     BranchDrawing getBranchDrawing() const { return _branchDrawing; }
+
+    /// Not during a traversal.
+    void setLeafDrawing(LeafDrawing drawing);
+    LeafDrawing getLeafDrawing() const { return _leafDrawing; }
 
     /// World coordinates of the node's own origin: geometry is relative to it, so that it keeps its precision
     /// far from the world's origin.
@@ -91,8 +102,9 @@ private:
     std::unique_ptr<DataTexture> _unitPoses, _leafAngles;
     std::unique_ptr<AnglePrePass> _prePass;
     osg::ref_ptr<FloatTargetProbe> _probe;
-    AngleSource _wantedSource = CPU_ANGLES;
+    AngleSource _wantedSource;
     BranchDrawing _branchDrawing = TREE_DRAWING;
+    LeafDrawing _leafDrawing = TREE_LEAVES;
     unsigned _lastFrame = ~0u;
 };
 

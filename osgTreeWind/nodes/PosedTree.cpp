@@ -43,10 +43,14 @@ glm::vec3 PosedTree::skinPoint(const SkinVertex& vertex, const UnitPose& pose) c
     return pose.apply(_scale.axes * vertex.centre + _scale.radius * vertex.radius * vertex.outward);
 }
 
+glm::quat PosedTree::leafTurn(std::size_t leaf) const {
+    const glm::quat& rest = _model->leaves[leaf].orientation;
+    return _leafStates ? rest * leafRotation(_leafStates[leaf]) : rest;
+}
+
 void PosedTree::leafPoints(std::size_t leaf, glm::vec3* corners) const {
     const LeafCluster& cluster = _model->leaves[leaf];
-    const glm::quat turn =
-        _leafStates ? cluster.orientation * leafRotation(_leafStates[leaf]) : cluster.orientation;
+    const glm::quat turn = leafTurn(leaf);
     const UnitPose unitPose = pose(static_cast<std::size_t>(cluster.unit));
     for (std::size_t i = 0; i < verticesPerLeafCluster; ++i)
         corners[i] = unitPose.apply(_scale.axes * cluster.anchor +

@@ -36,6 +36,8 @@ public:
     }
     /// A vertex of the bark, in the tree's frame; `pose` of its unit.
     glm::vec3 skinPoint(const SkinVertex& vertex, const UnitPose& pose) const;
+    /// From the leaf frame of a cluster to the tree's rest axes, as it flutters now.
+    glm::quat leafTurn(std::size_t leaf) const;
     /// The twelve corners of a leaf cluster, in the tree's frame.
     void leafPoints(std::size_t leaf, glm::vec3* corners) const;
 

@@ -34,6 +34,7 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
     if (other._tree) {
         build(other._shape, other._style, other._tree->scale());
         setBranchwise(other._branchwise);
+        setLeafwise(other._leafwise);
     }
 }
 
@@ -90,6 +91,39 @@ void TreeNode::setBranchwise(bool branchwise) {
     }
 }
 
+void TreeNode::setLeafwise(bool leafwise) {
+    if (leafwise == _leafwise || !_tree)
+        return;
+    _leafwise = leafwise;
+    if (!leafwise) {
+        addChild(_leaves);
+        for (const osg::ref_ptr<osg::MatrixTransform>& leaf : _leafTransforms)
+            leaf->getParent(0)->removeChild(leaf);
+        _leafTransforms.clear();
+        return;
+    }
+    removeChild(_leaves);
+    for (const LeafCluster& cluster : _tree->model().leaves) {
+        osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
+        leaf->setDataVariance(osg::Object::DYNAMIC);
+        leaf->setStateSet(_style.leafCluster);
+        leaf->addChild(_shape->leafCluster());
+        getBranch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
+        _leafTransforms.push_back(leaf);
+    }
+    turnLeaves();
+}
+
+void TreeNode::turnLeaves() {
+    for (std::size_t i = 0; i < _leafTransforms.size(); ++i) {
+        const LeafCluster& cluster = _tree->model().leaves[i];
+        osg::Matrix matrix = osg::Matrix::scale(osg::Vec3(1, 1, 1) * (_tree->scale().leaf * cluster.size));
+        matrix.postMultRotate(toOsg(_tree->leafTurn(i)));
+        matrix.postMultTranslate(toOsg(_tree->scale().axes * cluster.anchor));
+        _leafTransforms[i]->setMatrix(matrix);
+    }
+}
+
 void TreeNode::setTexels(int firstUnit, int firstLeaf) {
     osg::StateSet* state = getOrCreateStateSet();
     state->getOrCreateUniform("treeFirstUnit", osg::Uniform::INT)->set(firstUnit);
@@ -106,6 +140,7 @@ void TreeNode::updatePose() {
     for (const osg::ref_ptr<BranchTransform>& branch : _branches)
         if (branch)
             branch->setRotation(toOsg(_tree->rotation(branch->getUnit())));
+    turnLeaves();
 }
 
 } // namespace osgTreeWind

@@ -37,6 +37,11 @@ public:
     void setBranchwise(bool branchwise);
     bool getBranchwise() const { return _branchwise; }
 
+    /// Gives every leaf cluster a MatrixTransform below its branch, over one shared drawable (§2.4.1, as
+    /// published), instead of all of them in one draw.
+    void setLeafwise(bool leafwise);
+    bool getLeafwise() const { return _leafwise; }
+
     /// The tree as it stands; null for an empty one.
     PosedTree* getPosedTree() const { return _tree.get(); }
 
@@ -50,6 +55,7 @@ protected:
     ~TreeNode() override = default;
 
 private:
+    void turnLeaves();
     void build(TreeShape* shape, const TreeStyle& style, const TreeScale& scale);
 
     osg::ref_ptr<TreeShape> _shape;
@@ -57,7 +63,8 @@ private:
     osg::ref_ptr<PosedTree> _tree;
     osg::ref_ptr<osg::Drawable> _skin, _leaves;
     std::vector<osg::ref_ptr<BranchTransform>> _branches; // those asked for, by unit
-    bool _branchwise = false;
+    std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms;
+    bool _branchwise = false, _leafwise = false;
 };
 
 } // namespace osgTreeWind

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TreeShape.h>
 
+#include <osgTreeWind/gpu/ToOsg.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -53,43 +55,72 @@ struct Crown {
     glm::vec3 centre, halfAxes;
 };
 
-osg::ref_ptr<osg::Geometry> leafGeometry(const TreeModel& model) {
-    osg::ref_ptr<osg::Vec4Array> anchors = new osg::Vec4Array, ids = new osg::Vec4Array,
-                                 orientations = new osg::Vec4Array, crowns = new osg::Vec4Array;
-    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, normals = new osg::Vec3Array;
-    const Crown crown(model.leaves);
-    float index = 0.0f;
-    for (const LeafCluster& leaf : model.leaves) {
-        const osg::Vec4 place = crown.at(leaf.anchor);
-        for (const LeafVertex& v : model.leafMesh) {
-            anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
-            corners->push_back({v.corner.x, v.corner.y, v.corner.z});
-            ids->push_back({v.uv.x, v.uv.y, static_cast<float>(leaf.unit), index});
-            orientations->push_back(
-                {leaf.orientation.x, leaf.orientation.y, leaf.orientation.z, leaf.orientation.w});
-            normals->push_back({v.normal.x, v.normal.y, v.normal.z});
-            crowns->push_back(place);
+/// Vertex arrays of shaders/leaf.vert under construction.
+class LeafArrays {
+public:
+    void add(const LeafCluster& leaf, float index, const osg::Vec4& crown,
+             const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
+        for (const LeafVertex& v : mesh) {
+            _anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
+            _corners->push_back(toOsg(v.corner));
+            _ids->push_back({v.uv.x, v.uv.y, static_cast<float>(leaf.unit), index});
+            _orientations->push_back(toOsg(leaf.orientation).asVec4());
+            _normals->push_back(toOsg(v.normal));
+            _crowns->push_back(crown);
         }
-        index += 1.0f;
     }
-    const std::vector<unsigned> indices = leafIndices(model.leaves.size());
-    osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("leaves");
-    geometry->setVertexArray(anchors);
-    geometry->setNormalArray(corners, osg::Array::BIND_PER_VERTEX);
-    geometry->setTexCoordArray(0, ids);
-    geometry->setTexCoordArray(1, orientations);
-    geometry->setTexCoordArray(2, normals);
-    geometry->setTexCoordArray(3, crowns);
-    geometry->addPrimitiveSet(
-        new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(indices.size()), indices.data()));
-    return geometry;
+
+    osg::ref_ptr<osg::Geometry> geometry(const char* name) const {
+        const std::vector<unsigned> indices = leafIndices(_anchors->size() / verticesPerLeafCluster);
+        osg::ref_ptr<osg::Geometry> geometry = emptyGeometry(name);
+        geometry->setVertexArray(_anchors);
+        geometry->setNormalArray(_corners, osg::Array::BIND_PER_VERTEX);
+        geometry->setTexCoordArray(0, _ids);
+        geometry->setTexCoordArray(1, _orientations);
+        geometry->setTexCoordArray(2, _normals);
+        geometry->setTexCoordArray(3, _crowns);
+        geometry->addPrimitiveSet(
+            new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(indices.size()), indices.data()));
+        return geometry;
+    }
+
+private:
+    osg::ref_ptr<osg::Vec4Array> _anchors = new osg::Vec4Array, _ids = new osg::Vec4Array,
+                                 _orientations = new osg::Vec4Array, _crowns = new osg::Vec4Array;
+    osg::ref_ptr<osg::Vec3Array> _corners = new osg::Vec3Array, _normals = new osg::Vec3Array;
+};
+
+osg::ref_ptr<osg::Geometry> leafGeometry(const TreeModel& model) {
+    const Crown crown(model.leaves);
+    LeafArrays arrays;
+    float index = 0.0f;
+    for (const LeafCluster& leaf : model.leaves)
+        arrays.add(leaf, index++, crown.at(leaf.anchor), model.leafMesh);
+    return arrays.geometry("leaves");
+}
+
+osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
+    LeafArrays arrays;
+    arrays.add(LeafCluster(), 0.0f, {0.0f, 0.0f, 1.0f, 1.0f}, model.leafMesh);
+    // Its vertex array holds anchors, which are all the origin: bounds come from the corners.
+    osg::BoundingBox box;
+    for (const LeafVertex& vertex : model.leafMesh)
+        box.expandBy(toOsg(vertex.corner));
+    osg::ref_ptr<osg::Geometry> cluster = arrays.geometry("leaf cluster");
+    struct Box : osg::Drawable::ComputeBoundingBoxCallback {
+        explicit Box(const osg::BoundingBox& corners) : box(corners) {}
+        osg::BoundingBox computeBound(const osg::Drawable&) const override { return box; }
+        osg::BoundingBox box;
+    };
+    cluster->setComputeBoundingBoxCallback(new Box(box));
+    return cluster;
 }
 
 } // namespace
 
 TreeShape::TreeShape(std::shared_ptr<const TreeModel> model)
     : _model(std::move(model)), _skin(skinGeometry(_model->skin)), _leaves(leafGeometry(*_model)),
-      _unitSkins(_model->skeleton.units.size()) {}
+      _leafCluster(clusterGeometry(*_model)), _unitSkins(_model->skeleton.units.size()) {}
 
 osg::Geometry* TreeShape::unitSkin(unsigned unit) {
     if (!_unitSkins[unit]) {

@@ -22,12 +22,12 @@ osg::ref_ptr<osg::Texture2D> createTexture(const char* name, osg::Image* image, 
 
 TreeStyles::TreeStyles()
     : _barkProgram(createProgram("bark", "bark")), _leafProgram(createProgram("leaf", "leaf")),
-      _bark(createTexture("bark", createBarkImage(), osg::Texture::REPEAT)),
-      _blades(createTexture("blades", createBladeImage(), osg::Texture::CLAMP_TO_EDGE)),
-      _needles(createTexture("needles", createNeedleImage(), osg::Texture::CLAMP_TO_EDGE)) {}
+      _bark(createTexture("bark", barkImage(), osg::Texture::REPEAT)),
+      _blades(createTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE)),
+      _needles(createTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)) {}
 
 TreeStyle TreeStyles::style(const Appearance& appearance) const {
-    TreeStyle style{new osg::StateSet, nullptr, new osg::StateSet};
+    TreeStyle style{new osg::StateSet, nullptr, new osg::StateSet, nullptr};
     style.bark->setAttributeAndModes(_barkProgram);
     style.bark->setTextureAttribute(0, _bark);
     style.bark->addUniform(new osg::Uniform("barkTexture", 0));
@@ -42,6 +42,10 @@ TreeStyle TreeStyles::style(const Appearance& appearance) const {
     style.leaves->addUniform(new osg::Uniform("leafTexture", 0));
     style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
     style.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    style.leafCluster = new osg::StateSet(*style.leaves);
+    style.leafCluster->addUniform(new osg::Uniform("treeFirstUnit", -1));
+    style.leafCluster->addUniform(new osg::Uniform("treeFirstLeaf", -1));
+    style.leafCluster->addUniform(new osg::Uniform("treeSizes", osg::Vec2(1.0f, 1.0f)));
     return style;
 }
 

@@ -11,9 +11,10 @@ namespace osgTreeWind {
 
 /// How the trees of a species look.
 struct TreeStyle {
-    osg::ref_ptr<osg::StateSet> bark;       ///< Of a whole tree, posed by the shader.
-    osg::ref_ptr<osg::StateSet> branchBark; ///< Of one unit, posed by the BranchTransform above it.
-    osg::ref_ptr<osg::StateSet> leaves;
+    osg::ref_ptr<osg::StateSet> bark;        ///< Of a whole tree, posed by the shader.
+    osg::ref_ptr<osg::StateSet> branchBark;  ///< Of one unit, posed by the BranchTransform above it.
+    osg::ref_ptr<osg::StateSet> leaves;      ///< Of a whole tree, posed by the shader.
+    osg::ref_ptr<osg::StateSet> leafCluster; ///< Of one cluster, posed by the transforms above it.
 };
 
 /// Makes styles that share programs and textures.

@@ -149,9 +149,7 @@ void drawBlade(Canvas& canvas, const glm::vec2& foot, float angle, float length,
     });
 }
 
-} // namespace
-
-osg::ref_ptr<osg::Image> createBladeImage() {
+osg::ref_ptr<osg::Image> drawSpray() {
     Canvas canvas;
     Random random(7);
     drawTwig(canvas, 0.006f, 0.8f);
@@ -174,7 +172,7 @@ osg::ref_ptr<osg::Image> createBladeImage() {
     return canvas.image();
 }
 
-osg::ref_ptr<osg::Image> createNeedleImage() {
+osg::ref_ptr<osg::Image> drawNeedles() {
     Canvas canvas;
     Random random(11);
     drawTwig(canvas, 0.008f, 0.85f);
@@ -196,7 +194,7 @@ osg::ref_ptr<osg::Image> createNeedleImage() {
     return canvas.image();
 }
 
-osg::ref_ptr<osg::Image> createBarkImage() {
+osg::ref_ptr<osg::Image> drawBark() {
     constexpr int width = 64, height = 128, furrows = 9;
     Random random(3);
     float phases[furrows];
@@ -222,6 +220,23 @@ osg::ref_ptr<osg::Image> createBarkImage() {
                 255.0f * glm::clamp(glm::mix(0.5f, 0.95f, ridge) + grain, 0.0f, 1.0f));
         }
     }
+    return image;
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Image> bladeImage() {
+    static const osg::ref_ptr<osg::Image> image = drawSpray();
+    return image;
+}
+
+osg::ref_ptr<osg::Image> needleImage() {
+    static const osg::ref_ptr<osg::Image> image = drawNeedles();
+    return image;
+}
+
+osg::ref_ptr<osg::Image> barkImage() {
+    static const osg::ref_ptr<osg::Image> image = drawBark();
     return image;
 }
 

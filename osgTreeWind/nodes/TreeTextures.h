@@ -5,14 +5,15 @@
 
 namespace osgTreeWind {
 
-/// Textures the project draws itself. Each call makes the same pixels.
+// Textures the project draws itself, once for the whole program: the images are shared, not to be changed.
+// Any thread may ask for them.
 
 /// A spray of leaf blades on a twig, the twig running up the middle. RGBA: brightness about 0.8, alpha the
 /// shape.
-osg::ref_ptr<osg::Image> createBladeImage();
+osg::ref_ptr<osg::Image> bladeImage();
 /// A spray of needles on a twig.
-osg::ref_ptr<osg::Image> createNeedleImage();
+osg::ref_ptr<osg::Image> needleImage();
 /// Furrowed bark, grey, to be repeated along the branch and mirrored around it.
-osg::ref_ptr<osg::Image> createBarkImage();
+osg::ref_ptr<osg::Image> barkImage();
 
 } // namespace osgTreeWind

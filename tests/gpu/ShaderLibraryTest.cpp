@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "../io/TemporaryFolder.h"
+
+#include <osgTreeWind/gpu/EmbeddedShaders.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
+#include <osg/Notify>
+#include <osgDB/Registry>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// Puts a folder first in OSG_FILE_PATH for one test.
+class FilePath {
+public:
+    explicit FilePath(const std::string& folder) : _former(osgDB::Registry::instance()->getDataFilePathList()) {
+        osgDB::Registry::instance()->getDataFilePathList().push_front(folder);
+    }
+    ~FilePath() { osgDB::Registry::instance()->getDataFilePathList() = _former; }
+
+private:
+    osgDB::FilePathList _former;
+};
+
+struct Warnings : osg::NotifyHandler {
+    void notify(osg::NotifySeverity severity, const char* message) override {
+        if (severity <= osg::WARN)
+            text += message;
+    }
+    std::string text;
+};
+
+} // namespace
+
+TEST(ShaderLibraryTest, everyEmbeddedShaderIsTheFileOfTheSources) {
+    ASSERT_FALSE(embeddedShaders().empty());
+    for (const EmbeddedShader& shader : embeddedShaders()) {
+        std::ifstream file(std::string(OSGTREEWIND_SOURCE_DIR "/shaders/") + shader.name);
+        std::ostringstream text;
+        text << file.rdbuf();
+        EXPECT_EQ(shader.text, text.str()) << shader.name;
+    }
+}
+
+TEST(ShaderLibraryTest, leavesNoIncludeUnexpanded) {
+    for (const EmbeddedShader& shader : embeddedShaders())
+        EXPECT_EQ(shaderText(shader.name).find("\n#include"), std::string::npos) << shader.name;
+    EXPECT_NE(shaderText("bark.vert").find("vec4 dataTexel"), std::string::npos)
+        << "from data.glsl, which tree.glsl includes";
+}
+
+TEST(ShaderLibraryTest, aFileInTheFilePathTakesTheEmbeddedOnesPlace) {
+    const TemporaryFolder folder;
+    folder.write("light.glsl", "// mine\n");
+    const FilePath path(folder.path());
+    EXPECT_EQ(shaderText("light.glsl"), "// mine\n");
+    EXPECT_NE(shaderText("bark.vert").find("// mine\n"), std::string::npos) << "also where it is included";
+}
+
+TEST(ShaderLibraryTest, aShaderThatIncludesItselfEnds) {
+    const TemporaryFolder folder;
+    folder.write("loop.glsl", "#include \"loop.glsl\"\n");
+    const FilePath path(folder.path());
+    EXPECT_LT(shaderText("loop.glsl").size(), 1000u);
+}
+
+TEST(ShaderLibraryTest, anUnknownNameGivesNothingAndAWarning) {
+    osg::ref_ptr<Warnings> warnings = new Warnings;
+    osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
+    osg::setNotifyHandler(warnings);
+    EXPECT_EQ(shaderText("no such.glsl"), "");
+    osg::setNotifyHandler(former);
+    EXPECT_NE(warnings->text.find("\"no such.glsl\""), std::string::npos);
+}
+
+TEST(ShaderLibraryTest, aProgramHasItsTwoShadersAndAName) {
+    osg::ref_ptr<osg::Program> program = createProgram("bark", "bark");
+    ASSERT_EQ(program->getNumShaders(), 2u);
+    EXPECT_EQ(program->getShader(0)->getType(), osg::Shader::VERTEX);
+    EXPECT_EQ(program->getShader(1)->getType(), osg::Shader::FRAGMENT);
+    EXPECT_NE(program->getName().find("bark"), std::string::npos);
+}
