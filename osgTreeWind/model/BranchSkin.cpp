@@ -14,7 +14,8 @@ namespace {
 
 constexpr int sides = BranchSkin::verticesPerRing;
 
-void addRings(const Skeleton& skeleton, std::size_t unit, std::vector<SkinVertex>& vertices) {
+/// @param start bark coordinate at the base.
+void addRings(const Skeleton& skeleton, std::size_t unit, float start, std::vector<SkinVertex>& vertices) {
     glm::vec3 e1 = perpendicular(skeleton.tangent(unit, 0));
     const float circumference = glm::two_pi<float>() * glm::max(skeleton.units[unit].baseRadius, 1e-6f);
     float along = 0.0f;
@@ -34,7 +35,7 @@ void addRings(const Skeleton& skeleton, std::size_t unit, std::vector<SkinVertex
             vertex.unit = static_cast<float>(unit);
             // There and back again, so that the bark closes without a seam on eight vertices.
             vertex.uv.x = 1.0f - std::abs(1.0f - 2.0f * static_cast<float>(side) / static_cast<float>(sides));
-            vertex.uv.y = along / circumference;
+            vertex.uv.y = start + along / circumference;
             vertices.push_back(vertex);
         }
     }
@@ -58,7 +59,10 @@ BranchSkin makeBranchSkin(const Skeleton& skeleton) {
     skin.indices.reserve(skeleton.units.size() * skin.indicesPerUnit);
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
         const auto start = static_cast<std::uint32_t>(skin.vertices.size());
-        addRings(skeleton, unit, skin.vertices);
+        const int parent = skeleton.units[unit].parent;
+        const std::size_t end = (static_cast<std::size_t>(parent + 1) * rings) * sides;
+        // Bark goes on where the parent's ends.
+        addRings(skeleton, unit, parent < 0 ? 0.0f : skin.vertices[end - 1].uv.y, skin.vertices);
         for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
             for (std::uint32_t side = 0; side < sides; ++side) {
                 const std::uint32_t a = start + ring * sides + side;

@@ -17,7 +17,8 @@ struct SkinVertex {
     float radius = 0.0f;     ///< Metres.
     glm::vec3 outward{0.0f}; ///< Unit normal, across the tangent of the branch.
     float unit = 0.0f;       ///< Index of the branch unit (exact as a float below 2^24).
-    glm::vec2 uv{0.0f};      ///< Once around the branch; metres along it over its circumference.
+    glm::vec2 uv{
+        0.0f}; ///< Once around the branch; metres along it over its circumference, from its parent's end on.
 
     glm::vec3 position() const { return centre + radius * outward; }
 };

@@ -63,6 +63,8 @@ public:
     }
 
     Skeleton grow() {
+        const float east = _random.symmetric(), north = _random.symmetric();
+        _trunkAxis = glm::normalize(up + 0.15f * _p.jitter * glm::vec3(east, north, 0.0f));
         BranchUnit ground;
         ground.tipRadius = thickEnough(_p.radius);
         growTrunk(0, ground);
@@ -74,11 +76,10 @@ private:
     float thickEnough(float radius) const { return std::max(radius, _thinnest); }
 
     void growTrunk(int index, const BranchUnit& below) {
-        const glm::vec3 sideways{_random.symmetric(), _random.symmetric(), 0.0f};
         const float units = static_cast<float>(_p.trunkUnits);
         BranchUnit unit;
         unit.base = below.tip;
-        unit.tip = unit.base + _p.length * glm::normalize(up + 0.4f * _p.jitter / units * sideways);
+        unit.tip = unit.base + _p.length * _trunkAxis;
         unit.baseRadius = below.tipRadius;
         unit.tipRadius = thickEnough(unit.baseRadius * power(_p.taper, 1.0f / units));
         unit.parent = index == 0 ? -1 : _trunkTop;
@@ -131,8 +132,8 @@ private:
         }
     }
 
-    /// Appends a unit and breaks it into points: straight, plus two slow waves and a little unevenness that
-    /// all vanish at both ends.
+    /// Appends a unit and breaks it into points: straight, plus two slow waves and a little unevenness. All
+    /// vanish at both ends with their slopes, so that rings of units in line meet there.
     int addUnit(const BranchUnit& unit) {
         const glm::vec3 along = unit.tip - unit.base;
         const float length = glm::length(along);
@@ -147,7 +148,7 @@ private:
             const float t = static_cast<float>(i) / static_cast<float>(last);
             const glm::vec2 uneven{_random.symmetric(), _random.symmetric()};
             const glm::vec2 offset =
-                0.7f * 4.0f * t * (1.0f - t) *
+                0.7f * 16.0f * t * t * (1.0f - t) * (1.0f - t) *
                 (0.5f * bow + 0.35f * wave * sine(glm::two_pi<float>() * t) + roughness * uneven);
             const glm::vec3 point =
                 unit.base + t * along + _p.crook * length * (offset.x * e1 + offset.y * e2);
@@ -162,6 +163,7 @@ private:
     const float _thinnest; ///< Radius.
     Random _random;
     Skeleton _skeleton;
+    glm::vec3 _trunkAxis{0.0f, 0.0f, 1.0f};
     int _trunkTop = -1; ///< Unit the trunk has grown to.
     int _whorls = 0;    ///< Sets of first branches so far.
 };
