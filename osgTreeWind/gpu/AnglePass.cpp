@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/AnglePass.h>
 
+#include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/BlendFunc>
@@ -25,6 +26,7 @@ osg::ref_ptr<osg::Geometry> createQuad() {
     quad->setUseDisplayList(false);
     quad->setUseVertexBufferObjects(true);
     quad->setVertexArray(corners);
+    makeArraysDistinct(*quad);
     quad->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
     quad->setCullingActive(false);
     quad->setDataVariance(osg::Object::DYNAMIC); // its inputs change every frame

@@ -19,7 +19,9 @@ void fill(DataTexture& texture, const std::vector<glm::vec4>& texels) {
 }
 
 void bind(osg::StateSet& state, const char* sampler, int unit, const DataTexture& texture) {
-    state.setTextureAttribute(static_cast<unsigned>(unit), texture.texture());
+    // Protected, since a shadow technique, say, overrides textures of the scene above.
+    state.setTextureAttribute(static_cast<unsigned>(unit), texture.texture(),
+                              osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
     state.addUniform(new osg::Uniform(sampler, unit));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/BranchTransform.h>
 
+#include <string>
+
 namespace osgTreeWind {
 
 BranchTransform::BranchTransform() {
@@ -10,6 +12,7 @@ BranchTransform::BranchTransform() {
 BranchTransform::BranchTransform(unsigned unit, const osg::Vec3& base) : BranchTransform() {
     _unit = unit;
     _base = base;
+    addDescription("branch " + std::to_string(unit)); // keeps osgUtil::Optimizer from removing it while empty
 }
 
 BranchTransform::BranchTransform(const BranchTransform& other, const osg::CopyOp& copyop)

@@ -15,9 +15,9 @@
 namespace osgTreeWind {
 namespace {
 
-// Unit 0 is for the textures of bark and leaves.
-constexpr unsigned unitPosesTextureUnit = 1;
-constexpr unsigned leafAnglesTextureUnit = 2;
+// Unit 0 is for the textures of bark and leaves, the next ones are where shadow techniques put theirs.
+constexpr unsigned unitPosesTextureUnit = 4;
+constexpr unsigned leafAnglesTextureUnit = 5;
 
 osg::ApplicationUsageProxy
     anglesUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_ANGLES <cpu|gpu>",
@@ -29,7 +29,7 @@ Forest::AngleSource environmentSource() {
 }
 
 void bind(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
-    state.setTextureAttribute(unit, texture);
+    state.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
     state.getOrCreateUniform(sampler, osg::Uniform::SAMPLER_2D)->set(static_cast<int>(unit));
 }
 
@@ -46,12 +46,9 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
     : osg::Group(other, copyop), _wantedSource(other._wantedSource), _branchDrawing(other._branchDrawing),
       _leafDrawing(other._leafDrawing) {
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
-    for (unsigned i = getNumChildren(); i-- > 0;) {
-        const osg::Node* child = other.getChild(i);
-        if (child == other._stand || child == other._probe ||
-            (other._prePass && child == other._prePass->node()))
+    for (unsigned i = getNumChildren(); i-- > 0;)
+        if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
-    }
     setDescription(other.getDescription());
     setWind(other.getWind());
 }
@@ -112,6 +109,10 @@ void Forest::setLeafDrawing(LeafDrawing drawing) {
     _leafDrawing = drawing;
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
         tree->setLeafwise(drawing == LEAF_TRANSFORMS);
+}
+
+bool Forest::isOwnChild(const osg::Node* child) const {
+    return child == _stand || child == _probe || (_prePass && child == _prePass->node());
 }
 
 osg::Vec3d Forest::getOrigin() const {

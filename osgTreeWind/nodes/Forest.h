@@ -19,8 +19,7 @@ class FloatTargetProbe;
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 ///
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's
-/// simulation time; a paused time holds the trees. The first child is the group of its trees; the others are
-/// yours.
+/// simulation time; a paused time holds the trees. Other nodes may be its children too.
 class Forest : public osg::Group {
 public:
     /// Where the angles of branches and leaves are worked out.
@@ -73,6 +72,9 @@ public:
     /// World coordinates of the node's own origin: geometry is relative to it, so that it keeps its precision
     /// far from the world's origin.
     osg::Vec3d getOrigin() const;
+
+    /// Whether a child is a part of the forest; all others are yours.
+    bool isOwnChild(const osg::Node* child) const;
 
     unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); }
     TreeNode* getTree(unsigned index) const { return _trees[index].get(); }

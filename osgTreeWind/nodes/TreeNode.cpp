@@ -30,7 +30,8 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (dynamic_cast<TreeDrawable*>(getChild(i)) || dynamic_cast<BranchTransform*>(getChild(i)))
             removeChild(i);
-    setStateSet(nullptr);
+    if (getStateSet()) // texels and sizes are the copy's own
+        setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
     if (other._tree) {
         build(other._shape, other._style, other._tree->scale());
         setBranchwise(other._branchwise);

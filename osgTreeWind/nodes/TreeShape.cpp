@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TreeShape.h>
 
+#include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/ToOsg.h>
 
 #include <glm/common.hpp>
@@ -32,6 +33,7 @@ osg::ref_ptr<osg::Geometry> skinGeometry(const BranchSkin& skin) {
     geometry->setTexCoordArray(0, coordinates);
     geometry->addPrimitiveSet(new osg::DrawElementsUInt(
         GL_TRIANGLES, static_cast<unsigned>(skin.indices.size()), skin.indices.data()));
+    makeArraysDistinct(*geometry);
     return geometry;
 }
 
@@ -81,6 +83,7 @@ public:
         geometry->setTexCoordArray(3, _crowns);
         geometry->addPrimitiveSet(
             new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(indices.size()), indices.data()));
+        makeArraysDistinct(*geometry);
         return geometry;
     }
 

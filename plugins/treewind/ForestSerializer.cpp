@@ -9,7 +9,8 @@
 #include <sstream>
 
 // A Forest is written to .osgt, .osgb and .osgx as the .treewind document it was read from, and grown again
-// when it is read: a few kilobytes in place of its geometry, and the wind comes along.
+// when it is read: a few kilobytes in place of its geometry, and the wind comes along. Children that are not
+// its own are written as they are.
 namespace {
 
 using osgTreeWind::Forest;
@@ -53,10 +54,44 @@ bool readDocument(osgDB::InputStream& input, Forest& forest) {
     return true;
 }
 
+bool checkOtherChildren(const Forest& forest) {
+    for (unsigned i = 0; i < forest.getNumChildren(); ++i)
+        if (!forest.isOwnChild(forest.getChild(i)))
+            return true;
+    return false;
+}
+
+bool writeOtherChildren(osgDB::OutputStream& output, const Forest& forest) {
+    unsigned count = 0;
+    for (unsigned i = 0; i < forest.getNumChildren(); ++i)
+        count += !forest.isOwnChild(forest.getChild(i));
+    output << count << output.BEGIN_BRACKET << std::endl;
+    for (unsigned i = 0; i < forest.getNumChildren(); ++i)
+        if (!forest.isOwnChild(forest.getChild(i)))
+            output << forest.getChild(i);
+    output << output.END_BRACKET << std::endl;
+    return true;
+}
+
+bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
+    unsigned count = 0;
+    input >> count >> input.BEGIN_BRACKET;
+    for (unsigned i = 0; i < count; ++i)
+        if (osg::ref_ptr<osg::Node> child = input.readObjectOfType<osg::Node>())
+            forest.addChild(child);
+    input >> input.END_BRACKET;
+    return true;
+}
+
 } // namespace
 
 // Not an osg::Group here: the trees are grown again, not stored.
 REGISTER_OBJECT_WRAPPER(osgTreeWind_Forest, new osgTreeWind::Forest, osgTreeWind::Forest,
                         "osg::Object osg::Node osgTreeWind::Forest") {
     ADD_USER_SERIALIZER(Document);
+    ADD_USER_SERIALIZER(OtherChildren);
+    BEGIN_ENUM_SERIALIZER(BranchDrawing, TREE_DRAWING);
+    ADD_ENUM_VALUE(TREE_DRAWING);
+    ADD_ENUM_VALUE(BRANCH_DRAWING);
+    END_ENUM_SERIALIZER();
 }

@@ -19,7 +19,8 @@ namespace {
 /// Puts a folder first in OSG_FILE_PATH for one test.
 class FilePath {
 public:
-    explicit FilePath(const std::string& folder) : _former(osgDB::Registry::instance()->getDataFilePathList()) {
+    explicit FilePath(const std::string& folder)
+        : _former(osgDB::Registry::instance()->getDataFilePathList()) {
         osgDB::Registry::instance()->getDataFilePathList().push_front(folder);
     }
     ~FilePath() { osgDB::Registry::instance()->getDataFilePathList() = _former; }

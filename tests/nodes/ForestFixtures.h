@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <osg/FrameStamp>
+#include <osgUtil/UpdateVisitor>
+
+#include <memory>
+#include <random>
+
+/// A species of few branches, so that llvmpipe draws it quickly: trunk 2, then 3, then 9 units.
+inline osgTreeWind::Species smallSpecies() {
+    osgTreeWind::Species species;
+    species.name = "small";
+    species.tree.wood.levels = 2;
+    species.wood.elasticModulus = 5.0e8f; // soft: a strong wind is seen
+    species.shapes = 2;
+    return species;
+}
+
+/// `count` small trees of different size and heading, in rows of four 3 m apart, in a wind toward +x.
+inline osgTreeWind::ForestDescription smallForest(int count, float speed = 10.0f) {
+    osgTreeWind::ForestDescription description;
+    description.species = {smallSpecies()};
+    for (int i = 0; i < count; ++i) {
+        osgTreeWind::TreePlacement tree;
+        tree.position = {3.0 * (i % 4), 3.0 * (i / 4), 0.0};
+        tree.heading = 0.7f * static_cast<float>(i);
+        tree.size.height = 5.0f + 0.5f * static_cast<float>(i);
+        tree.size.crownWidth = 4.0f;
+        tree.seed = static_cast<std::uint32_t>(i);
+        description.trees.push_back(tree);
+    }
+    description.wind = std::make_shared<osgTreeWind::UniformWind>(glm::vec3(speed, 0.0f, 0.0f));
+    return description;
+}
+
+/// One tree of the given species, unscaled, at the origin.
+inline osgTreeWind::ForestDescription oneTree(const osgTreeWind::Species& species, float speed = 10.0f) {
+    osgTreeWind::ForestDescription description = smallForest(1, speed);
+    description.species = {species};
+    description.trees = {osgTreeWind::TreePlacement()};
+    return description;
+}
+
+/// The update traversal of one frame, as a viewer does it.
+inline void update(osg::Node& scene, unsigned frame, double time) {
+    osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
+    stamp->setFrameNumber(frame);
+    stamp->setSimulationTime(time);
+    osgUtil::UpdateVisitor visitor;
+    visitor.setFrameStamp(stamp);
+    visitor.setTraversalNumber(frame);
+    scene.accept(visitor);
+}
+
+/// Frames `first` to `last`, 1/25 s apart.
+inline void updateFrames(osg::Node& scene, unsigned first, unsigned last) {
+    for (unsigned frame = first; frame <= last; ++frame)
+        update(scene, frame, frame / 25.0);
+}
+
+inline osg::Matrix worldMatrix(osg::Node& node) {
+    return osg::computeLocalToWorld(node.getParentalNodePaths().at(0));
+}
+
+/// Any turn, all alike likely enough.
+inline osg::Quat randomTurn(std::mt19937& random) {
+    std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+    osg::Vec3d axis(anywhere(random), anywhere(random), anywhere(random) + 1.5);
+    return osg::Quat(3.0 * anywhere(random), axis / axis.length());
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "../gl/GlTest.h"
+#include "ForestFixtures.h"
+#include "Pictures.h"
+
+#include <osgTreeWind/offscreen/FrameImage.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <osgUtil/Optimizer>
+#include <osgViewer/CompositeViewer>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int width = 160, height = 120;
+
+/// Looks at the two rows of four trees from the south.
+void placeCamera(osg::Camera& camera) {
+    camera.setClearColor(osg::Vec4(0, 0, 0, 1));
+    camera.setProjectionMatrixAsPerspective(40, double(width) / height, 1, 100);
+    camera.setViewMatrixAsLookAt(osg::Vec3(4.5f, -14, 4), osg::Vec3(4.5f, 0, 3), osg::Z_AXIS);
+}
+
+class ForestGlTest : public GlTest {
+protected:
+    /// The last of that many frames 1/25 s apart from 0; the camera does not depend on bounds.
+    osg::ref_ptr<osg::Image> picture(osg::Node* scene, int frames) {
+        open(width, height);
+        viewer().setSceneData(scene);
+        placeCamera(*viewer().getCamera());
+        return later(0, frames - 1);
+    }
+    /// Draws on.
+    osg::ref_ptr<osg::Image> later(int first, int last) {
+        for (int i = first; i <= last; ++i)
+            frame(i / 25.0);
+        return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
+    }
+};
+
+} // namespace
+
+TEST_F(ForestGlTest, drawsTrees) {
+    osg::ref_ptr<osg::Image> still = picture(new Forest(smallForest(4)), 1);
+    EXPECT_GT(covered(*still), 0.05);
+    EXPECT_LT(covered(*still), 0.6);
+}
+
+TEST_F(ForestGlTest, drawsNothingWithoutTrees) {
+    EXPECT_EQ(covered(*picture(new Forest, 3)), 0.0);
+}
+
+TEST_F(ForestGlTest, anEmptyTreeNodeDrawsNothing) {
+    EXPECT_EQ(covered(*picture(new TreeNode, 2)), 0.0);
+}
+
+TEST_F(ForestGlTest, framesDifferInWind) {
+    osg::ref_ptr<osg::Image> first = picture(new Forest(smallForest(4)), 2);
+    EXPECT_GT(difference(*first, *later(2, 25)).mean, 0.3);
+}
+
+TEST_F(ForestGlTest, framesAreAlikeWhilePaused) {
+    osg::ref_ptr<osg::Image> first = picture(new Forest(smallForest(4)), 10);
+    frame(9 / 25.0);
+    frame(9 / 25.0);
+    EXPECT_EQ(difference(*first, image()).mean, 0.0);
+}
+
+TEST_F(ForestGlTest, branchByBranchDrawsTheSamePicture) { // the vertex shader and the scene graph agree
+    osg::ref_ptr<Forest> whole = new Forest(smallForest(4)), branches = new Forest(smallForest(4));
+    branches->setBranchDrawing(Forest::BRANCH_DRAWING);
+    osg::ref_ptr<osg::Image> a = picture(whole, 15), b = picture(branches, 15);
+    EXPECT_LT(difference(*a, *b).mean, 1.0);
+    EXPECT_LT(difference(*a, *b).outliers, 0.002);
+}
+
+TEST_F(ForestGlTest, changesItsDrawingBackAndForthWhileMoving) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(4)), still = new Forest(smallForest(4));
+    osg::ref_ptr<osg::Image> expected = picture(still, 12);
+    picture(forest, 4);
+    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    later(4, 7);
+    forest->setBranchDrawing(Forest::TREE_DRAWING);
+    EXPECT_EQ(difference(*later(8, 11), *expected).mean, 0.0);
+}
+
+TEST_F(ForestGlTest, farFromTheWorldsOriginThePictureIsTheSame) {
+    ForestDescription near = smallForest(4), far = smallForest(4);
+    far.origin = {4.3e5, 4.5e6, 1402.0};
+    for (TreePlacement& tree : far.trees)
+        tree.position += far.origin;
+    osg::ref_ptr<osg::Image> here = picture(new Forest(near), 10), there = picture(new Forest(far), 10);
+    EXPECT_GT(covered(*here), 0.05);
+    EXPECT_EQ(difference(*here, *there).mean, 0.0);
+}
+
+TEST_F(ForestGlTest, belowATransformFarAwayThePictureIsTheSameButForRounding) {
+    const osg::Vec3d away(4.3e5, 4.5e6, 1402.0);
+    osg::ref_ptr<osg::Image> here = picture(new Forest(smallForest(4)), 1);
+    osg::ref_ptr<osg::MatrixTransform> there = new osg::MatrixTransform(osg::Matrix::translate(away));
+    there->addChild(new Forest(smallForest(4)));
+    picture(there, 1);
+    viewer().getCamera()->setViewMatrix(osg::Matrix::translate(-away) *
+                                        viewer().getCamera()->getViewMatrix());
+    EXPECT_LT(difference(*here, *later(0, 0)).mean, 0.5);
+}
+
+TEST_F(ForestGlTest, aNewDescriptionShowsInTheNextFrame) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    osg::ref_ptr<osg::Image> one = picture(forest, 3);
+    forest->setDescription(ForestDescription());
+    EXPECT_EQ(covered(*later(3, 3)), 0.0);
+    forest->setDescription(smallForest(1));
+    EXPECT_LT(difference(*one, *later(4, 5)).mean, 1.0);
+}
+
+TEST_F(ForestGlTest, twoViewsShowTheSameForestAndStepItOnce) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2)), alone = new Forest(smallForest(2));
+    picture(alone, 10);
+    open(8, 8); // checks messages; the viewer below has contexts of its own
+    osgViewer::CompositeViewer composite;
+    composite.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    osg::ref_ptr<osg::Image> images[2];
+    std::vector<osg::ref_ptr<osg::GraphicsContext>> contexts;
+    for (osg::ref_ptr<osg::Image>& image : images) {
+        auto made = createOffscreenContext(width, height);
+        ASSERT_TRUE(made);
+        contexts.push_back(made.value());
+        osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
+        image = attachFrameImage(*view->getCamera(), *contexts.back());
+        placeCamera(*view->getCamera());
+        view->setSceneData(forest);
+        composite.addView(view);
+    }
+    for (int i = 0; i < 10; ++i)
+        composite.frame(i / 25.0);
+    EXPECT_EQ(forest->getSimulation().branchStates(), alone->getSimulation().branchStates());
+    EXPECT_GT(covered(*images[0]), 0.02);
+    EXPECT_EQ(difference(*images[0], *images[1]).mean, 0.0);
+}
+
+class OptimizedForestGlTest : public ForestGlTest, public ::testing::WithParamInterface<unsigned> {};
+
+TEST_P(OptimizedForestGlTest, givesTheSamePicture) {
+    osg::ref_ptr<osg::Group> plain = new osg::Group, optimized = new osg::Group;
+    plain->addChild(new Forest(smallForest(12)));
+    optimized->addChild(new Forest(smallForest(12)));
+    osgUtil::Optimizer().optimize(optimized, GetParam());
+    osg::ref_ptr<osg::Image> a = picture(plain, 10), b = picture(optimized, 10);
+    EXPECT_LT(difference(*a, *b).mean, 0.5);
+    EXPECT_LT(difference(*a, *b).outliers, 0.002);
+}
+
+TEST_P(OptimizedForestGlTest, givesTheSamePictureBranchByBranch) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(4)), other = new Forest(smallForest(4));
+    osg::ref_ptr<osg::Group> optimized = new osg::Group;
+    optimized->addChild(forest);
+    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    osgUtil::Optimizer().optimize(optimized, GetParam());
+    osg::ref_ptr<osg::Image> a = picture(other, 10), b = picture(optimized, 10);
+    EXPECT_LT(difference(*a, *b).mean, 1.0);
+    EXPECT_LT(difference(*a, *b).outliers, 0.002);
+}
+
+INSTANTIATE_TEST_SUITE_P(DefaultAndAll, OptimizedForestGlTest,
+                         ::testing::Values(osgUtil::Optimizer::DEFAULT_OPTIMIZATIONS,
+                                           osgUtil::Optimizer::ALL_OPTIMIZATIONS));

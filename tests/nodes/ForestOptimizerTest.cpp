@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "ForestFixtures.h"
+
+#include <osg/ShapeDrawable>
+#include <osgUtil/Optimizer>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// Trees that can be reached from a node.
+struct TreeCounter : osg::NodeVisitor {
+    TreeCounter() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    void apply(osg::Transform& node) override {
+        trees += dynamic_cast<TreeNode*>(&node) != nullptr;
+        traverse(node);
+    }
+    unsigned trees = 0;
+};
+
+unsigned treesBelow(osg::Node& node) {
+    TreeCounter counter;
+    node.accept(counter);
+    return counter.trees;
+}
+
+} // namespace
+
+/// What the Optimizer is told to do: as stock osgviewer runs it, and everything it can.
+class ForestOptimizerTest : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(ForestOptimizerTest, leavesTheTreesInTheScene) {
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(20));
+    scene->addChild(forest);
+    osgUtil::Optimizer().optimize(scene, GetParam());
+    EXPECT_EQ(treesBelow(*scene), 20u);
+    EXPECT_TRUE(scene->containsNode(forest));
+}
+
+TEST_P(ForestOptimizerTest, leavesBranchesAndWhatHangsOnThem) {
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    scene->addChild(forest);
+    osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 4));
+    sensor->setDataVariance(osg::Object::DYNAMIC);
+    sensor->addChild(new osg::ShapeDrawable(new osg::Sphere));
+    forest->getTree(0)->getBranch(13)->addChild(sensor);
+    const osg::Vec3d before = worldMatrix(*sensor).getTrans();
+    osgUtil::Optimizer().optimize(scene, GetParam());
+    ASSERT_EQ(sensor->getNumParents(), 1u);
+    EXPECT_EQ(worldMatrix(*sensor).getTrans(), before);
+    updateFrames(*scene, 1, 20);
+    EXPECT_NE(worldMatrix(*sensor).getTrans(), before);
+}
+
+TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    scene->addChild(forest);
+    osg::ref_ptr<BranchTransform> branch = forest->getTree(0)->getBranch(13);
+    osgUtil::Optimizer().optimize(scene, GetParam());
+    EXPECT_EQ(branch->getNumParents(), 1u);
+}
+
+TEST_P(ForestOptimizerTest, leavesEveryTreeItsOwnTexels) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(9));
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->addChild(forest);
+    osgUtil::Optimizer().optimize(scene, GetParam());
+    for (unsigned i = 0; i < forest->getNumTrees(); ++i) {
+        int first = -1;
+        forest->getTree(i)->getStateSet()->getUniform("treeFirstUnit")->get(first);
+        EXPECT_EQ(first, static_cast<int>(forest->getSimulation().trees()[i].firstUnit)) << "tree " << i;
+    }
+}
+
+TEST_P(ForestOptimizerTest, anEmptyForestTakesADescriptionAfterwards) {
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    osg::ref_ptr<Forest> forest = new Forest;
+    scene->addChild(forest);
+    osgUtil::Optimizer().optimize(scene, GetParam());
+    forest->setDescription(smallForest(3));
+    EXPECT_EQ(treesBelow(*forest), 3u);
+}
+
+TEST_P(ForestOptimizerTest, aForestOfOneTreeTakesAnotherDescriptionAfterwards) {
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    scene->addChild(forest);
+    osgUtil::Optimizer().optimize(scene, GetParam());
+    forest->setDescription(smallForest(3));
+    EXPECT_EQ(treesBelow(*scene), 3u);
+}
+
+INSTANTIATE_TEST_SUITE_P(DefaultAndAll, ForestOptimizerTest,
+                         ::testing::Values(osgUtil::Optimizer::DEFAULT_OPTIMIZATIONS,
+                                           osgUtil::Optimizer::ALL_OPTIMIZATIONS));

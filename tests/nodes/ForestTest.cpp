@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "ForestFixtures.h"
+
+#include <osgTreeWind/wind/FunctionWind.h>
+
+#include <osgUtil/CullVisitor>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// A wind that counts how many times each frame it is asked for the first tree's foot.
+struct CountedForest {
+    std::shared_ptr<std::atomic<int>> asked = std::make_shared<std::atomic<int>>(0);
+    osg::ref_ptr<Forest> forest;
+
+    CountedForest() {
+        ForestDescription description = smallForest(1);
+        auto count = asked;
+        description.wind = std::make_shared<FunctionWind>([count](const glm::vec3&, double) {
+            ++*count;
+            return glm::vec3(5.0f, 0.0f, 0.0f);
+        });
+        forest = new Forest(description);
+    }
+    int steps() const { return *asked / static_cast<int>(forest->getSimulation().windPositions().size()); }
+};
+
+std::vector<glm::vec4> states(const Forest& forest) {
+    return forest.getSimulation().branchStates();
+}
+
+} // namespace
+
+TEST(ForestTest, stepsOncePerFrameNumberHoweverManyTraversals) {
+    CountedForest counted;
+    for (unsigned frame = 1; frame <= 5; ++frame)
+        for (int view = 0; view < 3; ++view)
+            update(*counted.forest, frame, frame / 25.0);
+    EXPECT_EQ(counted.steps(), 4) << "five frames, of which the first starts the clock";
+}
+
+TEST(ForestTest, isUpdatedBelowAGroupThatKnowsNothingOfIt) {
+    CountedForest counted;
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->addChild(counted.forest);
+    EXPECT_EQ(scene->getNumChildrenRequiringUpdateTraversal(), 1u);
+    updateFrames(*scene, 1, 3);
+    EXPECT_EQ(counted.steps(), 2);
+}
+
+TEST(ForestTest, aPauseHoldsTheTrees) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    updateFrames(*forest, 1, 20);
+    const std::vector<glm::vec4> held = states(*forest);
+    for (unsigned frame = 21; frame < 30; ++frame)
+        update(*forest, frame, 20 / 25.0);
+    EXPECT_EQ(states(*forest), held);
+    update(*forest, 30, 21 / 25.0);
+    EXPECT_NE(states(*forest), held) << "and goes on after it";
+}
+
+TEST(ForestTest, aNewWindShowsInTheNextFramesLoads) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    updateFrames(*forest, 1, 3);
+    forest->setWind(std::make_shared<UniformWind>(glm::vec3(-3.0f, 2.0f, 1.0f)));
+    updateFrames(*forest, 4, 4);
+    for (const glm::vec3& sample : forest->getSimulation().windSamples())
+        EXPECT_EQ(sample, glm::vec3(-3.0f, 2.0f, 1.0f));
+    forest->setWind(nullptr);
+    updateFrames(*forest, 5, 5);
+    for (const glm::vec3& sample : forest->getSimulation().windSamples())
+        EXPECT_EQ(sample, glm::vec3(0.0f)) << "null is calm";
+}
+
+TEST(ForestTest, anotherThreadMayHandOverTheWindWhileFramesRun) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    std::atomic<bool> running{true};
+    std::thread simulator([&] {
+        for (int i = 0; running; ++i)
+            forest->setWind(
+                std::make_shared<UniformWind>(glm::vec3(1.0f + static_cast<float>(i % 9), 0.0f, 0.0f)));
+    });
+    for (unsigned frame = 1; frame <= 200; ++frame) {
+        update(*forest, frame, frame / 25.0);
+        const std::vector<glm::vec3>& samples = forest->getSimulation().windSamples();
+        for (const glm::vec3& sample : samples)
+            ASSERT_EQ(sample, samples.front()) << "one frame, one wind";
+    }
+    running = false;
+    simulator.join();
+    EXPECT_GT(forest->getSimulation().windSamples().front().x, 0.5f);
+}
+
+TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
+    osg::ref_ptr<osg::Group> house = new osg::Group;
+    forest->addChild(house);
+    updateFrames(*forest, 1, 5);
+    osg::ref_ptr<TreeNode> former = forest->getTree(0);
+    forest->setDescription(smallForest(5));
+    EXPECT_EQ(forest->getNumTrees(), 5u);
+    EXPECT_EQ(former->getNumParents(), 0u);
+    EXPECT_TRUE(forest->containsNode(house));
+    EXPECT_EQ(forest->getNumChildren(), 2u);
+    updateFrames(*forest, 6, 10);
+    former->updatePose(); // of a forest that is gone: its pose stays where it was
+}
+
+TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {
+    osg::ref_ptr<Forest> forest = new Forest;
+    updateFrames(*forest, 1, 3);
+    EXPECT_EQ(forest->getNumTrees(), 0u);
+    EXPECT_FALSE(forest->getBound().valid());
+    EXPECT_EQ(forest->getOrigin(), osg::Vec3d());
+}
+
+TEST(ForestTest, staysWhereItIsWithoutAFrameStamp) {
+    CountedForest counted;
+    osgUtil::UpdateVisitor visitor;
+    counted.forest->accept(visitor);
+    EXPECT_EQ(counted.steps(), 0);
+}
+
+TEST(ForestTest, leavesOutTreesOfASpeciesThatIsNotThere) {
+    ForestDescription description = smallForest(3);
+    description.trees[1].species = 7;
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    EXPECT_EQ(forest->getNumTrees(), 2u);
+}
+
+TEST(ForestTest, treesOfASpeciesShareTheirGeometry) {
+    const auto geometries = [](int trees) {
+        osg::ref_ptr<Forest> forest = new Forest(smallForest(trees));
+        return forest->getSimulation().models().size();
+    };
+    EXPECT_EQ(geometries(2), 2u);
+    EXPECT_EQ(geometries(40), 2u) << "memory grows with shapes, not trees";
+}
+
+TEST(ForestTest, farFromTheWorldsOriginNothingIsLost) {
+    ForestDescription near = smallForest(3), far = smallForest(3);
+    far.origin = {4.3e5, 4.5e6, 1402.0};
+    for (TreePlacement& tree : far.trees)
+        tree.position += far.origin;
+    osg::ref_ptr<Forest> here = new Forest(near), there = new Forest(far);
+    EXPECT_EQ(there->getOrigin(), osg::Vec3d(4.3e5, 4.5e6, 1402.0));
+    updateFrames(*here, 1, 20);
+    updateFrames(*there, 1, 20);
+    for (unsigned i = 0; i < 3; ++i)
+        EXPECT_EQ(there->getTree(i)->getPosition(), here->getTree(i)->getPosition());
+    EXPECT_EQ(states(*there), states(*here));
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "../gl/GlTest.h"
+#include "ForestFixtures.h"
+#include "Pictures.h"
+
+#include <osg/BufferObject>
+#include <osg/ContextData>
+#include <osg/Texture>
+
+#include <fstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int width = 96, height = 72;
+
+class GlLifetimeGlTest : public GlTest {
+protected:
+    unsigned contextID() { return context().getState()->getContextID(); }
+    /// Bytes of buffers and textures that OSG keeps in the context, used or to be reused.
+    std::size_t poolSize() {
+        return osg::get<osg::GLBufferObjectManager>(contextID())->getCurrGLBufferObjectPoolSize() +
+               osg::get<osg::TextureObjectManager>(contextID())->getCurrTexturePoolSize();
+    }
+};
+
+/// Resident memory of this program, bytes.
+std::size_t resident() {
+    std::size_t all = 0, pages = 0;
+    std::ifstream("/proc/self/statm") >> all >> pages;
+    return pages * 4096;
+}
+
+} // namespace
+
+TEST_F(GlLifetimeGlTest, aForestMovesFromOneContextToAnother) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    osg::ref_ptr<osg::Image> first = render(forest, width, height, 1);
+    viewer().setSceneData(nullptr);
+    forest->releaseGLObjects(context().getState());
+    osg::ref_ptr<osg::Image> second = render(forest, width, height, 1);
+    EXPECT_GT(covered(*first), 0.02);
+    EXPECT_EQ(difference(*first, *second).mean, 0.0);
+}
+
+TEST_F(GlLifetimeGlTest, aForestIsReleasedForAllContextsAndDrawnAgain) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    osg::ref_ptr<osg::Image> first = render(forest, width, height, 1);
+    forest->releaseGLObjects();
+    frame(0.0);
+    EXPECT_EQ(difference(*first, image()).mean, 0.0);
+}
+
+TEST_F(GlLifetimeGlTest, buffersAreMadeRoomForBeforeMoreContexts) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    osg::ref_ptr<osg::Image> first = render(forest, width, height, 1);
+    forest->resizeGLObjectBuffers(64);
+    frame(0.0);
+    EXPECT_EQ(difference(*first, image()).mean, 0.0);
+}
+
+TEST_F(GlLifetimeGlTest, releasingGivesEveryBufferAndTextureBack) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    render(forest, width, height, 1);
+    viewer().setSceneData(new osg::Group);
+    frame(0.0);
+    auto* buffers = osg::get<osg::GLBufferObjectManager>(contextID());
+    auto* textures = osg::get<osg::TextureObjectManager>(contextID());
+    ASSERT_GT(buffers->getNumberActiveGLBufferObjects(), 0u);
+    ASSERT_GE(textures->getNumberActiveTextureObjects(), 4u) << "unit poses, leaf angles, bark and blades";
+    forest->releaseGLObjects(context().getState());
+    frame(0.04); // in which the context takes them
+    EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), 0u);
+    EXPECT_EQ(textures->getNumberActiveTextureObjects(), 0u);
+}
+
+TEST_F(GlLifetimeGlTest, switchingTheDrawingLeavesNothingBehindOnRelease) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    render(forest, width, height, 1);
+    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    frame(0.04);
+    viewer().setSceneData(new osg::Group);
+    frame(0.08);
+    forest->releaseGLObjects(context().getState());
+    frame(0.12);
+    EXPECT_EQ(osg::get<osg::GLBufferObjectManager>(contextID())->getNumberActiveGLBufferObjects(), 0u);
+}
+
+/// With every way to the angles.
+class ComingAndGoingGlTest : public GlLifetimeGlTest,
+                             public ::testing::WithParamInterface<Forest::AngleSource> {};
+
+TEST_P(ComingAndGoingGlTest, aHundredTimesGrowsNothing) {
+    open(width, height);
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    viewer().setSceneData(scene);
+    viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3(0, -20, 3), osg::Vec3(0, 0, 3), osg::Z_AXIS);
+    const ForestDescription description = smallForest(1);
+    std::size_t settledPool = 0, settledMemory = 0;
+    for (int i = 0; i < 100; ++i) {
+        osg::ref_ptr<Forest> forest = new Forest(description);
+        forest->setAngleSource(GetParam());
+        scene->addChild(forest);
+        for (int k = 0; k < 3; ++k)
+            frame((4 * i + k) / 25.0);
+        EXPECT_EQ(forest->getAngleSource(), GetParam());
+        scene->removeChild(forest);
+        forest = nullptr;
+        frame((4 * i + 3) / 25.0);
+        if (i == 49) {
+            settledPool = poolSize();
+            settledMemory = resident();
+        }
+    }
+    EXPECT_LE(poolSize(), settledPool + settledPool / 10);
+    EXPECT_LT(resident(), settledMemory + (8u << 20)) << "50 forests of about 1 MB came and went";
+}
+
+INSTANTIATE_TEST_SUITE_P(CpuAndGpu, ComingAndGoingGlTest,
+                         ::testing::Values(Forest::CPU_ANGLES, Forest::GPU_ANGLES));

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "../gl/GlTest.h"
+#include "ForestFixtures.h"
+#include "Pictures.h"
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// The threading models of stock osgviewer.
+class ThreadedForestGlTest : public GlTest,
+                             public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {
+protected:
+    void start(Forest::BranchDrawing drawing, osgViewer::ViewerBase::ThreadingModel threading) {
+        open(96, 72);
+        osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
+        forest->setBranchDrawing(drawing);
+        viewer().setSceneData(forest);
+        osg::Camera& camera = *viewer().getCamera();
+        camera.setProjectionMatrixAsPerspective(40, 96.0 / 72.0, 1, 100);
+        camera.setViewMatrixAsLookAt(osg::Vec3(3, -14, 4), osg::Vec3(3, 0, 3), osg::Z_AXIS);
+        viewer().setThreadingModel(threading);
+    }
+    /// The picture of frame `last`, when the drawing threads have finished with it.
+    osg::ref_ptr<osg::Image> run(int first, int last) {
+        for (int i = first; i <= last; ++i)
+            frame(i / 25.0);
+        viewer().stopThreading();
+        osg::ref_ptr<osg::Image> picture = new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
+        viewer().startThreading();
+        return picture;
+    }
+    void expectThePicturesOfASingleThread(Forest::BranchDrawing drawing) {
+        start(drawing, osgViewer::ViewerBase::SingleThreaded);
+        osg::ref_ptr<osg::Image> tenth = run(1, 10), sixtieth = run(11, 60);
+        start(drawing, GetParam());
+        EXPECT_EQ(difference(*run(1, 10), *tenth).mean, 0.0);
+        EXPECT_EQ(difference(*run(11, 60), *sixtieth).mean, 0.0);
+        EXPECT_GT(difference(*tenth, *sixtieth).mean, 0.3) << "frames 10 and 60 are alike";
+    }
+};
+
+} // namespace
+
+TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThread) {
+    expectThePicturesOfASingleThread(Forest::TREE_DRAWING);
+}
+
+TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThreadBranchByBranch) {
+    expectThePicturesOfASingleThread(Forest::BRANCH_DRAWING);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, ThreadedForestGlTest,
+                         ::testing::Values(osgViewer::ViewerBase::CullDrawThreadPerContext,
+                                           osgViewer::ViewerBase::DrawThreadPerContext,
+                                           osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext));

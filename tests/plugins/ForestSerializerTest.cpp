@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "../io/TemporaryFolder.h"
+#include "../nodes/ForestFixtures.h"
+#include "PluginPath.h"
+
+#include <osg/Notify>
+#include <osgDB/ReadFile>
+#include <osgDB/WriteFile>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace osgTreeWind;
+
+namespace {
+
+struct Messages : osg::NotifyHandler {
+    void notify(osg::NotifySeverity severity, const char* message) override {
+        if (severity <= osg::NOTICE)
+            text += message;
+    }
+    std::string text;
+};
+
+osg::ref_ptr<osg::Node> thereAndBack(const osg::Node& node, const std::string& extension) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() + "/scene." + extension;
+    EXPECT_TRUE(osgDB::writeNodeFile(node, file));
+    return osgDB::readRefNodeFile(file);
+}
+
+osg::ref_ptr<Forest> example(const char* name) {
+    return dynamic_cast<Forest*>(osgDB::readRefNodeFile(exampleFile(name)).get());
+}
+
+} // namespace
+
+/// The formats of OSG: text, binary, XML.
+class ForestSerializerTest : public ::testing::TestWithParam<const char*> {
+protected:
+    ForestSerializerTest() : _messages(new Messages), _former(osg::getNotifyHandler()) {
+        usePluginsOfThisBuild();
+        osg::setNotifyHandler(_messages);
+    }
+    ~ForestSerializerTest() override { osg::setNotifyHandler(_former); }
+    std::string takeSaid() { return std::exchange(_messages->text, std::string()); }
+
+private:
+    osg::ref_ptr<Messages> _messages;
+    osg::ref_ptr<osg::NotifyHandler> _former;
+};
+
+TEST_P(ForestSerializerTest, bringsBackAForestThatMovesAlike) {
+    osg::ref_ptr<Forest> forest = example("forest.treewind");
+    ASSERT_TRUE(forest);
+    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    Forest* const back = dynamic_cast<Forest*>(node.get());
+    ASSERT_NE(back, nullptr);
+    ASSERT_EQ(back->getNumTrees(), 40u);
+    updateFrames(*forest, 1, 10);
+    updateFrames(*back, 1, 10);
+    EXPECT_EQ(back->getSimulation().branchStates(), forest->getSimulation().branchStates())
+        << "shapes, law or wind differ";
+    EXPECT_EQ(takeSaid(), "");
+}
+
+TEST_P(ForestSerializerTest, keepsTheSceneAroundIt) {
+    osg::ref_ptr<osg::MatrixTransform> hill = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 30));
+    hill->addChild(example("thesis.treewind"));
+    hill->addChild(new osg::Group);
+    hill->getChild(0)->setName("the tree");
+    osg::ref_ptr<osg::Node> node = thereAndBack(*hill, GetParam());
+    ASSERT_TRUE(node && node->asGroup());
+    ASSERT_EQ(node->asGroup()->getNumChildren(), 2u);
+    const Forest* const back = dynamic_cast<const Forest*>(node->asGroup()->getChild(0));
+    ASSERT_NE(back, nullptr);
+    EXPECT_EQ(back->getName(), "the tree");
+    EXPECT_EQ(back->getNumTrees(), 1u);
+    EXPECT_EQ(takeSaid(), "");
+}
+
+TEST_P(ForestSerializerTest, keepsTheUsersChildren) {
+    osg::ref_ptr<Forest> forest = example("thesis.treewind");
+    osg::ref_ptr<osg::Group> house = new osg::Group;
+    house->setName("house");
+    forest->addChild(house);
+    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    ASSERT_TRUE(node && node->asGroup());
+    ASSERT_EQ(node->asGroup()->getNumChildren(), 2u);
+    EXPECT_EQ(node->asGroup()->getChild(1)->getName(), "house");
+}
+
+TEST_P(ForestSerializerTest, keepsHowItIsDrawn) {
+    osg::ref_ptr<Forest> forest = example("thesis.treewind");
+    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    const Forest* const back = dynamic_cast<const Forest*>(node.get());
+    ASSERT_NE(back, nullptr);
+    EXPECT_EQ(back->getBranchDrawing(), Forest::BRANCH_DRAWING);
+}
+
+TEST_P(ForestSerializerTest, aForestMadeByHandIsNotWrittenAndSaysSo) {
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->addChild(new Forest(smallForest(2)));
+    osg::ref_ptr<osg::Node> node = thereAndBack(*scene, GetParam());
+    EXPECT_NE(takeSaid().find("cannot be written"), std::string::npos);
+    ASSERT_TRUE(node && node->asGroup()) << "the rest of the scene is still good";
+    EXPECT_EQ(node->asGroup()->getNumChildren(), 1u);
+}
+
+TEST_P(ForestSerializerTest, isSmall) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() + "/forest." + GetParam();
+    osgDB::writeNodeFile(*example("forest.treewind"), file);
+    EXPECT_LT(std::filesystem::file_size(file), 20000u) << "the document, not its geometry";
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ForestSerializerTest, ::testing::Values("osgt", "osgb", "osgx"),
+                         [](const auto& info) { return std::string(info.param); });

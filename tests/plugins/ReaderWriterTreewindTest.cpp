@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "../io/TemporaryFolder.h"
+#include "../nodes/ForestFixtures.h"
+#include "PluginPath.h"
+
+#include <osg/Notify>
+#include <osgDB/ReadFile>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <thread>
+
+using namespace osgTreeWind;
+
+namespace {
+
+struct Messages : osg::NotifyHandler {
+    void notify(osg::NotifySeverity severity, const char* message) override {
+        if (severity <= osg::NOTICE)
+            text += message;
+    }
+    std::string text;
+};
+
+/// Everything OSG says at NOTICE and above during a test.
+class ReaderWriterTreewindTest : public ::testing::Test {
+protected:
+    ReaderWriterTreewindTest() : _messages(new Messages), _former(osg::getNotifyHandler()) {
+        usePluginsOfThisBuild();
+        osg::setNotifyHandler(_messages);
+    }
+    ~ReaderWriterTreewindTest() override { osg::setNotifyHandler(_former); }
+
+    const std::string& said() const { return _messages->text; }
+    static osgDB::ReaderWriter* plugin() {
+        return osgDB::Registry::instance()->getReaderWriterForExtension("treewind");
+    }
+
+private:
+    osg::ref_ptr<Messages> _messages;
+    osg::ref_ptr<osg::NotifyHandler> _former;
+};
+
+osg::ref_ptr<Forest> readForestNode(const std::string& file) {
+    return dynamic_cast<Forest*>(osgDB::readRefNodeFile(file).get());
+}
+
+constexpr const char* oneTreeDocument = "version = 1\n[[tree]]\nposition = [1.0, 2.0]\n";
+
+} // namespace
+
+TEST_F(ReaderWriterTreewindTest, readsTheReferenceTree) {
+    osg::ref_ptr<Forest> forest = readForestNode(exampleFile("thesis.treewind"));
+    ASSERT_TRUE(forest);
+    EXPECT_EQ(forest->getNumTrees(), 1u);
+    EXPECT_EQ(forest->getTree(0)->getNumBranches(), 122u);
+    EXPECT_EQ(said(), "");
+}
+
+TEST_F(ReaderWriterTreewindTest, readsTheScatteredForestWithItsWind) {
+    osg::ref_ptr<Forest> forest = readForestNode(exampleFile("forest.treewind"));
+    ASSERT_TRUE(forest);
+    EXPECT_EQ(forest->getNumTrees(), 40u);
+    ASSERT_TRUE(forest->getWind());
+    EXPECT_GT(forest->getWind()->velocity({0, 0, 10}, 0.0).x, 1.0f);
+    EXPECT_EQ(said(), "");
+}
+
+TEST_F(ReaderWriterTreewindTest, readObjectGivesTheForestToo) { // osgconv asks this way
+    osg::ref_ptr<osg::Object> object = osgDB::readRefObjectFile(exampleFile("thesis.treewind"));
+    EXPECT_NE(dynamic_cast<Forest*>(object.get()), nullptr);
+}
+
+TEST_F(ReaderWriterTreewindTest, aBrokenFileGivesNothingAndSaysWhere) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "broken.treewind", "version = 1\n[wind]\n  kind = \"gale\"\n[[tree]]\nposition = [0, 0]\n");
+    EXPECT_FALSE(osgDB::readRefNodeFile(file));
+    EXPECT_NE(said().find(file + ":3:"), std::string::npos) << said();
+    EXPECT_EQ(std::count(said().begin(), said().end(), '\n'), 1) << "one line: " << said();
+}
+
+TEST_F(ReaderWriterTreewindTest, noiseIsRefusedWithoutACrash) {
+    const TemporaryFolder folder;
+    std::string noise;
+    std::mt19937 random(3);
+    for (int i = 0; i < 5000; ++i)
+        noise += static_cast<char>(random());
+    EXPECT_FALSE(osgDB::readRefNodeFile(folder.write("noise.treewind", noise)));
+    EXPECT_NE(said().find("noise.treewind:"), std::string::npos) << said();
+}
+
+TEST_F(ReaderWriterTreewindTest, tellsFilesThatAreMissingFromFilesOfOthers) {
+    ASSERT_TRUE(plugin());
+    EXPECT_EQ(plugin()->readNode(std::string("nowhere.treewind"), nullptr).status(),
+              osgDB::ReaderWriter::ReadResult::FILE_NOT_FOUND);
+    EXPECT_EQ(plugin()->readNode(std::string("cow.osg"), nullptr).status(),
+              osgDB::ReaderWriter::ReadResult::FILE_NOT_HANDLED);
+    const TemporaryFolder folder;
+    EXPECT_EQ(plugin()->readNode(folder.write("a.treewind", "version = 0"), nullptr).status(),
+              osgDB::ReaderWriter::ReadResult::ERROR_IN_READING_FILE);
+}
+
+TEST_F(ReaderWriterTreewindTest, aStreamFindsItsFilesInTheDatabasePath) {
+    const TemporaryFolder folder;
+    folder.write("trees.csv", "x,y\n1,2\n3,4\n5,6\n");
+    const std::string document = "version = 1\n[[species]]\nname = \"oak\"\n"
+                                 "[inventory]\nfile = \"trees.csv\"\ncolumns = { x = \"x\", y = \"y\" }\n";
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+    options->setDatabasePath(folder.path());
+    std::istringstream stream(document);
+    osgDB::ReaderWriter::ReadResult read = plugin()->readNode(stream, options);
+    ASSERT_TRUE(read.validNode()) << read.statusMessage();
+    EXPECT_EQ(dynamic_cast<Forest&>(*read.getNode()).getNumTrees(), 3u);
+}
+
+TEST_F(ReaderWriterTreewindTest, aStreamNeedsNoOptions) {
+    std::istringstream stream(oneTreeDocument);
+    osgDB::ReaderWriter::ReadResult read = plugin()->readObject(stream, nullptr);
+    ASSERT_TRUE(read.validObject()) << read.statusMessage();
+}
+
+TEST_F(ReaderWriterTreewindTest, isFoundInTheDatabasePath) {
+    const TemporaryFolder folder;
+    folder.write("garden.treewind", oneTreeDocument);
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+    options->getDatabasePathList().push_back(folder.path());
+    EXPECT_TRUE(osgDB::readRefNodeFile("garden.treewind", options));
+}
+
+TEST_F(ReaderWriterTreewindTest, servesSeveralThreadsAtOnce) {
+    std::vector<osg::ref_ptr<Forest>> forests(4);
+    std::vector<std::thread> pagers;
+    for (osg::ref_ptr<Forest>& forest : forests)
+        pagers.emplace_back([&forest] { forest = readForestNode(exampleFile("thesis.treewind")); });
+    for (std::thread& pager : pagers)
+        pager.join();
+    for (const osg::ref_ptr<Forest>& forest : forests) {
+        ASSERT_TRUE(forest);
+        updateFrames(*forest, 1, 5);
+        EXPECT_EQ(forest->getSimulation().branchStates(), forests[0]->getSimulation().branchStates());
+    }
+    EXPECT_EQ(said(), "");
+}
