@@ -39,7 +39,7 @@ public:
     double fraction() {
         double value = 0.0, weight = 0.1;
         ok = ok && isDigit();
-        for (; isDigit(); weight *= 0.1)
+        for (; ok && isDigit(); weight *= 0.1)
             value += weight * digit();
         return value;
     }

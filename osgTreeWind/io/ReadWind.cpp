@@ -4,10 +4,12 @@
 #include <osgTreeWind/io/SizeRanges.h>
 #include <osgTreeWind/io/Wording.h>
 #include <osgTreeWind/wind/GridWind.h>
+#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/QesSensor.h>
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindFile.h>
 #include <osgTreeWind/wind/WindSeriesCsv.h>
 #include <osgTreeWind/wind/WindUnits.h>
 
@@ -47,7 +49,7 @@ std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, 
 }
 
 /// `velocity`, or `speed` with a direction; in `unit`.
-WindFieldPtr readUniform(TableReader& table, ForestReading&) {
+glm::vec3 readVelocity(TableReader& table) {
     std::string unitName;
     const double unit = readSpeedUnit(table, "unit", unitName).value_or(1.0);
     const Range speeds = within(windSpeeds.min / unit, windSpeeds.max / unit);
@@ -65,7 +67,40 @@ WindFieldPtr readUniform(TableReader& table, ForestReading&) {
         table.problem("speed", "expected either direction_from or direction_toward beside it");
     if (hasSpeed)
         velocity = windVelocity(wind, from ? DirectionSense::From : DirectionSense::Toward);
-    return std::make_shared<UniformWind>(velocity * static_cast<float>(unit));
+    return velocity * static_cast<float>(unit);
+}
+
+WindFieldPtr readUniform(TableReader& table, ForestReading&) {
+    return std::make_shared<UniformWind>(readVelocity(table));
+}
+
+/// `height` and `roughness`, both or neither. False after a problem.
+bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
+    if (!table.has("height") && !table.has("roughness"))
+        return true;
+    LogProfile read;
+    bool complete = table.require("height", read.height, above(0, 10000));
+    complete &= table.require("roughness", read.roughness, above(0, 100));
+    profile = read;
+    if (complete && !read.valid()) {
+        table.problem("roughness", "expected less than height");
+        return false;
+    }
+    return complete;
+}
+
+WindFieldPtr readGusts(TableReader& table, ForestReading& reading) {
+    GustWind::Parameters gusts;
+    gusts.mean = readVelocity(table);
+    gusts.seed = reading.seed;
+    table.read("intensity", gusts.intensity, within(0, 1));
+    table.read("length_scale", gusts.lengthScale, within(1, 1e5));
+    table.read("seed", gusts.seed);
+    if (gusts.mean.z != 0.0f)
+        table.problem("velocity", "expected a horizontal wind");
+    if (!readProfile(table, gusts.profile) || gusts.mean.z != 0.0f)
+        return nullptr;
+    return checked(GustWind::create(gusts), table, reading);
 }
 
 /// Numbers in the array `values`, or in the text file `file`.
@@ -207,17 +242,30 @@ WindFieldPtr readSeries(TableReader& table, ForestReading& reading) {
     bool complete =
         table.has("file") ? readSeriesFile(table, reading, series) : readSeriesValues(table, series);
     table.read("repeat", series.repeat);
-    LogProfile profile;
-    if (table.has("height") || table.has("roughness")) {
-        complete &= table.require("height", profile.height, above(0, 10000));
-        complete &= table.require("roughness", profile.roughness, above(0, 100));
-        series.profile = profile;
-        if (complete && !profile.valid()) {
-            table.problem("roughness", "expected less than height");
-            complete = false;
-        }
-    }
+    complete &= readProfile(table, series.profile);
     return complete ? checked(TimeSeriesWind::create(std::move(series)), table, reading) : nullptr;
+}
+
+/// Any file of wind data; positions in it are world coordinates, moved by `offset`.
+WindFieldPtr readDataFile(TableReader& table, ForestReading& reading) {
+    WindFileOptions options;
+    readSpeedUnit(table, "speed_unit", options.speedUnit);
+    std::vector<double> offset = {0, 0, 0};
+    table.readNumbers("offset", offset, 3, 3, worldCoordinates);
+    options.origin = reading.forest.origin - glm::dvec3(offset[0], offset[1], offset[2]);
+    if (!table.has("file")) {
+        table.missing("file");
+        return nullptr;
+    }
+    const auto file = reading.open(table, "file");
+    if (!file)
+        return nullptr;
+    const Result<WindFieldPtr> field = readWindField(file->path, options);
+    if (field)
+        return field.value();
+    for (const Diagnostic& problem : field.problems())
+        reading.log.add(problem);
+    return nullptr;
 }
 
 WindFieldPtr readCalm(TableReader&, ForestReading&) {
@@ -231,9 +279,11 @@ void readWind(TableReader& table, ForestReading& reading) {
     table.readChoice<decltype(kind)>("kind", kind,
                                      {{"calm", readCalm},
                                       {"uniform", readUniform},
+                                      {"gusts", readGusts},
                                       {"grid", readGrid},
                                       {"forest_wind", readForestWind},
-                                      {"series", readSeries}});
+                                      {"series", readSeries},
+                                      {"file", readDataFile}});
     if (!kind) {
         table.missing("kind");
         return table.ignoreRest();

@@ -35,6 +35,42 @@ void checkValues(const std::vector<float>& values, double expected, const std::s
                                                  std::to_string(bad - values.begin())));
 }
 
+/// Numbers of heights from one layer to the next, and from one time to the next.
+struct HeightStrides {
+    std::size_t point = 0, layer = 1, step = 0;
+};
+
+HeightStrides heightStrides(const GridWind::Grid& grid) {
+    const auto layers = static_cast<std::size_t>(grid.points.z);
+    const std::size_t perLayer =
+        static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y);
+    if (grid.heights.size() == layers)
+        return {};
+    return {1, perLayer, grid.heights.size() == perLayer * layers ? 0 : perLayer * layers};
+}
+
+void checkHeights(const GridWind::Grid& grid, Diagnostics& problems) {
+    const std::size_t layers = static_cast<std::size_t>(grid.points.z), points = grid.values.size() / 3,
+                      perStep = points / std::max<std::size_t>(1, grid.times.size()),
+                      count = grid.heights.size();
+    if (count != layers && count != perStep && count != points) {
+        problems.push_back(
+            problem("heights",
+                    "expected one for each layer, point, or point and time, found " + std::to_string(count)));
+        return;
+    }
+    const HeightStrides stride = heightStrides(grid);
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool lowest = i / stride.layer % layers == 0;
+        if (std::isfinite(grid.heights[i]) && (lowest || grid.heights[i] > grid.heights[i - stride.layer]))
+            continue;
+        problems.push_back(problem("heights", "expected finite metres, increasing upward, found " +
+                                                  numberText(grid.heights[i]) + " at index " +
+                                                  std::to_string(i)));
+        return;
+    }
+}
+
 Diagnostics check(const GridWind::Grid& grid) {
     Diagnostics problems = checkTimes(grid.times);
     const glm::ivec3& n = grid.points;
@@ -56,6 +92,8 @@ Diagnostics check(const GridWind::Grid& grid) {
     if (!grid.times.empty())
         shape += " x " + std::to_string(steps) + " times";
     checkValues(grid.values, 3.0 * n.x * n.y * n.z * static_cast<double>(steps), shape, problems);
+    if (problems.empty() && !grid.heights.empty())
+        checkHeights(grid, problems);
     return problems;
 }
 
@@ -65,19 +103,51 @@ public:
     Sampler(const GridWind::Grid& grid, double time)
         : _grid(grid), _nx(static_cast<std::size_t>(grid.points.x)),
           _ny(static_cast<std::size_t>(grid.points.y)), _nz(static_cast<std::size_t>(grid.points.z)),
-          _time(grid.times.empty() ? SampleSpan{} : spanAtTime(time, grid.times)) {}
+          _time(grid.times.empty() ? SampleSpan{} : spanAtTime(time, grid.times)),
+          _height(heightStrides(grid)) {}
 
     glm::vec3 at(const glm::vec3& position) const {
         const glm::dvec3 index = (glm::dvec3(position) - _grid.origin) / _grid.cell;
-        const SampleSpan x = spanAtIndex(index.x, _nx), y = spanAtIndex(index.y, _ny),
-                         z = spanAtIndex(index.z, _nz);
-        glm::dvec3 result = inStep(_time.lower, x, y, z);
-        if (_time.fraction > 0.0)
-            result = _time.mix(result, inStep(_time.upper, x, y, z));
-        return clampedVelocity(result);
+        const SampleSpan x = spanAtIndex(index.x, _nx), y = spanAtIndex(index.y, _ny);
+        if (_grid.heights.empty())
+            return between(x, y, [&](std::size_t) { return spanAtIndex(index.z, _nz); });
+        return between(x, y, [&](std::size_t step) { return layersAround(position.z, step, x, y); });
     }
 
 private:
+    /// @param layers the layers around the place at a step of time.
+    template <typename Layers>
+    glm::vec3 between(const SampleSpan& x, const SampleSpan& y, const Layers& layers) const {
+        glm::dvec3 result = inStep(_time.lower, x, y, layers(_time.lower));
+        if (_time.fraction > 0.0)
+            result = _time.mix(result, inStep(_time.upper, x, y, layers(_time.upper)));
+        return clampedVelocity(result);
+    }
+
+    double heightOf(std::size_t layer, std::size_t step, const SampleSpan& x, const SampleSpan& y) const {
+        const float* heights = _grid.heights.data() + step * _height.step + layer * _height.layer;
+        if (_height.point == 0)
+            return *heights;
+        const float *south = heights + y.lower * _nx, *north = heights + y.upper * _nx;
+        return y.mix(x.mix<double>(south[x.lower], south[x.upper]),
+                     x.mix<double>(north[x.lower], north[x.upper]));
+    }
+
+    SampleSpan layersAround(double z, std::size_t step, const SampleSpan& x, const SampleSpan& y) const {
+        std::size_t below = 0, above = _nz - 1;
+        const double lowest = heightOf(below, step, x, y), highest = heightOf(above, step, x, y);
+        if (!(z > lowest))
+            return {below, below, 0.0};
+        if (z >= highest)
+            return {above, above, 0.0};
+        while (above - below > 1) {
+            const std::size_t middle = (below + above) / 2;
+            (heightOf(middle, step, x, y) > z ? above : below) = middle;
+        }
+        const double floor = heightOf(below, step, x, y);
+        return {below, above, (z - floor) / (heightOf(above, step, x, y) - floor)};
+    }
+
     glm::dvec3 inStep(std::size_t step, const SampleSpan& x, const SampleSpan& y, const SampleSpan& z) const {
         const glm::dvec3 low = inLayer(step * _nz + z.lower, x, y);
         return z.fraction > 0.0 ? z.mix(low, inLayer(step * _nz + z.upper, x, y)) : low;
@@ -97,6 +167,7 @@ private:
     const GridWind::Grid& _grid;
     std::size_t _nx, _ny, _nz;
     SampleSpan _time;
+    HeightStrides _height;
 };
 
 } // namespace

@@ -12,8 +12,8 @@
 
 namespace osgTreeWind {
 
-/// Wind known at the points of a regular grid, for one time or several: linear between points and between
-/// times, held at the edges and before the first and after the last time.
+/// Wind known at the points of a grid, regular east and north, for one time or several: linear between points
+/// and between times, held at the edges and before the first and after the last time.
 class GridWind final : public WindField {
 public:
     /// The grid as plain values.
@@ -22,6 +22,10 @@ public:
         glm::dvec3 origin{0.0};    ///< Scene position of the first point (south-west, lowest), metres.
         glm::dvec3 cell{1.0};      ///< Distances between neighbouring points, metres, each above 0.
         std::vector<double> times; ///< Seconds, strictly increasing; empty for a wind that does not change.
+        /// Scene heights of the points, metres, where layers are not evenly spaced or follow the ground; they
+        /// replace origin.z and cell.z. One for each layer, each point or each point and time, ordered as
+        /// values are, increasing upward; empty for even layers.
+        std::vector<float> heights;
         /// Velocities u, v, w (m/s toward east, north, up) point by point: east fastest, then north, then up,
         /// then time.
         std::vector<float> values;

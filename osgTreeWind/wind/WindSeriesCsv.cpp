@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/WindSeriesCsv.h>
 
-#include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/wind/WindLimits.h>
@@ -141,18 +140,22 @@ private:
 
 } // namespace
 
-Result<WindSeries> readWindSeriesCsv(std::istream& input, const std::string& file,
-                                     const WindSeriesColumns& columns) {
-    const Result<CsvTable> table = readCsvTable(input, file, columns.delimiter);
-    if (!table)
-        return table.problems();
-    SeriesReader reader(table.value(), columns);
+Result<WindSeries> windSeriesOf(const CsvTable& table, const WindSeriesColumns& columns) {
+    SeriesReader reader(table, columns);
     if (!reader.problems.empty())
         return reader.problems;
     WindSeries series = reader.read();
     if (!reader.problems.empty())
         return reader.problems;
     return series;
+}
+
+Result<WindSeries> readWindSeriesCsv(std::istream& input, const std::string& file,
+                                     const WindSeriesColumns& columns) {
+    const Result<CsvTable> table = readCsvTable(input, file, columns.delimiter);
+    if (!table)
+        return table.problems();
+    return windSeriesOf(table.value(), columns);
 }
 
 } // namespace osgTreeWind

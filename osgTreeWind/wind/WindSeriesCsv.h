@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindSeries.h>
@@ -31,5 +32,8 @@ struct WindSeriesColumns {
 /// @param file name for diagnostics only.
 Result<WindSeries> readWindSeriesCsv(std::istream& input, const std::string& file,
                                      const WindSeriesColumns& columns);
+
+/// The same for a table that has been read already.
+Result<WindSeries> windSeriesOf(const CsvTable& table, const WindSeriesColumns& columns);
 
 } // namespace osgTreeWind

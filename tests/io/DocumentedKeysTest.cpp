@@ -49,9 +49,10 @@ std::set<std::string> knownKeys() {
         "[species.leaf]\n[species.appearance]\n[wind]\n";
     std::set<std::string> keys;
     for (const char* wind :
-         {"kind = \"calm\"", "kind = \"uniform\"", "kind = \"grid\"\nvalues = [0]",
-          "kind = \"grid\"\nfile = \"a.csv\"", "kind = \"forest_wind\"\nvalues = [0]",
-          "kind = \"series\"\nheight = 1", "kind = \"series\"\nfile = \"a.csv\"\n[wind.columns]"}) {
+         {"kind = \"calm\"", "kind = \"uniform\"", "kind = \"gusts\"\nheight = 1", "kind = \"file\"",
+          "kind = \"grid\"\nvalues = [0]", "kind = \"grid\"\nfile = \"a.csv\"",
+          "kind = \"forest_wind\"\nvalues = [0]", "kind = \"series\"\nheight = 1",
+          "kind = \"series\"\nfile = \"a.csv\"\n[wind.columns]"}) {
         ForestReading reading;
         reading.folders = {folder.path()};
         TableReader::readDocument(everySection + wind, reading.log,

@@ -96,6 +96,35 @@ TEST(GridWind, SampleEqualsVelocity) {
         EXPECT_EQ(sampled[i], wind->velocity(positions[i], 7.3)) << i;
 }
 
+TEST(GridWind, LayersMayBeUneven) {
+    GridWind::Grid grid;
+    grid.points = {1, 1, 3};
+    grid.heights = {2, 10, 50};
+    grid.values = {1, 0, 0, 3, 0, 0, 8, 0, 0};
+    const auto wind = made(grid);
+    for (const auto& [z, u] : {std::pair(-5.0f, 1.0f), {2, 1}, {6, 2}, {10, 3}, {30, 5.5f}, {50, 8}, {99, 8}})
+        EXPECT_NEAR(wind->velocity({3, 4, z}, 0).x, u, 1e-6) << "at " << z;
+    expectFiniteEverywhere(*wind);
+}
+
+TEST(GridWind, LayersMayFollowTheGroundAndChangeWithTime) {
+    GridWind::Grid grid;
+    grid.points = {2, 1, 2};
+    grid.cell = {10, 1, 1};
+    grid.times = {0, 1};
+    grid.heights = {0, 100, 10, 110, 20, 120, 40, 140};
+    for (float height : grid.heights)
+        grid.values.insert(grid.values.end(), {height, 0, 0});
+    const auto wind = made(grid); // u is the height itself, held below and above
+    EXPECT_NEAR(wind->velocity({0, 0, 5}, 0).x, 5, 1e-5);
+    EXPECT_NEAR(wind->velocity({10, 0, 105}, 0).x, 105, 1e-5);
+    EXPECT_NEAR(wind->velocity({5, 0, 52}, 0).x, 52, 1e-5);
+    EXPECT_NEAR(wind->velocity({0, 0, 30}, 1).x, 30, 1e-5);
+    EXPECT_NEAR(wind->velocity({0, 0, 5}, 1).x, 20, 1e-5);
+    EXPECT_NEAR(wind->velocity({0, 0, 5}, 0.5).x, 12.5, 1e-5);
+    expectFiniteEverywhere(*wind);
+}
+
 TEST(GridWind, AbsurdPlacesAndTimesGiveFiniteWind) {
     expectFiniteEverywhere(*made(filled({4, 3, 2}, times, linear)));
     expectFiniteEverywhere(*made(filled({1, 1, 1}, {}, linear)));
@@ -158,6 +187,21 @@ INSTANTIATE_TEST_SUITE_P(
         BadGrid{"CellNan", [](Grid& g) { g.cell.z = notANumber; },
                 "cell: expected metres above 0, found 10, 20, nan"},
         BadGrid{"OriginNan", [](Grid& g) { g.origin.z = notANumber; }, "origin: expected finite metres"},
+        BadGrid{"HeightsCount",
+                [](Grid& g) {
+                    g.heights = {1, 2, 3};
+                },
+                "heights: expected one for each layer, point, or point and time, found 3"},
+        BadGrid{"HeightsDownward",
+                [](Grid& g) {
+                    g.heights = {2, 1};
+                },
+                "heights: expected finite metres, increasing upward, found 1 at index 1"},
+        BadGrid{"HeightsNan",
+                [](Grid& g) {
+                    g.heights = {0, notANumber};
+                },
+                "heights: expected finite metres, increasing upward, found nan at index 1"},
         BadGrid{"NoPoints", [](Grid& g) { g.points.y = 0; },
                 "points: expected at least 1 in each direction, found 4, 0, 2"},
         BadGrid{"TimesEqual", [](Grid& g) { g.times[1] = 5; },

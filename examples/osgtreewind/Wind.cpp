@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "Arrows.h"
+#include "Command.h"
+
+#include <osgTreeWind/wind/WindFile.h>
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+#include <osgDB/WriteFile>
+
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+namespace {
+
+using namespace osgTreeWind;
+using Json = nlohmann::ordered_json;
+
+struct WindArguments {
+    std::string file;
+    std::string unit = "m/s";
+    std::vector<double> at;
+    std::string picture;
+    bool json = false;
+};
+
+Json toJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json toJson(const WindSummary& summary) {
+    Json times = {{"count", std::max<std::size_t>(1, summary.times.size())}};
+    if (!summary.times.empty())
+        times.update({{"first", summary.times.front()}, {"last", summary.times.back()}});
+    if (!summary.start.empty())
+        times["start"] = summary.start;
+    return {{"format", summary.format},
+            {"points", {summary.points.x, summary.points.y, summary.points.z}},
+            {"extent", {{"low", toJson(summary.low)}, {"high", toJson(summary.high)}}},
+            {"coordinates", summary.coordinates},
+            {"unit", summary.unit},
+            {"direction", summary.direction},
+            {"times", times},
+            {"speed", {{"slowest", summary.slowest}, {"fastest", summary.fastest}}},
+            {"notes", summary.notes}};
+}
+
+/// With as many digits as are worth reading.
+std::string text(double number, int digits) {
+    std::ostringstream out;
+    out << std::setprecision(digits) << number;
+    return out.str();
+}
+
+std::string text(const glm::dvec3& v, int digits) {
+    return text(v.x, digits) + ", " + text(v.y, digits) + ", " + text(v.z, digits);
+}
+
+void print(const WindSummary& summary) {
+    const auto row = [](const char* name) -> std::ostream& {
+        return std::cout << std::left << std::setw(12) << name;
+    };
+    row("format") << summary.format << '\n';
+    row("points") << summary.points.x << " east, " << summary.points.y << " north, " << summary.points.z
+                  << " up\n";
+    row("extent") << text(summary.low, 9) << " to " << text(summary.high, 9) << " m\n";
+    if (!summary.coordinates.empty())
+        row("coordinates") << summary.coordinates << '\n';
+    row("unit") << (summary.unit.empty() ? "not in the file" : summary.unit) << '\n';
+    row("direction") << summary.direction << '\n';
+    if (summary.times.empty())
+        row("times") << "1\n";
+    else
+        row("times") << summary.times.size() << ", " << text(summary.times.front(), 9) << " to "
+                     << text(summary.times.back(), 9) << " s\n";
+    if (!summary.start.empty())
+        row("start") << summary.start << '\n';
+    row("speed") << text(summary.slowest, 4) << " to " << text(summary.fastest, 4) << " m/s\n";
+    for (const std::string& note : summary.notes)
+        row("note") << note << '\n';
+}
+
+/// The wind with the map place `origin` at the scene's middle, where floats are exact; else its problem is
+/// printed.
+std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& origin) {
+    WindFileOptions options;
+    options.speedUnit = arguments.unit;
+    options.origin = origin;
+    Result<WindFile> wind = readWindFile(arguments.file, options);
+    if (wind)
+        return std::move(wind.value());
+    std::cerr << wind.problems().front().text() << '\n';
+    return {};
+}
+
+void printVelocity(const WindFile& wind, const WindArguments& arguments) {
+    const std::vector<double>& at = arguments.at;
+    const double time = at.size() > 3 ? at[3] : 0.0;
+    const glm::dvec3 velocity = wind.field->velocity({0.0f, 0.0f, at[2]}, time);
+    if (arguments.json)
+        std::cout << Json{{"at", {at[0], at[1], at[2]}},
+                          {"time", time},
+                          {"velocity", toJson(velocity)},
+                          {"speed", glm::length(velocity)}}
+                         .dump(2)
+                  << '\n';
+    else
+        std::cout << text(velocity, 6) << " m/s toward east, north, up\n";
+}
+
+ExitCode drawPicture(const WindArguments& arguments, const WindSummary& summary) {
+    const glm::dvec3 corner{summary.low.x, summary.low.y, 0.0};
+    const auto wind = load(arguments, corner);
+    if (!wind)
+        return BadInput;
+    const auto image = drawArrows(*wind->field, summary.low - corner, summary.high - corner, summary.fastest);
+    if (osgDB::writeImageFile(*image, arguments.picture))
+        return Succeeded;
+    std::cerr << arguments.picture << ": cannot be written\n";
+    return Failed;
+}
+
+ExitCode run(const WindArguments& arguments) {
+    glm::dvec3 origin(0.0);
+    if (!arguments.at.empty())
+        origin = {arguments.at[0], arguments.at[1], 0.0};
+    const auto wind = load(arguments, origin);
+    if (!wind)
+        return BadInput;
+    if (!arguments.at.empty())
+        printVelocity(*wind, arguments);
+    else if (arguments.json)
+        std::cout << toJson(wind->summary).dump(2) << '\n';
+    else
+        print(wind->summary);
+    return arguments.picture.empty() ? Succeeded : drawPicture(arguments, wind->summary);
+}
+
+} // namespace
+
+void addWindCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("wind", "Show what a file of wind data says, or the wind at a place");
+    auto arguments = std::make_shared<WindArguments>();
+    command
+        ->add_option("file", arguments->file, "ESRI ASCII pair, VTK, NetCDF, TurbSim, TOA5, QES XML or CSV")
+        ->required();
+    command->add_option("--at", arguments->at, "x,y,z[,t] in the file's coordinates, metres and seconds")
+        ->delimiter(',')
+        ->expected(3, 4);
+    command->add_option("--unit", arguments->unit,
+                        "Of speeds where the file does not say: m/s, km/h, kn, mph, ft/s");
+    command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace osgTreeWind {
+
+enum class ByteOrder { Little, Big };
+
+/// The number of type T at `offset`; the caller has checked that it lies within the bytes.
+template <typename T>
+T numberAt(std::string_view bytes, std::size_t offset, ByteOrder order) {
+    char raw[sizeof(T)];
+    std::memcpy(raw, bytes.data() + offset, sizeof(T));
+    const std::uint16_t probe = 1;
+    const bool littleHost = *reinterpret_cast<const unsigned char*>(&probe) == 1;
+    if ((order == ByteOrder::Little) != littleHost)
+        std::reverse(raw, raw + sizeof(T));
+    T value;
+    std::memcpy(&value, raw, sizeof(T));
+    return value;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/wind/LogProfile.h>
+#include <osgTreeWind/wind/WindField.h>
+
+#include <glm/mat3x3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// Noise at one point of a lattice: three components, and a fourth for the processor's sake.
+struct alignas(16) NoisePoint {
+    float values[4];
+};
+
+/// A mean wind with turbulence that it carries along unchanged (Taylor's frozen turbulence).
+///
+/// The turbulence is a sum of octaves of smooth noise, each half as large as the one before, in its own
+/// orientation, so that nothing repeats visibly. Its spectrum along the wind is flat below the length scale
+/// and falls with frequency to the power -5/3 above (Kolmogorov), over two decades. Standard deviations
+/// across the wind and upward are 0.8 and 0.5 of that along it (IEC 61400-1, Kaimal). One seed gives one
+/// wind.
+class GustWind final : public WindField {
+public:
+    struct Parameters {
+        glm::vec3 mean{5.0f, 0.0f, 0.0f}; ///< m/s toward, horizontal, at most 200; at the profile's height.
+        double intensity = 0.2;           ///< Standard deviation along the wind over mean speed, 0 to 1.
+        double lengthScale = 60.0; ///< Integral length scale of the turbulence along the wind, 1 to 1e5 m.
+        std::optional<LogProfile>
+            profile; ///< Scales mean and turbulence with height; empty: all heights alike.
+        std::uint32_t seed = 1;
+    };
+
+    /// A field, or what is wrong with the parameters: diagnostics with the member's name as key.
+    static Result<std::shared_ptr<const GustWind>> create(const Parameters& parameters);
+
+    const Parameters& parameters() const { return _parameters; }
+
+    glm::vec3 velocity(const glm::vec3& position, double time) const override;
+    void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const override;
+
+private:
+    static constexpr int octaves = 8;
+
+    struct Octave {
+        glm::dmat3 toCells; ///< From metres to cells of the noise.
+        glm::dvec3 offset;
+        float amplitude;
+    };
+
+    explicit GustWind(const Parameters& parameters);
+
+    Parameters _parameters;
+    std::array<Octave, octaves> _octaves;
+    std::vector<NoisePoint> _noise; ///< Mean 0 and variance 1 in each component.
+    glm::mat3 _axes; ///< Columns: along the wind, to its left, up; scaled by standard deviation.
+};
+
+} // namespace osgTreeWind

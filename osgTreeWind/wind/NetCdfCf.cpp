@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/NetCdfFile.h>
+#include <osgTreeWind/wind/WindDirection.h>
+#include <osgTreeWind/wind/WindLimits.h>
+
+#include <osgTreeWind/base/Number.h>
+
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+using Array = NetCdfFile::Array;
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// The array with one of these standard names, else with one of these names of its own.
+Array named(const NetCdfFile& file, const std::vector<std::string>& standard,
+            const std::vector<std::string>& own) {
+    const auto among = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (const Array found = file.find([&](const Array& array) {
+            return array->GetDimensionCount() >= 2 &&
+                   among(standard, NetCdfFile::text(array, "standard_name"));
+        }))
+        return found;
+    return file.find([&](const Array& array) {
+        return array->GetDimensionCount() >= 2 && among(own, lower(array->GetName()));
+    });
+}
+
+/// The array whose name begins like this.
+Array beginning(const NetCdfFile& file, const std::string& begin) {
+    return file.find([&](const Array& array) {
+        return array->GetDimensionCount() >= 2 &&
+               lower(array->GetName()).compare(0, begin.size(), begin) == 0;
+    });
+}
+
+/// An even axis, upward or downward.
+struct Axis {
+    double first = 0.0, step = 1.0;
+    std::size_t count = 1;
+    bool backwards = false;
+};
+
+/// Which array holds what, on which axes.
+class CfReader {
+public:
+    explicit CfReader(NetCdfFile& file) : _file(file) {}
+
+    Result<WindContent> read() {
+        findArrays();
+        if (_file.good())
+            readAxes();
+        if (_file.good())
+            readValues();
+        if (!_file.good())
+            return _file.problem();
+        _content.data = std::move(_grid);
+        return std::move(_content);
+    }
+
+private:
+    void findArrays() {
+        _content.summary.format = "NetCDF";
+        const Array u =
+            named(_file, {"eastward_wind", "x_wind", "grid_eastward_wind"}, {"u", "u10", "u-component"});
+        const Array v =
+            named(_file, {"northward_wind", "y_wind", "grid_northward_wind"}, {"v", "v10", "v-component"});
+        if (u && v) {
+            _arrays = {u, v};
+            const Array w = named(_file, {"upward_air_velocity"}, {"w"});
+            if (w && w->GetDimensions().size() == u->GetDimensions().size())
+                _arrays.push_back(w);
+            _content.summary.direction = "components toward x (east), y (north) and up";
+            _content.summary.unit = _file.speedUnitOf(_arrays);
+            return;
+        }
+        const Array speed = named(_file, {"wind_speed"}, {"wind_speed", "speed"});
+        const Array from =
+            named(_file, {"wind_from_direction"}, {"wind_from_direction", "wind_direction", "direction"});
+        const Array toward = named(_file, {"wind_to_direction"}, {"wind_to_direction"});
+        _arrays = {speed ? speed : beginning(_file, "wind_speed"),
+                   from     ? from
+                   : toward ? toward
+                            : beginning(_file, "wind_direction_from")};
+        _polar = true;
+        _sense = !from && toward ? DirectionSense::Toward : DirectionSense::From;
+        if (!_arrays[0] || !_arrays[1])
+            return _file.fail(
+                {}, "expected arrays of wind: eastward_wind and northward_wind, u and v, or wind_speed "
+                    "and wind_from_direction");
+        _content.summary.direction = std::string(_sense == DirectionSense::From ? "from" : "toward") +
+                                     ", degrees clockwise from the grid's north";
+        _content.summary.unit = _file.speedUnitOf({_arrays[0]});
+        const std::string unit = _arrays[1]->GetUnit();
+        if (unit == "degree_true" || unit == "degrees_true")
+            _content.summary.notes.push_back(
+                "directions count from true north and are not turned to the grid's");
+        else if (!unit.empty() && unit.compare(0, 3, "deg") != 0)
+            _file.fail(_arrays[1]->GetName(), expectedFound("degrees", unit));
+    }
+
+    static bool isTime(const NetCdfFile::Dimension& dimension) {
+        return dimension->GetType() == GDAL_DIM_TYPE_TEMPORAL || lower(dimension->GetName())[0] == 't';
+    }
+
+    Axis evenAxis(const NetCdfFile::Dimension& dimension) {
+        const std::vector<double> at = _file.metres(dimension);
+        Axis axis;
+        axis.count = static_cast<std::size_t>(dimension->GetSize());
+        if (at.size() != axis.count || axis.count < 1 || axis.count > 100000) {
+            _file.fail(dimension->GetName(), "expected coordinates of this dimension, 1 to 100000 of them");
+            return axis;
+        }
+        const double step =
+            axis.count > 1 ? (at.back() - at.front()) / static_cast<double>(axis.count - 1) : 1.0;
+        axis.backwards = step < 0.0;
+        axis.first = std::min(at.front(), at.back());
+        axis.step = std::abs(step);
+        for (std::size_t i = 0; i < at.size(); ++i)
+            if (!(std::abs(at[i] - (at.front() + step * static_cast<double>(i))) <= 0.01 * axis.step))
+                _file.fail(dimension->GetName(), "expected evenly spaced coordinates");
+        return axis;
+    }
+
+    void readHeights(const NetCdfFile::Dimension& dimension) {
+        std::vector<double> at = _file.metres(dimension);
+        _layers = static_cast<std::size_t>(dimension->GetSize());
+        if (at.size() != _layers || _layers < 1 || _layers > 100000)
+            return _file.fail(dimension->GetName(),
+                              "expected heights of this dimension, 1 to 100000 of them");
+        _downward = at.front() > at.back();
+        if (_downward)
+            std::reverse(at.begin(), at.end());
+        _grid.heights.assign(at.begin(), at.end());
+    }
+
+    void readTimes(const NetCdfFile::Dimension& dimension) {
+        _steps = static_cast<std::size_t>(dimension->GetSize());
+        if (const Array times = _file.coordinates(dimension))
+            _grid.times = _file.seconds(times, _content.summary.start);
+        if (_grid.times.size() != _steps || _steps < 1)
+            _file.fail(dimension->GetName(), "expected times of this dimension");
+    }
+
+    void readAxes() {
+        const auto& dimensions = _arrays[0]->GetDimensions();
+        const std::size_t count = dimensions.size();
+        if (count > 4)
+            return _file.fail(_arrays[0]->GetName(), "expected dimensions (time, height, y, x) or fewer");
+        const auto reference = _arrays[0]->GetSpatialRef();
+        const std::string name = reference && reference->GetName() ? reference->GetName() : "";
+        _content.summary.coordinates = name == "unnamed" || name == "unknown" ? "" : name;
+        _x = evenAxis(dimensions[count - 1]);
+        _y = evenAxis(dimensions[count - 2]);
+        if (count == 4 || (count == 3 && isTime(dimensions[0])))
+            readTimes(dimensions[0]);
+        if (count == 4 || (count == 3 && !isTime(dimensions[0])))
+            readHeights(dimensions[count - 3]);
+        _grid.points = {static_cast<int>(_x.count), static_cast<int>(_y.count), static_cast<int>(_layers)};
+        _grid.origin = {_x.first, _y.first, 0.0};
+        _grid.cell = {_x.step, _y.step, 1.0};
+    }
+
+    void readValues() {
+        const double count = static_cast<double>(_x.count) * static_cast<double>(_y.count) *
+                             static_cast<double>(_layers) * static_cast<double>(_steps);
+        std::vector<std::vector<float>> values;
+        for (const Array& array : _arrays)
+            values.push_back(_file.read(array, count));
+        if (!_file.good())
+            return;
+        _grid.values.reserve(3 * values[0].size());
+        for (std::size_t t = 0; t < _steps; ++t)
+            for (std::size_t z = 0; z < _layers; ++z)
+                for (std::size_t y = 0; y < _y.count; ++y)
+                    for (std::size_t x = 0; x < _x.count; ++x)
+                        add(values, indexOf(t, z, y, x));
+    }
+
+    /// The place in the file of a point of the grid.
+    std::size_t indexOf(std::size_t t, std::size_t z, std::size_t y, std::size_t x) const {
+        const std::size_t layer = t * _layers + (_downward ? _layers - 1 - z : z);
+        const std::size_t row = layer * _y.count + (_y.backwards ? _y.count - 1 - y : y);
+        return row * _x.count + (_x.backwards ? _x.count - 1 - x : x);
+    }
+
+    void add(const std::vector<std::vector<float>>& values, std::size_t i) {
+        const float a = values[0][i], b = values[1][i];
+        glm::vec3 velocity(a, b, values.size() > 2 ? values[2][i] : 0.0f);
+        if (_polar && (a < 0.0f || std::abs(b) > maxDirection))
+            _file.fail(_arrays[1]->GetName(),
+                       "expected speeds not below 0 and directions of -360 to 360, found " + numberText(a) +
+                           " and " + numberText(b));
+        else if (_polar)
+            velocity = std::isnan(a) || std::isnan(b) ? glm::vec3(std::numeric_limits<float>::quiet_NaN())
+                                                      : windVelocity({a, b}, _sense);
+        _grid.values.insert(_grid.values.end(), {velocity.x, velocity.y, velocity.z});
+    }
+
+    NetCdfFile& _file;
+    WindContent _content;
+    GridWind::Grid _grid;
+    std::vector<Array> _arrays;
+    bool _polar = false, _downward = false;
+    DirectionSense _sense = DirectionSense::From;
+    Axis _x, _y;
+    std::size_t _layers = 1, _steps = 1;
+};
+
+} // namespace
+
+Result<WindContent> readNetCdfCf(NetCdfFile& file) {
+    return CfReader(file).read();
+}
+
+} // namespace osgTreeWind

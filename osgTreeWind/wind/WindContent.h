@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/GridWind.h>
+#include <osgTreeWind/wind/WindSeries.h>
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What a file of wind data was understood to say, in the file's own coordinates and metres.
+struct WindSummary {
+    std::string format;             ///< "TurbSim full field", say.
+    std::string unit;               ///< Of the speeds in the file; empty when it does not say.
+    std::string direction;          ///< "from, clockwise from grid north" or what the components mean.
+    std::string coordinates;        ///< Name of the reference system; empty when the file does not say.
+    std::string start;              ///< Date and time of time 0 as in the file; empty when it does not say.
+    std::vector<std::string> notes; ///< What else is worth knowing, one sentence each.
+
+    glm::ivec3 points{1};      ///< Points east, north and up; 1, 1, 1 for a record at one point.
+    glm::dvec3 low{0.0};       ///< South-western lowest point; all 0 for a record at one point.
+    glm::dvec3 high{0.0};      ///< North-eastern highest point.
+    std::vector<double> times; ///< Seconds; empty for a wind that does not change.
+    double slowest = 0.0;      ///< m/s, over all points and times.
+    double fastest = 0.0;
+};
+
+/// What the reader of one format hands over: velocities in the file's unit, NaN where it has no data, and the
+/// textual part of the summary.
+struct WindContent {
+    WindSummary summary;
+    std::variant<GridWind::Grid, WindSeries> data;
+    double travelSpeed = 0.0; ///< m/s along x at which the whole grid drifts past; 0 where it stands.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/WindFormats.h>
+
+#include <cstdint>
+#include <cstdlib>
+
+/// What libFuzzer calls, over and over; see script/fuzz.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace osgTreeWind {
+
+inline std::string_view viewOf(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data), size};
+}
+
+/// Stops the program unless there is a reason, or a grid with as many numbers as it has points.
+inline void expectWhole(const Result<WindContent>& content) {
+    if (!content) {
+        if (content.problems().empty() || content.problems().front().message.empty())
+            std::abort();
+        return;
+    }
+    if (const auto* grid = std::get_if<GridWind::Grid>(&content.value().data)) {
+        const double steps = grid->times.empty() ? 1.0 : static_cast<double>(grid->times.size());
+        if (3.0 * grid->points.x * grid->points.y * grid->points.z * steps !=
+            static_cast<double>(grid->values.size()))
+            std::abort();
+    }
+}
+
+} // namespace osgTreeWind

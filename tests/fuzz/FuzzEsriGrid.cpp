@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "Fuzz.h"
+
+using namespace osgTreeWind;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const Result<EsriGrid> grid = readEsriGrid(viewOf(data, size), "fuzz");
+    if (grid)
+        expectWhole(windOfEsriGrids(grid.value(), grid.value(), "fuzz"));
+    return 0;
+}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "Fuzz.h"
+
+using namespace osgTreeWind;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    expectWhole(readVtkLegacy(viewOf(data, size), "fuzz"));
+    return 0;
+}

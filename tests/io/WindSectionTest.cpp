@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "../base/FirstProblem.h"
+#include "TemporaryFolder.h"
+
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace osgTreeWind {
+
+namespace {
+
+Result<ForestDescription> readWith(const std::string& wind, const std::string& origin = "") {
+    std::istringstream document("version = 1\n" + origin + "[[tree]]\nposition = [1000, 2000]\n[wind]\n" +
+                                wind);
+    return readForest(document, {"f.treewind", std::string(OSGTREEWIND_TEST_DATA) + "/wind"});
+}
+
+glm::vec3 windOf(const Result<ForestDescription>& forest, const glm::vec3& position, double time = 0.0) {
+    EXPECT_TRUE(forest) << firstProblem(forest);
+    return forest && forest.value().wind ? forest.value().wind->velocity(position, time) : glm::vec3(-999.0f);
+}
+
+} // namespace
+
+TEST(WindSection, FileIsReadInWorldCoordinates) {
+    const auto forest = readWith("kind = \"file\"\nfile = \"vectors.vtk\"\n", "origin = [110, 200, 0]\n");
+    EXPECT_EQ(windOf(forest, {0, 0, 5}), glm::vec3(2, 0, 0));
+    EXPECT_EQ(windOf(forest, {10, 20, 10}), glm::vec3(3, 0.5f, 0.25f));
+}
+
+TEST(WindSection, OffsetMovesTheFile) {
+    const auto forest = readWith("kind = \"file\"\nfile = \"vectors.vtk\"\noffset = [900, 1800, 5]\n",
+                                 "origin = [1010, 2000, 0]\n");
+    EXPECT_EQ(windOf(forest, {0, 0, 10}), glm::vec3(2, 0, 0));
+}
+
+TEST(WindSection, FileInAnotherUnit) {
+    const auto forest = readWith("kind = \"file\"\nfile = \"vectors.vtk\"\nspeed_unit = \"km/h\"\n",
+                                 "origin = [120, 200, 0]\n");
+    EXPECT_FLOAT_EQ(windOf(forest, {0, 0, 5}).x, 3 / 3.6f);
+}
+
+TEST(WindSection, BrokenFileIsNamedWithItsLine) {
+    const auto forest = readWith("kind = \"file\"\nfile = \"small.cdl\"\n");
+    EXPECT_NE(firstProblem(forest).find("small.cdl: no known format of wind data"), std::string::npos)
+        << firstProblem(forest);
+}
+
+TEST(WindSection, FileMustBeNamed) {
+    EXPECT_NE(firstProblem(readWith("kind = \"file\"\n")).find("wind.file"), std::string::npos);
+}
+
+TEST(WindSection, GustsVaryAroundTheMean) {
+    const auto forest = readWith("kind = \"gusts\"\nspeed = 36\nunit = \"km/h\"\ndirection_from = 270\n"
+                                 "intensity = 0.1\nlength_scale = 30\n");
+    glm::vec3 sum(0.0f);
+    for (int i = 0; i < 4000; ++i)
+        sum += windOf(forest, {0, 0, 5}, 2.0 * i);
+    EXPECT_NEAR(sum.x / 4000, 10.0f, 0.2f);
+    EXPECT_NEAR(sum.y / 4000, 0.0f, 0.2f);
+    EXPECT_NE(windOf(forest, {0, 0, 5}, 0.0), windOf(forest, {0, 0, 5}, 1.0));
+}
+
+TEST(WindSection, GustsTakeTheirSeedFromTheForest) {
+    const std::string gusts = "kind = \"gusts\"\nvelocity = [10, 0, 0]\n";
+    const glm::vec3 one = windOf(readWith(gusts), {}), two = windOf(readWith(gusts, "seed = 2\n"), {});
+    EXPECT_NE(one, two);
+    EXPECT_EQ(two, windOf(readWith(gusts + "seed = 2\n"), {}));
+}
+
+TEST(WindSection, GustsWithAProfileAreCalmAtTheGround) {
+    const auto forest = readWith("kind = \"gusts\"\nvelocity = [10, 0, 0]\nheight = 10\nroughness = 0.5\n");
+    EXPECT_EQ(windOf(forest, {0, 0, 0.1f}), glm::vec3(0.0f));
+}
+
+TEST(WindSection, GustsMustBeHorizontal) {
+    EXPECT_NE(firstProblem(readWith("kind = \"gusts\"\nvelocity = [10, 0, 1]\n"))
+                  .find("expected a horizontal wind"),
+              std::string::npos);
+}
+
+} // namespace osgTreeWind

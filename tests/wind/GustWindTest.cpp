@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/GustWind.h>
+
+#include "../base/FirstProblem.h"
+#include "Extremes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+GustWind::Parameters usual() {
+    GustWind::Parameters parameters;
+    parameters.mean = {6, 8, 0};
+    parameters.intensity = 0.2;
+    parameters.lengthScale = 40;
+    return parameters;
+}
+
+std::shared_ptr<const GustWind> made(const GustWind::Parameters& parameters) {
+    auto wind = GustWind::create(parameters);
+    EXPECT_TRUE(wind) << firstProblem(wind);
+    return wind.value();
+}
+
+/// Along the mean (6, 8, 0) of 10 m/s.
+double along(const glm::vec3& velocity) {
+    return 0.6 * velocity.x + 0.8 * velocity.y;
+}
+double across(const glm::vec3& velocity) {
+    return -0.8 * velocity.x + 0.6 * velocity.y;
+}
+
+/// Mean and standard deviation.
+struct Moments {
+    double sum = 0.0, squares = 0.0;
+    int count = 0;
+
+    void add(double value) {
+        sum += value;
+        squares += value * value;
+        ++count;
+    }
+    double mean() const { return sum / count; }
+    double deviation() const { return std::sqrt(squares / count - mean() * mean()); }
+};
+
+/// The record of the wind along the mean at one place.
+std::vector<double> record(const GustWind& wind, const glm::vec3& position, int count, double step) {
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i)
+        values.push_back(along(wind.velocity(position, i * step)));
+    return values;
+}
+
+/// In-place radix-2 Fourier transform.
+void transform(std::vector<std::complex<double>>& a) {
+    const std::size_t n = a.size();
+    for (std::size_t i = 1, j = 0; i < n; ++i) {
+        std::size_t bit = n >> 1;
+        for (; j & bit; bit >>= 1)
+            j ^= bit;
+        j ^= bit;
+        if (i < j)
+            std::swap(a[i], a[j]);
+    }
+    for (std::size_t length = 2; length <= n; length *= 2)
+        for (std::size_t i = 0; i < n; i += length)
+            for (std::size_t k = 0; k < length / 2; ++k) {
+                const auto turned =
+                    std::polar(1.0, -2.0 * pi * static_cast<double>(k) / static_cast<double>(length)) *
+                    a[i + k + length / 2];
+                a[i + k + length / 2] = a[i + k] - turned;
+                a[i + k] += turned;
+            }
+}
+
+/// Least-squares slope of log spectral density over log frequency within [low, high] Hz, over places and
+/// seeds.
+double spectralSlope(double low, double high) {
+    constexpr int count = 8192;
+    constexpr double step = 0.05;
+    std::vector<double> power(count / 2, 0.0);
+    for (std::uint32_t seed = 1; seed <= 24; ++seed) {
+        GustWind::Parameters parameters = usual();
+        parameters.seed = seed;
+        const std::vector<double> values = record(*made(parameters), {13, -7, 5}, count, step);
+        std::vector<std::complex<double>> a;
+        for (int i = 0; i < count; ++i)
+            a.emplace_back((values[static_cast<std::size_t>(i)] - 10.0) *
+                           (0.5 - 0.5 * std::cos(2.0 * pi * i / count)));
+        transform(a);
+        for (std::size_t i = 0; i < power.size(); ++i)
+            power[i] += std::norm(a[i]);
+    }
+    // bins of equal width in log frequency, so that no octave counts more than another
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    const int bins = 24;
+    for (int bin = 0; bin < bins; ++bin) {
+        const double from = low * std::pow(high / low, bin / double(bins)),
+                     to = low * std::pow(high / low, (bin + 1) / double(bins));
+        double sum = 0.0;
+        int members = 0;
+        for (std::size_t i = 1; i < power.size(); ++i)
+            if (const double f = static_cast<double>(i) / (count * step); f >= from && f < to) {
+                sum += power[i];
+                ++members;
+            }
+        if (members == 0)
+            continue;
+        const double x = std::log(std::sqrt(from * to)), y = std::log(sum / members);
+        n += 1;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+} // namespace
+
+TEST(GustWind, MeanAndDeviationsAreAsAsked) {
+    Moments u, v, w;
+    for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        GustWind::Parameters parameters = usual();
+        parameters.seed = seed;
+        const auto wind = made(parameters);
+        for (int i = 0; i < 8000; ++i) {
+            const glm::vec3 velocity = wind->velocity({i * 97.3f, i % 90 * 83.1f, i % 70 * 61.7f}, 0);
+            u.add(along(velocity));
+            v.add(across(velocity));
+            w.add(velocity.z);
+        }
+    }
+    EXPECT_NEAR(u.mean(), 10.0, 0.03);
+    EXPECT_NEAR(v.mean(), 0.0, 0.03);
+    EXPECT_NEAR(w.mean(), 0.0, 0.03);
+    EXPECT_NEAR(u.deviation(), 0.2 * 10.0, 0.02 * 2.0);
+    EXPECT_NEAR(v.deviation(), 0.8 * 2.0, 0.02 * 2.0);
+    EXPECT_NEAR(w.deviation(), 0.5 * 2.0, 0.02 * 2.0);
+}
+
+/// f L / U from 0.5 to 8: above the energetic scales, below the smallest octave.
+TEST(GustWind, SpectrumFallsWithTheFiveThirdsPower) {
+    EXPECT_NEAR(spectralSlope(0.125, 2.0), -5.0 / 3.0, 0.1);
+}
+
+TEST(GustWind, LengthScaleIsTheIntegralOfTheCorrelation) {
+    std::vector<double> correlation(120, 0.0); // every 2 m along the wind
+    double variance = 0.0;
+    for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+        GustWind::Parameters parameters = usual();
+        parameters.seed = seed;
+        const std::vector<double> u = record(*made(parameters), {}, 6000, 0.2);
+        for (std::size_t i = 0; i + correlation.size() < u.size(); ++i) {
+            variance += (u[i] - 10) * (u[i] - 10);
+            for (std::size_t lag = 0; lag < correlation.size(); ++lag)
+                correlation[lag] += (u[i] - 10) * (u[i + lag] - 10);
+        }
+    }
+    double scale = -0.5 * 2.0;
+    for (double c : correlation)
+        scale += 2.0 * c / variance;
+    EXPECT_NEAR(scale, 40.0, 6.0);
+}
+
+TEST(GustWind, TurbulenceTravelsWithTheMeanWind) {
+    const auto wind = made(usual());
+    for (double dt : {0.1, 1.0, 17.0, 300.0})
+        for (const glm::vec3 at : {glm::vec3(0), glm::vec3(31, -12, 7), glm::vec3(-200, 90, 2)}) {
+            const glm::vec3 here = wind->velocity(at, 5.0);
+            const glm::vec3 there =
+                wind->velocity(at + glm::vec3(6, 8, 0) * static_cast<float>(dt), 5.0 + dt);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_NEAR(there[i], here[i], 0.002) << "after " << dt << " s";
+        }
+}
+
+TEST(GustWind, NoPeriodShowsInAnHour) {
+    const std::vector<double> u = record(*made(usual()), {}, 18000, 0.2);
+    Moments moments;
+    for (double value : u)
+        moments.add(value);
+    const double variance = moments.deviation() * moments.deviation();
+    for (std::size_t lag = 150; lag < 12000; lag += 2) { // 30 s, ten length scales, to 40 min
+        double sum = 0.0;
+        const std::size_t count = u.size() - lag;
+        for (std::size_t i = 0; i < count; i += 3)
+            sum += (u[i] - moments.mean()) * (u[i + lag] - moments.mean());
+        ASSERT_LT(sum / static_cast<double>(count / 3) / variance, 0.5)
+            << "after " << 0.2 * static_cast<double>(lag) << " s";
+    }
+}
+
+TEST(GustWind, OneSeedIsOneWindAndAnotherIsAnother) {
+    GustWind::Parameters other = usual();
+    other.seed = 2;
+    const auto a = made(usual()), b = made(usual()), c = made(other);
+    int different = 0;
+    for (int i = 0; i < 100; ++i) {
+        const glm::vec3 at(3 * i, 5 * i, i);
+        EXPECT_EQ(a->velocity(at, i), b->velocity(at, i));
+        different += a->velocity(at, i) != c->velocity(at, i);
+    }
+    EXPECT_EQ(different, 100);
+}
+
+TEST(GustWind, IsContinuous) {
+    const auto wind = made(usual());
+    glm::vec3 before = wind->velocity({}, 0);
+    for (int i = 1; i < 20000; ++i) {
+        const glm::vec3 now = wind->velocity({}, i * 0.001);
+        ASSERT_LT(glm::length(now - before), 0.1f) << "jump at " << i * 0.001 << " s";
+        before = now;
+    }
+}
+
+TEST(GustWind, ProfileScalesMeanAndTurbulence) {
+    GustWind::Parameters parameters = usual();
+    const auto even = made(parameters);
+    parameters.profile = LogProfile{10.0, 0.1};
+    const auto wind = made(parameters);
+    EXPECT_EQ(wind->velocity({3, 4, 0.05f}, 7), glm::vec3(0.0f));
+    const float factor = static_cast<float>(std::log(20.0 / 0.1) / std::log(10.0 / 0.1));
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(wind->velocity({3, 4, 20}, 7)[i], even->velocity({3, 4, 20}, 7)[i] * factor, 1e-4f);
+}
+
+TEST(GustWind, NoIntensityIsTheMeanAndNoMeanIsCalm) {
+    GustWind::Parameters parameters = usual();
+    parameters.intensity = 0.0;
+    EXPECT_EQ(made(parameters)->velocity({1, 2, 3}, 4), glm::vec3(6, 8, 0));
+    parameters = usual();
+    parameters.mean = glm::vec3(0.0f);
+    EXPECT_EQ(made(parameters)->velocity({1, 2, 3}, 4), glm::vec3(0.0f));
+}
+
+TEST(GustWind, AbsurdPlacesAndTimesGiveFiniteWind) {
+    GustWind::Parameters parameters = usual();
+    expectFiniteEverywhere(*made(parameters));
+    parameters.lengthScale = 1.0;
+    parameters.profile = LogProfile{10.0, 0.1};
+    expectFiniteEverywhere(*made(parameters));
+}
+
+TEST(GustWind, ImpossibleParametersAreRefused) {
+    const auto problemOf = [](auto spoil) {
+        GustWind::Parameters parameters = usual();
+        spoil(parameters);
+        return firstProblem(GustWind::create(parameters));
+    };
+    EXPECT_EQ(problemOf([](auto& p) { p.mean.z = 1; }), "mean: expected a horizontal wind, found 1");
+    EXPECT_EQ(problemOf([](auto& p) { p.mean.x = 1e9f; }),
+              "mean: expected at most 200 m/s, found 1000000000");
+    EXPECT_EQ(problemOf([](auto& p) { p.mean.y = std::numeric_limits<float>::quiet_NaN(); }),
+              "mean: expected at most 200 m/s, found nan");
+    EXPECT_EQ(problemOf([](auto& p) { p.intensity = -0.1; }), "intensity: expected 0 to 1, found -0.1");
+    EXPECT_EQ(problemOf([](auto& p) { p.lengthScale = 0; }), "lengthScale: expected 1 to 100000 m, found 0");
+    EXPECT_EQ(problemOf([](auto& p) {
+                  p.profile = LogProfile{1, 2};
+              }),
+              "profile: expected 0 < roughness < height in metres");
+}
+
+} // namespace osgTreeWind
