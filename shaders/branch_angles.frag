@@ -36,7 +36,7 @@ void main() {
     vec4 c = dataTexel(branchParameters, 3 * unit + 2);
 
     if (motionLaw == 2) {
-        DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y);
+        DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
         vec2 across = vec2(dot(air, branchAxis1(c.xyz)), dot(air, branchAxis3(c.xyz)));
         gl_FragColor = dampedBranchStep(state, across, branch, seconds);
         return;

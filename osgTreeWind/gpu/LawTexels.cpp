@@ -23,7 +23,7 @@ std::vector<glm::vec4> branchTexels(const ForestSimulation& simulation) {
     texels.reserve(3 * simulation.poses().size());
     for (const DampedParameters& p : simulation.dampedParameters()) {
         texels.emplace_back(p.stiffness, p.inertia, p.damping, p.drag);
-        texels.emplace_back(p.lever, p.maxAngle, 0.0f, 0.0f);
+        texels.emplace_back(p.lever, p.maxAngle, p.streamlining, p.streamlinedTo);
         texels.emplace_back(p.direction, 0.0f);
     }
     if (simulation.branchParameters().empty())

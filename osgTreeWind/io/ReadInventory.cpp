@@ -45,7 +45,7 @@ public:
 private:
     void readDefaultSpecies() {
         if (_table.read("default_species", _defaultName)) {
-            _default = _reading.species(_defaultName);
+            _default = _reading.speciesOrBuiltIn(_defaultName);
             if (!_default) {
                 _table.problem("default_species", "no species " + inQuotes(_defaultName));
                 _complete = false;
@@ -142,7 +142,7 @@ private:
         if (!_species)
             return *_default;
         const std::string& name = row.cells[*_species];
-        if (const auto index = _reading.species(name))
+        if (const auto index = _reading.speciesOrBuiltIn(name))
             return *index;
         if (_unmatched[name]++ == 0 && !_default)
             _reading.log.add({_csv.file, row.line, 0, _csv.columns[*_species],

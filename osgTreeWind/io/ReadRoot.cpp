@@ -2,6 +2,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/motion/BuiltInSpecies.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,6 +18,19 @@ std::optional<std::size_t> ForestReading::species(const std::string& name) const
     if (found == speciesByName.end())
         return std::nullopt;
     return found->second;
+}
+
+std::optional<std::size_t> ForestReading::speciesOrBuiltIn(const std::string& name) {
+    if (const auto declared = species(name))
+        return declared;
+    std::optional<Species> builtIn = findBuiltInSpecies(name);
+    if (!builtIn)
+        return std::nullopt;
+    // A name of its own that the document gave to another species stays with that one.
+    const std::size_t index = forest.species.size();
+    speciesByName.emplace(folded(name), index);
+    forest.species.push_back(std::move(*builtIn));
+    return index;
 }
 
 bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
@@ -65,6 +79,7 @@ void readMotion(TableReader& table, ForestReading& reading) {
                                 {{"thesis", MotionLaw::Thesis},
                                  {"thesis-smooth", MotionLaw::ThesisSmooth},
                                  {"damped", MotionLaw::Damped}});
+    table.read("gain", reading.forest.gain, within(0, 100));
 }
 
 /// A file without species has one, with every default.

@@ -49,9 +49,14 @@ void readWood(TableReader& table, WoodParameters& wood) {
     table.read("elastic_modulus", wood.elasticModulus, within(1e3, 1e12));
     table.read("density", wood.density, within(1, 1e4));
     table.read("damping_ratio", wood.dampingRatio, within(0, 2));
+    table.read("under_bark", wood.underBark, within(0.1, 1));
+    table.read("leaf_area", wood.leafArea, within(0, 1e5));
     table.read("leaf_mass", wood.leafMass, within(0, 100));
     table.read("wood_drag", wood.woodDrag, within(0, 10));
     table.read("leaf_drag", wood.leafDrag, within(0, 10));
+    table.read("crown_drag", wood.crownDrag, within(0, 100));
+    table.read("streamlining", wood.streamlining, within(0, 2));
+    table.read("streamlined_to", wood.streamlinedTo, within(10, 200));
 }
 
 void readBranchMotion(TableReader& table, BranchMotion& branch) {

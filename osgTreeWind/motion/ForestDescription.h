@@ -35,6 +35,8 @@ struct ForestDescription {
     std::vector<TreePlacement> trees;
     glm::dvec3 origin{0.0}; ///< World position of the scene's origin; geometry is relative to it.
     MotionLaw law = MotionLaw::Damped;
+    float gain =
+        1.0f; ///< On the answer of `damped`: 1 is physical, more is an exaggeration for the eye, [0, 100].
     WindFieldPtr wind; ///< In scene coordinates. Null: calm.
 
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.

@@ -72,8 +72,10 @@ void ForestSimulation::prepareUnits(const Tree& tree) {
     for (const BranchUnit& unit : model.skeleton.units)
         _windPositions.push_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine));
     if (_description.law == MotionLaw::Damped) {
-        const auto damped = makeDampedParameters(model, tree.scale, species);
-        _dampedBranches.insert(_dampedBranches.end(), damped.begin(), damped.end());
+        for (const DampedParameters& p : makeDampedParameters(model, tree.scale, species)) {
+            _windPositions[_dampedBranches.size()].z = tree.position.z + p.windHeight;
+            _dampedBranches.push_back(exaggerated(p, _description.gain));
+        }
     } else {
         for (const BranchUnit& unit : model.skeleton.units)
             _branches.push_back(makeBranchParameters(unit, tree.scale, species));
@@ -187,7 +189,8 @@ void ForestSimulation::swingBranches(const Tree& tree, float seconds) {
         const glm::vec3 air = turnHeading(_windSamples[i], sine, cosine);
         const glm::vec2 across(glm::dot(air, laws.branchAxis1(p.direction)),
                                glm::dot(air, laws.branchAxis3(p.direction)));
-        const Laws::DampedBranch branch{p.stiffness, p.inertia, p.damping, p.drag, p.lever, p.maxAngle};
+        const Laws::DampedBranch branch{p.stiffness, p.inertia,  p.damping,      p.drag,
+                                        p.lever,     p.maxAngle, p.streamlining, p.streamlinedTo};
         glm::vec4& state = _branchStates[i];
         state = laws.dampedBranchStep(state, across, branch, seconds);
         _rotations[i] = dampedRotation(state, p.direction);

@@ -63,7 +63,8 @@ public:
     /// Back to rest.
     void reset();
 
-    /// Where the wind is sampled: base of each unit at rest, scene coordinates.
+    /// Where the wind is sampled: base of each unit at rest, scene coordinates; for `damped` above or below
+    /// it, at the height of the centre of the drag on all that the unit carries.
     const std::vector<glm::vec3>& windPositions() const { return _windPositions; }
     /// What was sampled at the last step, scene axes, m/s.
     const std::vector<glm::vec3>& windSamples() const { return _windSamples; }

@@ -5,12 +5,14 @@
 
 /// What a branch is to this law.
 struct DampedBranch {
-    float stiffness; // K, N m/rad
-    float inertia;   // J, kg m^2
-    float damping;   // C, N m s
-    float drag;      // half the air's density times the sum of CdA, kg/m
-    float lever;     // l, metres
-    float maxAngle;  // [0, pi/2]
+    float stiffness;     // K, N m/rad
+    float inertia;       // J, kg m^2
+    float damping;       // C, N m s
+    float drag;          // half the air's density times the sum of CdA, kg/m
+    float lever;         // l, metres
+    float maxAngle;      // [0, pi/2]
+    float streamlining;  // n: the drag falls as speed^-n
+    float streamlinedTo; // between 10 m/s and this speed
 };
 
 /// The same within ranges in which no step overflows.
@@ -22,7 +24,16 @@ DampedBranch soundBranch(DampedBranch given) {
     branch.drag = max(bounded(given.drag, 1.0e6f), 0.0f);
     branch.lever = max(bounded(given.lever, 1.0e3f), 0.0f);
     branch.maxAngle = angleLimit(given.maxAngle);
+    branch.streamlining = max(bounded(given.streamlining, 2.0f), 0.0f);
+    branch.streamlinedTo = max(bounded(given.streamlinedTo, 1.0e3f), 10.0f);
     return branch;
+}
+
+/// The drag once leaves and twigs have turned out of a wind of this speed: C u^-n as measured in wind tunnels,
+/// constant outside the range of the measurements.
+float streamlinedDrag(DampedBranch branch, float speed) {
+    if (branch.streamlining <= 0.0f || speed <= 10.0f) return branch.drag;
+    return branch.drag * pow(min(speed, branch.streamlinedTo) / 10.0f, -branch.streamlining);
 }
 
 /// (angle, speed) after h seconds under the drag factor b held constant: the exact solution.
@@ -72,6 +83,7 @@ vec4 dampedBranchStep(vec4 state, vec2 wind, DampedBranch given, float seconds) 
     float time = max(bounded(seconds, 16.0f / 120.0f), 0.0f);
     int steps = int(ceil(time * 120.0f - 0.001f));
     vec2 air = vec2(bounded(wind.x, 1.0e3f), bounded(wind.y, 1.0e3f));
+    branch.drag = streamlinedDrag(branch, length(air));
     vec2 first = vec2(bounded(state.x, branch.maxAngle), bounded(state.z, 1.0e3f));
     vec2 second = vec2(bounded(state.y, branch.maxAngle), bounded(state.w, 1.0e3f));
     for (int i = 0; i < steps; ++i) {

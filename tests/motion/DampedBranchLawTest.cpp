@@ -2,6 +2,8 @@
 // shaders/law/damped_branch.glsl against closed forms.
 #include <osgTreeWind/motion/Laws.h>
 
+#include <osgTreeWind/model/Random.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +16,7 @@ namespace {
 /// 1 Hz, lightly damped, no air.
 Laws::DampedBranch vacuum(float ratio) {
     const float omega = 6.2831853f, inertia = 2.0f;
-    return {inertia * omega * omega, inertia, 2.0f * ratio * omega * inertia, 0.0f, 0.4f, 1.5f};
+    return {inertia * omega * omega, inertia, 2.0f * ratio * omega * inertia, 0.0f, 0.4f, 1.5f, 0.0f, 25.0f};
 }
 
 Laws::DampedBranch inAir() {
@@ -40,7 +42,9 @@ double decay(double start, double omega, double ratio, double t) {
     }
     if (ratio > 1.0) {
         const double q = omega * std::sqrt(ratio * ratio - 1.0);
-        return start * std::exp(-gamma * t) * (std::cosh(q * t) + gamma / q * std::sinh(q * t));
+        return 0.5 * start *
+               ((1.0 + gamma / q) * std::exp((q - gamma) * t) +
+                (1.0 - gamma / q) * std::exp(-(q + gamma) * t));
     }
     return start * std::exp(-gamma * t) * (1.0 + gamma * t);
 }
@@ -69,7 +73,7 @@ TEST(DampedBranchLaw, FreeDecayFollowsTheClosedForm) {
 
 TEST(DampedBranchLaw, QuadraticDragAloneSlowsHyperbolically) {
     // J w' = -drag l^3 w |w|: w = w0 / (1 + drag l^3 w0 t / J). No spring to speak of.
-    const Laws::DampedBranch branch{1e-6f, 2.0f, 0.0f, 40.0f, 0.5f, 1.5f};
+    const Laws::DampedBranch branch{1e-6f, 2.0f, 0.0f, 40.0f, 0.5f, 1.5f, 0.0f, 25.0f};
     const glm::vec4 state = run({-1.0f, 0, 1.5f, 0}, glm::vec2(0.0f), branch, 1.0, 120);
     EXPECT_NEAR(state.z, 1.5 / (1.0 + 40.0 * 0.125 * 1.5 / 2.0), 2e-4);
 }
@@ -140,4 +144,84 @@ TEST(DampedBranchLaw, APositiveAngleMovesTheTipAlongItsAxis) {
                   1e-6f);
     }
     EXPECT_EQ(laws.dampedRotation(0, 0, {0, 0, 1}), glm::vec4(0, 0, 0, 1));
+}
+
+TEST(DampedBranchLaw, StepResponseFollowsTheClosedFormForAnyDamping) {
+    // Air at rest far away pushes through drag alone, too weakly here to damp: b l v is a constant torque.
+    for (const float ratio : {0.02f, 0.1f, 0.5f, 0.99f, 1.0f, 1.01f, 3.0f, 50.0f}) {
+        Laws::DampedBranch branch = vacuum(ratio);
+        branch.drag = 1e-9f;
+        branch.lever = 1e-3f;
+        branch.stiffness = 1e-6f * 39.478418f;
+        branch.inertia = 1e-6f;
+        branch.damping = 2.0f * ratio * 6.2831853f * branch.inertia;
+        const double settled = 1e-9 * 1e-3 * 1e6 / branch.stiffness;
+        double peak = 0.0, off = 0.0;
+        for (int tenth = 1; tenth <= 40; ++tenth) {
+            const double t = tenth / 10.0;
+            const double x = run(glm::vec4(0.0f), {1000.0f, 0.0f}, branch, t, 60).x / settled;
+            peak = std::max(peak, std::abs(x));
+            off = std::max(off, std::abs(x - (1.0 - decay(1.0, 6.2831853, ratio, t))));
+        }
+        EXPECT_LT(off, 1e-4 * std::max(peak, 1.0)) << "ratio " << ratio;
+    }
+}
+
+TEST(DampedBranchLaw, TwoHundredThousandRandomStepsStayFinite) {
+    Random random(7);
+    glm::vec4 state(0.0f);
+    for (int i = 0; i < 200000; ++i) {
+        const float seconds = std::pow(10.0f, -5.0f + 8.0f * random.uniform());
+        Laws::DampedBranch branch = inAir();
+        branch.streamlining = random.uniform();
+        state = Laws().dampedBranchStep(state, {75.0f * random.symmetric(), 75.0f * random.symmetric()},
+                                        branch, seconds);
+        for (int k = 0; k < 4; ++k)
+            ASSERT_TRUE(std::isfinite(state[k])) << "step " << i;
+        ASSERT_LE(std::max(std::abs(state.x), std::abs(state.y)), branch.maxAngle);
+    }
+}
+
+TEST(DampedBranchLaw, GustsAreFollowedAtAnyFrameRate) {
+    // Three sines for gusts; each frame takes the wind of its end, as the forest does.
+    const auto gusty = [](double t) {
+        return static_cast<float>(6.0 + 2.0 * std::sin(1.1 * t) + 1.0 * std::sin(2.7 * t + 1.0) +
+                                  0.5 * std::sin(5.3 * t + 2.0));
+    };
+    const auto path = [&](int rate) {
+        std::vector<float> tenths;
+        glm::vec4 state(0.0f);
+        for (int i = 1; i <= 20 * rate; ++i) {
+            state = Laws().dampedBranchStep(state, {gusty(static_cast<double>(i) / rate), 0}, inAir(),
+                                            1.0f / static_cast<float>(rate));
+            if (i % (rate / 10) == 0)
+                tenths.push_back(state.x);
+        }
+        return tenths;
+    };
+    const std::vector<float> reference = path(3840);
+    float peak = 0.0f;
+    for (const float x : reference)
+        peak = std::max(peak, std::abs(x));
+    const auto worst = [&](int rate) {
+        const std::vector<float> tenths = path(rate);
+        float off = 0.0f;
+        for (std::size_t i = 0; i < tenths.size(); ++i)
+            off = std::max(off, std::abs(tenths[i] - reference[i]));
+        return off / peak;
+    };
+    RecordProperty("offAt30Hz", std::to_string(worst(30)));
+    RecordProperty("offAt120Hz", std::to_string(worst(120)));
+    EXPECT_LT(worst(30), 3e-2f);
+    EXPECT_LT(worst(120), 8e-3f);
+}
+
+TEST(DampedBranchLaw, StreamliningIsThePowerLawBetweenTenAndItsEnd) {
+    Laws::DampedBranch branch = inAir();
+    branch.streamlining = 0.75f;
+    branch.streamlinedTo = 25.0f;
+    Laws laws;
+    EXPECT_EQ(laws.streamlinedDrag(branch, 3.0f), branch.drag);
+    EXPECT_NEAR(laws.streamlinedDrag(branch, 20.0f), branch.drag * std::pow(2.0f, -0.75f), 1e-6f);
+    EXPECT_NEAR(laws.streamlinedDrag(branch, 60.0f), branch.drag * std::pow(2.5f, -0.75f), 1e-6f);
 }

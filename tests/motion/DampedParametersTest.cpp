@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/DampedParameters.h>
 
+#include <osgTreeWind/motion/SwayModes.h>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace osgTreeWind;
 
@@ -30,12 +34,49 @@ TEST(DampedParameters, StiffnessIsThatOfARoundCantilever) {
     EXPECT_NEAR(p[1].stiffness / (3.0 * 10.0e9 * 3.14159265 * 1.0e-4 / 64.0 / 2.0), 1.0, 1e-5);
 }
 
-TEST(DampedParameters, InertiaOfARodIsAThirdAndOfWhatItCarriesTheWhole) {
-    const double small = 1000.0 * 3.14159265 * 0.05 * 0.05 * 2.0,
-                 large = 1000.0 * 3.14159265 * 0.1 * 0.1 * 4.0;
+TEST(DampedParameters, EveryUnitOfAnAxisSwingsAtTheSpeedOfTheAxis) {
+    TreeModel model = twoPoles();
+    model.skeleton.units.insert(model.skeleton.units.begin(), {-1, 0, {0, 0, -4}, {0, 0, 0}, 0.1f, 0.1f});
+    model.skeleton.units[1].parent = 0;
+    model.skeleton.units[2].parent = 1;
+    const auto p = makeDampedParameters(model, {}, bare());
+    const auto speeds = swaySpeeds(model, {}, bare().wood, {0, 0, 0});
+    EXPECT_EQ(speeds[0], speeds[1]);
+    EXPECT_LT(speeds[1], speeds[2]);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(std::sqrt(p[i].stiffness / p[i].inertia) / speeds[i], 1.0, 1e-5);
+}
+
+TEST(DampedParameters, DoublingTheModulusHalvesTheStaticAngle) {
+    Species stiff = bare();
+    stiff.wood.elasticModulus *= 2.0f;
+    const auto soft = makeDampedParameters(twoPoles(), {}, bare()),
+               hard = makeDampedParameters(twoPoles(), {}, stiff);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR((hard[i].drag * hard[i].lever / hard[i].stiffness) /
+                        (soft[i].drag * soft[i].lever / soft[i].stiffness),
+                    0.5, 1e-4);
+}
+
+TEST(DampedParameters, BarkBringsNoStiffness) {
+    Species species = bare();
+    species.wood.underBark = 0.9f;
+    EXPECT_NEAR(makeDampedParameters(twoPoles(), {}, species)[1].stiffness /
+                    makeDampedParameters(twoPoles(), {}, bare())[1].stiffness,
+                0.6561, 1e-5);
+}
+
+TEST(DampedParameters, AnExaggeratedAnswerHasTheSameDampingAndMoreTorque) {
+    const DampedParameters p = makeDampedParameters(twoPoles(), {}, bare())[0], more = exaggerated(p, 3.0f);
+    EXPECT_NEAR(more.drag * more.lever / (p.drag * p.lever), 3.0f, 1e-5f);
+    EXPECT_NEAR(more.drag * more.lever * more.lever / (p.drag * p.lever * p.lever), 1.0f, 1e-5f);
+}
+
+TEST(DampedParameters, WindIsTakenAtTheHeightOfTheDrag) {
+    // 0.8 m^2 around 2 m, 0.2 m^2 at 4 m.
     const auto p = makeDampedParameters(twoPoles(), {}, bare());
-    EXPECT_NEAR(p[1].inertia / (small * 4.0 / 3.0), 1.0, 1e-5);
-    EXPECT_NEAR(p[0].inertia / ((large / 3.0 + small) * 16.0), 1.0, 1e-5);
+    EXPECT_NEAR(p[0].windHeight, (0.8f * 2.0f + 0.2f * 4.0f) / 1.0f, 1e-5f);
+    EXPECT_NEAR(p[1].windHeight, 4.0f, 1e-5f);
 }
 
 TEST(DampedParameters, DragOfAnEvenPoleActsAtThreeEighths) {
@@ -58,14 +99,33 @@ TEST(DampedParameters, CarriedDragAddsItsTorqueAndDamping) {
 }
 
 TEST(DampedParameters, LeavesAddMassAndDrag) {
+    // All of them on the branch: 1800 times the trunk's section.
     TreeModel model = twoPoles();
     model.leaves.resize(3);
     for (LeafCluster& leaf : model.leaves)
         leaf.unit = 1;
-    Species species = bare();
-    species.tree.leaves.length = species.tree.leaves.width = 1.0f;
+    const Species species = bare();
+    const float area = 1800.0f * 3.14159265f * 0.01f;
     const auto without = makeDampedParameters(twoPoles(), {}, species),
                with = makeDampedParameters(model, {}, species);
-    EXPECT_NEAR(with[1].inertia - without[1].inertia, 3.0f * 0.2f / 3.0f * 4.0f, 1e-4f);
-    EXPECT_NEAR(with[1].drag / without[1].drag, (0.2f + 0.25f * 3.0f) / 0.2f, 1e-4f);
+    EXPECT_NEAR(with[1].drag / without[1].drag, (0.2f + 0.25f * area) / 0.2f, 1e-3f);
+    const double tip = 0.2 * area, wood = 1000.0 * 3.14159265 * 0.0025 * 2.0;
+    // Both are spread evenly along the branch; it lies level, so that weight does nothing.
+    EXPECT_NEAR((with[1].inertia / without[1].inertia) / ((wood + tip) / wood), 1.0, 1e-3);
+}
+
+TEST(DampedParameters, AMeasuredCrownDragStandsForLeavesAndBranches) {
+    TreeModel model = twoPoles();
+    model.leaves.resize(2);
+    model.leaves[0].unit = model.leaves[1].unit = 1;
+    model.leaves[0].anchor = {-1, -1, 3};
+    model.leaves[1].anchor = {1, 1, 7};
+    Species species = bare();
+    species.wood.crownDrag = 2.0f;
+    species.wood.streamlining = 0.5f;
+    const auto p = makeDampedParameters(model, {}, species);
+    // 2 m wide and 4 m deep: a rhombus of 4 m^2, C 10^-n at 10 m/s.
+    EXPECT_NEAR(p[1].drag / (0.5f * 1.225f * 2.0f * std::pow(10.0f, -0.5f) * 4.0f), 1.0f, 1e-4f);
+    EXPECT_FLOAT_EQ(p[1].streamlining, 0.5f);
+    EXPECT_LT(p[0].streamlining, 0.5f); // the trunk does not streamline
 }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "Command.h"
+
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/PullAndRelease.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct SwayOptions {
+    std::string species = "broadleaf";
+    double diameter = 0.0, height = 0.0;
+    bool json = false;
+};
+
+void listSpecies() {
+    for (const BuiltInSpecies& built : builtInSpecies()) {
+        for (std::size_t i = 0; i < built.names.size(); ++i)
+            std::printf("%s%s", i == 0 ? "" : ", ", built.names[i].c_str());
+        std::printf("\n  %s\n", built.source.c_str());
+    }
+}
+
+ExitCode sway(const SwayOptions& options) {
+    std::optional<Species> species = findBuiltInSpecies(options.species);
+    if (!species) {
+        species = defaultSpecies();
+        std::cerr << "note: no built-in species \"" << options.species << "\"; \"" << species->name
+                  << "\" stands for it\n";
+    }
+    TreeSize size;
+    size.height = static_cast<float>(options.height);
+    size.trunkDiameter = static_cast<float>(0.01 * options.diameter);
+    const std::optional<FreeSway> free = pullAndRelease(*species, size);
+    if (!free) {
+        std::cerr << "the tree does not swing: three periods take more than ten minutes\n";
+        return Failed;
+    }
+    if (options.json)
+        std::cout << nlohmann::ordered_json{{"species", species->name},
+                                            {"dbh_cm", options.diameter},
+                                            {"height_m", options.height},
+                                            {"frequency_hz", free->frequency},
+                                            {"damping_ratio", free->dampingRatio}}
+                         .dump(2)
+                  << '\n';
+    else
+        std::printf("%s, %.4g cm, %.4g m: frequency %.4f Hz, damping ratio %.3f\n", species->name.c_str(),
+                    options.diameter, options.height, free->frequency, free->dampingRatio);
+    return Succeeded;
+}
+
+} // namespace
+
+void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("sway", "Pull one tree, let go in a calm and measure how it sways");
+    auto options = std::make_shared<SwayOptions>();
+    command->add_option("--species", options->species, "Common or scientific name of a built-in species")
+        ->capture_default_str();
+    command->add_option("--dbh", options->diameter, "Diameter of the trunk at breast height, cm")
+        ->check(CLI::Range(0.1, 2000.0));
+    command->add_option("--height", options->height, "Height of the tree, m")->check(CLI::Range(0.1, 150.0));
+    command->add_flag("--json", options->json, "Print an object instead of a line");
+    auto list = std::make_shared<bool>(false);
+    command->add_flag("--list", *list, "List the built-in species and their sources");
+    command->footer(
+        "The frequency is that of the top of the trunk; method and validation: docs/validation.md.\n"
+        "A size that is not given follows the shape of the species.\n"
+        "Example: osgtreewind sway --species oak --dbh 40 --height 18 --json");
+    command->callback([options, list, &exitCode] {
+        if (*list)
+            listSpecies();
+        else
+            exitCode = sway(*options);
+    });
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr const char* forestGales =
+    "ForestGALES species table (Gardiner et al. 2000; parameters as in fgr): green modulus, density, C, n";
+constexpr const char* lavers = "Lavers 1983, green modulus; Forest Products Laboratory 2010, green density; "
+                               "drag: mean of the broadleaves "
+                               "of ForestGALES";
+constexpr const char* woodHandbook = "Forest Products Laboratory 2010 (Wood Handbook, tables 5-3 and 4-1), "
+                                     "green modulus and density; drag: mean "
+                                     "of the broadleaves of ForestGALES";
+
+/// Drag C u^-n of a crown, measured up to a speed in m/s.
+struct Drag {
+    float c, n, upTo;
+};
+
+/// Mean of C 10^-n and of n over birch, beech and oak.
+constexpr Drag broadleafDrag{2.36f, 0.877f, 20.0f};
+
+// Of all forms: a trunk's diameter at its top lies between a cone's and a paraboloid's.
+
+/// A broadleaf: half its height is crown (ForestGALES: crown depths of birch, beech and oak 20 m high are
+/// 0.47 to 0.51 of it), and the cross-sections of three branches make up that of the wood they spring from,
+/// base to base (Leonardo's rule; Eloy 2011): taper * radiusRatio = 1 / sqrt(3).
+TreeParameters broadleafForm(float inclination, float droop, float crook) {
+    TreeParameters form;
+    RecursiveTreeParameters& wood = form.wood;
+    wood.trunkUnits = 3;
+    wood.bareUnits = 2;
+    wood.length = 1.7f;
+    wood.boughLength = 0.3f;
+    wood.taper = 0.65f;
+    wood.radiusRatio = 0.888f;
+    wood.radius = 0.15f;
+    wood.inclination = glm::radians(inclination);
+    wood.crook = crook;
+    form.leaves.droop = droop;
+    return form;
+}
+
+/// A conifer: whorls up a straight trunk; branches are 0.17 of the volume of its wood (Jenkins et al. 2003:
+/// 0.18 at 35 cm).
+TreeParameters coniferForm(int bareUnits, float bough, float crownTaper, float inclination, float droop) {
+    TreeParameters form;
+    RecursiveTreeParameters& wood = form.wood;
+    wood.trunkUnits = 12;
+    wood.bareUnits = bareUnits;
+    wood.levels = 2;
+    wood.childrenPerBranch = 4;
+    wood.length = 1.0f;
+    wood.boughLength = bough;
+    wood.lengthRatio = 0.45f;
+    wood.crownTaper = crownTaper;
+    wood.inclination = glm::radians(inclination);
+    wood.inclinationGrowth = 0.6f;
+    wood.leader = 0.9f;
+    wood.follow = 0.8f;
+    wood.radius = 0.16f;
+    wood.taper = 0.2f;
+    wood.radiusRatio = 0.47f;
+    wood.crook = 0.03f;
+    wood.jitter = 0.12f;
+    LeafParameters& leaves = form.leaves;
+    leaves.length = 0.6f;
+    leaves.width = 0.5f;
+    leaves.innerSize = 0.9f;
+    leaves.droop = droop;
+    return form;
+}
+
+BuiltInSpecies entry(std::vector<std::string> names, TreeParameters form, float modulus, float density,
+                     const Drag& drag, const glm::vec3& bark, const glm::vec3& leaves, const char* source) {
+    BuiltInSpecies built;
+    built.species.name = names.front();
+    built.species.tree = form;
+    built.species.wood.elasticModulus = modulus;
+    built.species.wood.density = density;
+    built.species.wood.underBark = 0.93f; // Miles and Smith 2009: bark is some 15 % of the volume of the wood
+    built.species.wood.crownDrag = drag.c;
+    built.species.wood.streamlining = drag.n;
+    built.species.wood.streamlinedTo = drag.upTo;
+    built.species.appearance = {bark, leaves, false};
+    built.names = std::move(names);
+    built.source = source;
+    return built;
+}
+
+BuiltInSpecies conifer(std::vector<std::string> names, const TreeParameters& form, float modulus,
+                       float density, const Drag& drag, const glm::vec3& leaves, const char* source) {
+    BuiltInSpecies built =
+        entry(std::move(names), form, modulus, density, drag, {0.35f, 0.26f, 0.21f}, leaves, source);
+    Species& species = built.species;
+    species.wood.leafArea = 1300.0f; // Jenkins et al. 2003: 280 kg of dry needles per m^2; 4.6 m^2 per kg
+    species.wood.leafMass = 0.45f;
+    species.leaf.maxAngleX = species.leaf.maxAngleZ = glm::radians(7.0f);
+    species.leaf.maxRotation = glm::radians(9.0f);
+    species.appearance.needles = true;
+    return built;
+}
+
+bool sameName(const std::string& a, const std::string& b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+} // namespace
+
+std::vector<BuiltInSpecies> builtInSpecies() {
+    const TreeParameters spruce = coniferForm(4, 0.24f, 0.1f, 88.0f, 0.3f);
+    const TreeParameters fir = coniferForm(4, 0.22f, 0.15f, 80.0f, 0.1f);
+    TreeParameters pine = coniferForm(6, 0.22f, 0.45f, 68.0f, -0.1f);
+    pine.wood.taper = 0.3f;
+    pine.wood.radiusRatio = 0.55f;
+    const TreeParameters larch = coniferForm(5, 0.22f, 0.15f, 85.0f, 0.3f);
+    const glm::vec3 dark{0.22f, 0.35f, 0.20f}, blueGreen{0.26f, 0.40f, 0.33f}, light{0.40f, 0.52f, 0.22f};
+    const glm::vec3 grey{0.42f, 0.38f, 0.34f}, brown{0.34f, 0.29f, 0.24f}, white{0.70f, 0.70f, 0.68f};
+    const glm::vec3 green{0.34f, 0.48f, 0.18f}, fresh{0.42f, 0.54f, 0.22f}, deep{0.30f, 0.44f, 0.16f};
+    const glm::vec3 needles{0.25f, 0.37f, 0.19f};
+    return {
+        conifer({"Norway spruce", "spruce", "Picea abies", "Picea"}, spruce, 6.3e9f, 850, {2.35f, 0.51f, 25},
+                dark, forestGales),
+        conifer({"Sitka spruce", "Picea sitchensis"}, spruce, 5.9e9f, 850, {2.35f, 0.51f, 25}, blueGreen,
+                forestGales),
+        conifer({"Douglas fir", "Douglas-fir", "Pseudotsuga menziesii", "Pseudotsuga"}, fir, 8.3e9f, 850,
+                {2.4f, 0.7f, 25}, dark, forestGales),
+        conifer({"grand fir", "fir", "Abies grandis", "Abies"}, fir, 5.7e9f, 850, {4.7f, 0.74f, 25}, dark,
+                forestGales),
+        conifer({"western hemlock", "hemlock", "Tsuga heterophylla", "Tsuga"}, spruce, 8.9e9f, 850,
+                {1.51f, 0.68f, 25}, dark, forestGales),
+        conifer({"Scots pine", "pine", "Pinus sylvestris", "Pinus"}, pine, 7.3e9f, 850, {3.07f, 0.75f, 25},
+                needles, forestGales),
+        conifer({"lodgepole pine", "Pinus contorta"}, pine, 6.4e9f, 850, {2.48f, 0.63f, 25}, needles,
+                forestGales),
+        conifer({"Corsican pine", "black pine", "Pinus nigra"}, pine, 7.0e9f, 850, {2.57f, 0.61f, 25},
+                needles, forestGales),
+        conifer({"European larch", "larch", "Larix decidua", "Larix"}, larch, 7.9e9f, 850, {3.07f, 0.75f, 25},
+                light, forestGales),
+        entry({"silver birch", "birch", "Betula pendula", "Betula pubescens", "Betula"},
+              broadleafForm(32, 0.7f, 0.05f), 9.9e9f, 900, {1.963f, 0.881f, 20}, white, fresh, forestGales),
+        entry({"beech", "European beech", "Fagus sylvatica", "Fagus"}, broadleafForm(38, 0.2f, 0.05f), 9.8e9f,
+              1158, {2.414f, 0.904f, 20}, grey, deep, forestGales),
+        entry({"oak", "English oak", "pedunculate oak", "sessile oak", "Quercus robur", "Quercus petraea",
+               "Quercus"},
+              broadleafForm(50, 0.3f, 0.09f), 8.3e9f, 1158, {2.658f, 0.846f, 20}, brown, green, forestGales),
+        entry({"ash", "European ash", "Fraxinus excelsior", "Fraxinus"}, broadleafForm(38, 0.4f, 0.05f),
+              9.5e9f, 800, broadleafDrag, grey, green, lavers),
+        entry({"sycamore", "sycamore maple", "Acer pseudoplatanus", "Acer"}, broadleafForm(42, 0.3f, 0.05f),
+              8.4e9f, 830, broadleafDrag, grey, deep, lavers),
+        entry({"red maple", "Acer rubrum"}, broadleafForm(40, 0.3f, 0.05f), 9.6e9f, 830, broadleafDrag, grey,
+              green, woodHandbook),
+        entry({"red oak", "northern red oak", "Quercus rubra"}, broadleafForm(46, 0.3f, 0.07f), 9.3e9f, 980,
+              broadleafDrag, brown, green, woodHandbook),
+        entry({"aspen", "quaking aspen", "Populus tremuloides", "Populus tremula"},
+              broadleafForm(30, 0.3f, 0.04f), 5.9e9f, 730, broadleafDrag, white, fresh, woodHandbook),
+        entry({"linden", "lime", "basswood", "Tilia americana", "Tilia cordata", "Tilia"},
+              broadleafForm(38, 0.4f, 0.05f), 7.2e9f, 660, broadleafDrag, brown, fresh, woodHandbook),
+        conifer({"conifer"}, spruce, 7.1e9f, 850, {2.6f, 0.63f, 25}, dark,
+                "means of the conifers of ForestGALES above"),
+        entry({"broadleaf"}, broadleafForm(42, 0.3f, 0.05f), 9.0e9f, 900, broadleafDrag, grey, green,
+              "means of green hardwoods, Forest Products Laboratory 2010; drag: ForestGALES"),
+    };
+}
+
+std::optional<Species> findBuiltInSpecies(const std::string& name) {
+    for (BuiltInSpecies& built : builtInSpecies())
+        for (const std::string& own : built.names)
+            if (sameName(own, name))
+                return std::move(built.species);
+    return {};
+}
+
+Species defaultSpecies() {
+    return *findBuiltInSpecies("broadleaf");
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/Species.h>
+
+#include <optional>
+
+namespace osgTreeWind {
+
+/// How a tree sways freely.
+struct FreeSway {
+    double frequency = 0.0;    ///< Of the top of the trunk, Hz.
+    double dampingRatio = 0.0; ///< From the decrement of its peaks; 1 is critical.
+};
+
+/// Pulls one tree sideways at the top of its trunk, by a hundredth of the trunk's height, lets go in a calm
+/// and follows the top (law `damped`, ForestSimulation) until six half-swings have passed.
+/// @param seed picks the shape.
+/// @return nothing when it does not swing: critically damped, or six half-swings take more than ten minutes.
+std::optional<FreeSway> pullAndRelease(const Species& species, const TreeSize& size, unsigned seed = 0);
+
+} // namespace osgTreeWind

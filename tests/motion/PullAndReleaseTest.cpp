@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "../TestData.h"
+
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/PullAndRelease.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+using namespace osgTreeWind;
+
+namespace {
+
+TreeSize sized(double height, double diameterInCentimetres) {
+    TreeSize size;
+    size.height = static_cast<float>(height);
+    size.trunkDiameter = static_cast<float>(0.01 * diameterInCentimetres);
+    return size;
+}
+
+} // namespace
+
+TEST(PullAndRelease, TwentyNineMeasuredTreesSwayAsMeasured) {
+    REQUIRE_REAL_DATA(path, "sway/NaturalFrequencies_FieldData.csv");
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    std::vector<double> ratios;
+    while (std::getline(file, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; cells.size() < 6 && std::getline(row, cell, ',');)
+            cells.push_back(cell);
+        ASSERT_EQ(cells.size(), 6u);
+        const Species species = findBuiltInSpecies(cells[2]).value_or(defaultSpecies());
+        const auto sway = pullAndRelease(species, sized(std::stod(cells[5]), std::stod(cells[4])));
+        ASSERT_TRUE(sway) << line;
+        EXPECT_GE(sway->dampingRatio, 0.04);
+        EXPECT_LE(sway->dampingRatio, 0.2);
+        ratios.push_back(sway->frequency / std::stod(cells[3]));
+    }
+    ASSERT_EQ(ratios.size(), 29u);
+    std::sort(ratios.begin(), ratios.end());
+    EXPECT_GE(ratios[14], 0.8);
+    EXPECT_LE(ratios[14], 1.25);
+    const auto near =
+        std::count_if(ratios.begin(), ratios.end(), [](double r) { return r >= 0.5 && r <= 2.0; });
+    EXPECT_GE(near, 21); // 70 % of 29
+}
+
+TEST(PullAndRelease, CriticalDampingDoesNotSwing) {
+    Species species = defaultSpecies();
+    species.wood.dampingRatio = 1.5f;
+    EXPECT_FALSE(pullAndRelease(species, sized(10, 20)));
+}
+
+TEST(PullAndRelease, AThickerTreeIsQuickerAndATallerSlower) {
+    const Species oak = *findBuiltInSpecies("oak");
+    const double usual = pullAndRelease(oak, sized(15, 30))->frequency;
+    EXPECT_GT(pullAndRelease(oak, sized(15, 45))->frequency, 1.3 * usual);
+    EXPECT_LT(pullAndRelease(oak, sized(22, 30))->frequency, 0.7 * usual);
+}
+
+TEST(PullAndRelease, DampingIsThatOfTheWoodAndALittleAir) {
+    Species species = defaultSpecies();
+    species.wood.dampingRatio = 0.05f;
+    const double ratio = pullAndRelease(species, sized(15, 30))->dampingRatio;
+    EXPECT_GE(ratio, 0.0495);
+    EXPECT_LT(ratio, 0.06);
+}
