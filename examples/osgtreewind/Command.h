@@ -16,6 +16,12 @@ void addInfoCommand(CLI::App& app, ExitCode& exitCode);
 void addValidateCommand(CLI::App& app, ExitCode& exitCode);
 void addRenderCommand(CLI::App& app, ExitCode& exitCode);
 void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
+void addSwayCommand(CLI::App& app, ExitCode& exitCode);
+void addBenchCommand(CLI::App& app, ExitCode& exitCode);
+void addWindCommand(CLI::App& app, ExitCode& exitCode);
+
+/// Finite numbers from `low` to `high`; CLI::Range lets "nan" through.
+CLI::Validator within(double low, double high);
 
 /// The forest in `file`; prints the first problem, or what is worth knowing, on standard error.
 std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file);

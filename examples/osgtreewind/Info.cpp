@@ -8,6 +8,7 @@
 
 #include <iomanip>
 #include <iostream>
+#include <map>
 
 namespace {
 
@@ -43,13 +44,28 @@ const char* lawName(MotionLaw law) {
     return "damped";
 }
 
+/// The trees at rest, in world coordinates.
 Json boundsOf(const ForestDescription& forest) {
     if (forest.trees.empty())
         return nullptr;
+    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> natural; // by species and shape
     glm::dvec3 low = forest.trees.front().position, high = low;
     for (const TreePlacement& tree : forest.trees) {
-        low = glm::min(low, tree.position);
-        high = glm::max(high, tree.position + glm::dvec3(0, 0, tree.size.height));
+        TreeSize size = tree.size;
+        if (size.height <= 0.0f || size.crownWidth <= 0.0f) { // not given: in proportion to the shape
+            const Species& species = forest.species[tree.species];
+            const std::uint32_t shape = tree.seed % static_cast<std::uint32_t>(species.shapes);
+            const auto [found, isNew] = natural.try_emplace({tree.species, shape});
+            if (isNew)
+                found->second = measureTree(makeTreeModel(species.tree, shape));
+            const float height = size.height > 0.0f ? size.height : found->second.height;
+            if (size.crownWidth <= 0.0f)
+                size.crownWidth = found->second.crownWidth * height / found->second.height;
+            size.height = height;
+        }
+        const double reach = 0.5 * size.crownWidth;
+        low = glm::min(low, tree.position - glm::dvec3(reach, reach, 0.0));
+        high = glm::max(high, tree.position + glm::dvec3(reach, reach, size.height));
     }
     return {{"low", toJson(low)}, {"high", toJson(high)}};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "Offscreen.h"
 #include "Progress.h"
 #include "Setting.h"
 #include "VideoWriter.h"
@@ -13,10 +14,8 @@
 #include <osgViewer/Viewer>
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <regex>
-#include <unistd.h>
 
 namespace {
 
@@ -30,32 +29,18 @@ struct RenderOptions {
     std::vector<double> eye, center;
 };
 
-/// Runs this command in the program that is linked with the other backend; returns only on failure.
-ExitCode runOtherBackend(const std::string& backend) {
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-    const std::filesystem::path other =
-        self.parent_path() / (backend == "egl" ? "osgtreewind-egl" : "osgtreewind");
-    std::ifstream file("/proc/self/cmdline", std::ios::binary);
-    std::vector<std::string> words;
-    for (std::string word; std::getline(file, word, '\0');)
-        words.push_back(word);
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    execv(other.c_str(), arguments.data());
-    std::cerr << other.string() << ": cannot be run, so there is no backend \"" << backend << "\"\n";
-    return Failed;
+int samplesAcross(const RenderOptions& options) {
+    return static_cast<int>(std::lround(std::sqrt(options.samples)));
 }
 
-/// "%04d" and its like in a name; empty when there is none, or more than one.
+/// The name with "%04d" or its like (the first, if there are several) replaced; empty when there is none.
 std::string framePath(const std::string& pattern, int frame) {
-    static const std::regex field("%(0?)([0-9]*)d");
+    static const std::regex field("%(0?)([0-9]?)d");
     std::smatch match;
     if (!std::regex_search(pattern, match, field))
         return {};
     std::string number = std::to_string(frame);
-    const std::size_t width = match[2].length() ? std::min<std::size_t>(std::stoul(match[2]), 20) : 0;
+    const std::size_t width = match[2].length() ? std::stoul(match[2]) : 0;
     if (number.size() < width)
         number.insert(0, width - number.size(), match[1].length() ? '0' : ' ');
     return match.prefix().str() + number + match.suffix().str();
@@ -77,19 +62,20 @@ void placeCamera(osg::Camera& camera, const RenderOptions& options, const osg::B
         direction.normalize();
         eye = center + direction * distance;
     }
-    camera.setViewMatrixAsLookAt(eye, center, osg::Z_AXIS);
+    const bool vertical = (eye - center) * osg::X_AXIS == 0.0 && (eye - center) * osg::Y_AXIS == 0.0;
+    camera.setViewMatrixAsLookAt(eye, center, vertical ? osg::Y_AXIS : osg::Z_AXIS);
     camera.setProjectionMatrixAsPerspective(options.fov, aspect, 1.0, 10000.0);
 }
 
 /// Moves the forest on to `start` without drawing, in the steps that frames would have taken.
 void runUp(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& options) {
-    const auto steps = static_cast<unsigned>(std::llround(options.start * options.fps));
+    const auto steps = static_cast<std::size_t>(std::llround(options.start * options.fps));
     osgUtil::UpdateVisitor visitor;
     visitor.setFrameStamp(&stamp);
     Progress progress("run up", steps);
-    for (unsigned i = 0; i < steps; ++i) {
+    for (std::size_t i = 0; i < steps; ++i) {
         stamp.setFrameNumber(stamp.getFrameNumber() + 1);
-        stamp.setSimulationTime(i / options.fps);
+        stamp.setSimulationTime(static_cast<double>(i) / options.fps);
         scene.accept(visitor);
         progress.advance();
     }
@@ -115,7 +101,8 @@ void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
 ExitCode render(RenderOptions options) {
     if (options.backend != offscreenBackendName())
         return runOtherBackend(options.backend);
-    const bool video = osgDB::getLowerCaseFileExtension(options.output) == "mp4";
+    const std::string extension = osgDB::getLowerCaseFileExtension(options.output);
+    const bool video = extension == "mp4";
     const bool numbered = !framePath(options.output, 0).empty();
     if (options.frames > 1 && !video && !numbered) {
         std::cerr << "--output: " << options.frames
@@ -128,13 +115,18 @@ ExitCode render(RenderOptions options) {
         return Failed;
     }
 
+    if (!video && extension != "png") {
+        std::cerr << "--output: expected a name that ends in .png or .mp4, found " << options.output << '\n';
+        return BadInput;
+    }
+
     auto description = loadForest(options.file);
     if (!description)
         return BadInput;
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
     osg::ref_ptr<osg::Group> scene = createSetting(*forest);
 
-    const int factor = static_cast<int>(std::sqrt(options.samples));
+    const int factor = samplesAcross(options);
     auto context = createOffscreenContext(options.width * factor, options.height * factor);
     if (!context) {
         std::cerr << context.problems().front().text() << '\n';
@@ -191,19 +183,23 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--fps", options->fps, "Frames a second of simulation time")
-        ->check(CLI::Range(0.001, 10000.0))
+        ->check(within(0.001, 10000.0))
         ->capture_default_str();
     command
         ->add_option("--start", options->start,
                      "Simulation time of the first frame, seconds; the forest moves there from rest")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(within(0.0, 1e6))
         ->capture_default_str();
     command->add_option("--eye", options->eye, "Where the camera is: x,y,z in the scene, metres")
         ->delimiter(',')
-        ->expected(3);
-    command->add_option("--center", options->center, "Where it looks")->delimiter(',')->expected(3);
+        ->expected(3)
+        ->check(within(-1e7, 1e7));
+    command->add_option("--center", options->center, "Where it looks")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(within(-1e7, 1e7));
     command->add_option("--fov", options->fov, "Vertical field of view, degrees")
-        ->check(CLI::Range(1.0, 170.0))
+        ->check(within(1.0, 170.0))
         ->capture_default_str();
     command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges: 1, 4, 9 or 16")
         ->check(CLI::IsMember({1, 4, 9, 16}))
@@ -218,12 +214,11 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
         "The same file and arguments give the same pixels.\n"
         "Example: osgtreewind render forest.treewind -o clip.mp4 --size 1920x1080 --frames 300 --fps 30");
     command->callback([options, &exitCode] {
-        static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
-        std::smatch match;
-        if (!std::regex_match(options->size, match, form))
-            throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, found " + options->size);
-        options->width = std::stoi(match[1]);
-        options->height = std::stoi(match[2]);
+        const PictureSize size = parsePictureSize(options->size, maxOffscreenSize / samplesAcross(*options));
+        options->width = size.width;
+        options->height = size.height;
+        if (!options->eye.empty() && options->eye == options->center)
+            throw CLI::ValidationError("--eye", "expected another place than --center");
         exitCode = render(*options);
     });
 }

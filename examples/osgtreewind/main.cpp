@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 
+#include <osgTreeWind/base/Number.h>
+
 #include <iostream>
+
+CLI::Validator within(double low, double high) {
+    const std::string range = "from " + osgTreeWind::numberText(low) + " to " + osgTreeWind::numberText(high);
+    const auto problem = [low, high, range](const std::string& text) {
+        const std::optional<double> number = osgTreeWind::parseNumber(text);
+        return number && *number >= low && *number <= high
+                   ? std::string()
+                   : osgTreeWind::expectedFound("a number " + range, text);
+    };
+    return CLI::Validator(problem, range, "within");
+}
 
 std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
@@ -17,12 +30,15 @@ std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file
 int main(int argc, char** argv) {
     CLI::App app{"Forests in a given wind field: look into, check, draw and simulate .treewind files."};
     app.name("osgtreewind");
+    app.set_version_flag("--version", "osgtreewind " OSGTREEWIND_VERSION);
     app.require_subcommand(1);
     app.footer("Examples:\n"
                "  osgtreewind info forest.treewind --json\n"
                "  osgtreewind render forest.treewind -o forest.png --size 1280x720 --start 3\n"
                "  osgtreewind render forest.treewind -o clip.mp4 --frames 150 --fps 30\n"
                "  osgtreewind simulate forest.treewind --duration 10 --fps 60 -o motion.csv\n"
+               "  osgtreewind wind wind.vtk --at 120,40,10\n"
+               "  osgtreewind bench -o results.json --chart chart.svg\n"
                "Exit status: 0 done, 1 failed, 2 bad usage or bad input.");
 
     ExitCode exitCode = Succeeded;
@@ -30,10 +46,20 @@ int main(int argc, char** argv) {
     addValidateCommand(app, exitCode);
     addRenderCommand(app, exitCode);
     addSimulateCommand(app, exitCode);
+    addSwayCommand(app, exitCode);
+    addBenchCommand(app, exitCode);
+    addWindCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? Succeeded : BadInput;
+    } catch (const std::exception& error) { // no memory for a picture of this size, for one
+        std::cerr << "osgtreewind: " << error.what() << '\n';
+        return Failed;
+    }
+    if (!std::cout.flush()) {
+        std::cerr << "standard output: cannot be written\n";
+        return Failed;
     }
     return exitCode;
 }

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+# What `cmake --install` installs besides plugins and programs, and the package for find_package(osgTreeWind).
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/osgTreeWind)
+set(data_folder ${CMAKE_INSTALL_DATADIR}/osgTreeWind)
+
+# Installed files find each other wherever the whole is moved.
+file(RELATIVE_PATH libraries_from_programs ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+foreach(program osgtreewind osgtreewind-egl)
+    if(TARGET ${program})
+        set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_programs}")
+    endif()
+endforeach()
+set_target_properties(osgdb_treewind osgdb_serializers_osgtreewind PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+
+function(install_export target export)
+    install(TARGETS ${target} EXPORT ${export}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT ${export} NAMESPACE osgTreeWind:: DESTINATION ${package_folder})
+endfunction()
+install_export(osgTreeWind osgTreeWindTargets)
+foreach(backend OSMesa EGL)
+    if(TARGET osgTreeWind::${backend})
+        install_export(osgTreeWind${backend} osgTreeWind${backend}Targets)
+    endif()
+endforeach()
+if(TARGET osgTreeWindHeadless)
+    install(TARGETS osgTreeWindHeadless LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
+
+# Not the headers that only our own sources use: the reader's insides, and what needs shaders/ or GDAL.
+foreach(floor base model wind motion gpu nodes offscreen)
+    install(DIRECTORY osgTreeWind/${floor} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
+        FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "NetCdf*.h" EXCLUDE)
+endforeach()
+install(FILES osgTreeWind/io/ForestFile.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind/io)
+install(DIRECTORY shaders DESTINATION ${data_folder} PATTERN CMakeLists.txt EXCLUDE)
+install(FILES examples/thesis.treewind examples/forest.treewind DESTINATION ${data_folder}/examples)
+install(FILES LICENSE docs/treewind.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(cmake/osgTreeWindConfig.cmake.in osgTreeWindConfig.cmake
+    INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(osgTreeWindConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/osgTreeWindConfig.cmake ${PROJECT_BINARY_DIR}/osgTreeWindConfigVersion.cmake
+    cmake/OpenSceneGraphTarget.cmake cmake/FindOSMesa.cmake DESTINATION ${package_folder})

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A simulator in under 100 lines: a small wood grown in code, and a vortex that wanders through it.
+// Usage: osgtreewind-embed [--frames N]     (without it: until escape is pressed)
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/wind/GridWind.h>
+
+#include <osg/ArgumentParser>
+#include <osg/ShapeDrawable>
+#include <osgGA/TrackballManipulator>
+#include <osgViewer/Viewer>
+
+#include <cmath>
+#include <iostream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// Nine trees of one species, 8 m apart: what a .treewind file would say.
+ForestDescription describeForest() {
+    ForestDescription description;
+    Species maple;
+    maple.name = "maple";
+    maple.wood.elasticModulus = 2.5e9f; // soft, so that the sway shows
+    description.species = {maple};
+    for (int i = 0; i < 9; ++i) {
+        TreePlacement tree;
+        tree.position = {8.0 * (i % 3 - 1), 8.0 * (i / 3 - 1), 0.0};
+        tree.heading = 0.7f * static_cast<float>(i);
+        tree.size.height = 7.0f + static_cast<float>(i % 4);
+        tree.seed = static_cast<std::uint32_t>(i);
+        description.trees.push_back(tree);
+    }
+    return description;
+}
+
+/// The simulator's own wind: here a vortex in a breeze, on a grid of 32 x 32 points.
+GridWind::Grid simulateWind(double time) {
+    constexpr int size = 32;
+    GridWind::Grid grid;
+    grid.points = {size, size, 1};
+    grid.origin = {-16.0, -16.0, 0.0};
+    const double x = 10.0 * std::cos(0.4 * time), y = 10.0 * std::sin(0.4 * time);
+    for (int row = 0; row < size; ++row) {
+        for (int column = 0; column < size; ++column) {
+            const double dx = grid.origin.x + column - x, dy = grid.origin.y + row - y;
+            const double turn = 30.0 / (9.0 + dx * dx + dy * dy); // 1/s
+            grid.values.push_back(static_cast<float>(3.0 - turn * dy));
+            grid.values.push_back(static_cast<float>(turn * dx));
+            grid.values.push_back(0.0f);
+        }
+    }
+    return grid;
+}
+
+/// Hangs a red ball on a branch: it goes where the branch goes.
+void markBranch(TreeNode& tree, unsigned unit) {
+    BranchTransform* branch = tree.getBranch(unit);
+    osg::ref_ptr<osg::ShapeDrawable> ball = new osg::ShapeDrawable(new osg::Sphere(branch->getBase(), 0.15f));
+    ball->setColor(osg::Vec4(0.9f, 0.1f, 0.1f, 1.0f));
+    branch->addChild(ball);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    osg::ArgumentParser arguments(&argc, argv);
+    unsigned frames = 0;
+    arguments.read("--frames", frames);
+
+    osg::ref_ptr<Forest> forest = new Forest(describeForest());
+    markBranch(*forest->getTree(4), 60);
+
+    osgViewer::Viewer viewer;
+    viewer.setSceneData(forest);
+    viewer.setCameraManipulator(new osgGA::TrackballManipulator);
+    if (frames > 0)
+        viewer.setUpViewInWindow(50, 50, 640, 360);
+    viewer.realize();
+    if (!viewer.isRealized()) {
+        std::cerr << "no window can be opened\n";
+        return 1;
+    }
+    while (!viewer.done() && (frames == 0 || viewer.getFrameStamp()->getFrameNumber() < frames)) {
+        viewer.advance();
+        const auto wind = GridWind::create(simulateWind(viewer.getFrameStamp()->getSimulationTime()));
+        if (!wind) {
+            std::cerr << wind.problems().front().text() << '\n';
+            return 1;
+        }
+        forest->setWind(wind.value());
+        viewer.eventTraversal();
+        viewer.updateTraversal();
+        viewer.renderingTraversals();
+    }
+    std::cout << forest->getNumTrees() << " trees, " << viewer.getFrameStamp()->getFrameNumber()
+              << " frames\n";
+    return 0;
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "BenchReport.h"
+
+#include "BenchStatistics.h"
+
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iomanip>
+#include <numeric>
+#include <ostream>
+#include <sstream>
+#include <sys/utsname.h>
+#include <thread>
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json number(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json spread(const std::vector<double>& values) {
+    return {{"median", number(quantile(values, 0.5))},
+            {"p10", number(quantile(values, 0.1))},
+            {"p90", number(quantile(values, 0.9))}};
+}
+
+ordered_json timesJson(const BenchTimes& times) {
+    return {{"seconds", std::accumulate(times.frame.begin(), times.frame.end(), 0.0) / 1000.0},
+            {"fps", number(framesPerSecond(times))},
+            {"frameMs", spread(times.frame)},
+            {"updateMs", spread(times.update)},
+            {"cullMs", spread(times.cull)},
+            {"drawMs", spread(times.draw)},
+            {"gpuMs", spread(times.gpu)}};
+}
+
+ordered_json resultJson(const BenchResult& result) {
+    const BenchCounts& counts = result.counts;
+    const int thesis = thesisFps(result.stage, result.trees);
+    ordered_json json = {{"stage", result.stage.name},
+                         {"title", result.stage.title},
+                         {"trees", result.trees},
+                         {"frames", result.moving.frame.size()},
+                         {"angles", result.gpuAngles ? "gpu" : "cpu"}};
+    json["moving"] = timesJson(result.moving);
+    json["static"] = timesJson(result.still);
+    json["ratioToStatic"] = spread(ratios(result.moving.frame, result.still.frame));
+    json["counts"] = {{"units", counts.units},         {"vertices", counts.vertices},
+                      {"triangles", counts.triangles}, {"lines", counts.lines},
+                      {"nodes", counts.nodes},         {"transforms", counts.transforms},
+                      {"drawables", counts.drawables}};
+    json["thesisTable"] =
+        result.stage.table.empty() ? ordered_json(nullptr) : ordered_json(result.stage.table);
+    json["thesisFps"] = thesis > 0 ? ordered_json(thesis) : ordered_json(nullptr);
+    return json;
+}
+
+/// Fixed, with `digits` behind the point; a dash for what was not measured.
+std::string fixed(double value, int digits) {
+    if (!std::isfinite(value))
+        return "-";
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(digits) << value;
+    return text.str();
+}
+
+} // namespace
+
+BenchConditions benchConditions(const BenchSettings& settings) {
+    BenchConditions conditions;
+    conditions.settings = settings;
+    conditions.backend = osgTreeWind::offscreenBackendName();
+    const std::time_t now = std::time(nullptr);
+    char date[32];
+    std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&now));
+    conditions.date = date;
+    if (getloadavg(&conditions.loadBefore, 1) != 1)
+        conditions.loadBefore = std::nan("");
+    return conditions;
+}
+
+std::string machineName() {
+    std::string processor = "unknown processor";
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        if (line.rfind("model name", 0) == 0) {
+            processor = line.substr(line.find(':') + 2);
+            break;
+        }
+    }
+    utsname system{};
+    uname(&system);
+    return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " processors, " +
+           system.sysname + " " + system.release + " " + system.machine;
+}
+
+double framesPerSecond(const BenchTimes& times) {
+    const double milliseconds = std::accumulate(times.frame.begin(), times.frame.end(), 0.0);
+    return 1000.0 * static_cast<double>(times.frame.size()) / milliseconds;
+}
+
+int thesisFps(const BenchStage& stage, int trees) {
+    const auto index = static_cast<std::size_t>(trees - 1);
+    return index < stage.thesisFps.size() ? stage.thesisFps[index] : 0;
+}
+
+ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results) {
+    const BenchSettings& settings = conditions.settings;
+    ordered_json json = {{"format", "osgtreewind bench 1"},
+                         {"version", OSGTREEWIND_VERSION},
+                         {"date", conditions.date},
+                         {"machine", machineName()},
+                         {"loadBefore", number(conditions.loadBefore)}};
+    json["opengl"] = {{"backend", conditions.backend},
+                      {"vendor", conditions.driver.vendor},
+                      {"renderer", conditions.driver.renderer},
+                      {"version", conditions.driver.version}};
+    json["settings"] = {{"width", settings.size.width},  {"height", settings.size.height},
+                        {"framePairs", settings.frames}, {"warmUpPairs", settings.warmUp},
+                        {"stepSeconds", settings.step},  {"law", "thesis"},
+                        {"threading", "SingleThreaded"}};
+    json["results"] = ordered_json::array();
+    for (const BenchResult& result : results)
+        json["results"].push_back(resultJson(result));
+    json["thesis"] = ordered_json::array();
+    for (const BenchStage& stage : benchStages())
+        if (!stage.table.empty())
+            json["thesis"].push_back(
+                {{"stage", stage.name}, {"table", stage.table}, {"fps", stage.thesisFps}});
+    return json;
+}
+
+void printBenchHead(std::ostream& out, const BenchConditions& conditions) {
+    out << conditions.date << ", " << machineName() << ", " << conditions.driver.renderer << " ("
+        << conditions.backend << "), " << conditions.settings.size.width << "x"
+        << conditions.settings.size.height << ", " << conditions.settings.frames
+        << " pairs of frames, times in ms (medians)\n\n| stage | trees";
+    for (const char* column : {"fps", "frame", "p10", "p90", "update", "cull", "draw", "GPU", "static",
+                               "ratio", "p10", "p90", "thesis fps"})
+        out << " | " << column;
+    out << " |\n| --- |";
+    for (int column = 0; column < 14; ++column)
+        out << " ---: |";
+    out << '\n';
+}
+
+void printBenchRow(std::ostream& out, const BenchResult& result) {
+    const BenchTimes& times = result.moving;
+    const std::vector<double> paired = ratios(times.frame, result.still.frame);
+    const int thesis = thesisFps(result.stage, result.trees);
+    out << "| `" << result.stage.name << "` | " << result.trees;
+    for (const std::string& cell :
+         {fixed(framesPerSecond(times), 1), fixed(quantile(times.frame, 0.5), 2),
+          fixed(quantile(times.frame, 0.1), 2), fixed(quantile(times.frame, 0.9), 2),
+          fixed(quantile(times.update, 0.5), 2), fixed(quantile(times.cull, 0.5), 2),
+          fixed(quantile(times.draw, 0.5), 2), fixed(quantile(times.gpu, 0.5), 2),
+          fixed(quantile(result.still.frame, 0.5), 2), fixed(quantile(paired, 0.5), 2),
+          fixed(quantile(paired, 0.1), 2), fixed(quantile(paired, 0.9), 2),
+          thesis > 0 ? std::to_string(thesis) : std::string("-")})
+        out << " | " << cell;
+    out << " |" << std::endl; // seen at once: the next result takes its time
+}

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "BenchStage.h"
+
+#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/nodes/SkinDrawable.h>
+#include <osgTreeWind/wind/GridWind.h>
+
+#include <osg/Geometry>
+
+#include <cmath>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr double spacing = 6.0; // metres
+
+ForestDescription benchForest(int trees, bool leaves) {
+    Species reference;
+    reference.name = "reference";
+    reference.shapes = 1;
+    if (!leaves)
+        reference.tree.leaves.clustersPerBranch = 0;
+    ForestDescription description;
+    description.species = {reference};
+    description.law = MotionLaw::Thesis;
+    const int perRow = static_cast<int>(std::ceil(std::sqrt(trees)));
+    for (int i = 0; i < trees; ++i) {
+        TreePlacement tree;
+        tree.position = {spacing * (i % perRow), spacing * (i / perRow), 0.0};
+        tree.seed = static_cast<std::uint32_t>(i);
+        description.trees.push_back(tree);
+    }
+    return description;
+}
+
+osg::ref_ptr<osg::Geometry> emptyLines(bool buffered) {
+    osg::ref_ptr<osg::Geometry> lines = new osg::Geometry;
+    lines->setUseDisplayList(false);
+    lines->setUseVertexBufferObjects(buffered);
+    lines->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    osg::ref_ptr<osg::Vec4Array> brown = new osg::Vec4Array;
+    brown->push_back({0.40f, 0.33f, 0.27f, 1.0f});
+    lines->setColorArray(brown, osg::Array::BIND_OVERALL);
+    return lines;
+}
+
+/// The centre lines of `count` units from `first` on.
+osg::ref_ptr<osg::Geometry> unitLines(const Skeleton& skeleton, std::size_t first, std::size_t count,
+                                      bool buffered) {
+    osg::ref_ptr<osg::Vec3Array> points = new osg::Vec3Array;
+    osg::ref_ptr<osg::DrawArrayLengths> strips = new osg::DrawArrayLengths(GL_LINE_STRIP);
+    for (std::size_t unit = first; unit < first + count; ++unit) {
+        for (int ring = 0; ring < skeleton.ringsPerBranch; ++ring)
+            points->push_back(toOsg(skeleton.point(unit, ring)));
+        strips->push_back(skeleton.ringsPerBranch);
+    }
+    osg::ref_ptr<osg::Geometry> lines = emptyLines(buffered);
+    lines->setVertexArray(points);
+    lines->addPrimitiveSet(strips);
+    return lines;
+}
+
+void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffered) {
+    std::vector<osg::ref_ptr<osg::Geometry>> lines;
+    for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
+        lines.push_back(unitLines(skeleton, unit, 1, buffered));
+    for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
+        TreeNode& tree = *forest.getTree(i);
+        for (unsigned child = 0; child < tree.getNumChildren(); ++child)
+            if (dynamic_cast<SkinDrawable*>(tree.getChild(child)))
+                tree.getChild(child)->setNodeMask(0);
+        for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit)
+            tree.getBranch(unit)->addChild(lines[unit]);
+    }
+}
+
+osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const Forest& forest) {
+    const auto model = std::make_shared<const TreeModel>(forest.getSimulation().models().front());
+    osg::ref_ptr<TreeShape> shape = new TreeShape(model);
+    const TreeStyle style = TreeStyles().style(forest.getDescription().species.front().appearance);
+    const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
+    osg::ref_ptr<osg::Geometry> lines;
+    if (lined)
+        lines = unitLines(model->skeleton, 0, model->skeleton.units.size(),
+                          stage.geometry == BenchStage::BUFFERED_LINES);
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    for (const ForestSimulation::Tree& tree : forest.getSimulation().trees()) {
+        osg::ref_ptr<osg::PositionAttitudeTransform> node;
+        if (lined) {
+            node = new osg::PositionAttitudeTransform;
+            node->addChild(lines);
+        } else {
+            node = new TreeNode(shape, style, tree.scale);
+        }
+        node->setPosition(toOsg(tree.position));
+        group->addChild(node);
+    }
+    return group;
+}
+
+} // namespace
+
+const std::vector<BenchStage>& benchStages() {
+    static const std::vector<BenchStage> stages = {
+        {"cpu",
+         "skeletons, angles on the CPU",
+         "6.1",
+         {10, 5, 3, 2},
+         BenchStage::LINES,
+         Forest::CPU_ANGLES,
+         Forest::BRANCH_DRAWING,
+         Forest::TREE_LEAVES},
+        {"cpu-vbo",
+         "the same in vertex buffers",
+         "6.2",
+         {12, 5, 3, 2},
+         BenchStage::BUFFERED_LINES,
+         Forest::CPU_ANGLES,
+         Forest::BRANCH_DRAWING,
+         Forest::TREE_LEAVES},
+        {"gpu",
+         "the same, angles on the GPU",
+         "6.3",
+         {105, 60, 40, 31},
+         BenchStage::BUFFERED_LINES,
+         Forest::GPU_ANGLES,
+         Forest::BRANCH_DRAWING,
+         Forest::TREE_LEAVES},
+        {"gpu-skin",
+         "with bark",
+         "6.4",
+         {90, 45, 36, 31},
+         BenchStage::BARK,
+         Forest::GPU_ANGLES,
+         Forest::BRANCH_DRAWING,
+         Forest::TREE_LEAVES},
+        {"gpu-leaves",
+         "with bark and a transform per leaf",
+         "6.5",
+         {32, 14, 9, 7},
+         BenchStage::BARK_AND_LEAVES,
+         Forest::GPU_ANGLES,
+         Forest::BRANCH_DRAWING,
+         Forest::LEAF_TRANSFORMS},
+        {"gpu-tree-leaves",
+         "with bark, and leaves in one draw a tree",
+         "",
+         {},
+         BenchStage::BARK_AND_LEAVES,
+         Forest::GPU_ANGLES,
+         Forest::BRANCH_DRAWING,
+         Forest::TREE_LEAVES},
+        {"gpu-tree",
+         "bark and leaves in one draw each a tree",
+         "",
+         {},
+         BenchStage::BARK_AND_LEAVES,
+         Forest::GPU_ANGLES,
+         Forest::TREE_DRAWING,
+         Forest::TREE_LEAVES},
+    };
+    return stages;
+}
+
+BenchScene createBenchScene(const BenchStage& stage, int trees) {
+    BenchScene scene;
+    scene.moving = new Forest(benchForest(trees, stage.geometry == BenchStage::BARK_AND_LEAVES));
+    scene.still = stillTrees(stage, *scene.moving);
+    scene.moving->setAngleSource(stage.angles);
+    if (stage.geometry <= BenchStage::BUFFERED_LINES)
+        drawLinesInsteadOfBark(*scene.moving, scene.moving->getSimulation().models().front().skeleton,
+                               stage.geometry == BenchStage::BUFFERED_LINES);
+    else
+        scene.moving->setBranchDrawing(stage.branches);
+    scene.moving->setLeafDrawing(stage.leaves);
+    return scene;
+}
+
+WindFieldPtr createBenchWind(bool turned) {
+    constexpr int side = 64; // cells of 1 m
+    Random random(7);
+    std::vector<float> values;
+    for (int cell = 0; cell < side * side; ++cell) {
+        const float speed = (turned ? -4.0f : 4.0f) + random.symmetric();
+        values.insert(values.end(), {speed, 0.0f, 0.3f * speed});
+    }
+    return GridWind::fromForestWind(side, side, std::move(values), {-8.0, side - 8.0, 0.0}).value();
+}

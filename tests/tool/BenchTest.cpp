@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "Tool.h"
+
+#include "../../examples/osgtreewind/BenchStatistics.h"
+
+#include <osgDB/ReadFile>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <memory>
+
+namespace {
+
+using nlohmann::json;
+
+const std::vector<std::string> stages = {"cpu",        "cpu-vbo",         "gpu",     "gpu-skin",
+                                         "gpu-leaves", "gpu-tree-leaves", "gpu-tree"};
+
+/// One run of two pairs of small frames, for all these tests.
+class BenchTest : public ::testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        folder = std::make_unique<TemporaryFolder>();
+        outcome = runTool({"bench", "--trees", "1", "--frames", "2", "--size", "64x64", "-o", "results.json",
+                           "--chart", "chart.svg"},
+                          folder->path());
+        report = json::parse(contentOf(folder->path() + "/results.json"), nullptr, false);
+    }
+    static void TearDownTestSuite() { folder.reset(); }
+    void SetUp() override {
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        ASSERT_TRUE(report.is_object());
+    }
+
+    static const json& result(const std::string& stage) {
+        for (const json& candidate : report["results"])
+            if (candidate["stage"] == stage)
+                return candidate;
+        static const json none;
+        ADD_FAILURE() << "no result of " << stage;
+        return none;
+    }
+
+    static std::unique_ptr<TemporaryFolder> folder;
+    static Outcome outcome;
+    static json report;
+};
+
+std::unique_ptr<TemporaryFolder> BenchTest::folder;
+Outcome BenchTest::outcome;
+json BenchTest::report;
+
+TEST_F(BenchTest, SaysNothingOnStandardError) {
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(BenchTest, MeasuresEveryStage) {
+    std::vector<std::string> measured;
+    for (const json& result : report["results"])
+        measured.push_back(result["stage"]);
+    EXPECT_EQ(measured, stages);
+}
+
+TEST_F(BenchTest, SaysWhereAndHowItMeasured) {
+    EXPECT_EQ(report["format"], "osgtreewind bench 1");
+    EXPECT_EQ(report["version"], OSGTREEWIND_VERSION);
+    EXPECT_NE(report["machine"], "");
+    EXPECT_EQ(report["opengl"]["backend"], "osmesa");
+    EXPECT_NE(report["opengl"]["renderer"], "");
+    EXPECT_EQ(report["settings"]["width"], 64);
+    EXPECT_EQ(report["settings"]["height"], 64);
+    EXPECT_EQ(report["settings"]["framePairs"], 2);
+}
+
+TEST_F(BenchTest, CountsOneTreeAsTheThesisDoes) {
+    EXPECT_EQ(result("cpu")["counts"]["units"], 122);
+    for (const char* stage : {"cpu", "cpu-vbo", "gpu"}) {
+        EXPECT_EQ(result(stage)["counts"]["vertices"], 1952);
+        EXPECT_EQ(result(stage)["counts"]["lines"], 122 * 15);
+        EXPECT_EQ(result(stage)["counts"]["triangles"], 0);
+    }
+    EXPECT_EQ(result("gpu-skin")["counts"]["vertices"], 15616);
+    EXPECT_EQ(result("gpu-skin")["counts"]["triangles"], 29280);
+    for (const char* stage : {"gpu-leaves", "gpu-tree-leaves", "gpu-tree"}) {
+        EXPECT_EQ(result(stage)["counts"]["vertices"], 38656);
+        EXPECT_EQ(result(stage)["counts"]["triangles"], 40800);
+    }
+}
+
+TEST_F(BenchTest, MovesWhatTheStageSaysByTransforms) {
+    constexpr int tree = 1, branches = 122, leaves = 120 * 16;
+    EXPECT_EQ(result("cpu")["counts"]["transforms"], tree + branches);
+    EXPECT_EQ(result("gpu-skin")["counts"]["transforms"], tree + branches);
+    EXPECT_EQ(result("gpu-leaves")["counts"]["transforms"], tree + branches + leaves);
+    EXPECT_EQ(result("gpu-tree-leaves")["counts"]["transforms"], tree + branches);
+    EXPECT_EQ(result("gpu-tree")["counts"]["transforms"], tree);
+}
+
+TEST_F(BenchTest, TakesAnglesFromWhereTheStageSays) {
+    for (const std::string& stage : stages)
+        EXPECT_EQ(result(stage)["angles"], stage.substr(0, 3)) << stage;
+}
+
+TEST_F(BenchTest, PutsTheThesisTablesBeside) {
+    const std::map<std::string, std::pair<std::string, std::vector<int>>> tables = {
+        {"cpu", {"6.1", {10, 5, 3, 2}}},
+        {"cpu-vbo", {"6.2", {12, 5, 3, 2}}},
+        {"gpu", {"6.3", {105, 60, 40, 31}}},
+        {"gpu-skin", {"6.4", {90, 45, 36, 31}}},
+        {"gpu-leaves", {"6.5", {32, 14, 9, 7}}}};
+    ASSERT_EQ(report["thesis"].size(), tables.size());
+    for (const json& table : report["thesis"]) {
+        const auto& [name, fps] = tables.at(table["stage"]);
+        EXPECT_EQ(table["table"], name);
+        EXPECT_EQ(table["fps"], fps);
+        EXPECT_EQ(result(table["stage"])["thesisFps"], fps[0]);
+    }
+    EXPECT_TRUE(result("gpu-tree")["thesisFps"].is_null());
+}
+
+TEST_F(BenchTest, GivesFramesOverSeconds) {
+    for (const json& result : report["results"])
+        for (const char* variant : {"moving", "static"})
+            EXPECT_NEAR(result[variant]["fps"].get<double>() * result[variant]["seconds"].get<double>(), 2.0,
+                        1e-6);
+}
+
+TEST_F(BenchTest, GivesOrderedSpreadsOfEveryTime) {
+    for (const json& result : report["results"]) {
+        std::vector<json> spreads = {result["ratioToStatic"]};
+        for (const char* variant : {"moving", "static"})
+            for (const char* time : {"frameMs", "updateMs", "cullMs", "drawMs"})
+                spreads.push_back(result[variant][time]);
+        for (const json& spread : spreads) {
+            ASSERT_TRUE(spread["median"].is_number()) << result;
+            EXPECT_GE(spread["p10"].get<double>(), 0.0);
+            EXPECT_LE(spread["p10"], spread["median"]);
+            EXPECT_LE(spread["median"], spread["p90"]);
+        }
+    }
+}
+
+TEST_F(BenchTest, PrintsARowForEachResult) {
+    for (const std::string& stage : stages)
+        EXPECT_NE(outcome.out.find("| `" + stage + "` | 1 |"), std::string::npos) << stage;
+}
+
+TEST_F(BenchTest, DrawsAChartOfEveryStage) {
+    const std::string chart = contentOf(folder->path() + "/chart.svg");
+    for (const std::string& stage : stages)
+        EXPECT_NE(chart.find('>' + stage + "</text>"), std::string::npos) << stage;
+    osg::ref_ptr<osg::Image> picture = osgDB::readRefImageFile(folder->path() + "/chart.png");
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->s(), 1000);
+    EXPECT_EQ(picture->t(), 500);
+}
+
+TEST(BenchUsageTest, MeasuresOneStageWithSeveralNumbersOfTrees) {
+    const TemporaryFolder folder;
+    const Outcome outcome = runTool({"bench", "--stage", "gpu-tree", "--trees", "2,3", "--frames", "1",
+                                     "--size", "32x32", "-o", "results.json"},
+                                    folder.path());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const json results =
+        json::parse(contentOf(folder.path() + "/results.json"), nullptr, false).at("results");
+    ASSERT_EQ(results.size(), 2u);
+    for (const int trees : {2, 3}) {
+        const json& result = results[static_cast<std::size_t>(trees - 2)];
+        EXPECT_EQ(result["stage"], "gpu-tree");
+        EXPECT_EQ(result["trees"], trees);
+        EXPECT_EQ(result["counts"]["triangles"], trees * 40800);
+    }
+}
+
+TEST(BenchUsageTest, RefusesWhatItCannotMeasure) {
+    const std::vector<std::vector<std::string>> cases = {{"--trees", "0"},    {"--trees", "x"},
+                                                         {"--frames", "0"},   {"--size", "0x9"},
+                                                         {"--stage", "fast"}, {"--chart", "chart.gif"}};
+    for (const std::vector<std::string>& words : cases) {
+        std::vector<std::string> line = {"bench"};
+        line.insert(line.end(), words.begin(), words.end());
+        const Outcome refused = runTool(line);
+        EXPECT_EQ(refused.exitCode, 2) << words[0] << ' ' << words[1];
+        EXPECT_NE(refused.err.find(words[0]), std::string::npos) << refused.err;
+    }
+}
+
+TEST(BenchUsageTest, FailsBeforeMeasuringWhenTheResultsCannotBeWritten) {
+    const Outcome failed = runTool({"bench", "-o", "/nowhere/results.json"});
+    EXPECT_EQ(failed.exitCode, 1);
+    EXPECT_EQ(failed.err, "/nowhere/results.json: cannot be written\n");
+    EXPECT_EQ(failed.out, "");
+}
+
+TEST(BenchStatisticsTest, QuantilesAreLinearBetweenValues) {
+    const std::vector<double> values = {50, 15, 40, 20, 35};
+    EXPECT_DOUBLE_EQ(quantile(values, 0.0), 15.0);
+    EXPECT_DOUBLE_EQ(quantile(values, 0.4), 29.0);
+    EXPECT_DOUBLE_EQ(quantile(values, 0.5), 35.0);
+    EXPECT_DOUBLE_EQ(quantile(values, 1.0), 50.0);
+}
+
+TEST(BenchStatisticsTest, NoValuesHaveNoQuantile) {
+    EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
+}
+
+TEST(BenchStatisticsTest, RatiosArePaired) {
+    EXPECT_EQ(ratios({2.0, 9.0}, {4.0, 3.0}), (std::vector<double>{0.5, 3.0}));
+}
+
+} // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "Tool.h"
+
+#include <osgDB/ReadFile>
+
+#include <cmath>
+
+namespace {
+
+/// osgtreewind render of examples/thesis.treewind, small, into `output` of `folder`.
+Outcome render(const TemporaryFolder& folder, const std::string& output,
+               std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {"render", example("thesis.treewind"), "-o", output, "--size", "160x90"});
+    return runTool(options, folder.path());
+}
+
+osg::ref_ptr<osg::Image> picture(const TemporaryFolder& folder, const std::string& name) {
+    osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(folder.path() + '/' + name);
+    EXPECT_TRUE(image) << name;
+    return image ? image : osg::ref_ptr<osg::Image>(new osg::Image);
+}
+
+/// Mean difference of two pictures, in steps of 1/255.
+double meanDifference(const osg::Image& a, const osg::Image& b) {
+    EXPECT_EQ(a.s(), b.s());
+    EXPECT_EQ(a.t(), b.t());
+    EXPECT_EQ(a.getTotalSizeInBytes(), b.getTotalSizeInBytes());
+    double sum = 0.0;
+    for (unsigned i = 0; i < a.getTotalSizeInBytes(); ++i)
+        sum += std::abs(a.data()[i] - b.data()[i]);
+    return sum / a.getTotalSizeInBytes();
+}
+
+} // namespace
+
+TEST(Render, TheSameArgumentsGiveTheSameBytes) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(render(folder, "a.png", {"--start", "0.5"}).exitCode, 0);
+    EXPECT_EQ(render(folder, "b.png", {"--start", "0.5"}).exitCode, 0);
+    const std::string bytes = contentOf(folder.path() + "/a.png");
+    EXPECT_GT(bytes.size(), 1000u);
+    EXPECT_EQ(bytes, contentOf(folder.path() + "/b.png"));
+}
+
+TEST(Render, AFileAloneMakesForestPng) {
+    const TemporaryFolder folder;
+    const Outcome outcome = runTool({"render", example("thesis.treewind")}, folder.path());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    const osg::ref_ptr<osg::Image> image = picture(folder, "forest.png");
+    EXPECT_EQ(image->s(), 1280);
+    EXPECT_EQ(image->t(), 720);
+}
+
+TEST(Render, ShowsSkyOverGreenOverGround) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(render(folder, "a.png").exitCode, 0);
+    const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
+    ASSERT_EQ(image->s(), 160);
+    const osg::Vec4 sky = image->getColor(2u, 88u);
+    EXPECT_GT(sky.b(), sky.r());
+    int green = 0;
+    for (unsigned y = 45; y < 80; ++y) {
+        for (unsigned x = 40; x < 120; ++x) {
+            const osg::Vec4 pixel = image->getColor(x, y);
+            green += pixel.g() > 1.1f * pixel.b() && pixel.g() > pixel.r();
+        }
+    }
+    EXPECT_GT(green, 300); // the crown
+}
+
+TEST(Render, APatternNumbersTheFramesFromZero) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(render(folder, "f_%03d.png", {"--frames", "3", "--fps", "2"}).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/f_003.png"));
+    EXPECT_GT(meanDifference(*picture(folder, "f_000.png"), *picture(folder, "f_001.png")), 0.1);
+    EXPECT_GT(meanDifference(*picture(folder, "f_000.png"), *picture(folder, "f_002.png")), 0.1);
+}
+
+TEST(Render, StartIsThePictureThatFramesWouldHaveReached) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(render(folder, "f_%d.png", {"--frames", "4", "--fps", "10"}).exitCode, 0);
+    EXPECT_EQ(render(folder, "start.png", {"--start", "0.3", "--fps", "10"}).exitCode, 0);
+    EXPECT_EQ(contentOf(folder.path() + "/f_3.png"), contentOf(folder.path() + "/start.png"));
+}
+
+TEST(Render, LooksStraightDown) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(render(folder, "a.png", {"--eye", "0,0,20", "--center", "0,0,0"}).exitCode, 0);
+    const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
+    ASSERT_EQ(image->s(), 160);
+    const osg::Vec4 crown = image->getColor(80u, 45u), ground = image->getColor(2u, 2u);
+    EXPECT_GT((crown - ground).length(), 0.05f);
+}
+
+TEST(Render, Mp4HasTheFramesAndSizeAskedFor) {
+    if (runShell("ffmpeg -version && ffprobe -version").exitCode != 0)
+        GTEST_SKIP() << "no ffmpeg here";
+    const TemporaryFolder folder;
+    const Outcome outcome = render(folder, "clip.mp4", {"--frames", "7", "--fps", "25"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Outcome probe = runShell("ffprobe -v error -count_frames -of csv=p=0 -show_entries "
+                                   "stream=width,height,r_frame_rate,nb_read_frames clip.mp4",
+                                   folder.path());
+    EXPECT_EQ(probe.out, "160,90,25/1,7\n") << probe.err;
+}
+
+TEST(Render, Mp4ThatCannotBeWrittenIsExitCode1) {
+    if (runShell("ffmpeg -version").exitCode != 0)
+        GTEST_SKIP() << "no ffmpeg here";
+    EXPECT_EQ(render(TemporaryFolder(), "absent/clip.mp4", {"--frames", "2"}).exitCode, 1);
+}
+
+TEST(Render, BothBackendsDrawTheSame) {
+    if (!std::filesystem::exists(std::string(OSGTREEWIND_TOOL) + "-egl"))
+        GTEST_SKIP() << "built without EGL";
+    const TemporaryFolder folder;
+    EXPECT_EQ(render(folder, "osmesa.png", {"--start", "0.5", "--backend", "osmesa"}).exitCode, 0);
+    const Outcome egl = render(folder, "egl.png", {"--start", "0.5", "--backend", "egl"});
+    EXPECT_EQ(egl.exitCode, 0) << egl.err;
+    // Another renderer (a GPU, perhaps) may differ at edges.
+    EXPECT_LT(meanDifference(*picture(folder, "osmesa.png"), *picture(folder, "egl.png")), 1.0);
+}
+
+TEST(Render, EveryWayToThePoseGivesThePicture) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> moving = {"--frames", "6", "--fps", "30", "--start", "1"};
+    EXPECT_EQ(render(folder, "rest.png").exitCode, 0);
+    EXPECT_EQ(render(folder, "cpu_%d.png", moving).exitCode, 0);
+    const double moved = meanDifference(*picture(folder, "rest.png"), *picture(folder, "cpu_5.png"));
+    EXPECT_GT(moved, 1.0);
+    for (const std::string pose : {"gpu", "scenegraph"}) {
+        std::vector<std::string> options = moving;
+        options.insert(options.end(), {"--pose", pose});
+        const Outcome outcome = render(folder, pose + "_%d.png", options);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        // Branches are one frame late there.
+        EXPECT_LT(meanDifference(*picture(folder, "cpu_5.png"), *picture(folder, pose + "_5.png")),
+                  0.2 * moved)
+            << pose;
+    }
+}
