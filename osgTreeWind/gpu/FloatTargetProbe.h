@@ -15,6 +15,7 @@ public:
 
     FloatTargetProbe();
     FloatTargetProbe(const FloatTargetProbe& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    using osg::Drawable::accept;
     META_Node(osgTreeWind, FloatTargetProbe)
 
         /// Any thread.

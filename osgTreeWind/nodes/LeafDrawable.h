@@ -12,6 +12,7 @@ public:
     LeafDrawable(osg::Geometry* geometry, PosedTree* tree) : TreeDrawable(geometry, tree) {}
     LeafDrawable(const LeafDrawable& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY)
         : TreeDrawable(other, copyop) {}
+    using TreeDrawable::accept;
     META_Node(osgTreeWind, LeafDrawable)
 
         osg::BoundingBox computeBoundingBox() const override {

@@ -14,6 +14,7 @@ public:
     /// @param geometry the shape's skin, or its unitSkin(unit).
     SkinDrawable(osg::Geometry* geometry, PosedTree* tree, int unit = wholeTree);
     SkinDrawable(const SkinDrawable& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    using TreeDrawable::accept;
     META_Node(osgTreeWind, SkinDrawable)
 
         osg::BoundingBox computeBoundingBox() const override;

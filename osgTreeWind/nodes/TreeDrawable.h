@@ -15,6 +15,7 @@ public:
     TreeDrawable(osg::Geometry* geometry, PosedTree* tree);
     TreeDrawable(const TreeDrawable& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
 
+    using osg::Drawable::accept;
     bool supports(const osg::PrimitiveFunctor&) const override { return true; }
     /// Hands over the posed triangles, in the tree's frame.
     void accept(osg::PrimitiveFunctor& functor) const override;
