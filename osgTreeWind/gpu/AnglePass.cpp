@@ -90,6 +90,11 @@ void AnglePass::hold() {
         camera->setNodeMask(0);
 }
 
+void AnglePass::startFrom(const float* texels) {
+    for (const DataTexture& texture : _textures) // not dirty: contexts that have them go on from their own
+        std::memcpy(texture.data(), texels, texture.texture()->getImage()->getTotalSizeInBytes());
+}
+
 void AnglePass::setPostDrawCallback(osg::Camera::DrawCallback* callback) {
     for (const osg::ref_ptr<osg::Camera>& camera : _cameras)
         camera->setPostDrawCallback(callback);

@@ -29,6 +29,9 @@ public:
     /// Where the states stand once the frame being prepared has drawn the pass.
     osg::Texture2D* states() const { return _textures[_latest].texture(); }
 
+    /// Has a context that comes later, or one that was lost, start from these states: all texels of states().
+    void startFrom(const float* texels);
+
     /// Called in the draw thread after each drawing of the pass.
     void setPostDrawCallback(osg::Camera::DrawCallback* callback);
 

@@ -79,6 +79,7 @@ bool AnglePrePass::readBack(ForestSimulation& simulation, bool leavesToo) {
         simulation.setLeafStates(_states.data());
     if (!_branchReadback->take(_states, frame))
         return false;
+    _branches.startFrom(floats(_states));
     simulation.setBranchStates(_states.data());
     return true;
 }

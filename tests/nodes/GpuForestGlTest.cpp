@@ -2,6 +2,7 @@
 #include "../gl/GlTest.h"
 
 #include <osgTreeWind/gpu/AnglePrePass.h>
+#include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -138,6 +139,37 @@ TEST_F(GpuForestGlTest, SixHundredFramesStayWithTheCpu) {
         EXPECT_LT(largestDifference(forest->getSimulation().branchStates(), oracle.branchStates()), 1e-2f)
             << static_cast<int>(law);
     }
+}
+
+TEST_F(GpuForestGlTest, SixHundredFramesOfTheExampleForestStayWithTheCpu) {
+    auto example = readForestFile(OSGTREEWIND_SOURCE_DIR "/examples/forest.treewind");
+    ASSERT_TRUE(example);
+    osg::ref_ptr<Forest> forest = start(example.value());
+    ForestSimulation oracle(example.value());
+    oracle.advance(0.0);
+    for (int i = 1; i <= 600; ++i) {
+        frame(i / 60.0);
+        oracle.advance(i / 60.0);
+    }
+    frame(10.0);
+    EXPECT_LT(largestDifference(forest->getSimulation().branchStates(), oracle.branchStates()), 1e-2f);
+}
+
+TEST_F(GpuForestGlTest, ALostContextGoesOnFromTheStatesReadBack) {
+    osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(2, 3, 1), 2));
+    for (int i = 1; i <= 30; ++i)
+        frame(i / 60.0);
+    const std::vector<glm::vec4> before = forest->getSimulation().branchStates();
+    forest->releaseGLObjects();
+    open(16, 16);
+    viewer().setSceneData(forest);
+    frame(31 / 60.0);
+    frame(32 / 60.0);
+    float moved = 0.0f;
+    for (const glm::vec4& state : before)
+        moved = std::max(moved, std::abs(state.x));
+    EXPECT_GT(moved, 0.1f);
+    EXPECT_LT(largestDifference(forest->getSimulation().branchStates(), before), 0.2f * moved);
 }
 
 TEST_F(GpuForestGlTest, APauseHolds) {
