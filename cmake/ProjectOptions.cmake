@@ -25,6 +25,9 @@ set(OSGTREEWIND_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. addr
 if(OSGTREEWIND_SANITIZE)
     add_compile_options(-fsanitize=${OSGTREEWIND_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=${OSGTREEWIND_SANITIZE})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        add_compile_options(-Wno-maybe-uninitialized) # GCC 12 sees std::function wrongly when sanitizing
+    endif()
 endif()
 
 add_library(osgTreeWind_warnings INTERFACE)
