@@ -4,9 +4,7 @@
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
-#include <osg/BlendFunc>
 #include <osg/ColorMask>
-#include <osg/Depth>
 #include <osg/Geometry>
 #include <osg/PolygonMode>
 

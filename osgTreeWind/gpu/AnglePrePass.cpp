@@ -18,13 +18,6 @@ void fill(DataTexture& texture, const std::vector<glm::vec4>& texels) {
     texture.dirty();
 }
 
-void bind(osg::StateSet& state, const char* sampler, int unit, const DataTexture& texture) {
-    // Protected, since a shadow technique, say, overrides textures of the scene above.
-    state.setTextureAttribute(static_cast<unsigned>(unit), texture.texture(),
-                              osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
-    state.addUniform(new osg::Uniform(sampler, unit));
-}
-
 } // namespace
 
 AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
@@ -39,15 +32,15 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
     fill(_branchParameters, branchTexels(simulation));
     fill(_leafParameters, leafTexels(simulation));
 
-    bind(_branches.inputs(), "wind", 1, _wind);
-    bind(_branches.inputs(), "branchParameters", 2, _branchParameters);
-    bind(_branches.inputs(), "speciesTexels", 3, _species);
+    bindData(_branches.inputs(), "wind", 1, _wind.texture());
+    bindData(_branches.inputs(), "branchParameters", 2, _branchParameters.texture());
+    bindData(_branches.inputs(), "speciesTexels", 3, _species.texture());
     _branches.inputs().addUniform(
         new osg::Uniform("motionLaw", static_cast<int>(simulation.description().law)));
     _branches.inputs().addUniform(_seconds);
     _branches.setPostDrawCallback(_branchReadback);
-    bind(_leaves.inputs(), "leafParameters", 1, _leafParameters);
-    bind(_leaves.inputs(), "speciesTexels", 2, _species);
+    bindData(_leaves.inputs(), "leafParameters", 1, _leafParameters.texture());
+    bindData(_leaves.inputs(), "speciesTexels", 2, _species.texture());
 
     _node->setName("angle passes");
     _node->addChild(_branches.node());

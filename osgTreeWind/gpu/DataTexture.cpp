@@ -25,4 +25,9 @@ DataTexture::DataTexture(const char* name, std::size_t texels)
     _texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
 }
 
+void bindData(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
+    state.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
+    state.getOrCreateUniform(sampler, osg::Uniform::SAMPLER_2D)->set(static_cast<int>(unit));
+}
+
 } // namespace osgTreeWind

@@ -28,4 +28,8 @@ private:
     osg::ref_ptr<osg::Texture2D> _texture;
 };
 
+/// Gives a texture of data to the shaders below `state`, as `sampler` in a texture unit. Protected, since a
+/// shadow technique, say, overrides textures of the scene above.
+void bindData(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture);
+
 } // namespace osgTreeWind

@@ -28,11 +28,6 @@ Forest::AngleSource environmentSource() {
     return value && std::strcmp(value, "gpu") == 0 ? Forest::GPU_ANGLES : Forest::CPU_ANGLES;
 }
 
-void bind(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
-    state.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
-    state.getOrCreateUniform(sampler, osg::Uniform::SAMPLER_2D)->set(static_cast<int>(unit));
-}
-
 } // namespace
 
 Forest::Forest() : Forest(ForestDescription()) {}
@@ -93,8 +88,8 @@ void Forest::setDescription(ForestDescription description) {
     _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.leafStates().size());
     osg::StateSet* state = _stand->getOrCreateStateSet();
     state->setDataVariance(osg::Object::DYNAMIC);
-    bind(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
-    bind(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
+    bindData(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
+    bindData(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
     uploadUnitPoses();
     uploadLeafAngles();
 }
@@ -133,7 +128,7 @@ void Forest::useCpuAngles() {
         return;
     removeChild(_prePass->node());
     _prePass.reset();
-    bind(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
+    bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
 }
 
 /// The passes start once a first frame has shown that the context can run them.
@@ -186,7 +181,7 @@ bool Forest::stepOnGpu(double time) {
         _prePass->step(*_simulation, time, *seconds);
     else
         _prePass->hold();
-    bind(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
+    bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
     return moved;
 }
 
