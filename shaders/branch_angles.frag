@@ -6,13 +6,14 @@
 #include "data.glsl"
 #include "target.glsl"
 #include "law/limits.glsl"
+#include "law/elementary.glsl"
 #include "law/noise.glsl"
 #include "law/rotation.glsl"
 #include "law/thesis_branch.glsl"
 #include "law/damped_branch.glsl"
 
 uniform sampler2D previousAngles;   // one texel a unit: its state
-uniform sampler2D wind;             // one texel a unit: m/s in the tree's own frame, Z up
+uniform sampler2D wind;             // two texels a unit: at the start and end of the step, m/s in the tree's own frame, Z up
 uniform sampler2D branchParameters; // three texels a unit
 uniform sampler2D speciesTexels;    // four texels a species; the first: noise time of branches
 uniform int motionLaw;              // MotionLaw
@@ -22,23 +23,23 @@ vec3 thesisNoise(vec4 stream, uint unit) {
     vec4 time = dataTexel(speciesTexels, 4 * int(stream.y + 0.5));
     uint seed = wholeNumber(stream.zw);
     uint cell = wholeNumber(time.xy);
-    return vec3(streamNoise(noiseStream(seed, unit, 0u), cell, time.z),
-                streamNoise(noiseStream(seed, unit, 1u), cell, time.z),
-                streamNoise(noiseStream(seed, unit, 2u), cell, time.z));
+    return vec3(motionNoise(noiseStream(seed, unit, 0u), cell, time.z, time.w),
+                motionNoise(noiseStream(seed, unit, 1u), cell, time.z, time.w),
+                motionNoise(noiseStream(seed, unit, 2u), cell, time.z, time.w));
 }
 
 void main() {
     int unit = targetIndex(previousAngles);
     vec4 state = dataTexel(previousAngles, unit);
-    vec3 air = dataTexel(wind, unit).xyz;
+    vec3 air = dataTexel(wind, 2 * unit + 1).xyz;
     vec4 a = dataTexel(branchParameters, 3 * unit);
     vec4 b = dataTexel(branchParameters, 3 * unit + 1);
     vec4 c = dataTexel(branchParameters, 3 * unit + 2);
 
     if (motionLaw == 2) {
         DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
-        vec2 across = vec2(dot(air, branchAxis1(c.xyz)), dot(air, branchAxis3(c.xyz)));
-        gl_FragColor = dampedBranchStep(state, across, branch, seconds);
+        vec3 airBefore = dataTexel(wind, 2 * unit).xyz;
+        gl_FragColor = dampedBranchStep(state, windAcross(airBefore, c.xyz), windAcross(air, c.xyz), branch, seconds);
         return;
     }
     ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);

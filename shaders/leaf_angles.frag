@@ -24,8 +24,8 @@ void main() {
     uint seed = wholeNumber(own.yz);
     uint index = uint(own.w + 0.5);
     uint cell = wholeNumber(time.xy);
-    float x = streamNoise(noiseStream(seed, index, 3u), cell, time.z);
-    float z = streamNoise(noiseStream(seed, index, 4u), cell, time.z);
+    float x = motionNoise(noiseStream(seed, index, 3u), cell, time.z, time.w);
+    float z = motionNoise(noiseStream(seed, index, 4u), cell, time.z, time.w);
     gl_FragColor = thesisLeafStep(dataTexel(previousAngles, leaf), x, z,
                                   ThesisLeaf(a.x, a.y, a.z, a.w, b.x, b.y));
 }

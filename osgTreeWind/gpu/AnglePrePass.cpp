@@ -3,19 +3,11 @@
 
 #include <osgTreeWind/gpu/LawTexels.h>
 
-#include <cstring>
-
 namespace osgTreeWind {
 namespace {
 
 const float* floats(const std::vector<glm::vec4>& texels) {
     return reinterpret_cast<const float*>(texels.data());
-}
-
-void fill(DataTexture& texture, const std::vector<glm::vec4>& texels) {
-    if (!texels.empty())
-        std::memcpy(texture.data(), texels.data(), texels.size() * sizeof(glm::vec4));
-    texture.dirty();
 }
 
 } // namespace
@@ -24,13 +16,13 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
     : _node(new OncePerFrame),
       _branches("branch_angles", floats(simulation.branchStates()), simulation.branchStates().size()),
       _leaves("leaf_angles", floats(simulation.leafStates()), simulation.leafStates().size()),
-      _wind("wind", simulation.branchStates().size()),
+      _wind("wind", simulation.windTexels().size()),
       _branchParameters("branch parameters", 3 * simulation.branchStates().size()),
       _leafParameters("leaf parameters", simulation.leafStates().size()),
-      _species("species", texelsPerSpecies * simulation.description().species.size()),
-      _seconds(new osg::Uniform("seconds", 0.0f)), _branchReadback(new AngleReadback) {
-    fill(_branchParameters, branchTexels(simulation));
-    fill(_leafParameters, leafTexels(simulation));
+      _species("species", speciesTexels(simulation, 0.0).size()), _seconds(new osg::Uniform("seconds", 0.0f)),
+      _branchReadback(new AngleReadback) {
+    _branchParameters.fill(branchTexels(simulation));
+    _leafParameters.fill(leafTexels(simulation));
 
     bindData(_branches.inputs(), "wind", 1, _wind.texture());
     bindData(_branches.inputs(), "branchParameters", 2, _branchParameters.texture());
@@ -48,10 +40,8 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
 }
 
 void AnglePrePass::step(const ForestSimulation& simulation, double time, float seconds) {
-    simulation.localWind(reinterpret_cast<glm::vec4*>(_wind.data()));
-    _wind.dirty();
-    speciesTexels(simulation, time, reinterpret_cast<glm::vec4*>(_species.data()));
-    _species.dirty();
+    _wind.fill(simulation.windTexels());
+    _species.fill(speciesTexels(simulation, time));
     _seconds->set(seconds);
     _branches.step();
     _leaves.step();
@@ -63,14 +53,13 @@ void AnglePrePass::hold() {
 }
 
 bool AnglePrePass::readBack(ForestSimulation& simulation, bool leavesToo) {
-    unsigned frame = 0;
     if (leavesToo != _leafReadback.valid()) {
         _leafReadback = leavesToo ? new AngleReadback : nullptr;
         _leaves.setPostDrawCallback(_leafReadback);
     }
-    if (_leafReadback && _leafReadback->take(_states, frame))
+    if (_leafReadback && _leafReadback->take(_states))
         simulation.setLeafStates(_states.data());
-    if (!_branchReadback->take(_states, frame))
+    if (!_branchReadback->take(_states))
         return false;
     _branches.startFrom(floats(_states));
     simulation.setBranchStates(_states.data());

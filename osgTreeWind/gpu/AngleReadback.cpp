@@ -32,12 +32,11 @@ void AngleReadback::operator()(osg::RenderInfo& renderInfo) const {
     _fresh = true;
 }
 
-bool AngleReadback::take(std::vector<glm::vec4>& states, unsigned& frame) {
+bool AngleReadback::take(std::vector<glm::vec4>& states) {
     const std::lock_guard<std::mutex> lock(_mutex);
     if (!_fresh)
         return false;
     states.swap(_front);
-    frame = _frame;
     _fresh = false;
     return true;
 }

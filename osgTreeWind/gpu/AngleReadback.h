@@ -21,8 +21,8 @@ public:
 
     /// The newest states, unless they were taken before.
     /// @param states becomes all texels of the texture, padding included.
-    /// @param frame number of the frame that drew them. @return whether there were any.
-    bool take(std::vector<glm::vec4>& states, unsigned& frame);
+    /// @return whether there were any.
+    bool take(std::vector<glm::vec4>& states);
 
 private:
     mutable std::mutex _drawing; // one context at a time; guards _back

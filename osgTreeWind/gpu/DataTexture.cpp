@@ -25,6 +25,12 @@ DataTexture::DataTexture(const char* name, std::size_t texels)
     _texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
 }
 
+void DataTexture::fill(const std::vector<glm::vec4>& texels) const {
+    if (!texels.empty())
+        std::memcpy(data(), texels.data(), texels.size() * sizeof(glm::vec4));
+    dirty();
+}
+
 void bindData(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {
     state.setTextureAttribute(unit, texture, osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED);
     state.getOrCreateUniform(sampler, osg::Uniform::SAMPLER_2D)->set(static_cast<int>(unit));

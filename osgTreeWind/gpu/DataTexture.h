@@ -3,7 +3,10 @@
 
 #include <osg/Texture2D>
 
+#include <glm/vec4.hpp>
+
 #include <cstddef>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -22,6 +25,8 @@ public:
     float* data() const { return reinterpret_cast<float*>(_image->data()); }
     /// Has the texels uploaded before the next draw in every context.
     void dirty() const { _image->dirty(); }
+    /// Writes texels from the first on, and dirty(). During update.
+    void fill(const std::vector<glm::vec4>& texels) const;
 
 private:
     osg::ref_ptr<osg::Image> _image;

@@ -11,9 +11,8 @@ glm::vec2 halves(std::uint32_t number) {
     return {static_cast<float>(number & 0xffffu), static_cast<float>(number >> 16u)};
 }
 
-glm::vec4 noiseTime(double time, float frequency) {
-    const NoiseTime now = NoiseTime::at(time, frequency);
-    return {halves(now.cell), now.fraction, 0.0f};
+glm::vec4 texelOf(const NoiseTime& now) {
+    return {halves(now.cell), now.fraction, now.gain};
 }
 
 } // namespace
@@ -55,14 +54,17 @@ std::vector<glm::vec4> leafTexels(const ForestSimulation& simulation) {
     return texels;
 }
 
-void speciesTexels(const ForestSimulation& simulation, double time, glm::vec4* out) {
+std::vector<glm::vec4> speciesTexels(const ForestSimulation& simulation, double time) {
+    const std::optional<float> exponent = simulation.description().noiseExponent;
+    std::vector<glm::vec4> texels;
     for (const Species& species : simulation.description().species) {
         const LeafMotion& leaf = species.leaf;
-        *out++ = noiseTime(time, species.branch.noiseFrequency);
-        *out++ = noiseTime(time, leaf.noiseFrequency);
-        *out++ = {leaf.maxAngleX, leaf.maxAngleZ, leaf.maxRotation, leaf.partialSteps};
-        *out++ = {leaf.factor, leaf.linkedFactor, 0.0f, 0.0f};
+        texels.push_back(texelOf(NoiseTime::at(time, species.branch.noiseFrequency, exponent)));
+        texels.push_back(texelOf(NoiseTime::at(time, leaf.noiseFrequency, exponent)));
+        texels.emplace_back(leaf.maxAngleX, leaf.maxAngleZ, leaf.maxRotation, leaf.partialSteps);
+        texels.emplace_back(leaf.factor, leaf.linkedFactor, 0.0f, 0.0f);
     }
+    return texels;
 }
 
 } // namespace osgTreeWind

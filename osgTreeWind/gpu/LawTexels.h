@@ -17,9 +17,8 @@ std::vector<glm::vec4> branchTexels(const ForestSimulation& simulation);
 /// One texel a leaf cluster: species, seed of its tree in two halves, index in its tree.
 std::vector<glm::vec4> leafTexels(const ForestSimulation& simulation);
 
-constexpr std::size_t texelsPerSpecies = 4;
-/// Four texels a species: noise time of branches, noise time of leaves, leaf motion.
-/// @param out texelsPerSpecies elements for each species of the description. @param time seconds.
-void speciesTexels(const ForestSimulation& simulation, double time, glm::vec4* out);
+/// Four texels a species: NoiseTime of branches and of leaves (cell in two halves, fraction, gain), leaf
+/// motion. @param time seconds.
+std::vector<glm::vec4> speciesTexels(const ForestSimulation& simulation, double time);
 
 } // namespace osgTreeWind

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct ForestDescription {
     MotionLaw law = MotionLaw::Damped;
     float gain =
         1.0f; ///< On the answer of `damped`: 1 is physical, more is an exaggeration for the eye, [0, 100].
+    /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
+    std::optional<float> noiseExponent;
     WindFieldPtr wind; ///< In scene coordinates. Null: calm.
 
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.

@@ -58,6 +58,7 @@ ForestSimulation::ForestSimulation(ForestDescription description)
     for (const Tree& tree : _trees)
         prepareUnits(tree);
     _windSamples.resize(units);
+    _windTexels.resize(2 * units);
     _branchStates.resize(units);
     _rotations.resize(units);
     _poses.resize(units);
@@ -84,6 +85,7 @@ void ForestSimulation::prepareUnits(const Tree& tree) {
 
 void ForestSimulation::reset() {
     std::fill(_windSamples.begin(), _windSamples.end(), glm::vec3(0.0f));
+    std::fill(_windTexels.begin(), _windTexels.end(), glm::vec4(0.0f));
     std::fill(_branchStates.begin(), _branchStates.end(), glm::vec4(0.0f));
     std::fill(_leafStates.begin(), _leafStates.end(), glm::vec4(0.0f));
     std::fill(_rotations.begin(), _rotations.end(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
@@ -101,17 +103,32 @@ WindFieldPtr ForestSimulation::wind() const {
     return _wind;
 }
 
-std::optional<float> ForestSimulation::beginStep(double time) {
-    if (!std::isfinite(time))
-        return {};
-    const double elapsed = _time ? std::min(time - *_time, maxStep) : 0.0;
-    _time = time;
-    if (elapsed <= 0.0)
-        return {};
+std::size_t ForestSimulation::endOfUnits(const Tree& tree) const {
+    return tree.firstUnit + _models[tree.model].skeleton.units.size();
+}
+
+void ForestSimulation::sampleWind(double time) {
     if (const WindFieldPtr field = wind())
         field->sample(_windPositions.data(), _windPositions.size(), time, _windSamples.data());
     else
         std::fill(_windSamples.begin(), _windSamples.end(), glm::vec3(0.0f));
+    for (const Tree& tree : _trees) {
+        const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
+        for (std::size_t i = tree.firstUnit; i < endOfUnits(tree); ++i) {
+            _windTexels[2 * i] = _windTexels[2 * i + 1];
+            _windTexels[2 * i + 1] = glm::vec4(turnHeading(_windSamples[i], sine, cosine), 0.0f);
+        }
+    }
+}
+
+std::optional<float> ForestSimulation::beginStep(double time) {
+    if (!std::isfinite(time) || time == _time)
+        return {};
+    const double elapsed = _time ? std::min(time - *_time, maxStep) : 0.0;
+    _time = time;
+    sampleWind(time); // where no step is taken, for the next one to start from
+    if (elapsed <= 0.0)
+        return {};
     return static_cast<float>(elapsed);
 }
 
@@ -127,73 +144,60 @@ bool ForestSimulation::advance(double time) {
         else
             turnBranches(tree, seed, time);
         flutterLeaves(tree, seed, time);
-        composePoses(_models[tree.model].skeleton, tree.scale, _rotations.data() + tree.firstUnit,
-                     _poses.data() + tree.firstUnit);
+        pose(tree);
     }
     return true;
 }
 
 void ForestSimulation::setBranchStates(const glm::vec4* states) {
     std::copy(states, states + _branchStates.size(), _branchStates.begin());
-    for (std::size_t i = 0; i < _branchStates.size(); ++i)
-        _rotations[i] = _description.law == MotionLaw::Damped
-                            ? dampedRotation(_branchStates[i], _dampedBranches[i].direction)
-                            : branchRotation(_branchStates[i]);
     for (const Tree& tree : _trees)
-        composePoses(_models[tree.model].skeleton, tree.scale, _rotations.data() + tree.firstUnit,
-                     _poses.data() + tree.firstUnit);
+        pose(tree);
 }
 
 void ForestSimulation::setLeafStates(const glm::vec4* states) {
     std::copy(states, states + _leafStates.size(), _leafStates.begin());
 }
 
-void ForestSimulation::localWind(glm::vec4* out) const {
-    for (const Tree& tree : _trees) {
-        const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
-        const std::size_t end = tree.firstUnit + _models[tree.model].skeleton.units.size();
-        for (std::size_t i = tree.firstUnit; i < end; ++i)
-            out[i] = glm::vec4(turnHeading(_windSamples[i], sine, cosine), 0.0f);
-    }
+void ForestSimulation::pose(const Tree& tree) {
+    for (std::size_t i = tree.firstUnit; i < endOfUnits(tree); ++i)
+        _rotations[i] = _description.law == MotionLaw::Damped
+                            ? dampedRotation(_branchStates[i], _dampedBranches[i].direction)
+                            : branchRotation(_branchStates[i]);
+    composePoses(_models[tree.model].skeleton, tree.scale, _rotations.data() + tree.firstUnit,
+                 _poses.data() + tree.firstUnit);
 }
 
 void ForestSimulation::turnBranches(const Tree& tree, std::uint32_t seed, double time) {
     Laws laws;
-    const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
-    const NoiseTime now = NoiseTime::at(time, _description.species[tree.species].branch.noiseFrequency);
-    const auto units = static_cast<std::uint32_t>(_models[tree.model].skeleton.units.size());
-    for (std::uint32_t unit = 0; unit < units; ++unit) {
-        const std::size_t i = tree.firstUnit + unit;
-        const glm::vec3 air = toThesis(turnHeading(_windSamples[i], sine, cosine));
+    const NoiseTime now = NoiseTime::at(time, _description.species[tree.species].branch.noiseFrequency,
+                                        _description.noiseExponent);
+    for (std::size_t i = tree.firstUnit; i < endOfUnits(tree); ++i) {
         glm::vec3 noise;
-        for (std::uint32_t axis = 0; axis < 3; ++axis)
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            const auto unit = static_cast<std::uint32_t>(i - tree.firstUnit);
             noise[static_cast<int>(axis)] =
-                laws.streamNoise(laws.noiseStream(seed, unit, axis), now.cell, now.fraction);
-
+                laws.motionNoise(laws.noiseStream(seed, unit, axis), now.cell, now.fraction, now.gain);
+        }
         const BranchParameters& p = _branches[i];
         const Laws::ThesisBranch branch{p.spring, p.length, p.maxAngle, p.partialSteps, p.levelLoad};
+        const glm::vec3 air = toThesis(glm::vec3(_windTexels[2 * i + 1]));
         glm::vec4& state = _branchStates[i];
         state = _description.law == MotionLaw::Thesis
                     ? laws.thesisBranchStep(state, air, noise, branch)
                     : laws.thesisSmoothBranchStep(state, air, noise, branch);
-        _rotations[i] = branchRotation(state);
     }
 }
 
 void ForestSimulation::swingBranches(const Tree& tree, float seconds) {
     Laws laws;
-    const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
-    const std::size_t end = tree.firstUnit + _models[tree.model].skeleton.units.size();
-    for (std::size_t i = tree.firstUnit; i < end; ++i) {
+    for (std::size_t i = tree.firstUnit; i < endOfUnits(tree); ++i) {
         const DampedParameters& p = _dampedBranches[i];
-        const glm::vec3 air = turnHeading(_windSamples[i], sine, cosine);
-        const glm::vec2 across(glm::dot(air, laws.branchAxis1(p.direction)),
-                               glm::dot(air, laws.branchAxis3(p.direction)));
         const Laws::DampedBranch branch{p.stiffness, p.inertia,  p.damping,      p.drag,
                                         p.lever,     p.maxAngle, p.streamlining, p.streamlinedTo};
-        glm::vec4& state = _branchStates[i];
-        state = laws.dampedBranchStep(state, across, branch, seconds);
-        _rotations[i] = dampedRotation(state, p.direction);
+        const glm::vec2 before = laws.windAcross(glm::vec3(_windTexels[2 * i]), p.direction);
+        const glm::vec2 now = laws.windAcross(glm::vec3(_windTexels[2 * i + 1]), p.direction);
+        _branchStates[i] = laws.dampedBranchStep(_branchStates[i], before, now, branch, seconds);
     }
 }
 
@@ -202,11 +206,11 @@ void ForestSimulation::flutterLeaves(const Tree& tree, std::uint32_t seed, doubl
     const LeafMotion& motion = _description.species[tree.species].leaf;
     const Laws::ThesisLeaf leaf{motion.maxAngleX,    motion.maxAngleZ, motion.maxRotation,
                                 motion.partialSteps, motion.factor,    motion.linkedFactor};
-    const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency);
+    const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency, _description.noiseExponent);
     const auto leaves = static_cast<std::uint32_t>(_models[tree.model].leaves.size());
     for (std::uint32_t i = 0; i < leaves; ++i) {
-        const float x = laws.streamNoise(laws.noiseStream(seed, i, 3), now.cell, now.fraction);
-        const float z = laws.streamNoise(laws.noiseStream(seed, i, 4), now.cell, now.fraction);
+        const float x = laws.motionNoise(laws.noiseStream(seed, i, 3), now.cell, now.fraction, now.gain);
+        const float z = laws.motionNoise(laws.noiseStream(seed, i, 4), now.cell, now.fraction, now.gain);
         glm::vec4& state = _leafStates[tree.firstLeaf + i];
         state = laws.thesisLeafStep(state, x, z, leaf);
     }

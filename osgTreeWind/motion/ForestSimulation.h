@@ -46,7 +46,8 @@ public:
     /// Moves on to `time` (seconds): samples the wind at every branch base, takes one step of the law,
     /// flutters the leaves, composes the poses. The first call, and a call with an unchanged or earlier time,
     /// keeps the state (a pause holds), and a time that is not finite is ignored. The laws of the thesis take
-    /// one step however much time has passed; for `damped` a jump of more than maxStep counts as maxStep.
+    /// one step however much time has passed; for `damped` a jump of more than maxStep counts as maxStep, and
+    /// the wind goes evenly from the sample before to this one.
     /// Does not allocate.
     /// @return whether a step was taken.
     bool advance(double time);
@@ -66,13 +67,14 @@ public:
     /// Where the wind is sampled: base of each unit at rest, scene coordinates; for `damped` above or below
     /// it, at the height of the centre of the drag on all that the unit carries.
     const std::vector<glm::vec3>& windPositions() const { return _windPositions; }
-    /// What was sampled at the last step, scene axes, m/s.
+    /// What was sampled last, scene axes, m/s.
     const std::vector<glm::vec3>& windSamples() const { return _windSamples; }
     /// Per unit: (angleXY, angleYZ, wind.x, wind.z), thesis axes of the tree's own frame; for the law
     /// `damped` the angles about both axes of the branch, radians, and their speeds.
     const std::vector<glm::vec4>& branchStates() const { return _branchStates; }
-    /// windSamples() in the axes of each tree's own frame, as texels (w is 0). @param out one per unit.
-    void localWind(glm::vec4* out) const;
+    /// The wind at the start and at the end of the last step in the axes of each tree's own frame, w 0: two
+    /// per unit.
+    const std::vector<glm::vec4>& windTexels() const { return _windTexels; }
     /// Per unit, what the law of the description works with; the other one is empty.
     const std::vector<BranchParameters>& branchParameters() const { return _branches; }
     const std::vector<DampedParameters>& dampedParameters() const { return _dampedBranches; }
@@ -86,9 +88,12 @@ public:
 
 private:
     void prepareUnits(const Tree& tree);
+    std::size_t endOfUnits(const Tree& tree) const;
+    void sampleWind(double time);
     void turnBranches(const Tree& tree, std::uint32_t seed, double time);
     void swingBranches(const Tree& tree, float seconds);
     void flutterLeaves(const Tree& tree, std::uint32_t seed, double time);
+    void pose(const Tree& tree);
 
     ForestDescription _description;
     std::vector<TreeModel> _models;
@@ -96,7 +101,7 @@ private:
     std::vector<BranchParameters> _branches;       // per unit, for the laws of the thesis
     std::vector<DampedParameters> _dampedBranches; // per unit, for `damped`
     std::vector<glm::vec3> _windPositions, _windSamples;
-    std::vector<glm::vec4> _branchStates, _leafStates;
+    std::vector<glm::vec4> _windTexels, _branchStates, _leafStates;
     std::vector<glm::quat> _rotations;
     std::vector<UnitPose> _poses;
     std::optional<double> _time;

@@ -20,6 +20,8 @@ using namespace glm;
 struct Laws {
 #include <shaders/law/limits.glsl>
 
+#include <shaders/law/elementary.glsl>
+
 #include <shaders/law/noise.glsl>
 
 #include <shaders/law/thesis_branch.glsl>

@@ -91,7 +91,7 @@ void Forest::setDescription(ForestDescription description) {
     bindData(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
     bindData(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
     uploadUnitPoses();
-    uploadLeafAngles();
+    _leafAngles->fill(_simulation->leafStates());
 }
 
 void Forest::setBranchDrawing(BranchDrawing drawing) {
@@ -171,7 +171,7 @@ void Forest::update(const osg::FrameStamp& stamp) {
 bool Forest::stepOnCpu(double time) {
     if (!_simulation->advance(time))
         return false;
-    uploadLeafAngles();
+    _leafAngles->fill(_simulation->leafStates());
     return true;
 }
 
@@ -194,13 +194,6 @@ void Forest::uploadUnitPoses() {
         texel += 8;
     }
     _unitPoses->dirty();
-}
-
-void Forest::uploadLeafAngles() {
-    const std::vector<glm::vec4>& leaves = _simulation->leafStates();
-    if (!leaves.empty())
-        std::memcpy(_leafAngles->data(), leaves.data(), leaves.size() * sizeof(glm::vec4));
-    _leafAngles->dirty();
 }
 
 } // namespace osgTreeWind

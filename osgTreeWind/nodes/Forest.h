@@ -95,7 +95,6 @@ private:
     bool stepOnCpu(double time);
     bool stepOnGpu(double time);
     void uploadUnitPoses();
-    void uploadLeafAngles();
     void useCpuAngles();
 
     std::shared_ptr<ForestSimulation> _simulation;

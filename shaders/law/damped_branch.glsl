@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl and rotation.glsl. Law `damped`: a driven oscillator per branch and axis, SI units,
+// Needs limits.glsl, elementary.glsl and rotation.glsl. Law `damped`: a driven oscillator per branch and axis, SI units,
 // independent of the frame rate and stable at any step.
 // J w' + (C + b l^2) w + K x = b l v,  b = drag |v - l w|
 
@@ -46,16 +46,19 @@ vec2 dampedExactStep(vec2 motion, float wind, float b, DampedBranch branch, floa
     float cosine = 0.0f; // e^-gh cos(sqrt(D) h)
     float sine = 0.0f;   // e^-gh sin(sqrt(D) h) / (sqrt(D) h)
     if (abs(d) < 0.01f) {
-        cosine = exp(-g) * (1.0f - d / 2.0f + d * d / 24.0f);
-        sine = exp(-g) * (1.0f - d / 6.0f + d * d / 120.0f);
+        float size = decayed(g);
+        cosine = size * (1.0f - d / 2.0f + d * d / 24.0f);
+        sine = size * (1.0f - d / 6.0f + d * d / 120.0f);
     } else if (d > 0.0f) {
+        float size = decayed(g);
         float phase = sqrt(d);
-        cosine = exp(-g) * cos(phase);
-        sine = exp(-g) * sin(phase) / phase;
+        vec2 turned = cosineSine(phase);
+        cosine = size * turned.x;
+        sine = size * turned.y / phase;
     } else {
         float q = g * sqrt((1.0f - w / g) * (1.0f + w / g));
-        float slow = exp(-w * w / (g + q));
-        float fast = exp(-(g + q));
+        float slow = decayed(w * w / (g + q));
+        float fast = decayed(g + q);
         cosine = 0.5f * (slow + fast);
         sine = 0.5f * (slow - fast) / q;
     }
@@ -76,19 +79,23 @@ vec2 dampedAxisStep(vec2 motion, float wind, DampedBranch branch, float h) {
     return vec2(angle, speed);
 }
 
-/// `seconds` of motion, in substeps of at most 1/120 s, at most 16; none for 0 or less.
-/// State: angles about both axes, rad, then their speeds, rad/s. Wind: along both, m/s.
-vec4 dampedBranchStep(vec4 state, vec2 wind, DampedBranch given, float seconds) {
+/// `seconds` of motion, in substeps of at most 1/120 s, at most 16; none for 0 or less. The wind goes evenly
+/// from what it was at the start to what it is at the end.
+/// State: angles about both axes, rad, then their speeds, rad/s. Winds: along both, m/s.
+vec4 dampedBranchStep(vec4 state, vec2 windBefore, vec2 windNow, DampedBranch given, float seconds) {
     DampedBranch branch = soundBranch(given);
+    DampedBranch streamlined = branch;
     float time = max(bounded(seconds, 16.0f / 120.0f), 0.0f);
     int steps = int(ceil(time * 120.0f - 0.001f));
-    vec2 air = vec2(bounded(wind.x, 1.0e3f), bounded(wind.y, 1.0e3f));
-    branch.drag = streamlinedDrag(branch, length(air));
+    vec2 start = vec2(bounded(windBefore.x, 1.0e3f), bounded(windBefore.y, 1.0e3f));
+    vec2 end = vec2(bounded(windNow.x, 1.0e3f), bounded(windNow.y, 1.0e3f));
     vec2 first = vec2(bounded(state.x, branch.maxAngle), bounded(state.z, 1.0e3f));
     vec2 second = vec2(bounded(state.y, branch.maxAngle), bounded(state.w, 1.0e3f));
     for (int i = 0; i < steps; ++i) {
-        first = dampedAxisStep(first, air.x, branch, time / float(steps));
-        second = dampedAxisStep(second, air.y, branch, time / float(steps));
+        vec2 air = start + (float(i) + 0.5f) / float(steps) * (end - start);
+        streamlined.drag = streamlinedDrag(branch, length(air));
+        first = dampedAxisStep(first, air.x, streamlined, time / float(steps));
+        second = dampedAxisStep(second, air.y, streamlined, time / float(steps));
     }
     return vec4(first.x, second.x, first.y, second.y);
 }
@@ -102,6 +109,12 @@ vec3 branchAxis1(vec3 direction) {
 
 /// Second axis; thesis +z for an upright branch.
 vec3 branchAxis3(vec3 direction) { return cross(branchAxis1(direction), direction); }
+
+/// The wind along both axes.
+vec2 windAcross(vec3 air, vec3 direction) {
+    vec3 axis1 = branchAxis1(direction);
+    return vec2(dot(air, axis1), dot(air, cross(axis1, direction)));
+}
 
 /// Turn of a branch about its base: the rotation vector angle1 (d x e1) + angle3 (d x e3).
 vec4 dampedRotation(float angle1, float angle3, vec3 direction) {

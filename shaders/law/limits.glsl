@@ -23,20 +23,3 @@ float angleLimit(float maxAngle) { return max(bounded(maxAngle, 1.5707963f), 0.0
 
 /// A number of partial steps: at least 1.
 float stepCount(float steps) { return max(bounded(steps, largest()), 1.0f); }
-
-/// asin x for x in [-1, 1], within 3e-7 (Moshier's Cephes); the built-in one is off by 2e-4 on some GPUs,
-/// which would add up from frame to frame.
-float arcSine(float x) {
-    float a = abs(x);
-    bool far = a > 0.5f;
-    float z = a * a;
-    if (far) {
-        z = 0.5f * (1.0f - a);
-        a = sqrt(z);
-    }
-    float p = ((4.2163199048e-2f * z + 2.4181311049e-2f) * z + 4.5470025998e-2f) * z + 7.4953002686e-2f;
-    p = p * z + 1.6666752422e-1f;
-    float y = a + a * z * p;
-    if (far) y = 1.5707963f - 2.0f * y;
-    return x < 0.0f ? -y : y;
-}

@@ -421,3 +421,46 @@ TEST(ForestSimulation, AGainOfThreeMovesThreeTimesAsFar) {
     for (std::size_t unit = 0; unit < 14; ++unit)
         EXPECT_NEAR(more.branchStates()[unit].x, 3.0f * physical.branchStates()[unit].x, 1e-6f);
 }
+
+TEST(ForestSimulation, GustsAreFollowedAtAnyFrameRate) {
+    const auto tips = [](int rate) {
+        ForestDescription forest = oneTree(MotionLaw::Damped);
+        forest.species[0].wood.elasticModulus = 2.0e8f;
+        forest.wind = std::make_shared<TestWind>([](const glm::vec3&, double t) {
+            return glm::vec3(6.0 + 2.0 * std::sin(1.1 * t) + std::sin(2.7 * t + 1.0), std::sin(1.7 * t), 0.0);
+        });
+        ForestSimulation simulation(forest);
+        std::vector<glm::vec3> path;
+        for (int i = 0; i <= 10 * rate; ++i) {
+            simulation.advance(static_cast<double>(i) / rate);
+            if (i % (rate / 10) == 0)
+                path.push_back(tip(simulation, 13));
+        }
+        return path;
+    };
+    const std::vector<glm::vec3> reference = tips(960);
+    float peak = 0.0f;
+    for (const glm::vec3& place : reference)
+        peak = std::max(peak, glm::length(place - reference.front()));
+    EXPECT_GT(peak, 0.05f);
+    for (const auto& [rate, share] : {std::pair(30, 6e-3f), std::pair(120, 5e-4f)}) {
+        const std::vector<glm::vec3> path = tips(rate);
+        for (std::size_t i = 0; i < path.size(); ++i)
+            ASSERT_LT(glm::length(path[i] - reference[i]), share * peak) << rate << " Hz, tenth " << i;
+    }
+}
+
+TEST(ForestSimulation, AWindThatIsReplacedIsReachedWithinTheStep) {
+    // From calm to 8 m/s within a long step: half of what the whole step in 8 m/s would give, roughly.
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    ForestSimulation rising(forest), steady(forest);
+    forest.wind = uniform({8, 0, 0});
+    steady.setWind(forest.wind);
+    for (ForestSimulation* simulation : {&rising, &steady})
+        simulation->advance(0.0);
+    rising.setWind(forest.wind);
+    for (ForestSimulation* simulation : {&rising, &steady})
+        simulation->advance(0.1);
+    EXPECT_GT(rising.branchStates()[0].x, 0.0f);
+    EXPECT_LT(rising.branchStates()[0].x, 0.5f * steady.branchStates()[0].x);
+}

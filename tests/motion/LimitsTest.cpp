@@ -24,17 +24,3 @@ TEST(Limits, AngleLimitIsAtMostAQuarterTurn) {
     EXPECT_FLOAT_EQ(Laws().angleLimit(9.0f), std::acos(0.0f));
     EXPECT_EQ(Laws().angleLimit(-0.5f), 0.0f);
 }
-
-TEST(Limits, ArcSineIsThatOfTheStandardLibrary) {
-    for (int i = -10000; i <= 10000; ++i) {
-        const double x = i / 10000.0;
-        const float sine = static_cast<float>(x);
-        EXPECT_NEAR(Laws().arcSine(sine), std::asin(static_cast<double>(sine)), 3e-7) << x;
-    }
-}
-
-TEST(Limits, ArcSineKeepsSmallAngles) {
-    EXPECT_EQ(Laws().arcSine(0.0f), 0.0f);
-    EXPECT_EQ(Laws().arcSine(1e-6f), 1e-6f);
-    EXPECT_EQ(Laws().arcSine(-1e-12f), -1e-12f);
-}

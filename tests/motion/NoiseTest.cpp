@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -135,6 +137,130 @@ TEST(Noise, NeighbouringTreesElementsAndAxesHaveStreamsOfTheirOwn) {
             for (std::uint32_t axis = 0; axis < 5; ++axis)
                 streams.insert(laws.noiseStream(seed, element, axis));
     EXPECT_GE(streams.size(), 9998u); // 10^4 draws of 2^32: a collision in 86 runs
+}
+
+namespace {
+
+/// In place, for a power of two of numbers (Cooley and Tukey).
+void fourier(std::vector<std::complex<double>>& a) {
+    if (a.size() == 1)
+        return;
+    std::vector<std::complex<double>> even, odd;
+    for (std::size_t i = 0; i < a.size(); i += 2) {
+        even.push_back(a[i]);
+        odd.push_back(a[i + 1]);
+    }
+    fourier(even);
+    fourier(odd);
+    for (std::size_t i = 0; i < even.size(); ++i) {
+        const std::complex<double> turned =
+            std::polar(1.0, -6.283185307179586 * static_cast<double>(i) / static_cast<double>(a.size())) *
+            odd[i];
+        a[i] = even[i] + turned;
+        a[i + even.size()] = even[i] - turned;
+    }
+}
+
+/// Mean power of half-overlapping Hann windows (Welch).
+std::vector<double> powerSpectrum(const std::vector<double>& series, std::size_t window) {
+    std::vector<double> power(window / 2);
+    for (std::size_t start = 0; start + window <= series.size(); start += window / 2) {
+        std::vector<std::complex<double>> part;
+        for (std::size_t i = 0; i < window; ++i)
+            part.emplace_back(series[start + i] *
+                              (0.5 - 0.5 * std::cos(6.283185307179586 * static_cast<double>(i) /
+                                                    static_cast<double>(window))));
+        fourier(part);
+        for (std::size_t i = 0; i < power.size(); ++i)
+            power[i] += std::norm(part[i]);
+    }
+    return power;
+}
+
+/// Least-squares slope of log power over log frequency, from `low` to `high`, in 32 bands of equal width
+/// there.
+double slopeOf(const std::vector<double>& power, double perBin, double low, double high) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int band = 0; band < 32; ++band) {
+        const double from = low * std::pow(high / low, band / 32.0);
+        const double to = low * std::pow(high / low, (band + 1) / 32.0);
+        double sum = 0, count = 0;
+        for (std::size_t i = 1; i < power.size(); ++i)
+            if (const double f = perBin * static_cast<double>(i); f >= from && f < to) {
+                sum += power[i];
+                ++count;
+            }
+        if (count == 0)
+            continue;
+        const double x = 0.5 * std::log(from * to), y = std::log(sum / count);
+        n += 1;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// 1 Hz noise as the laws ask for it, 32 times a second.
+std::vector<double> noiseSeries(std::optional<float> exponent, std::size_t count) {
+    Laws laws;
+    std::vector<double> series;
+    for (std::size_t i = 0; i < count; ++i) {
+        const NoiseTime now = NoiseTime::at(static_cast<double>(i) / 32.0, 1.0f, exponent);
+        series.push_back(laws.motionNoise(laws.noiseStream(7u, 3u, 1u), now.cell, now.fraction, now.gain));
+    }
+    return series;
+}
+
+} // namespace
+
+TEST(OctaveNoise, PowerFallsAsFrequencyToTheMinusBeta) {
+    for (const float beta : {0.0f, 0.5f, 1.0f, 1.5f, 2.0f, 2.5f, 3.0f}) {
+        const std::vector<double> power = powerSpectrum(noiseSeries(beta, 1u << 20), 1u << 13);
+        EXPECT_NEAR(slopeOf(power, 32.0 / (1 << 13), 0.1, 1.6), -beta, 0.1);
+    }
+}
+
+TEST(OctaveNoise, IsAsStrongAsPerlinNoiseAndRarelyCut) {
+    const auto variance = [](const std::vector<double>& series) {
+        double sum = 0;
+        for (const double x : series)
+            sum += x * x;
+        return sum / static_cast<double>(series.size());
+    };
+    const double perlin = variance(noiseSeries({}, 1u << 18));
+    for (const float beta : {0.0f, 1.0f, 2.0f, 3.0f}) {
+        const std::vector<double> series = noiseSeries(beta, 1u << 18);
+        EXPECT_NEAR(variance(series) / perlin, 1.0, 0.1) << beta;
+        EXPECT_LT(std::count(series.begin(), series.end(), 1.0) +
+                      std::count(series.begin(), series.end(), -1.0),
+                  300)
+            << beta;
+        EXPECT_LE(*std::max_element(series.begin(), series.end()), 1.0);
+        EXPECT_GE(*std::min_element(series.begin(), series.end()), -1.0);
+    }
+}
+
+TEST(OctaveNoise, IsContinuousThroughZeroAndFromCellToCell) {
+    Laws laws;
+    const auto at = [&](double time) {
+        const NoiseTime now = NoiseTime::at(time, 1.0f, 1.0f);
+        return laws.motionNoise(5u, now.cell, now.fraction, now.gain);
+    };
+    for (double time = -20.0; time < 20.0; time += 1e-3)
+        ASSERT_LT(std::abs(at(time + 1e-3) - at(time)), 0.03f) << time;
+}
+
+TEST(OctaveNoise, WithoutAGainIsPerlinNoise) {
+    EXPECT_EQ(Laws().motionNoise(9u, 4u, 0.3f, 0.0f), Laws().streamNoise(9u, 4u, 0.3f));
+}
+
+TEST(NoiseTime, ExponentsAreTakenWithinTheirRange) {
+    EXPECT_EQ(NoiseTime::at(1.0, 1.0f, 9.0f).gain, NoiseTime::at(1.0, 1.0f, 3.0f).gain);
+    EXPECT_EQ(NoiseTime::at(1.0, 1.0f, 1.0f).gain, 1.0f);
+    EXPECT_EQ(NoiseTime::at(1.0, 1.0f).gain, 0.0f);
+    EXPECT_FLOAT_EQ(NoiseTime::at(4.0, 1.0f, 1.0f).fraction, 0.5f); // of 8 s
 }
 
 TEST(NoiseTime, SplitsPeriods) {

@@ -28,7 +28,7 @@ struct CountedForest {
         });
         forest = new Forest(description);
     }
-    int steps() const { return *asked / static_cast<int>(forest->getSimulation().windPositions().size()); }
+    int samples() const { return *asked / static_cast<int>(forest->getSimulation().windPositions().size()); }
 };
 
 std::vector<glm::vec4> states(const Forest& forest) {
@@ -37,12 +37,12 @@ std::vector<glm::vec4> states(const Forest& forest) {
 
 } // namespace
 
-TEST(ForestTest, stepsOncePerFrameNumberHoweverManyTraversals) {
+TEST(ForestTest, samplesTheWindOncePerFrameNumberHoweverManyTraversals) {
     CountedForest counted;
     for (unsigned frame = 1; frame <= 5; ++frame)
         for (int view = 0; view < 3; ++view)
             update(*counted.forest, frame, frame / 25.0);
-    EXPECT_EQ(counted.steps(), 4) << "five frames, of which the first starts the clock";
+    EXPECT_EQ(counted.samples(), 5);
 }
 
 TEST(ForestTest, isUpdatedBelowAGroupThatKnowsNothingOfIt) {
@@ -51,7 +51,7 @@ TEST(ForestTest, isUpdatedBelowAGroupThatKnowsNothingOfIt) {
     scene->addChild(counted.forest);
     EXPECT_EQ(scene->getNumChildrenRequiringUpdateTraversal(), 1u);
     updateFrames(*scene, 1, 3);
-    EXPECT_EQ(counted.steps(), 2);
+    EXPECT_EQ(counted.samples(), 3);
 }
 
 TEST(ForestTest, aPauseHoldsTheTrees) {
@@ -124,7 +124,7 @@ TEST(ForestTest, staysWhereItIsWithoutAFrameStamp) {
     CountedForest counted;
     osgUtil::UpdateVisitor visitor;
     counted.forest->accept(visitor);
-    EXPECT_EQ(counted.steps(), 0);
+    EXPECT_EQ(counted.samples(), 0);
 }
 
 TEST(ForestTest, leavesOutTreesOfASpeciesThatIsNotThere) {
