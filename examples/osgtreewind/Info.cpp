@@ -110,7 +110,11 @@ Json describe(const ForestDescription& forest) {
     info["origin"] = toJson(forest.origin);
     info["bounds"] = boundsOf(forest);
     info["wind"] = windOf(forest);
-    info["motion"] = {{"law", lawName(forest.law)}};
+    info["motion"] = {{"law", lawName(forest.law)}, {"gain", forest.gain}, {"noise", "perlin"}};
+    if (forest.noiseExponent) {
+        info["motion"]["noise"] = "1/f";
+        info["motion"]["noiseExponent"] = *forest.noiseExponent;
+    }
     info["memory"] = memoryOf(shapes, all);
     return info;
 }

@@ -39,6 +39,8 @@ struct ForestReading {
     };
     /// Opens the file that `key` names; a problem when it cannot.
     std::optional<InputFile> open(TableReader& table, const std::string& key);
+    /// The same for the file called `name`, which `key` names among others.
+    std::optional<InputFile> open(TableReader& table, const std::string& key, const std::string& name);
 };
 
 /// The whole document.

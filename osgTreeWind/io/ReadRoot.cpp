@@ -44,6 +44,11 @@ std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, 
     std::string name;
     if (!table.require(key, name))
         return std::nullopt;
+    return open(table, key, name);
+}
+
+std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, const std::string& key,
+                                                            const std::string& name) {
     std::error_code error;
     for (const std::string& folder : folders) {
         const std::filesystem::path path = std::filesystem::path(folder) / name; // an absolute name wins
@@ -80,6 +85,14 @@ void readMotion(TableReader& table, ForestReading& reading) {
                                  {"thesis-smooth", MotionLaw::ThesisSmooth},
                                  {"damped", MotionLaw::Damped}});
     table.read("gain", reading.forest.gain, within(0, 100));
+    bool octaves = false;
+    table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});
+    float exponent = 1.0f;
+    const bool given = table.read("noise_exponent", exponent, within(0, 3));
+    if (octaves)
+        reading.forest.noiseExponent = exponent;
+    else if (given)
+        table.problem("noise_exponent", "expected noise = \"1/f\" with it");
 }
 
 /// A file without species has one, with every default.

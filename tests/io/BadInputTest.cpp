@@ -99,6 +99,12 @@ const BadInput badInputs[] = {
     // [motion]
     {"UnknownLaw", head + tree + "[motion]\nlaw = @\"newton\"\n", "motion.law",
      "expected \"thesis\", \"thesis-smooth\" or \"damped\""},
+    {"UnknownNoise", head + tree + "[motion]\nnoise = @\"simplex\"\n", "motion.noise",
+     "expected \"perlin\" or \"1/f\""},
+    {"NoiseTooSteep", head + tree + "[motion]\nnoise = \"1/f\"\nnoise_exponent = @3.5\n",
+     "motion.noise_exponent", "in [0, 3], found 3.5"},
+    {"ExponentOfPerlin", head + tree + "[motion]\nnoise_exponent = @1\n", "motion.noise_exponent",
+     "expected noise = \"1/f\" with it"},
     {"MotionNotATable", head + "motion = @\"thesis\"\n" + tree, "motion", "expected a table, found the text"},
 
     // [[species]]
