@@ -52,10 +52,13 @@ bool writeChart(const std::string& path, const std::string& svg) {
     return false;
 }
 
-bool isAsked(const BenchOptions& options, const BenchStage& stage) {
+bool isAsked(const BenchOptions& options, const std::string& stage) {
     return options.stages.empty() ||
-           std::find(options.stages.begin(), options.stages.end(), stage.name) != options.stages.end();
+           std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
 }
+
+/// Stages of their own, without frames.
+const std::vector<std::string> kernelGroups = {"laws", "winds"};
 
 ExitCode bench(const BenchOptions& options) {
     BenchSettings settings;
@@ -75,7 +78,7 @@ ExitCode bench(const BenchOptions& options) {
     BenchConditions conditions = benchConditions(settings);
     std::vector<BenchResult> results;
     for (const BenchStage& stage : benchStages()) {
-        if (!isAsked(options, stage))
+        if (!isAsked(options, stage.name))
             continue;
         for (const int trees : options.trees) {
             Result<BenchResult> result = runBench(stage, trees, settings, conditions.driver);
@@ -89,9 +92,15 @@ ExitCode bench(const BenchOptions& options) {
             results.push_back(std::move(result.value()));
         }
     }
+    std::vector<std::string> groups;
+    std::copy_if(kernelGroups.begin(), kernelGroups.end(), std::back_inserter(groups),
+                 [&](const std::string& group) { return isAsked(options, group); });
+    const std::vector<BenchKernel> kernels = runBenchKernels(groups, options.frames);
+    if (!kernels.empty())
+        printBenchKernels(std::cout, conditions, kernels);
 
     if (!options.output.empty() &&
-        !writeText(options.output, benchReport(conditions, results).dump(2) + '\n'))
+        !writeText(options.output, benchReport(conditions, results, kernels).dump(2) + '\n'))
         return Failed;
     if (!options.chart.empty() && !writeChart(options.chart, benchChart(conditions, results)))
         return Failed;
@@ -107,6 +116,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     std::vector<std::string> names;
     for (const BenchStage& stage : benchStages())
         names.push_back(stage.name);
+    names.insert(names.end(), kernelGroups.begin(), kernelGroups.end());
     command->add_option("--stage", options->stages, "Stages to measure; all when not given")
         ->delimiter(',')
         ->check(CLI::IsMember(names));
@@ -114,7 +124,9 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
         ->delimiter(',')
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    command->add_option("--frames", options->frames, "Pairs of frames, one in motion and one at rest")
+    command
+        ->add_option("--frames", options->frames,
+                     "Pairs of frames, one in motion and one at rest; rounds of laws and winds")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();

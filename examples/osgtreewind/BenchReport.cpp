@@ -109,7 +109,8 @@ int thesisFps(const BenchStage& stage, int trees) {
     return index < stage.thesisFps.size() ? stage.thesisFps[index] : 0;
 }
 
-ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results) {
+ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results,
+                         const std::vector<BenchKernel>& kernels) {
     const BenchSettings& settings = conditions.settings;
     ordered_json json = {{"format", "osgtreewind bench 1"},
                          {"version", OSGTREEWIND_VERSION},
@@ -127,6 +128,13 @@ ordered_json benchReport(const BenchConditions& conditions, const std::vector<Be
     json["results"] = ordered_json::array();
     for (const BenchResult& result : results)
         json["results"].push_back(resultJson(result));
+    json["kernels"] = ordered_json::array();
+    for (const BenchKernel& kernel : kernels)
+        json["kernels"].push_back({{"group", kernel.group},
+                                   {"name", kernel.name},
+                                   {"element", kernel.element},
+                                   {"elements", kernel.elements},
+                                   {"nanoseconds", spread(kernel.nanoseconds)}});
     json["thesis"] = ordered_json::array();
     for (const BenchStage& stage : benchStages())
         if (!stage.table.empty())
@@ -164,4 +172,18 @@ void printBenchRow(std::ostream& out, const BenchResult& result) {
           thesis > 0 ? std::to_string(thesis) : std::string("-")})
         out << " | " << cell;
     out << " |" << std::endl; // seen at once: the next result takes its time
+}
+
+void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
+                       const std::vector<BenchKernel>& kernels) {
+    out << '\n'
+        << conditions.date << ", " << machineName() << ", one core, " << conditions.settings.frames
+        << " rounds\n\n| kernel | of | ns | p10 | p90 | millions a second |\n"
+           "| --- | --- | ---: | ---: | ---: | ---: |\n";
+    for (const BenchKernel& kernel : kernels) {
+        const double median = quantile(kernel.nanoseconds, 0.5);
+        out << "| " << kernel.name << " | " << kernel.element << " | " << fixed(median, 1) << " | "
+            << fixed(quantile(kernel.nanoseconds, 0.1), 1) << " | "
+            << fixed(quantile(kernel.nanoseconds, 0.9), 1) << " | " << fixed(1000.0 / median, 1) << " |\n";
+    }
 }

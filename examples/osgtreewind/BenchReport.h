@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "BenchKernels.h"
 #include "BenchRun.h"
 
 #include <nlohmann/json.hpp>
@@ -30,9 +31,11 @@ double framesPerSecond(const BenchTimes& times);
 int thesisFps(const BenchStage& stage, int trees);
 
 /// The document that docs/results.md describes.
-nlohmann::ordered_json benchReport(const BenchConditions& conditions,
-                                   const std::vector<BenchResult>& results);
+nlohmann::ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results,
+                                   const std::vector<BenchKernel>& kernels);
 
 // The same for people, as a Markdown table.
 void printBenchHead(std::ostream& out, const BenchConditions& conditions);
 void printBenchRow(std::ostream& out, const BenchResult& result);
+void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
+                       const std::vector<BenchKernel>& kernels);

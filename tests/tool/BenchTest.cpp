@@ -147,6 +147,28 @@ TEST_F(BenchTest, PrintsARowForEachResult) {
         EXPECT_NE(outcome.out.find("| `" + stage + "` | 1 |"), std::string::npos) << stage;
 }
 
+TEST_F(BenchTest, MeasuresLawsAndWinds) {
+    std::map<std::string, int> groups;
+    for (const json& kernel : report["kernels"]) {
+        ++groups[kernel["group"]];
+        EXPECT_GT(kernel["nanoseconds"]["median"].get<double>(), 0.1) << kernel;
+        EXPECT_LE(kernel["nanoseconds"]["p10"], kernel["nanoseconds"]["p90"]);
+        EXPECT_NE(outcome.out.find("| " + kernel["name"].get<std::string>() + " | "), std::string::npos);
+    }
+    EXPECT_EQ(groups["laws"], 5);
+    EXPECT_EQ(groups["winds"], 10);
+}
+
+TEST(BenchUsageTest, LawsNeedNoGraphics) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        runTool({"bench", "--stage", "laws", "--frames", "1", "-o", "r.json"}, folder.path());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
+    EXPECT_TRUE(report["results"].empty());
+    EXPECT_EQ(report["kernels"].size(), 5u);
+}
+
 TEST_F(BenchTest, DrawsAChartOfEveryStage) {
     const std::string chart = contentOf(folder->path() + "/chart.svg");
     for (const std::string& stage : stages)

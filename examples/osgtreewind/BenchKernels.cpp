@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "BenchKernels.h"
+
+#include "BenchStage.h"
+
+#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/Laws.h>
+#include <osgTreeWind/motion/NoiseTime.h>
+#include <osgTreeWind/wind/FunctionWind.h>
+#include <osgTreeWind/wind/GridWind.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/StreamedWind.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
+#include <osgTreeWind/wind/TravellingWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr std::size_t branches = 4096, samples = 16384;
+constexpr float frame = 1.0f / 60.0f;
+
+struct Timed {
+    BenchKernel kernel;
+    std::function<void(double)> round; ///< Given the time of the round, seconds.
+};
+
+/// Keeps what was worked out from being optimized away.
+volatile float kept = 0.0f;
+
+/// Parameters of that many branches of broadleaves, 1 to 25 m high.
+template <typename Parameters>
+std::vector<Parameters> someBranches(MotionLaw law,
+                                     const std::vector<Parameters>& (ForestSimulation::*parameters)() const) {
+    ForestDescription forest;
+    forest.law = law;
+    forest.species = {defaultSpecies()};
+    forest.trees.resize(40);
+    for (std::size_t i = 0; i < forest.trees.size(); ++i) {
+        forest.trees[i].seed = static_cast<std::uint32_t>(i);
+        forest.trees[i].size.height = 1.0f + 0.6f * static_cast<float>(i);
+    }
+    const ForestSimulation simulation(std::move(forest));
+    std::vector<Parameters> result = (simulation.*parameters)();
+    result.resize(branches, result.front());
+    return result;
+}
+
+std::vector<glm::vec3> someWinds() {
+    Random random(1);
+    std::vector<glm::vec3> winds(branches);
+    for (glm::vec3& wind : winds)
+        wind = {8.0f + 4.0f * random.symmetric(), 4.0f * random.symmetric(), 2.0f * random.symmetric()};
+    return winds;
+}
+
+using ThesisStep = glm::vec4 (Laws::*)(glm::vec4, glm::vec3, glm::vec3, Laws::ThesisBranch);
+
+Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
+    std::vector<Laws::ThesisBranch> parameters;
+    for (const BranchParameters& p : someBranches(law, &ForestSimulation::branchParameters))
+        parameters.push_back({p.spring, p.length, p.maxAngle, p.partialSteps, p.levelLoad});
+    std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
+    return {{"laws", name, "branch", branches, {}}, [=, winds = someWinds()](double time) mutable {
+                Laws laws;
+                const NoiseTime now = NoiseTime::at(time, 0.7f);
+                for (std::uint32_t i = 0; i < branches; ++i) {
+                    glm::vec3 noise;
+                    for (std::uint32_t axis = 0; axis < 3; ++axis)
+                        noise[static_cast<int>(axis)] =
+                            laws.motionNoise(laws.noiseStream(1, i, axis), now.cell, now.fraction, now.gain);
+                    states[i] = (laws.*step)(states[i], winds[i], noise, parameters[i]);
+                }
+                kept = states[7].x;
+            }};
+}
+
+Timed dampedLaw() {
+    std::vector<Laws::DampedBranch> parameters;
+    for (const DampedParameters& p : someBranches(MotionLaw::Damped, &ForestSimulation::dampedParameters))
+        parameters.push_back({p.stiffness, p.inertia, p.damping, p.drag, p.lever, p.maxAngle, p.streamlining,
+                              p.streamlinedTo});
+    std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
+    return {{"laws", "damped", "branch", branches, {}}, [=, winds = someWinds()](double) mutable {
+                for (std::size_t i = 0; i < branches; ++i) {
+                    const glm::vec2 before(winds[i]), now(winds[(i + 1) % branches]);
+                    states[i] = Laws().dampedBranchStep(states[i], before, now, parameters[i], frame);
+                }
+                kept = states[7].x;
+            }};
+}
+
+Timed leafLaw(const char* name, std::optional<float> noiseExponent) {
+    std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
+    return {{"laws", name, "leaf", branches, {}}, [=](double time) mutable {
+                Laws laws;
+                const NoiseTime now = NoiseTime::at(time, 1.3f, noiseExponent);
+                const LeafMotion motion;
+                const Laws::ThesisLeaf leaf{motion.maxAngleX,    motion.maxAngleZ, motion.maxRotation,
+                                            motion.partialSteps, motion.factor,    motion.linkedFactor};
+                for (std::uint32_t i = 0; i < branches; ++i) {
+                    const float x =
+                        laws.motionNoise(laws.noiseStream(1, i, 3), now.cell, now.fraction, now.gain);
+                    const float z =
+                        laws.motionNoise(laws.noiseStream(1, i, 4), now.cell, now.fraction, now.gain);
+                    states[i] = laws.thesisLeafStep(states[i], x, z, leaf);
+                }
+                kept = states[7].x;
+            }};
+}
+
+/// 64 x 64 points, 20 m apart. @param layers upward. @param times 1 or more, a minute apart.
+GridWind::Grid someGrid(int layers, int times) {
+    GridWind::Grid grid;
+    grid.points = {64, 64, layers};
+    grid.cell = {20.0, 20.0, 10.0};
+    for (int i = 0; i < times && times > 1; ++i)
+        grid.times.push_back(60.0 * i);
+    Random random(2);
+    grid.values.resize(static_cast<std::size_t>(3 * 64 * 64 * layers * times));
+    for (float& value : grid.values)
+        value = 8.0f * random.symmetric();
+    return grid;
+}
+
+Timed windKind(const char* name, WindFieldPtr field) {
+    Random random(3);
+    std::vector<glm::vec3> positions(samples), velocities(samples);
+    for (glm::vec3& p : positions)
+        p = {1260.0f * random.uniform(), 1260.0f * random.uniform(), 20.0f * random.uniform()};
+    return {{"winds", name, "sample", samples, {}}, [=](double time) mutable {
+                field->sample(positions.data(), samples, time, velocities.data());
+                kept = velocities[7].x;
+            }};
+}
+
+std::vector<Timed> allKernels() {
+    GustWind::Parameters gusts;
+    gusts.profile = LogProfile{10.0, 0.5};
+    WindSeries series;
+    for (int i = 0; i < 1000; ++i) {
+        series.times.push_back(i);
+        series.velocities.emplace_back(5.0 + std::sin(0.1 * i), std::cos(0.1 * i), 0.0);
+    }
+    series.profile = LogProfile{10.0, 0.5};
+    const WindFieldPtr moving = GridWind::create(someGrid(8, 3)).value();
+    return {thesisLaw("thesis", MotionLaw::Thesis, &Laws::thesisBranchStep),
+            thesisLaw("thesis-smooth", MotionLaw::ThesisSmooth, &Laws::thesisSmoothBranchStep),
+            dampedLaw(),
+            leafLaw("leaf, Perlin noise", {}),
+            leafLaw("leaf, 1/f noise", 1.0f),
+            windKind("uniform", std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f))),
+            windKind("gusts", GustWind::create(gusts).value()),
+            windKind("grid", GridWind::create(someGrid(1, 1)).value()),
+            windKind("grid, 8 layers", GridWind::create(someGrid(8, 1)).value()),
+            windKind("grid, 8 layers, 3 times", moving),
+            windKind("forest_wind", createBenchWind(false)),
+            windKind("series", TimeSeriesWind::create(series).value()),
+            windKind("travelling (.bts)", std::make_shared<TravellingWind>(moving, 0.0, 8.0)),
+            windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),
+            windKind("callable", std::make_shared<FunctionWind>([](const glm::vec3& p, double) {
+                         return glm::vec3(0.01f * p.y, 5.0f, 0.0f);
+                     }))};
+}
+
+} // namespace
+
+std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups, int rounds) {
+    std::vector<Timed> kernels = allKernels();
+    kernels.erase(std::remove_if(kernels.begin(), kernels.end(),
+                                 [&](const Timed& t) {
+                                     return std::find(groups.begin(), groups.end(), t.kernel.group) ==
+                                            groups.end();
+                                 }),
+                  kernels.end());
+    for (int round = -1; round < rounds; ++round) // the first one warms caches up
+        for (Timed& timed : kernels) {
+            const auto start = std::chrono::steady_clock::now();
+            timed.round(static_cast<double>(round + 1) * static_cast<double>(frame));
+            const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
+            if (round >= 0)
+                timed.kernel.nanoseconds.push_back(taken.count() /
+                                                   static_cast<double>(timed.kernel.elements));
+        }
+    std::vector<BenchKernel> results;
+    for (Timed& timed : kernels)
+        results.push_back(std::move(timed.kernel));
+    return results;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What one branch, one leaf or one sample of the wind costs on one core, without graphics.
+struct BenchKernel {
+    std::string group;               ///< "laws" or "winds".
+    std::string name;                ///< "damped", "gusts", ...
+    std::string element;             ///< What is counted: "branch", "leaf" or "sample".
+    std::size_t elements = 0;        ///< In a round.
+    std::vector<double> nanoseconds; ///< An element, a number a round.
+};
+
+/// Measures the groups asked for, all kernels in turns in each round, so that what else the machine does
+/// falls on all of them. @param groups "laws", "winds" or both. @param rounds 1 or more.
+std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups, int rounds);
