@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +18,16 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int side = 32; // of the lattice, a power of two
+constexpr int side = 32;         // of the lattice, a power of two
+constexpr int stride = side + 1; // with its first points again at the end, so that every cell has all corners
+constexpr std::size_t block = 64;
 constexpr float farthest = 1e7f;
 constexpr double octaveRatio = 2.03; // not a fraction of small numbers
 /// Mean variance of noise between two lattice points, under smoothstep.
 constexpr double smoothVariance = 26.0 / 35.0;
 
 std::vector<NoisePoint> latticeNoise(Random& random) {
-    std::vector<NoisePoint> noise(side * side * side);
+    std::vector<NoisePoint> noise(side * side * side), padded;
     for (int component = 0; component < 3; ++component) {
         double sum = 0.0, squares = 0.0;
         for (NoisePoint& point : noise) {
@@ -36,7 +40,12 @@ std::vector<NoisePoint> latticeNoise(Random& random) {
         for (NoisePoint& point : noise)
             point.values[component] = static_cast<float>((point.values[component] - mean) / deviation);
     }
-    return noise;
+    for (int z = 0; z < stride; ++z)
+        for (int y = 0; y < stride; ++y)
+            for (int x = 0; x < stride; ++x)
+                padded.push_back(
+                    noise[static_cast<std::size_t>(((z % side) * side + y % side) * side + x % side)]);
+    return padded;
 }
 
 /// A uniformly random rotation (Shoemake).
@@ -48,16 +57,11 @@ glm::dmat3 randomRotation(Random& random) {
         glm::dquat(high * std::cos(b), low * std::sin(a), low * std::cos(a), high * std::sin(b)));
 }
 
-/// One octave at one time: from a place in metres to cells, in floats.
+/// One octave at one time: from a place in metres, and 1, to each axis of its cells, in floats.
 struct Frame {
-    glm::mat3 toCells;
-    glm::vec3 offset;
+    glm::vec4 toCells[3];
     float amplitude;
 };
-
-glm::vec3 smooth(const glm::vec3& t) {
-    return t * t * (3.0f - 2.0f * t);
-}
 
 NoisePoint lerp(const NoisePoint& low, const NoisePoint& high, float share) {
     NoisePoint result;
@@ -66,30 +70,51 @@ NoisePoint lerp(const NoisePoint& low, const NoisePoint& high, float share) {
     return result;
 }
 
-/// Adds the noise at a place in cells, times a factor.
-void addNoise(const NoisePoint* noise, const glm::vec3& place, float factor, NoisePoint& sum) {
-    glm::ivec3 cell(place);
-    cell -= glm::ivec3(place.x < static_cast<float>(cell.x), place.y < static_cast<float>(cell.y),
-                       place.z < static_cast<float>(cell.z));
-    const glm::vec3 w = smooth(place - glm::vec3(cell));
-    constexpr int mask = side - 1;
-    const int x0 = cell.x & mask, x1 = (cell.x + 1) & mask;
-    const int y0 = (cell.y & mask) * side, y1 = ((cell.y + 1) & mask) * side;
-    const int z0 = (cell.z & mask) * side * side, z1 = ((cell.z + 1) & mask) * side * side;
-    const NoisePoint a = lerp(noise[z0 + y0 + x0], noise[z0 + y0 + x1], w.x);
-    const NoisePoint b = lerp(noise[z0 + y1 + x0], noise[z0 + y1 + x1], w.x);
-    const NoisePoint c = lerp(noise[z1 + y0 + x0], noise[z1 + y0 + x1], w.x);
-    const NoisePoint d = lerp(noise[z1 + y1 + x0], noise[z1 + y1 + x1], w.x);
-    const NoisePoint all = lerp(lerp(a, b, w.y), lerp(c, d, w.y), w.z);
-    for (int i = 0; i < 4; ++i)
-        sum.values[i] += factor * all.values[i];
+/// A block of places, number by number so that the processor does four at once.
+struct Positions {
+    float axis[3][block];
+};
+
+/// The same in the cells of one octave.
+struct Places {
+    int corner[3][block];  ///< Of the cell, within the lattice.
+    float share[3][block]; ///< Of the far corner, smoothed.
+};
+
+/// One axis of the cells.
+void locate(const Positions& near, std::size_t count, const glm::vec4& toCells, int* corner, float* share) {
+    const float *x = near.axis[0], *y = near.axis[1], *z = near.axis[2];
+    const float a = toCells.x, b = toCells.y, c = toCells.z, offset = toCells.w;
+    for (std::size_t n = 0; n < count; ++n) {
+        const float place = a * x[n] + b * y[n] + c * z[n] + offset;
+        const int towardZero = static_cast<int>(place);
+        const int cell = towardZero - (place < static_cast<float>(towardZero) ? 1 : 0);
+        const float t = place - static_cast<float>(cell);
+        corner[n] = cell & (side - 1);
+        share[n] = t * t * (3.0f - 2.0f * t);
+    }
 }
 
-glm::vec3 held(const glm::vec3& position) {
-    const auto one = [](float x) {
-        return x >= -farthest ? std::min(x, farthest) : x < 0.0f ? -farthest : 0.0f;
-    };
-    return {one(position.x), one(position.y), one(position.z)};
+/// Adds the noise at these places, times a factor.
+void addNoise(const NoisePoint* noise, const Places& places, std::size_t count, float factor,
+              NoisePoint* sums) {
+    for (std::size_t n = 0; n < count; ++n) {
+        const NoisePoint* corner =
+            noise + (places.corner[2][n] * stride + places.corner[1][n]) * stride + places.corner[0][n];
+        const float x = places.share[0][n], y = places.share[1][n], z = places.share[2][n];
+        constexpr int north = stride, up = stride * stride;
+        const NoisePoint low =
+            lerp(lerp(corner[0], corner[1], x), lerp(corner[north], corner[north + 1], x), y);
+        const NoisePoint high =
+            lerp(lerp(corner[up], corner[up + 1], x), lerp(corner[up + north], corner[up + north + 1], x), y);
+        const NoisePoint all = lerp(low, high, z);
+        for (int i = 0; i < 4; ++i)
+            sums[n].values[i] += factor * all.values[i];
+    }
+}
+
+float held(float x) {
+    return x >= -farthest ? std::min(x, farthest) : x < 0.0f ? -farthest : 0.0f;
 }
 
 } // namespace
@@ -151,18 +176,31 @@ void GustWind::sample(const glm::vec3* positions, std::size_t count, double time
     std::array<Frame, octaves> frames;
     for (std::size_t i = 0; i < octaves; ++i) {
         const glm::dvec3 cells = _octaves[i].offset - _octaves[i].toCells * travelled;
-        frames[i] = {_octaves[i].toCells, cells - glm::floor(cells / double(side)) * double(side),
-                     _octaves[i].amplitude};
+        const glm::dvec3 offset = cells - glm::floor(cells / double(side)) * double(side);
+        const glm::dmat3 axes = glm::transpose(_octaves[i].toCells);
+        for (int axis = 0; axis < 3; ++axis)
+            frames[i].toCells[axis] = glm::vec4(axes[axis], offset[axis]);
+        frames[i].amplitude = _octaves[i].amplitude;
     }
-    for (std::size_t n = 0; n < count; ++n) {
-        const glm::vec3 place = held(positions[n]);
-        NoisePoint turbulence{};
-        for (const Frame& frame : frames)
-            addNoise(_noise.data(), frame.toCells * place + frame.offset, frame.amplitude, turbulence);
-        const float* u = turbulence.values;
-        const float factor =
-            _parameters.profile ? static_cast<float>(_parameters.profile->factor(place.z)) : 1.0f;
-        out[n] = (_parameters.mean + _axes * glm::vec3(u[0], u[1], u[2])) * factor;
+    for (std::size_t first = 0; first < count; first += block) {
+        const std::size_t size = std::min(count - first, block);
+        Positions near = {};
+        NoisePoint turbulence[block] = {};
+        Places places;
+        for (std::size_t n = 0; n < size; ++n)
+            for (int axis = 0; axis < 3; ++axis)
+                near.axis[axis][n] = held(positions[first + n][axis]);
+        for (const Frame& frame : frames) {
+            for (int axis = 0; axis < 3; ++axis)
+                locate(near, size, frame.toCells[axis], places.corner[axis], places.share[axis]);
+            addNoise(_noise.data(), places, size, frame.amplitude, turbulence);
+        }
+        for (std::size_t n = 0; n < size; ++n) {
+            const float* u = turbulence[n].values;
+            const float factor =
+                _parameters.profile ? static_cast<float>(_parameters.profile->factor(near.axis[2][n])) : 1.0f;
+            out[first + n] = (_parameters.mean + _axes * glm::vec3(u[0], u[1], u[2])) * factor;
+        }
     }
 }
 
