@@ -19,7 +19,8 @@ using namespace osgTreeWind;
 using Json = nlohmann::ordered_json;
 
 struct WindArguments {
-    std::string file;
+    std::vector<std::string> files;
+    std::vector<double> times;
     std::string unit = "m/s";
     std::vector<double> at;
     std::string picture;
@@ -88,7 +89,9 @@ std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& o
     WindFileOptions options;
     options.speedUnit = arguments.unit;
     options.origin = origin;
-    Result<WindFile> wind = readWindFile(arguments.file, options);
+    const bool alone = arguments.files.size() == 1 && arguments.times.empty();
+    Result<WindFile> wind = alone ? readWindFile(arguments.files.front(), options)
+                                  : readWindFiles(arguments.files, arguments.times, options);
     if (wind)
         return std::move(wind.value());
     std::cerr << wind.problems().front().text() << '\n';
@@ -99,15 +102,19 @@ void printVelocity(const WindFile& wind, const WindArguments& arguments) {
     const std::vector<double>& at = arguments.at;
     const double time = at.size() > 3 ? at[3] : 0.0;
     const glm::dvec3 velocity = wind.field->velocity({0.0f, 0.0f, at[2]}, time);
-    if (arguments.json)
+    if (arguments.json) {
         std::cout << Json{{"at", {at[0], at[1], at[2]}},
                           {"time", time},
                           {"velocity", toJson(velocity)},
-                          {"speed", glm::length(velocity)}}
+                          {"speed", glm::length(velocity)},
+                          {"notes", wind.summary.notes}}
                          .dump(2)
                   << '\n';
-    else
-        std::cout << text(velocity, 6) << " m/s toward east, north, up\n";
+        return;
+    }
+    std::cout << text(velocity, 6) << " m/s toward east, north, up\n";
+    for (const std::string& note : wind.summary.notes)
+        std::cerr << arguments.files.front() << ": note: " << note << '\n';
 }
 
 ExitCode drawPicture(const WindArguments& arguments, const WindSummary& summary) {
@@ -145,11 +152,17 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
         app.add_subcommand("wind", "Show what a file of wind data says, or the wind at a place");
     auto arguments = std::make_shared<WindArguments>();
     command
-        ->add_option("file", arguments->file, "ESRI ASCII pair, VTK, NetCDF, TurbSim, TOA5, QES XML or CSV")
+        ->add_option("file", arguments->files,
+                     "ESRI ASCII pair, VTK, NetCDF, TurbSim, TOA5, QES XML or CSV; several of one time each "
+                     "with --times")
         ->required();
+    command->add_option("--times", arguments->times, "t1,t2,...: seconds at which several files hold")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("--at", arguments->at, "x,y,z[,t] in the file's coordinates, metres and seconds")
         ->delimiter(',')
-        ->expected(3, 4);
+        ->expected(3, 4)
+        ->allow_extra_args(false);
     command->add_option("--unit", arguments->unit,
                         "Of speeds where the file does not say: m/s, km/h, kn, mph, ft/s");
     command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");

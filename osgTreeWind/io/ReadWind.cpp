@@ -246,26 +246,52 @@ WindFieldPtr readSeries(TableReader& table, ForestReading& reading) {
     return complete ? checked(TimeSeriesWind::create(std::move(series)), table, reading) : nullptr;
 }
 
-/// Any file of wind data; positions in it are world coordinates, moved by `offset`.
+/// The paths of `file`, or of all `files` with their `times`. False after a problem.
+bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::string>& paths,
+                   std::vector<double>& times) {
+    std::string name;
+    std::vector<std::string> names;
+    const bool one = table.read("file", name), several = table.read("files", names),
+               timed = table.read("times", times);
+    const auto refuse = [&](const char* key, const char* why) {
+        table.problem(key, why);
+        return false;
+    };
+    if (table.has("file") && table.has("files"))
+        return refuse("files", "give either this or file");
+    if (table.has("files") != table.has("times"))
+        return refuse("times", "expected beside files, and only there");
+    if (!table.has("file") && !table.has("files"))
+        return table.missing("file");
+    if (!one && !(several && timed))
+        return false; // not what they should be, as the log says
+    for (const std::string& each : one ? std::vector<std::string>{name} : names) {
+        const auto file = reading.open(table, one ? "file" : "files", each);
+        if (!file)
+            return false;
+        paths.push_back(file->path);
+    }
+    return true;
+}
+
+/// Any file of wind data, or several of one time each; positions in it are world coordinates, moved by
+/// `offset`.
 WindFieldPtr readDataFile(TableReader& table, ForestReading& reading) {
     WindFileOptions options;
-    readSpeedUnit(table, "speed_unit", options.speedUnit);
+    const bool known = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
     std::vector<double> offset = {0, 0, 0};
     table.readNumbers("offset", offset, 3, 3, worldCoordinates);
     options.origin = reading.forest.origin - glm::dvec3(offset[0], offset[1], offset[2]);
-    if (!table.has("file")) {
-        table.missing("file");
+    std::vector<std::string> paths;
+    std::vector<double> times;
+    if (!readDataPaths(table, reading, paths, times) || !known)
         return nullptr;
-    }
-    const auto file = reading.open(table, "file");
-    if (!file)
-        return nullptr;
-    const Result<WindFieldPtr> field = readWindField(file->path, options);
-    if (field)
-        return field.value();
-    for (const Diagnostic& problem : field.problems())
-        reading.log.add(problem);
-    return nullptr;
+    const Result<WindFile> wind =
+        table.has("files") ? readWindFiles(paths, times, options) : readWindFile(paths.front(), options);
+    if (wind)
+        for (const std::string& note : wind.value().summary.notes)
+            reading.forest.notes.push_back(paths.front() + ": " + note);
+    return checked(wind ? Result<WindFieldPtr>(wind.value().field) : wind.problems(), table, reading);
 }
 
 WindFieldPtr readCalm(TableReader&, ForestReading&) {

@@ -5,6 +5,8 @@
 
 #include <osgTreeWind/base/Number.h>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ Array named(const NetCdfFile& file, const std::vector<std::string>& standard,
     const auto among = [](const std::vector<std::string>& names, const std::string& name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
-    if (const Array found = file.find([&](const Array& array) {
+    if (Array found = file.find([&](const Array& array) {
             return array->GetDimensionCount() >= 2 &&
                    among(standard, NetCdfFile::text(array, "standard_name"));
         }))
@@ -54,6 +56,35 @@ struct Axis {
     bool backwards = false;
 };
 
+/// The way true north lies at points of a projection: unit vectors along its x and y. Empty where the
+/// projection cannot say. @param points metres.
+std::vector<glm::dvec2> trueNorth(const OGRSpatialReference& projection, std::vector<glm::dvec2> points) {
+    OGRSpatialReference grid(projection);
+    const std::unique_ptr<OGRSpatialReference> globe(grid.CloneGeogCS());
+    if (!globe)
+        return {};
+    grid.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    globe->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+    const Transformation toGlobe(OGRCreateCoordinateTransformation(&grid, globe.get()));
+    const Transformation toGrid(OGRCreateCoordinateTransformation(globe.get(), &grid));
+    if (!toGlobe || !toGrid)
+        return {};
+
+    const double unit = grid.GetLinearUnits();
+    for (glm::dvec2& point : points) {
+        double longitude = point.x / unit, latitude = point.y / unit;
+        if (!toGlobe->Transform(1, &longitude, &latitude))
+            return {};
+        const double step = latitude > 0.0 ? -1e-4 : 1e-4; // some metres, never across a pole
+        double x = longitude, y = latitude + step;
+        if (!toGrid->Transform(1, &x, &y))
+            return {};
+        point = glm::normalize((glm::dvec2(x, y) * unit - point) / step);
+    }
+    return points;
+}
+
 /// Which array holds what, on which axes.
 class CfReader {
 public:
@@ -74,19 +105,42 @@ public:
 private:
     void findArrays() {
         _content.summary.format = "NetCDF";
-        const Array u =
-            named(_file, {"eastward_wind", "x_wind", "grid_eastward_wind"}, {"u", "u10", "u-component"});
-        const Array v =
-            named(_file, {"northward_wind", "y_wind", "grid_northward_wind"}, {"v", "v10", "v-component"});
-        if (u && v) {
-            _arrays = {u, v};
-            const Array w = named(_file, {"upward_air_velocity"}, {"w"});
-            if (w && w->GetDimensions().size() == u->GetDimensions().size())
-                _arrays.push_back(w);
-            _content.summary.direction = "components toward x (east), y (north) and up";
-            _content.summary.unit = _file.speedUnitOf(_arrays);
-            return;
+        if (!findComponents() && !findSpeedAndDirection())
+            _file.fail({}, "expected arrays of wind: x_wind and y_wind, eastward_wind and northward_wind, u "
+                           "and v, or wind_speed and wind_from_direction");
+    }
+
+    bool findComponents() {
+        static constexpr const char* pairs[][2] = {{"x_wind", "y_wind"},
+                                                   {"eastward_wind", "northward_wind"},
+                                                   {"grid_eastward_wind", "grid_northward_wind"}};
+        Array u, v;
+        for (const auto& [east, north] : pairs)
+            if (!u || !v) {
+                u = named(_file, {east}, {});
+                v = named(_file, {north}, {});
+            }
+        if (!u || !v) {
+            u = named(_file, {}, {"u", "u10", "u-component"});
+            v = named(_file, {}, {"v", "v10", "v-component"});
         }
+        if (!u || !v)
+            return false;
+        _arrays = {u, v};
+        const Array w = named(_file, {"upward_air_velocity"}, {"w"});
+        if (w && w->GetDimensions().size() == u->GetDimensions().size())
+            _arrays.push_back(w);
+        // Data from GRIB have a flag; their name is the same either way.
+        const std::string ofGrid = NetCdfFile::text(u, "GRIB_uvRelativeToGrid");
+        _fromTrueNorth =
+            ofGrid.empty() ? NetCdfFile::text(u, "standard_name") == "eastward_wind" : ofGrid == "0";
+        _content.summary.direction = _fromTrueNorth ? "components toward true east, true north and up"
+                                                    : "components toward x (east), y (north) and up";
+        _content.summary.unit = _file.speedUnitOf(_arrays);
+        return true;
+    }
+
+    bool findSpeedAndDirection() {
         const Array speed = named(_file, {"wind_speed"}, {"wind_speed", "speed"});
         const Array from =
             named(_file, {"wind_from_direction"}, {"wind_from_direction", "wind_direction", "direction"});
@@ -95,21 +149,21 @@ private:
                    from     ? from
                    : toward ? toward
                             : beginning(_file, "wind_direction_from")};
+        if (!_arrays[0] || !_arrays[1])
+            return false;
         _polar = true;
         _sense = !from && toward ? DirectionSense::Toward : DirectionSense::From;
-        if (!_arrays[0] || !_arrays[1])
-            return _file.fail(
-                {}, "expected arrays of wind: eastward_wind and northward_wind, u and v, or wind_speed "
-                    "and wind_from_direction");
-        _content.summary.direction = std::string(_sense == DirectionSense::From ? "from" : "toward") +
-                                     ", degrees clockwise from the grid's north";
-        _content.summary.unit = _file.speedUnitOf({_arrays[0]});
         const std::string unit = _arrays[1]->GetUnit();
-        if (unit == "degree_true" || unit == "degrees_true")
-            _content.summary.notes.push_back(
-                "directions count from true north and are not turned to the grid's");
-        else if (!unit.empty() && unit.compare(0, 3, "deg") != 0)
+        if (!unit.empty() && unit.compare(0, 3, "deg") != 0)
             _file.fail(_arrays[1]->GetName(), expectedFound("degrees", unit));
+        const std::string name = NetCdfFile::text(_arrays[1], "standard_name");
+        _fromTrueNorth = unit == "degree_true" || unit == "degrees_true" || name == "wind_from_direction" ||
+                         name == "wind_to_direction";
+        _content.summary.direction = std::string(_sense == DirectionSense::From ? "from" : "toward") +
+                                     ", degrees clockwise from " +
+                                     (_fromTrueNorth ? "true north" : "the grid's north");
+        _content.summary.unit = _file.speedUnitOf({_arrays[0]});
+        return true;
     }
 
     static bool isTime(const NetCdfFile::Dimension& dimension) {
@@ -160,8 +214,8 @@ private:
         const std::size_t count = dimensions.size();
         if (count > 4)
             return _file.fail(_arrays[0]->GetName(), "expected dimensions (time, height, y, x) or fewer");
-        const auto reference = _arrays[0]->GetSpatialRef();
-        const std::string name = reference && reference->GetName() ? reference->GetName() : "";
+        _reference = _arrays[0]->GetSpatialRef();
+        const std::string name = _reference && _reference->GetName() ? _reference->GetName() : "";
         _content.summary.coordinates = name == "unnamed" || name == "unknown" ? "" : name;
         _x = evenAxis(dimensions[count - 1]);
         _y = evenAxis(dimensions[count - 2]);
@@ -188,6 +242,40 @@ private:
                 for (std::size_t y = 0; y < _y.count; ++y)
                     for (std::size_t x = 0; x < _x.count; ++x)
                         add(values, indexOf(t, z, y, x));
+        if (_file.good() && _fromTrueNorth)
+            turnToGrid();
+    }
+
+    /// From true north to the y axis of the grid.
+    void turnToGrid() {
+        if (!_reference || !_reference->IsProjected()) {
+            _content.summary.notes.emplace_back("the file names no projection; its y is taken as true north");
+            return;
+        }
+        std::vector<glm::dvec2> points;
+        for (std::size_t y = 0; y < _y.count; ++y)
+            for (std::size_t x = 0; x < _x.count; ++x)
+                points.emplace_back(_x.first + _x.step * static_cast<double>(x),
+                                    _y.first + _y.step * static_cast<double>(y));
+        const std::vector<glm::dvec2> norths = trueNorth(*_reference, std::move(points));
+        if (norths.empty())
+            return _file.fail(_arrays[0]->GetName(), "the projection of this array does not hold its points");
+        double least = 360.0, most = -360.0;
+        for (const glm::dvec2& north : norths) {
+            const double degrees = glm::degrees(std::atan2(north.x, north.y));
+            least = std::min(least, degrees);
+            most = std::max(most, degrees);
+        }
+        const auto rounded = [](double degrees) { return numberText(std::round(100.0 * degrees) / 100.0); };
+        _content.summary.notes.push_back("the file counts from true north; velocities here are turned to the "
+                                         "grid's y axis, by " +
+                                         rounded(least) + " to " + rounded(most) + " degrees clockwise");
+        for (std::size_t i = 0; i < _grid.values.size(); i += 3) {
+            const glm::dvec2 north = norths[i / 3 % norths.size()];
+            const double u = _grid.values[i], v = _grid.values[i + 1];
+            _grid.values[i] = static_cast<float>(u * north.y + v * north.x);
+            _grid.values[i + 1] = static_cast<float>(v * north.y - u * north.x);
+        }
     }
 
     /// The place in the file of a point of the grid.
@@ -214,7 +302,8 @@ private:
     WindContent _content;
     GridWind::Grid _grid;
     std::vector<Array> _arrays;
-    bool _polar = false, _downward = false;
+    std::shared_ptr<OGRSpatialReference> _reference;
+    bool _polar = false, _fromTrueNorth = false, _downward = false;
     DirectionSense _sense = DirectionSense::From;
     Axis _x, _y;
     std::size_t _layers = 1, _steps = 1;

@@ -73,7 +73,7 @@ NetCdfFile::Array NetCdfFile::array(const std::string& name) const {
 
 NetCdfFile::Array NetCdfFile::find(const std::function<bool(const Array&)>& condition) const {
     for (const std::string& name : _root ? _root->GetMDArrayNames() : std::vector<std::string>())
-        if (const Array found = array(name); found && condition(found))
+        if (Array found = array(name); found && condition(found))
             return found;
     return nullptr;
 }
@@ -84,9 +84,14 @@ std::string NetCdfFile::text(const Array& array, const char* attribute) {
     return value ? value : "";
 }
 
-double NetCdfFile::positive(const char* attribute) {
+std::optional<double> NetCdfFile::number(const char* attribute) const {
     const auto found = _root ? _root->GetAttribute(attribute) : nullptr;
-    const double value = found ? found->ReadAsDouble() : 0.0;
+    const double value = found ? found->ReadAsDouble() : std::numeric_limits<double>::quiet_NaN();
+    return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
+}
+
+double NetCdfFile::positive(const char* attribute) {
+    const double value = number(attribute).value_or(0.0);
     if (value > 0.0 && value < 1e9)
         return value;
     fail(attribute, "expected this attribute of the file, above 0");

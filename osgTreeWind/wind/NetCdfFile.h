@@ -36,7 +36,9 @@ public:
 
     /// An attribute as text; empty where there is none.
     static std::string text(const Array& array, const char* attribute);
-    /// A number that the file as a whole states, and that is above 0.
+    /// A number that the file as a whole states; empty where it does not, or states none that is finite.
+    std::optional<double> number(const char* attribute) const;
+    /// The same for one that must be there, and above 0.
     double positive(const char* attribute);
 
     /// All numbers of an array, unpacked; NaN where there are no data. Refused where a file of this size
@@ -61,9 +63,11 @@ private:
     Diagnostic _problem;
 };
 
-/// Wind by CF names, or in arrays called u and v: on axes in metres.
+/// Wind by CF names, or in arrays called u and v: on axes in metres. What counts from true north is turned to
+/// the y axis of the file's projection.
 Result<WindContent> readNetCdfCf(NetCdfFile& file);
-/// Output of the Weather Research and Forecasting model: destaggered, heights (PH + PHB) / 9.81.
+/// Output of the Weather Research and Forecasting model: destaggered, heights (PH + PHB) / 9.81, in metres of
+/// the model's projection.
 Result<WindContent> readNetCdfWrf(NetCdfFile& file);
 
 } // namespace osgTreeWind

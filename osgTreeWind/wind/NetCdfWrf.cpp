@@ -3,6 +3,15 @@
 
 #include <osgTreeWind/base/Number.h>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
 namespace osgTreeWind {
 
 namespace {
@@ -25,6 +34,95 @@ std::vector<float> destaggered(const std::vector<float>& values, std::size_t blo
             means.push_back(0.5f * (values[at] + values[at + stride]));
         }
     return means;
+}
+
+/// The model's map as PROJ writes it; empty where the file names none of those known here.
+std::string mapOf(const NetCdfFile& file) {
+    const auto attribute = [&](const char* name) {
+        const std::optional<double> number = file.number(name);
+        return number ? numberText(std::round(*number * 1e5) / 1e5) : std::string(); // a 32-bit float
+    };
+    const std::string kind = attribute("MAP_PROJ"), first = attribute("TRUELAT1"),
+                      second = attribute("TRUELAT2"), middle = attribute("MOAD_CEN_LAT"),
+                      meridian = attribute("STAND_LON");
+    if (first.empty() || meridian.empty())
+        return {};
+    const std::string rest = " +lon_0=" + meridian + " +R=6370000";
+    if (kind == "1" && !second.empty() && !middle.empty())
+        return "+proj=lcc +lat_1=" + first + " +lat_2=" + second + " +lat_0=" + middle + rest;
+    if (kind == "2")
+        return "+proj=stere +lat_0=" + std::string(first[0] == '-' ? "-90" : "90") + " +lat_ts=" + first +
+               rest;
+    if (kind == "3")
+        return "+proj=merc +lat_ts=" + first + rest;
+    return {};
+}
+
+/// Where the model's grid stands.
+struct Place {
+    glm::dvec2 corner{0.0};        ///< The south-western cell at the first time, metres on the map.
+    std::vector<glm::ivec2> moved; ///< By these cells east and north since then, at each time.
+};
+
+/// The place by XLAT and XLONG; empty where they are not on the map, or not as far apart as the cells.
+std::optional<Place> placeOn(const std::string& map, NetCdfFile& file, const Sizes& n,
+                             const glm::dvec2& cell) {
+    const NetCdfFile::Array arrays[] = {file.array("XLONG"), file.array("XLAT")};
+    OGRSpatialReference model;
+    if (!arrays[0] || !arrays[1] || model.importFromProj4(map.c_str()) != OGRERR_NONE)
+        return {};
+    const std::unique_ptr<OGRSpatialReference> globe(model.CloneGeogCS());
+    if (!globe)
+        return {};
+    globe->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    model.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation> toMap(
+        OGRCreateCoordinateTransformation(globe.get(), &model));
+    const std::size_t layer = n.y * n.x, steps = arrays[0]->GetDimensionCount() == 2 ? 1 : n.t;
+    const double count = static_cast<double>(steps) * static_cast<double>(layer);
+    const std::vector<float> longitudes = file.read(arrays[0], count),
+                             latitudes = file.read(arrays[1], count);
+    if (!toMap || !file.good())
+        return {};
+
+    const glm::dvec2 size(n.x, n.y);
+    Place place;
+    for (std::size_t t = 0; t < n.t; ++t) {
+        const std::size_t first = t % steps * layer, last = first + layer - 1;
+        double x[] = {longitudes[first], longitudes[last]}, y[] = {latitudes[first], latitudes[last]};
+        if (!toMap->Transform(2, x, y))
+            return {};
+        const glm::dvec2 corner(x[0], y[0]), opposite(x[1], y[1]);
+        if (t == 0)
+            place.corner = corner;
+        const glm::dvec2 cells = (opposite - corner) / cell, moved = (corner - place.corner) / cell;
+        const glm::dvec2 off = glm::max(glm::abs(cells - (size - 1.0)), glm::abs(moved - glm::round(moved)));
+        if (!(off.x < 0.1 && off.y < 0.1))
+            return {};
+        place.moved.emplace_back(glm::clamp(glm::round(moved), -size, size));
+    }
+    return place;
+}
+
+/// Velocities and heights at the centres of all cells.
+struct Means {
+    std::vector<float> u, v, w, height;
+};
+
+/// Puts one time behind those in the grid. @param moved cells by which the model's grid stands farther east
+/// and north than it; where it does not reach, its edges hold.
+void append(const Means& means, std::size_t t, const Sizes& n, const glm::ivec2& moved,
+            GridWind::Grid& grid) {
+    const glm::ivec2 last(static_cast<int>(n.x) - 1, static_cast<int>(n.y) - 1);
+    for (std::size_t layer = t * n.z; layer < (t + 1) * n.z; ++layer)
+        for (int y = 0; y <= last.y; ++y)
+            for (int x = 0; x <= last.x; ++x) {
+                const glm::ivec2 cell = glm::clamp(glm::ivec2(x, y) - moved, glm::ivec2(0), last);
+                const std::size_t at =
+                    (layer * n.y + static_cast<std::size_t>(cell.y)) * n.x + static_cast<std::size_t>(cell.x);
+                grid.values.insert(grid.values.end(), {means.u[at], means.v[at], means.w[at]});
+                grid.heights.push_back(means.height[at]);
+            }
 }
 
 } // namespace
@@ -67,22 +165,39 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file) {
     if (!file.good())
         return file.problem();
 
+    const std::string map = mapOf(file);
+    const std::optional<Place> place = map.empty() ? std::nullopt : placeOn(map, file, n, {dx, dy});
+    if (!file.good())
+        return file.problem();
+
     for (std::size_t i = 0; i < heights.size(); ++i)
         heights[i] = (heights[i] + base[i]) / gravity;
-    const std::vector<float> uMean = destaggered(east, n.t * n.z * n.y, n.x, 1),
-                             vMean = destaggered(north, n.t * n.z, n.y, n.x),
-                             wMean = destaggered(up, n.t, n.z, n.y * n.x);
-    grid.heights = destaggered(heights, n.t, n.z, n.y * n.x);
+    const Means means{destaggered(east, n.t * n.z * n.y, n.x, 1), destaggered(north, n.t * n.z, n.y, n.x),
+                      destaggered(up, n.t, n.z, n.y * n.x), destaggered(heights, n.t, n.z, n.y * n.x)};
     grid.points = {static_cast<int>(n.x), static_cast<int>(n.y), static_cast<int>(n.z)};
     grid.cell = {dx, dy, 1.0};
-    grid.values.reserve(3 * uMean.size());
-    for (std::size_t i = 0; i < uMean.size(); ++i)
-        grid.values.insert(grid.values.end(), {uMean[i], vMean[i], wMean[i]});
+    grid.values.reserve(3 * means.u.size());
+    grid.heights.reserve(means.u.size());
+    for (std::size_t step = 0; step < n.t; ++step)
+        append(means, step, n, place ? place->moved[step] : glm::ivec2(0), grid);
     content.summary.format = "NetCDF, WRF output";
     content.summary.direction = "components toward x, y and up of the model's grid";
     content.summary.notes = {"velocities at cell centres, means of the staggered neighbours",
-                             "x and y are metres from the centre of the south-western cell",
                              "heights are (PH + PHB) / 9.81, metres above sea level, of each point and time"};
+    if (!place) {
+        content.summary.notes.push_back(
+            std::string(map.empty() ? "the file names no map that is known here (MAP_PROJ 1, 2 or 3)"
+                                    : "XLAT and XLONG are not on the map and cells that the file names") +
+            "; x and y are metres from the centre of the south-western cell");
+    } else {
+        grid.origin = {place->corner, 0.0};
+        content.summary.coordinates = map;
+        const auto stands = [](const glm::ivec2& moved) { return moved == glm::ivec2(0); };
+        if (!std::all_of(place->moved.begin(), place->moved.end(), stands))
+            content.summary.notes.emplace_back(
+                "the model's grid moves; its winds are read at the cells of its "
+                "first time, edges held where later ones do not reach");
+    }
     content.data = std::move(grid);
     return content;
 }

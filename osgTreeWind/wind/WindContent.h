@@ -17,7 +17,7 @@ struct WindSummary {
     std::string format;             ///< "TurbSim full field", say.
     std::string unit;               ///< Of the speeds in the file; empty when it does not say.
     std::string direction;          ///< "from, clockwise from grid north" or what the components mean.
-    std::string coordinates;        ///< Name of the reference system; empty when the file does not say.
+    std::string coordinates;        ///< Name or PROJ text of the reference system; empty when not said.
     std::string start;              ///< Date and time of time 0 as in the file; empty when it does not say.
     std::vector<std::string> notes; ///< What else is worth knowing, one sentence each.
 

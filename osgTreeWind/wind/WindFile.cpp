@@ -1,166 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/WindFile.h>
 
-#include <osgTreeWind/base/CsvTable.h>
-#include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/wind/NetCdfClassic.h>
-#include <osgTreeWind/wind/QesSensor.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/TravellingWind.h>
 #include <osgTreeWind/wind/WindFormats.h>
 #include <osgTreeWind/wind/WindLimits.h>
+#include <osgTreeWind/wind/WindSteps.h>
 #include <osgTreeWind/wind/WindUnits.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
+#include <numeric>
 
 namespace osgTreeWind {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 Diagnostic problem(const std::string& file, std::string message) {
     return {file, 0, 0, {}, std::move(message)};
-}
-
-Result<std::string> readBytes(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bytes;
-    std::error_code ignored;
-    if (!file || fs::is_directory(path, ignored))
-        return problem(path, "cannot be read");
-    bytes << file.rdbuf();
-    if (bytes.str().empty())
-        return problem(path, "the file is empty");
-    return bytes.str();
-}
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-bool startsWith(std::string_view text, std::string_view start) {
-    return text.substr(0, start.size()) == start;
-}
-
-/// The name in the .prj beside a grid; empty without one.
-std::string coordinatesBeside(const std::string& path) {
-    std::ifstream file(fs::path(path).replace_extension(".prj"));
-    std::string text, name;
-    std::getline(file, text, '"');
-    std::getline(file, name, '"');
-    return name;
-}
-
-Result<WindContent> readEsriPair(const std::string& path) {
-    const fs::path given(path);
-    const std::string stem = given.stem().string(), extension = given.extension().string();
-    const std::string end = stem.size() > 4 ? stem.substr(stem.size() - 4) : "";
-    if (end != "_vel" && end != "_ang")
-        return problem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
-                                 ", a pair of speed and direction");
-    const std::string begin = (given.parent_path() / stem.substr(0, stem.size() - 4)).string();
-    EsriGrid grids[2];
-    const std::string paths[2] = {begin + "_vel" + extension, begin + "_ang" + extension};
-    for (int i = 0; i < 2; ++i) {
-        const Result<std::string> text = readBytes(paths[i]);
-        if (!text)
-            return text.problems();
-        Result<EsriGrid> grid = readEsriGrid(text.value(), paths[i]);
-        if (!grid)
-            return grid.problems();
-        grids[i] = std::move(grid.value());
-    }
-    Result<WindContent> content = windOfEsriGrids(grids[0], grids[1], path);
-    if (content)
-        content.value().summary.coordinates = coordinatesBeside(path);
-    return content;
-}
-
-Result<WindContent> readQes(const std::string& bytes, const std::string& path) {
-    std::istringstream text(bytes);
-    Result<WindSeries> series = readQesSensor(text, path);
-    if (!series)
-        return series.problems();
-    WindContent content;
-    content.summary.format = "QES-Winds sensor";
-    content.summary.unit = "m/s";
-    content.summary.direction = "from, degrees clockwise from north";
-    const LogProfile profile = series.value().profile.value_or(LogProfile{});
-    content.summary.notes = {"measured " + numberText(profile.height) +
-                             " m above ground of roughness length " + numberText(profile.roughness) +
-                             " m; a logarithmic profile at other heights"};
-    content.data = std::move(series.value());
-    return content;
-}
-
-Result<WindContent> readCsv(const std::string& bytes, const std::string& path, WindSeriesColumns columns) {
-    std::istringstream text(bytes);
-    const Result<CsvTable> table = readCsvTable(text, path, columns.delimiter);
-    if (!table)
-        return table.problems();
-    if (columns.time.empty()) {
-        columns.time = "time";
-        if (table.value().column("speed")) {
-            columns.speed = "speed";
-            columns.direction = "direction";
-        } else {
-            columns.u = "u";
-            columns.v = "v";
-            columns.w = table.value().column("w") ? "w" : "";
-        }
-    }
-    columns.speedUnit = "m/s"; // converted with all other formats
-    Result<WindSeries> series = windSeriesOf(table.value(), columns);
-    if (!series)
-        return series.problems();
-    WindContent content;
-    content.summary.format = "CSV";
-    content.summary.direction = columns.speed.empty() ? "components toward east, north and up"
-                                : columns.sense == DirectionSense::From
-                                    ? "from, degrees clockwise from north"
-                                    : "toward, degrees clockwise from north";
-    content.data = std::move(series.value());
-    return content;
-}
-
-Result<WindContent> readContent(const std::string& path, const WindFileOptions& options) {
-    const Result<std::string> read = readBytes(path);
-    if (!read)
-        return read.problems();
-    const std::string& bytes = read.value();
-    const std::string extension = lower(fs::path(path).extension().string());
-    if (startsWith(bytes, "# vtk DataFile"))
-        return readVtkLegacy(bytes, path);
-    if (startsWith(bytes, "CDF") || startsWith(bytes, "\x89HDF")) {
-        const std::string damage = problemOfNetCdfHeader(bytes);
-        return damage.empty() ? readNetCdf(path) : problem(path, damage);
-    }
-    if (startsWith(bytes, "\"TOA5\""))
-        return readToa5(bytes, path, options.columns);
-    if (bytes.find("<VTKFile") < 1000)
-        return readVtkXml(bytes, path);
-    if (bytes.find("<timeSeries") != std::string::npos || extension == ".xml")
-        return readQes(bytes, path);
-    if (startsWith(lower(bytes.substr(0, 5)), "ncols") || extension == ".asc")
-        return readEsriPair(path);
-    if (extension == ".bts")
-        return readTurbSim(bytes, path);
-    if (extension == ".csv")
-        return readCsv(bytes, path, options.columns);
-    return problem(path,
-                   "no known format of wind data; expected ESRI ASCII, VTK, TurbSim .bts, TOA5, NetCDF, QES "
-                   "sensor XML or .csv");
 }
 
 /// Converts one velocity to m/s and takes note of it. False when no wind is like this.
@@ -180,35 +40,29 @@ bool takeIn(glm::vec3& velocity, float unit, WindSummary& summary, std::size_t& 
 }
 
 /// Settles the unit, the range of speeds and places without data.
-Diagnostics settle(WindContent& content, double unit, const std::string& path) {
+/// @param files each gave the same number of velocities, one after the other.
+Diagnostics settle(WindContent& content, double unit, const std::vector<std::string>& files) {
+    auto* series = std::get_if<WindSeries>(&content.data);
+    auto* grid = std::get_if<GridWind::Grid>(&content.data);
+    const std::size_t count = series ? series->velocities.size() : grid->values.size() / 3;
+    const std::size_t perFile = std::max<std::size_t>(1, count / files.size());
+    const std::string ofAll = " of " + std::to_string(perFile);
     WindSummary& summary = content.summary;
     summary.slowest = std::numeric_limits<double>::max();
-    std::size_t missing = 0, count = 0, bad = 0;
-    bool good = true;
-    const auto take = [&](glm::vec3& velocity) {
-        if (good && !takeIn(velocity, static_cast<float>(unit), summary, missing)) {
-            good = false;
-            bad = count;
-        }
-        ++count;
-    };
-    if (auto* series = std::get_if<WindSeries>(&content.data)) {
-        std::for_each(series->velocities.begin(), series->velocities.end(), take);
-    } else {
-        std::vector<float>& values = std::get<GridWind::Grid>(content.data).values;
-        for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
-            glm::vec3 velocity(values[i], values[i + 1], values[i + 2]);
-            take(velocity);
-            std::copy(&velocity.x, &velocity.x + 3, values.begin() + static_cast<std::ptrdiff_t>(i));
-        }
+    std::vector<std::size_t> missing(files.size(), 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        float* values = series ? &series->velocities[i].x : &grid->values[3 * i];
+        glm::vec3 velocity(values[0], values[1], values[2]);
+        if (!takeIn(velocity, static_cast<float>(unit), summary, missing[i / perFile]))
+            return {problem(files[i / perFile], "expected winds of at most 200 m/s; number " +
+                                                    std::to_string(i % perFile + 1) + ofAll + " is none")};
+        std::copy(&velocity.x, &velocity.x + 3, values);
     }
-    if (!good)
-        return {problem(path, "expected winds of at most 200 m/s; number " + std::to_string(bad + 1) +
-                                  " of " + std::to_string(count) + " is none")};
-    if (missing == count)
-        return {problem(path, "holds no data at any of " + std::to_string(count) + " places and times")};
-    if (missing > 0)
-        summary.notes.push_back(std::to_string(missing) + " of " + std::to_string(count) +
+    for (std::size_t file = 0; file < files.size(); ++file)
+        if (missing[file] == perFile || count == 0)
+            return {problem(files[file], "holds no data at any" + ofAll + " places and times")};
+    if (const std::size_t all = std::accumulate(missing.begin(), missing.end(), std::size_t(0)); all > 0)
+        summary.notes.push_back(std::to_string(all) + " of " + std::to_string(count) +
                                 " velocities have no data and are taken as calm");
     return {};
 }
@@ -248,64 +102,54 @@ Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, co
     return field;
 }
 
-} // namespace
-
-std::string usualSpeedUnit(const std::string& text) {
-    static const std::pair<const char*, const char*> names[] = {{"m s-1", "m/s"},
-                                                                {"m s^-1", "m/s"},
-                                                                {"m s**-1", "m/s"},
-                                                                {"ms-1", "m/s"},
-                                                                {"meters/second", "m/s"},
-                                                                {"metres/second", "m/s"},
-                                                                {"meters/sec", "m/s"},
-                                                                {"mps", "m/s"},
-                                                                {"meters per second", "m/s"},
-                                                                {"meter/sec", "m/s"},
-                                                                {"metre per second", "m/s"},
-                                                                {"m/sec", "m/s"},
-                                                                {"km h-1", "km/h"},
-                                                                {"kph", "km/h"},
-                                                                {"knots", "kn"},
-                                                                {"knot", "kn"},
-                                                                {"kt", "kn"},
-                                                                {"kts", "kn"},
-                                                                {"miles/hour", "mph"},
-                                                                {"ft s-1", "ft/s"}};
-    const std::string folded = lower(text);
-    for (const auto& [name, unit] : names)
-        if (folded == name)
-            return unit;
-    return text;
-}
-
-Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options) {
-    const Result<double> assumed = speedUnit(options.speedUnit);
-    if (!assumed)
-        return Diagnostic{{}, 0, 0, "speedUnit", assumed.problems().front().message};
-    Result<WindContent> read = readContent(path, options);
+/// What was read from these files as a field.
+Result<WindFile> fileOf(Result<WindContent>&& read, const std::vector<std::string>& files,
+                        const WindFileOptions& options) {
     if (!read)
         return read.problems();
     WindContent& content = read.value();
-    const Result<double> unit = content.summary.unit.empty() ? assumed : speedUnit(content.summary.unit);
+    const std::string& unitName = content.summary.unit.empty() ? options.speedUnit : content.summary.unit;
+    const Result<double> unit = speedUnit(unitName);
     if (!unit)
-        return problem(path, unit.problems().front().message);
-    Diagnostics problems = settle(content, unit.value(), path);
+        return problem(files.front(), unit.problems().front().message);
+    Diagnostics problems = settle(content, unit.value(), files);
     if (!problems.empty())
         return problems;
 
     WindFile file;
     if (content.summary.unit.empty())
-        content.summary.notes.push_back("the file names no unit of speed; taken as " + options.speedUnit);
+        content.summary.notes.push_back("the file names no unit of speed; taken as " + unitName);
     if (const auto* grid = std::get_if<GridWind::Grid>(&content.data))
         summarize(*grid, content.summary);
     else
         content.summary.times = std::get<WindSeries>(content.data).times;
     file.summary = std::move(content.summary);
-    Result<WindFieldPtr> field = fieldOf(std::move(content), options.origin, path);
+    Result<WindFieldPtr> field = fieldOf(std::move(content), options.origin, files.front());
     if (!field)
         return field.problems();
     file.field = field.value();
     return file;
+}
+
+/// A problem with the options, if there is one.
+Diagnostics check(const WindFileOptions& options) {
+    const Result<double> unit = speedUnit(options.speedUnit);
+    return unit ? Diagnostics() : Diagnostics{{{}, 0, 0, "speedUnit", unit.problems().front().message}};
+}
+
+} // namespace
+
+Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options) {
+    if (Diagnostics problems = check(options); !problems.empty())
+        return problems;
+    return fileOf(readWindContent(path, options.columns), {path}, options);
+}
+
+Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
+                               const WindFileOptions& options) {
+    if (Diagnostics problems = check(options); !problems.empty())
+        return problems;
+    return fileOf(readWindSteps(files, times, options.columns), files, options);
 }
 
 Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options) {

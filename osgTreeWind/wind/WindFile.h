@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -34,9 +35,19 @@ struct WindFile {
 /// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK STRUCTURED_POINTS, VTK XML ImageData, TurbSim
 /// .bts, Campbell TOA5, QES-Winds sensor XML, CSV, and NetCDF where the library was built with GDAL.
 ///
-/// Time steps are interpolated; places without data are calm, which a note says. A broken file gives an error
-/// with line or byte, never a partial field. Sizes are checked against the file before memory is asked for.
+/// Time steps are interpolated. Places without data are calm, and velocities that count from true north are
+/// turned to the y axis of a NetCDF file's projection; notes say both. A broken file gives an error with line
+/// or byte, never a partial field. Sizes are checked against the file before memory is asked for.
 Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options = {});
+
+/// Reads several files, each a steady wind on the same grid, as one wind: the hours of WindNinja, say.
+/// Velocities are linear between the times; the first holds before, the last after.
+///
+/// A file of another grid, unit or reference system than the first is an error that names it; so is a record
+/// at one point, or a file of several times. Wrong `files` or `times` are errors with that key.
+/// @param files at least one. @param times seconds, increasing, one for each file.
+Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
+                               const WindFileOptions& options = {});
 
 /// readWindFile() for those who only want the field.
 Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options = {});

@@ -12,6 +12,10 @@
 /// Each gives a grid with as many values as its points say, or a problem with a line or a byte.
 namespace osgTreeWind {
 
+/// The file in whichever of the formats below it is, recognised by content, then by extension.
+/// @param columns of a CSV or TOA5 table, as in WindFileOptions.
+Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns);
+
 /// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
 struct EsriGrid {
     glm::ivec2 cells{0};

@@ -53,6 +53,40 @@ TEST(WindSection, FileMustBeNamed) {
     EXPECT_NE(firstProblem(readWith("kind = \"file\"\n")).find("wind.file"), std::string::npos);
 }
 
+TEST(WindSection, FilesAreStepsOfOneWind) {
+    const TemporaryFolder folder;
+    const std::string head = "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+    folder.write("1_vel.asc", head + "4\n");
+    folder.write("1_ang.asc", head + "270\n");
+    folder.write("2_vel.asc", head + "6\n");
+    folder.write("2_ang.asc", head + "180\n");
+    std::istringstream document("version = 1\n[[tree]]\nposition = [0, 0]\n[wind]\nkind = \"file\"\n"
+                                "files = [\"1_vel.asc\", \"2_vel.asc\"]\ntimes = [0, 3600]\n"
+                                "speed_unit = \"km/h\"\ntime_scale = 60\n");
+    const auto forest = readForest(document, {"f.treewind", folder.path()});
+    EXPECT_FLOAT_EQ(windOf(forest, {}, 0).x, 4 / 3.6f);
+    const glm::vec3 between = windOf(forest, {}, 45);
+    EXPECT_NEAR(between.x, 0.25f * 4 / 3.6f, 1e-5f);
+    EXPECT_NEAR(between.y, 0.75f * 6 / 3.6f, 1e-5f);
+}
+
+TEST(WindSection, AFileUnlikeTheFirstIsNamed) {
+    const auto forest =
+        readWith("kind = \"file\"\nfiles = [\"vectors.vtk\", \"pair_vel.asc\"]\ntimes = [0, 1]\n");
+    EXPECT_NE(firstProblem(forest).find("pair_vel.asc: expected the points"), std::string::npos)
+        << firstProblem(forest);
+}
+
+TEST(WindSection, NotesOfAFileArePassedOn) {
+    const auto forest = readWith("kind = \"file\"\nfile = \"pair_vel.asc\"\n",
+                                 "search = [\"" OSGTREEWIND_TEST_DATA "/wind\"]\n");
+    ASSERT_TRUE(forest) << firstProblem(forest);
+    ASSERT_FALSE(forest.value().notes.empty());
+    EXPECT_NE(forest.value().notes.back().find("pair_vel.asc: the file names no unit of speed"),
+              std::string::npos)
+        << forest.value().notes.back();
+}
+
 TEST(WindSection, GustsVaryAroundTheMean) {
     const auto forest = readWith("kind = \"gusts\"\nspeed = 36\nunit = \"km/h\"\ndirection_from = 270\n"
                                  "intensity = 0.1\nlength_scale = 30\n");

@@ -1,41 +1,16 @@
 // SPDX-License-Identifier: MIT
 // NetCDF against numbers that ncdump prints; skipped where GDAL was not built in.
-#include <osgTreeWind/wind/WindFile.h>
+#include "NetCdfReading.h"
 
 #include "../TestData.h"
-#include "../base/FirstProblem.h"
 #include "../io/TemporaryFolder.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <random>
 
 namespace osgTreeWind {
 
 namespace {
-
-/// The file, or a null field and a note where NetCDF is not built in.
-Result<WindFile> readAt(const std::string& path, const glm::dvec3& origin = glm::dvec3(0.0)) {
-    WindFileOptions options;
-    options.origin = origin;
-    return readWindFile(path, options);
-}
-
-bool withoutGdal(const Result<WindFile>& file) {
-    return firstProblem(file).find("NetCDF needs GDAL") != std::string::npos;
-}
-
-void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance) {
-    for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
-}
-
-#define REQUIRE_NETCDF(path)                                                                                 \
-    if (withoutGdal(readAt(path)))                                                                           \
-    GTEST_SKIP() << "built without GDAL"
 
 struct Spot {
     glm::dvec3 place;
@@ -62,45 +37,35 @@ TEST(NetCdf, QesLayoutWithUnevenHeightsTimesAndPacking) {
     EXPECT_EQ(file.value().summary.points, glm::ivec3(3, 2, 3));
 }
 
+/// The numbers of the file count from true north. On its map, Lambert's around 25 N and 95 W on a sphere of
+/// 6371.2 km, true north lies n (longitude - 95 W) to the left of the y axis.
 TEST(NetCdf, SpeedAndDirectionOnAxesInKilometres) {
     REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
     REQUIRE_NETCDF(path);
-    const auto from = [](double speed, double degrees) {
-        const double angle = degrees * 3.14159265358979323846 / 180.0;
-        return glm::vec3(-speed * std::sin(angle), -speed * std::cos(angle), 0.0);
+    const double degree = 3.14159265358979323846 / 180.0;
+    const auto from = [&](double x, double y, double speed, double degrees) {
+        const double convergence = std::atan2(x, 6371200.0 / std::tan(25.0 * degree) - y);
+        const double angle = degrees * degree - convergence;
+        return Spot{{x, y, 10}, 0, glm::vec3(-speed * std::sin(angle), -speed * std::cos(angle), 0.0)};
     };
-    for (const Spot& spot : {Spot{{-1640665.53, 2052449.95, 10}, 0, from(4.4375, 154)},
-                             Spot{{-1432411.62, 2052449.95, 10}, 0, from(2.5625, 160)},
-                             Spot{{-1539078.25, 2179436.52, 0}, 5, from(4.0625, 116)},
-                             Spot{{-1432411.62, 2319122.07, 10}, 0, from(4.25, 183)}}) {
+    for (const Spot& spot :
+         {from(-1640665.53, 2052449.95, 4.4375, 154), from(-1432411.62, 2052449.95, 2.5625, 160),
+          from(-1539078.25, 2179436.52, 4.0625, 116), from(-1432411.62, 2319122.07, 4.25, 183)}) {
         const auto file = readAt(path, spot.place);
         ASSERT_TRUE(file) << firstProblem(file);
         expectNear(file.value().field->velocity({}, spot.time), spot.velocity, 2e-3f);
         EXPECT_EQ(file.value().summary.points, glm::ivec3(83, 106, 1));
         EXPECT_EQ(file.value().summary.unit, "m/s");
         EXPECT_EQ(file.value().summary.low.z, 10.0);
-    }
-}
-
-TEST(NetCdf, WrfComponentsAreMeansOfTheirNeighbours) {
-    REQUIRE_REAL_DATA(path, "wind/ci_test_file.nc");
-    REQUIRE_NETCDF(path);
-    for (const Spot& spot : {Spot{{0, 0, 30.2112}, 0, {8.878456, 0.126071, -0.000041}},
-                             Spot{{470000, 470000, 5642.0566}, 3 * 10800.0, {5.942756, 10.416983, 0.037516}},
-                             Spot{{300000, 200000, 697.0188}, 10800.0, {18.463464, -3.894093, -0.045457}}}) {
-        const auto file = readAt(path, spot.place);
-        ASSERT_TRUE(file) << firstProblem(file);
-        expectNear(file.value().field->velocity({}, spot.time), spot.velocity, 1e-4f);
-        EXPECT_EQ(file.value().summary.points, glm::ivec3(48, 48, 14));
-        EXPECT_EQ(file.value().summary.times, (std::vector<double>{0, 10800, 21600, 32400}));
+        EXPECT_EQ(file.value().summary.direction, "from, degrees clockwise from true north");
+        EXPECT_TRUE(notes(file.value().summary, "by 7.03 to 8.23 degrees clockwise"));
     }
 }
 
 TEST(NetCdf, BrokenFilesAreRefused) {
     REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
     REQUIRE_NETCDF(path);
-    std::ifstream input(path, std::ios::binary);
-    const std::string whole{std::istreambuf_iterator<char>(input), {}};
+    const std::string whole = fileBytes(path);
     const TemporaryFolder folder;
     for (std::size_t length : {std::size_t(4), std::size_t(100), std::size_t(3000)})
         EXPECT_FALSE(readAt(folder.write("cut.nc", whole.substr(0, length)))) << "cut at " << length;

@@ -5,6 +5,7 @@
 #include "../TestData.h"
 #include "../base/FirstProblem.h"
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,6 +85,31 @@ INSTANTIATE_TEST_SUITE_P(Pig, WindNinjaGrids,
                                     (info.index % 2 ? "output" : "input");
                          });
 
+/// Half way between two hours, the mean of their components.
+TEST(WindFileReal, TwoHoursOfWindNinjaAreOneWind) {
+    const std::string folder = "wind/windninja_pig/";
+    REQUIRE_REAL_DATA(first, folder + "198001010100/output/PIG_1000m_vel.asc");
+    REQUIRE_REAL_DATA(second, folder + "198001010200/output/PIG_1000m_vel.asc");
+    REQUIRE_REAL_DATA(firstAngles, folder + "198001010100/output/PIG_1000m_ang.asc");
+    REQUIRE_REAL_DATA(secondAngles, folder + "198001010200/output/PIG_1000m_ang.asc");
+    const auto velocity = [](double speed, double degrees) {
+        return -speed * glm::dvec3(std::sin(degrees * pi / 180.0), std::cos(degrees * pi / 180.0), 0.0);
+    };
+    for (int row : {0, 50, 97})
+        for (int column : {0, 70, 137}) {
+            WindFileOptions options;
+            options.origin = {-1540000.0 + 1000.0 * column, -12000.0 - 1000.0 * row, 0.0};
+            const auto wind = readWindFiles({first, second}, {0.0, 3600.0}, options);
+            ASSERT_TRUE(wind) << firstProblem(wind);
+            const glm::dvec3 v1 = velocity(cellOf(first, row, column), cellOf(firstAngles, row, column)),
+                             v2 = velocity(cellOf(second, row, column), cellOf(secondAngles, row, column));
+            EXPECT_GT(glm::length(v2 - v1), 0.01) << "the hours differ";
+            for (double part : {0.0, 0.25, 0.5, 1.0})
+                expectNear(wind.value().field->velocity({0, 0, 10}, 3600.0 * part),
+                           glm::vec3(v1 + part * (v2 - v1)), 1e-5f);
+        }
+}
+
 TEST(WindFileReal, LargeEddyMeanEqualsItsText) {
     REQUIRE_REAL_DATA(path, "wind/array.mean0D_UAvg.vtk");
     const WindFile file = readReal(path, {758, 660.001, 10.001});
@@ -153,6 +179,23 @@ TEST(WindFileReal, QesSensorIsRecognised) {
     const WindFile file = readReal(path);
     EXPECT_EQ(file.summary.format, "QES-Winds sensor");
     EXPECT_EQ(file.summary.times.size(), 384u);
+}
+
+/// The first three records, and half way from the first to the second, at the height of the measurement.
+TEST(WindFileReal, QesSensorEqualsItsText) {
+    REQUIRE_REAL_DATA(path, "utah_campus/sensor2015.xml");
+    const WindFile file = readReal(path);
+    ASSERT_TRUE(file.field);
+    const auto velocity = [](double speed, double from) {
+        return glm::vec3(-speed * std::sin(from * pi / 180.0), -speed * std::cos(from * pi / 180.0), 0.0);
+    };
+    const glm::vec3 first = velocity(3.1, 78.4), second = velocity(2.9, 107.0);
+    const auto at = [&](float height, double time) { return file.field->velocity({300, -20, height}, time); };
+    expectNear(at(42, 0), first, 1e-5f);
+    expectNear(at(42, 1800), second, 1e-5f);
+    expectNear(at(42, 900), 0.5f * (first + second), 1e-5f);
+    expectNear(at(42, 3600), velocity(2.5, 143.8), 1e-5f);
+    expectNear(at(10, 0), first * static_cast<float>(std::log(10 / 0.1) / std::log(42 / 0.1)), 1e-5f);
 }
 
 } // namespace osgTreeWind

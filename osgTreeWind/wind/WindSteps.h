@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/wind/WindContent.h>
+#include <osgTreeWind/wind/WindSeriesCsv.h>
+
+#include <string>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// Reads files of one time each as one wind over these times: what readWindFiles() begins with. Heights of
+/// single points may move from file to file; all else of the grid must be alike. Not part of the interface.
+Result<WindContent> readWindSteps(const std::vector<std::string>& files, const std::vector<double>& times,
+                                  const WindSeriesColumns& columns);
+
+} // namespace osgTreeWind

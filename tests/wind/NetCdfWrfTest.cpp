@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Output of WRF on its map, against closed forms of the map and numbers that ncdump prints.
+#include "NetCdfReading.h"
+
+#include "../TestData.h"
+#include "../io/TemporaryFolder.h"
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+const std::string lambert = smallNetCdf("wrf_lambert.nc"), polar = smallNetCdf("wrf_polar.nc");
+
+glm::vec3 windAt(const std::string& path, const glm::dvec3& place, double time) {
+    const auto file = readAt(path, place);
+    EXPECT_TRUE(file) << firstProblem(file);
+    return file ? file.value().field->velocity({}, time) : glm::vec3(-999.0f);
+}
+
+/// A cell of ci_test_file.nc: what ncdump prints of it, means of the staggered neighbours.
+struct Cell {
+    double time, longitude, latitude, height;
+    glm::vec3 velocity;
+};
+
+} // namespace
+
+/// The file's map is Mercator's around 89 W on a sphere of 6370 km; its grid moves with a storm.
+TEST(NetCdfWrf, CellsStandWhereTheirLatitudesAndLongitudesSay) {
+    REQUIRE_REAL_DATA(path, "wind/ci_test_file.nc");
+    REQUIRE_NETCDF(path);
+    const double degree = 3.14159265358979323846 / 180.0, radius = 6370000.0;
+    const Cell cells[] = {
+        {0, -91.6534042, 21.8039494, 30.2112, {8.878456, 0.126071, -0.000041}},
+        {10800, -89.4947052, 23.7115364, 332.6069, {17.369737, -2.091266, -0.030965}},
+        {21600, -88.2354584, 23.3817062, 1315.0068, {17.955265, 10.065489, 0.003610}},
+        {32400, -89.4047546, 24.4505901, 5581.7466, {21.127940, -1.796586, 0.094829}},
+    };
+    for (const Cell& cell : cells) {
+        const glm::dvec2 place(radius * (cell.longitude + 89.0) * degree,
+                               radius * std::log(std::tan((45.0 + 0.5 * cell.latitude) * degree)));
+        const auto file = readAt(path, {place, cell.height});
+        ASSERT_TRUE(file) << firstProblem(file);
+        const WindSummary& summary = file.value().summary;
+        const glm::dvec2 index = (place - glm::dvec2(summary.low)) / 10000.0;
+        EXPECT_LT(std::abs(index.x - std::round(index.x)), 1e-3) << "of a cell";
+        EXPECT_LT(std::abs(index.y - std::round(index.y)), 1e-3) << "of a cell";
+        // The wind changes by several m/s from cell to cell; 1e-3 of a cell is not seen.
+        expectNear(file.value().field->velocity({}, cell.time), cell.velocity, 1e-2f);
+        EXPECT_EQ(summary.points, glm::ivec3(48, 48, 14));
+        EXPECT_EQ(summary.times, (std::vector<double>{0, 10800, 21600, 32400}));
+        EXPECT_EQ(summary.coordinates, "+proj=merc +lat_ts=0 +lon_0=-89 +R=6370000");
+        EXPECT_TRUE(notes(summary, "the model's grid moves"));
+    }
+}
+
+/// In the small files u is the column and v the row of a cell, both 100 more after an hour: make_wrf.py.
+TEST(NetCdfWrf, LambertGridStandsWhereItWasPut) {
+    REQUIRE_NETCDF(lambert);
+    expectNear(windAt(lambert, {-500000, 20000, 10}, 0), {0, 0, 0}, 1e-3f);
+    expectNear(windAt(lambert, {-473000, 38000, 10}, 0), {3, 2, 0}, 1e-3f);
+    const WindSummary summary = readAt(lambert).value().summary;
+    EXPECT_EQ(summary.coordinates, "+proj=lcc +lat_1=30 +lat_2=60 +lat_0=45 +lon_0=10 +R=6370000");
+    EXPECT_EQ(summary.direction, "components toward x, y and up of the model's grid");
+}
+
+TEST(NetCdfWrf, AMovingGridLeavesTheWindInItsPlace) {
+    REQUIRE_NETCDF(lambert); // it moves one cell east and two north
+    expectNear(windAt(lambert, {-482000, 38000, 10}, 3600), {101, 100, 0}, 1e-3f);
+    expectNear(windAt(lambert, {-473000, 38000, 10}, 3600), {102, 100, 0}, 1e-3f);
+    expectNear(windAt(lambert, {-500000, 20000, 10}, 3600), {100, 100, 0}, 1e-3f);
+}
+
+TEST(NetCdfWrf, PolarGridStandsWhereItWasPut) {
+    REQUIRE_NETCDF(polar);
+    expectNear(windAt(polar, {-300000, 1200000, 10}, 0), {0, 0, 0}, 1e-3f);
+    expectNear(windAt(polar, {-273000, 1218000, 10}, 0), {3, 2, 0}, 1e-3f);
+    const WindSummary summary = readAt(polar).value().summary;
+    EXPECT_EQ(summary.coordinates, "+proj=stere +lat_0=-90 +lat_ts=-70 +lon_0=10 +R=6370000");
+    EXPECT_FALSE(notes(summary, "moves"));
+}
+
+TEST(NetCdfWrf, WithoutAKnownMapPlacesCountFromTheCorner) {
+    REQUIRE_NETCDF(polar);
+    const TemporaryFolder folder;
+    const std::string bytes = fileBytes(polar);
+    const std::pair<std::string, const char*> cases[] = {
+        {renamed(bytes, "MAP_PROJ", "MAP_PORJ"), "names no map that is known here"},
+        {renamed(bytes, "STAND_LON", "STAND_LAT"), "names no map that is known here"},
+        {withAttribute(bytes, "MAP_PROJ", 6), "names no map that is known here"},
+        {withAttribute(bytes, "MAP_PROJ", 3), "XLAT and XLONG are not on the map"},
+        {renamed(bytes, "XLONG", "XLANG"), "XLAT and XLONG are not on the map"}};
+    for (const auto& [changed, note] : cases) {
+        const std::string path = folder.write("a.nc", changed);
+        expectNear(windAt(path, {27000, 18000, 10}, 0), {3, 2, 0}, 1e-4f);
+        const WindSummary summary = readAt(path).value().summary;
+        EXPECT_EQ(summary.coordinates, "");
+        EXPECT_TRUE(notes(summary, note)) << note;
+        EXPECT_TRUE(notes(summary, "x and y are metres from the centre of the south-western cell"));
+    }
+}
+
+} // namespace osgTreeWind
