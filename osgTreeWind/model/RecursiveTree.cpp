@@ -76,20 +76,20 @@ private:
     float thickEnough(float radius) const { return std::max(radius, _thinnest); }
 
     void growTrunk(int index, const BranchUnit& below) {
-        const float units = static_cast<float>(_p.trunkUnits);
+        const float height = static_cast<float>(index + 1) / static_cast<float>(_p.trunkUnits);
         BranchUnit unit;
         unit.base = below.tip;
         unit.tip = unit.base + _p.length * _trunkAxis;
         unit.baseRadius = below.tipRadius;
-        unit.tipRadius = thickEnough(unit.baseRadius * power(_p.taper, 1.0f / units));
+        unit.tipRadius = thickEnough(_p.radius * glm::mix(1.0f, _p.taper, height));
         unit.parent = index == 0 ? -1 : _trunkTop;
         _trunkTop = addUnit(unit);
 
         const int bare = _p.trunkUnits - branchingUnits(_p);
         if (index >= bare) {
-            const float height =
+            const float inCrown =
                 static_cast<float>(index - bare) / static_cast<float>(std::max(_p.trunkUnits - 1 - bare, 1));
-            growBranches(_trunkTop, trunkLength(_p), _p.boughLength * glm::mix(1.0f, _p.crownTaper, height));
+            growBranches(_trunkTop, trunkLength(_p), _p.boughLength * glm::mix(1.0f, _p.crownTaper, inCrown));
         }
         if (index + 1 < _p.trunkUnits)
             growTrunk(index + 1, unit);

@@ -31,9 +31,10 @@ struct RecursiveTreeParameters {
     float follow = 0.85f;            ///< 0: angles from the vertical (thesis); 1: from the parent's axis.
     float twist = 0.7f;              ///< Azimuth by which each level is turned against the one below, +-2 pi.
     float jitter = 0.3f;             ///< Random part of branch length and direction, [0, 1].
-    float crook = 0.05f;       ///< Largest random offset of a break over branch length (§2.2.1), [0, 0.3].
-    float radius = 0.15f;      ///< Trunk radius at the ground, 0.001 to half the trunk's height.
-    float taper = 0.72f;       ///< Tip radius over base radius of the trunk, and of a branch, [0.01, 1].
+    float crook = 0.05f;  ///< Largest random offset of a break over branch length (§2.2.1), [0, 0.3].
+    float radius = 0.15f; ///< Trunk radius at the ground, 0.001 to half the trunk's height.
+    float taper =
+        0.72f; ///< Tip radius over base radius of the trunk, and of a branch; linear between, [0.01, 1].
     float radiusRatio = 0.78f; ///< Base radius of a branch over its parent's tip radius, [0.01, 1].
     std::uint32_t seed = 1;    ///< One seed gives one tree, bit for bit, on every machine.
 };

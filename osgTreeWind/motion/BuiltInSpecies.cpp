@@ -67,7 +67,7 @@ TreeParameters coniferForm(int bareUnits, float bough, float crownTaper, float i
     wood.follow = 0.8f;
     wood.radius = 0.16f;
     wood.taper = 0.2f;
-    wood.radiusRatio = 0.47f;
+    wood.radiusRatio = 0.41f;
     wood.crook = 0.03f;
     wood.jitter = 0.12f;
     LeafParameters& leaves = form.leaves;
@@ -121,8 +121,9 @@ std::vector<BuiltInSpecies> builtInSpecies() {
     const TreeParameters fir = coniferForm(4, 0.22f, 0.15f, 80.0f, 0.1f);
     TreeParameters pine = coniferForm(6, 0.22f, 0.45f, 68.0f, -0.1f);
     pine.wood.taper = 0.3f;
-    pine.wood.radiusRatio = 0.55f;
-    const TreeParameters larch = coniferForm(5, 0.22f, 0.15f, 85.0f, 0.3f);
+    pine.wood.radiusRatio = 0.48f;
+    TreeParameters larch = coniferForm(5, 0.22f, 0.15f, 85.0f, 0.3f);
+    larch.wood.radiusRatio = 0.5f;
     const glm::vec3 dark{0.22f, 0.35f, 0.20f}, blueGreen{0.26f, 0.40f, 0.33f}, light{0.40f, 0.52f, 0.22f};
     const glm::vec3 grey{0.42f, 0.38f, 0.34f}, brown{0.34f, 0.29f, 0.24f}, white{0.70f, 0.70f, 0.68f};
     const glm::vec3 green{0.34f, 0.48f, 0.18f}, fresh{0.42f, 0.54f, 0.22f}, deep{0.30f, 0.44f, 0.16f};

@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-/// A species that needs no [[species]]: form, wood and drag from published tables (docs/species.md names
+/// A species that needs no [[species]]: form, wood and drag from published tables (docs/validation.md names
 /// each).
 struct BuiltInSpecies {
     std::vector<std::string> names; ///< Common name first, then others and scientific ones.

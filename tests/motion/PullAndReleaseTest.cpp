@@ -50,6 +50,13 @@ TEST(PullAndRelease, TwentyNineMeasuredTreesSwayAsMeasured) {
     EXPECT_GE(near, 21); // 70 % of 29
 }
 
+TEST(PullAndRelease, SitkaSprucesSwayAsMeasured) {
+    // Milne 1991 (Tree Physiology 9:383): six trees, on average 14.2 m, 14.5 cm and 0.35 Hz.
+    const auto sway = pullAndRelease(*findBuiltInSpecies("Sitka spruce"), sized(14.2, 14.5));
+    ASSERT_TRUE(sway);
+    EXPECT_NEAR(sway->frequency, 0.35, 0.07);
+}
+
 TEST(PullAndRelease, CriticalDampingDoesNotSwing) {
     Species species = defaultSpecies();
     species.wood.dampingRatio = 1.5f;
