@@ -19,6 +19,7 @@ struct ForestReading {
     std::vector<std::string> folders; ///< Where relative paths are looked for, in order.
     std::uint32_t seed = 1;
     ForestDescription forest;
+    std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
 
     static constexpr std::size_t mostTrees = 1000000;

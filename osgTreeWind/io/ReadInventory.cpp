@@ -50,7 +50,7 @@ private:
                 _table.problem("default_species", "no species " + inQuotes(_defaultName));
                 _complete = false;
             }
-        } else if (_reading.forest.species.size() == 1)
+        } else if (_reading.declaredSpecies == 1)
             _default = 0;
     }
 

@@ -105,6 +105,18 @@ void ensureSpecies(TableReader& root, ForestReading& reading) {
     reading.speciesByName["tree"] = 0;
 }
 
+/// Without the species that ensureSpecies() made, where all trees are of built-in ones.
+void dropUnusedDefault(ForestDescription& forest) {
+    for (const TreePlacement& tree : forest.trees)
+        if (tree.species == 0)
+            return;
+    if (forest.species.size() == 1)
+        return;
+    forest.species.erase(forest.species.begin());
+    for (TreePlacement& tree : forest.trees)
+        --tree.species;
+}
+
 void checkShapes(TableReader& root, ForestReading& reading) {
     std::uint64_t vertices = 0;
     for (const Species& species : reading.forest.species)
@@ -156,12 +168,16 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (reading.forest.species.empty())
         root.problem("species", "expected at least one [[species]]");
     checkShapes(root, reading);
+    reading.declaredSpecies = reading.forest.species.size();
 
     root.tables("tree", [&](TableReader& table) { readTree(table, reading); });
     root.tables("scatter", [&](TableReader& table) { readScatter(table, reading); });
     root.tables("inventory", [&](TableReader& table) { readInventory(table, reading); });
     if (!root.has("tree") && !root.has("scatter") && !root.has("inventory"))
         root.problem("", "no trees: expected [[tree]], [scatter] or [inventory]");
+
+    if (!root.has("species"))
+        dropUnusedDefault(reading.forest);
 
     readOrigin(root, reading);
     root.table("wind", [&](TableReader& table) { readWind(table, reading); });

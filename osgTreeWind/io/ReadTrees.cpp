@@ -4,6 +4,7 @@
 #include <osgTreeWind/io/Wording.h>
 
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/BuiltInSpecies.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -21,16 +22,21 @@ double uniform(Random& random, double low, double high) {
     return low + (high - low) * (static_cast<double>(random.next() >> 11) * 0x1p-53);
 }
 
-std::optional<std::size_t> findSpecies(TableReader& table, const ForestReading& reading,
-                                       const std::string& key, const std::string& name) {
-    const auto found = reading.species(name);
+std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& reading, const std::string& key,
+                                       const std::string& name) {
+    const auto found = reading.speciesOrBuiltIn(name);
     if (!found) {
         std::vector<std::string> known;
         for (const Species& species : reading.forest.species)
             known.push_back(species.name);
+        const std::string declared = joined(known);
+        for (const BuiltInSpecies& built : builtInSpecies())
+            known.insert(known.end(), built.names.begin(), built.names.end());
         const std::string near = nearest(name, known);
-        table.problem(key, "no species " + inQuotes(name) + "; " +
-                               (near.empty() ? "known: " + joined(known) : "did you mean " + near + '?'));
+        table.problem(
+            key, "no species " + inQuotes(name) + "; " +
+                     (near.empty() ? "known: " + declared + " and the built-in ones (osgtreewind sway --list)"
+                                   : "did you mean " + near + '?'));
     }
     return found;
 }
@@ -139,11 +145,11 @@ bool readArea(TableReader& table, Scatter& scatter) {
     return false;
 }
 
-bool readMixture(TableReader& table, const ForestReading& reading, Scatter& scatter) {
+bool readMixture(TableReader& table, ForestReading& reading, Scatter& scatter) {
     std::vector<std::string> names;
     if (!table.read("species", names))
-        for (const Species& species : reading.forest.species)
-            names.push_back(species.name);
+        for (std::size_t i = 0; i < reading.declaredSpecies; ++i)
+            names.push_back(reading.forest.species[i].name);
     for (const std::string& name : names)
         if (const auto index = findSpecies(table, reading, "species", name))
             scatter.species.push_back(*index);
@@ -174,7 +180,7 @@ void readTree(TableReader& table, ForestReading& reading) {
         return table.ignoreRest();
     if (table.read("species", name))
         tree.species = findSpecies(table, reading, "species", name).value_or(0);
-    else if (reading.forest.species.size() > 1)
+    else if (reading.declaredSpecies > 1)
         table.missing("species");
 
     std::vector<double> position;

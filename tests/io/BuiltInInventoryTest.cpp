@@ -28,4 +28,30 @@ TEST(BuiltInInventory, NamesNoSpeciesHasAreBuiltInOrTheDefault) {
     EXPECT_FLOAT_EQ(forest.value().gain, 2.5f);
 }
 
+TEST(BuiltInSpeciesOfTrees, NeedNoDeclaration) {
+    std::istringstream input("version = 1\n[[tree]]\nspecies = \"oak\"\nposition = [0, 0]\n"
+                             "[[tree]]\nspecies = \"Picea abies\"\nposition = [9, 0]\n"
+                             "[scatter]\ncount = 5\narea = [20, 0, 60, 40]\nspecies = [\"Oak\"]\n");
+    const auto forest = readForest(input);
+    ASSERT_TRUE(forest.ok()) << forest.problems().front().text();
+    const auto name = [&](std::size_t tree) {
+        return forest.value().species[forest.value().trees[tree].species].name;
+    };
+    ASSERT_EQ(forest.value().species.size(), 2u) << "and no unused default";
+    EXPECT_EQ(name(0), "oak");
+    EXPECT_EQ(name(1), "Norway spruce");
+    EXPECT_EQ(name(6), "oak");
+    EXPECT_GT(forest.value().species[0].wood.crownDrag, 0.0f);
+}
+
+TEST(BuiltInSpeciesOfTrees, DoNotCountAsSpeciesOfTheFile) {
+    std::istringstream input("version = 1\n[[tree]]\nspecies = \"oak\"\nposition = [0, 0]\n"
+                             "[[tree]]\nposition = [9, 0]\n"
+                             "[scatter]\ncount = 5\narea = [20, 0, 60, 40]\n");
+    const auto forest = readForest(input);
+    ASSERT_TRUE(forest.ok()) << forest.problems().front().text();
+    for (std::size_t tree = 1; tree < 7; ++tree)
+        EXPECT_EQ(forest.value().species[forest.value().trees[tree].species].name, "tree");
+}
+
 } // namespace osgTreeWind
