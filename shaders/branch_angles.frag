@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The branch pass (thesis §5.2, appendix B): the next state of one branch unit from the one before, the wind at
-// its base and what it is made of. Texels are packed by osgTreeWind/gpu/LawTexels.cpp.
+// The branch pass (thesis §5.2, appendix B): the next state of one branch unit from the one before, the wind
+// at its base and what it is made of. Texels are packed by osgTreeWind/gpu/LawTexels.cpp.
 
 #include "data.glsl"
 #include "target.glsl"
@@ -13,7 +13,8 @@
 #include "law/damped_branch.glsl"
 
 uniform sampler2D previousAngles;   // one texel a unit: its state
-uniform sampler2D wind;             // two texels a unit: at the start and end of the step, m/s in the tree's own frame, Z up
+uniform sampler2D wind;             // two texels a unit: at the start and the end of the step, m/s in the tree's
+                                    // own frame, Z up
 uniform sampler2D branchParameters; // three texels a unit
 uniform sampler2D speciesTexels;    // four texels a species; the first: noise time of branches
 uniform int motionLaw;              // MotionLaw
@@ -39,7 +40,8 @@ void main() {
     if (motionLaw == 2) {
         DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
         vec3 airBefore = dataTexel(wind, 2 * unit).xyz;
-        gl_FragColor = dampedBranchStep(state, windAcross(airBefore, c.xyz), windAcross(air, c.xyz), branch, seconds);
+        gl_FragColor =
+            dampedBranchStep(state, windAcross(airBefore, c.xyz), windAcross(air, c.xyz), branch, seconds);
         return;
     }
     ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);

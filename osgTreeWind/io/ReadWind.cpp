@@ -310,6 +310,8 @@ void readWind(TableReader& table, ForestReading& reading) {
                                       {"forest_wind", readForestWind},
                                       {"series", readSeries},
                                       {"file", readDataFile}});
+    if (!kind && !table.has("kind") && (table.has("file") || table.has("files")))
+        kind = readDataFile;
     if (!kind) {
         table.missing("kind");
         return table.ignoreRest();

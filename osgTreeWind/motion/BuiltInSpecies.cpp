@@ -12,12 +12,12 @@ namespace {
 
 constexpr const char* forestGales =
     "ForestGALES species table (Gardiner et al. 2000; parameters as in fgr): green modulus, density, C, n";
-constexpr const char* lavers = "Lavers 1983, green modulus; Forest Products Laboratory 2010, green density; "
-                               "drag: mean of the broadleaves "
-                               "of ForestGALES";
-constexpr const char* woodHandbook = "Forest Products Laboratory 2010 (Wood Handbook, tables 5-3 and 4-1), "
-                                     "green modulus and density; drag: mean "
-                                     "of the broadleaves of ForestGALES";
+constexpr const char* lavers =
+    "Lavers 1983, green modulus; Forest Products Laboratory 2010, green density of the American relative; "
+    "drag: mean of the broadleaves of ForestGALES";
+constexpr const char* woodHandbook =
+    "Forest Products Laboratory 2010 (Wood Handbook, tables 5-3 and 4-1), green modulus and density; drag: "
+    "mean of the broadleaves of ForestGALES";
 
 /// Drag C u^-n of a crown, measured up to a speed in m/s.
 struct Drag {
@@ -167,7 +167,7 @@ std::vector<BuiltInSpecies> builtInSpecies() {
         entry({"linden", "lime", "basswood", "Tilia americana", "Tilia cordata", "Tilia"},
               broadleafForm(38, 0.4f, 0.05f), 7.2e9f, 660, broadleafDrag, brown, fresh, woodHandbook),
         conifer({"conifer"}, spruce, 7.1e9f, 850, {2.6f, 0.63f, 25}, dark,
-                "means of the conifers of ForestGALES above"),
+                "near the means of the conifers of ForestGALES above"),
         entry({"broadleaf"}, broadleafForm(42, 0.3f, 0.05f), 9.0e9f, 900, broadleafDrag, grey, green,
               "means of green hardwoods, Forest Products Laboratory 2010; drag: ForestGALES"),
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl, elementary.glsl and rotation.glsl. Law `damped`: a driven oscillator per branch and axis, SI units,
-// independent of the frame rate and stable at any step.
+// Needs limits.glsl, elementary.glsl and rotation.glsl. Law `damped`: a driven oscillator per branch and axis, SI
+// units, independent of the frame rate and stable at any step.
 // J w' + (C + b l^2) w + K x = b l v,  b = drag |v - l w|
 
 /// What a branch is to this law.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl. Elementary functions that give the same numbers on every machine, after Moshier's Cephes:
-// those of graphics cards differ by up to 2e-4, which would add up from step to step.
+// Needs limits.glsl. Elementary functions that give the same numbers on every machine, after Moshier's
+// Cephes: those of graphics cards differ by up to 2e-4, which would add up from step to step.
 
 /// asin x for x in [-1, 1], within 3e-7.
 float arcSine(float x) {
@@ -28,7 +28,7 @@ float decayed(float x) {
     return p * intBitsToFloat((127 - int(n)) << 23);
 }
 
-/// (cos x, sin x) for x in [0, 1e4], within 3e-7 and the rounding of x; within the unit circle for any larger x.
+/// (cos x, sin x) for x in [0, 1e4], within 3e-7 and the rounding of x; within the unit circle beyond.
 vec2 cosineSine(float x) {
     float n = floor(min(x, 1.0e7f) * 0.636619772f + 0.5f); // quarter turns
     float r = ((x - n * 1.5703125f) - n * 4.83751297e-4f) - n * 7.54978995e-8f;

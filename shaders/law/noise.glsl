@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl. Perlin's gradient noise in one dimension and 1/f^beta noise (thesis §3.2.1) on an integer
-// hash, so that CPU and GPU agree.
+// Needs limits.glsl. Perlin's gradient noise in one dimension and 1/f^beta noise (thesis §3.2.1) on an
+// integer hash, so that CPU and GPU agree.
 
 /// Scrambles 32 bits (Wellons' lowbias32).
 uint scrambleBits(uint bits) {
@@ -46,9 +46,9 @@ int octaves() { return 6; }
 /// Rate of its slowest octave over its frequency.
 float slowestOctave() { return 0.125f; }
 
-/// 1/f^beta noise in [-1, 1] (thesis §3.2.1 and its source [4]): octaves of streamNoise, each twice as fast as
-/// the one before and gain = 2^((1 - beta) / 2) times as strong, with the variance of one. The slope holds from
-/// 0.1 to 1.6 times the frequency for beta in [0, 3]; the 0.06 % beyond 1 are cut.
+/// 1/f^beta noise in [-1, 1] (thesis §3.2.1 and its source [4]): octaves of streamNoise, each twice as fast
+/// as the one before and gain = 2^((1 - beta) / 2) times as strong, with the variance of one. The slope holds
+/// from 0.1 to 1.6 times the frequency for beta in [0, 3]; the 0.06 % beyond 1 are cut.
 /// Time is cell + fraction in periods of the slowest octave.
 float octaveNoise(uint stream, uint cell, float fraction, float gain) {
     float sum = 0.0f;

@@ -78,7 +78,7 @@ TEST(WindSection, AFileUnlikeTheFirstIsNamed) {
 }
 
 TEST(WindSection, NotesOfAFileArePassedOn) {
-    const auto forest = readWith("kind = \"file\"\nfile = \"pair_vel.asc\"\n",
+    const auto forest = readWith("file = \"pair_vel.asc\"\n", // and its kind goes without saying
                                  "search = [\"" OSGTREEWIND_TEST_DATA "/wind\"]\n");
     ASSERT_TRUE(forest) << firstProblem(forest);
     ASSERT_FALSE(forest.value().notes.empty());
