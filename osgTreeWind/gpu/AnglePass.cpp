@@ -8,8 +8,6 @@
 #include <osg/Geometry>
 #include <osg/PolygonMode>
 
-#include <cstring>
-
 namespace osgTreeWind {
 namespace {
 
@@ -62,10 +60,10 @@ osg::ref_ptr<osg::Camera> createCamera(osg::Texture2D* from, osg::Texture2D* to)
 
 } // namespace
 
-AnglePass::AnglePass(const char* shader, const float* states, std::size_t count)
-    : _node(new osg::Group), _textures{{shader, count}, {shader, count}} {
+AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states)
+    : _node(new osg::Group), _textures{{shader, states.size()}, {shader, states.size()}} {
+    startFrom(states);
     for (int i = 0; i < 2; ++i) {
-        std::memcpy(_textures[i].data(), states, count * 4 * sizeof(float));
         _cameras[i] = createCamera(_textures[1 - i].texture(), _textures[i].texture());
         _node->addChild(_cameras[i]);
     }
@@ -88,9 +86,9 @@ void AnglePass::hold() {
         camera->setNodeMask(0);
 }
 
-void AnglePass::startFrom(const float* texels) {
+void AnglePass::startFrom(const std::vector<glm::vec4>& texels) {
     for (const DataTexture& texture : _textures) // not dirty: contexts that have them go on from their own
-        std::memcpy(texture.data(), texels, texture.texture()->getImage()->getTotalSizeInBytes());
+        texture.write(texels);
 }
 
 void AnglePass::setPostDrawCallback(osg::Camera::DrawCallback* callback) {

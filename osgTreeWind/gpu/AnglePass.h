@@ -6,6 +6,8 @@
 #include <osg/Camera>
 #include <osg/Group>
 
+#include <vector>
+
 namespace osgTreeWind {
 
 /// A pre-render pass that works out the next state of every element from the one before: one quad whose
@@ -13,8 +15,8 @@ namespace osgTreeWind {
 /// update only.
 class AnglePass {
 public:
-    /// @param shader fragment shader, e.g. "branch_angles". @param states to start from, `count` of them.
-    AnglePass(const char* shader, const float* states, std::size_t count);
+    /// @param shader fragment shader, e.g. "branch_angles". @param states to start from.
+    AnglePass(const char* shader, const std::vector<glm::vec4>& states);
 
     /// State of the pass: bind its inputs here, from texture unit 1 on; unit 0 holds the states before.
     osg::StateSet& inputs() { return *_node->getStateSet(); }
@@ -29,8 +31,9 @@ public:
     /// Where the states stand once the frame being prepared has drawn the pass.
     osg::Texture2D* states() const { return _textures[_latest].texture(); }
 
-    /// Has a context that comes later, or one that was lost, start from these states: all texels of states().
-    void startFrom(const float* texels);
+    /// Has a context that comes later, or one that was lost, start from these states.
+    /// @param texels of states(), as many as there are at most.
+    void startFrom(const std::vector<glm::vec4>& texels);
 
     /// Called in the draw thread after each drawing of the pass.
     void setPostDrawCallback(osg::Camera::DrawCallback* callback);

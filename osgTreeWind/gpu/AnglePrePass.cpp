@@ -4,19 +4,10 @@
 #include <osgTreeWind/gpu/LawTexels.h>
 
 namespace osgTreeWind {
-namespace {
-
-const float* floats(const std::vector<glm::vec4>& texels) {
-    return reinterpret_cast<const float*>(texels.data());
-}
-
-} // namespace
 
 AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
-    : _node(new OncePerFrame),
-      _branches("branch_angles", floats(simulation.branchStates()), simulation.branchStates().size()),
-      _leaves("leaf_angles", floats(simulation.leafStates()), simulation.leafStates().size()),
-      _wind("wind", simulation.windTexels().size()),
+    : _node(new OncePerFrame), _branches("branch_angles", simulation.branchStates()),
+      _leaves("leaf_angles", simulation.leafStates()), _wind("wind", simulation.windTexels().size()),
       _branchParameters("branch parameters", 3 * simulation.branchStates().size()),
       _leafParameters("leaf parameters", simulation.leafStates().size()),
       _species("species", speciesTexels(simulation, 0.0).size()), _seconds(new osg::Uniform("seconds", 0.0f)),
@@ -61,7 +52,7 @@ bool AnglePrePass::readBack(ForestSimulation& simulation, bool leavesToo) {
         simulation.setLeafStates(_states.data());
     if (!_branchReadback->take(_states))
         return false;
-    _branches.startFrom(floats(_states));
+    _branches.startFrom(_states);
     simulation.setBranchStates(_states.data());
     return true;
 }

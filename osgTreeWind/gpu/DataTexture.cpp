@@ -25,10 +25,11 @@ DataTexture::DataTexture(const char* name, std::size_t texels)
     _texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
 }
 
-void DataTexture::fill(const std::vector<glm::vec4>& texels) const {
-    if (!texels.empty())
-        std::memcpy(data(), texels.data(), texels.size() * sizeof(glm::vec4));
-    dirty();
+void DataTexture::write(const std::vector<glm::vec4>& texels) const {
+    const std::size_t bytes =
+        std::min<std::size_t>(texels.size() * sizeof(glm::vec4), _image->getTotalSizeInBytes());
+    if (bytes > 0)
+        std::memcpy(data(), texels.data(), bytes);
 }
 
 void bindData(osg::StateSet& state, const char* sampler, unsigned unit, osg::Texture2D* texture) {

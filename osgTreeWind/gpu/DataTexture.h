@@ -25,8 +25,13 @@ public:
     float* data() const { return reinterpret_cast<float*>(_image->data()); }
     /// Has the texels uploaded before the next draw in every context.
     void dirty() const { _image->dirty(); }
-    /// Writes texels from the first on, and dirty(). During update.
-    void fill(const std::vector<glm::vec4>& texels) const;
+    /// Writes texels from the first on; no more than there are. During update.
+    void write(const std::vector<glm::vec4>& texels) const;
+    /// write() and dirty().
+    void fill(const std::vector<glm::vec4>& texels) const {
+        write(texels);
+        dirty();
+    }
 
 private:
     osg::ref_ptr<osg::Image> _image;

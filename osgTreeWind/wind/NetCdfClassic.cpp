@@ -4,6 +4,7 @@
 #include <osgTreeWind/wind/ByteOrder.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -56,7 +57,7 @@ private:
         for (std::uint64_t i = 0; i < members && good; ++i) {
             values(count(), 1); // name
             if (expected == Dimensions)
-                count();
+                _lengths.push_back(count());
             else if (expected == Attributes)
                 attribute();
             else
@@ -75,15 +76,22 @@ private:
     }
 
     void variable() {
-        values(count(), _version == 5 ? 8 : 4); // dimensions
+        const std::uint64_t dimensions = count();
+        for (std::uint64_t i = 0; i < dimensions && good; ++i) {
+            const std::uint64_t id = count();
+            // Only a first dimension may grow; libnetcdf divides by the length of any other one.
+            good = good && id < _lengths.size() && (i == 0 || _lengths[id] > 0);
+        }
         list(Attributes);
-        number<std::uint32_t>(); // type
-        count();                 // size
+        const auto type = number<std::uint32_t>();
+        good = good && type >= 1 && type <= 11; // libnetcdf divides by the size of any other one, 0
+        count();                                // size
         skip(_version == 1 ? 4 : 8);
     }
 
     std::string_view _bytes;
     int _version;
+    std::vector<std::uint64_t> _lengths; // of the dimensions; 0: grows with each record
 };
 
 } // namespace

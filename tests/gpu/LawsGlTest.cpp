@@ -27,7 +27,7 @@ class LawsGlTest : public GlTest {
 protected:
     /// @param inputs name and one texel a state. @param body of the expression, which finds them by name.
     Texels step(const Texels& states, const Inputs& inputs, const std::string& body) {
-        AnglePass pass("branch_angles", &states[0].x, states.size());
+        AnglePass pass("branch_angles", states);
         unsigned unit = 1;
         std::string declared;
         std::vector<DataTexture> textures;
