@@ -179,6 +179,8 @@ std::vector<Timed> allKernels() {
 } // namespace
 
 std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups, int rounds) {
+    if (groups.empty())
+        return {};
     std::vector<Timed> kernels = allKernels();
     kernels.erase(std::remove_if(kernels.begin(), kernels.end(),
                                  [&](const Timed& t) {

@@ -29,7 +29,8 @@ struct ForestReading {
 
     /// Index of the species with this name or alias, whatever its case.
     std::optional<std::size_t> species(const std::string& name) const;
-    /// The same, or else a built-in species of that name, which then is one of the forest's.
+    /// The same, or else a built-in species of that name, which then is one of the forest's; if the document
+    /// has a species of its own by the built-in one's common name, that one.
     std::optional<std::size_t> speciesOrBuiltIn(const std::string& name);
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
     bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);

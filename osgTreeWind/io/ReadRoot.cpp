@@ -26,11 +26,11 @@ std::optional<std::size_t> ForestReading::speciesOrBuiltIn(const std::string& na
     std::optional<Species> builtIn = findBuiltInSpecies(name);
     if (!builtIn)
         return std::nullopt;
-    // A name of its own that the document gave to another species stays with that one.
-    const std::size_t index = forest.species.size();
-    speciesByName.emplace(folded(name), index);
-    forest.species.push_back(std::move(*builtIn));
-    return index;
+    // "English oak" is whatever is called oak: the document's own, or one that is here already.
+    const auto [entry, isNew] = speciesByName.emplace(folded(builtIn->name), forest.species.size());
+    if (isNew)
+        forest.species.push_back(std::move(*builtIn));
+    return entry->second;
 }
 
 bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
@@ -86,12 +86,12 @@ void readMotion(TableReader& table, ForestReading& reading) {
                                  {"damped", MotionLaw::Damped}});
     table.read("gain", reading.forest.gain, within(0, 100));
     bool octaves = false;
-    table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});
+    const bool known = table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});
     float exponent = 1.0f;
     const bool given = table.read("noise_exponent", exponent, within(0, 3));
     if (octaves)
         reading.forest.noiseExponent = exponent;
-    else if (given)
+    else if (given && (known || !table.has("noise")))
         table.problem("noise_exponent", "expected noise = \"1/f\" with it");
 }
 

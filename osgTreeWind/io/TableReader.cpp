@@ -212,7 +212,9 @@ bool TableReader::readArray(const toml::node& node, const std::string& key, std:
                                        : std::to_string(least) + " to " + std::to_string(most) + ' ';
         problemAt(node, key,
                   "expected an array of " + amount + "numbers, found " +
-                      (array ? std::to_string(array->size()) : describe(node)));
+                      (!array           ? describe(node)
+                       : array->empty() ? "none"
+                                        : std::to_string(array->size())));
         return false;
     }
     std::vector<double> numbers(array->size());

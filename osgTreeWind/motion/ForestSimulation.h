@@ -39,7 +39,7 @@ public:
     const std::vector<TreeModel>& models() const { return _models; }
     const std::vector<Tree>& trees() const { return _trees; }
 
-    /// The wind from the next advance() on. Null: calm.
+    /// The wind from the next advance() on; `damped` goes to it evenly within that step. Null: calm.
     void setWind(WindFieldPtr wind);
     WindFieldPtr wind() const;
 

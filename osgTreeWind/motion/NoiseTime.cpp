@@ -25,7 +25,7 @@ NoiseTime split(double periods) {
 
 NoiseTime NoiseTime::at(double time, float frequency, std::optional<float> exponent) {
     const double periods = time * static_cast<double>(frequency);
-    if (!exponent)
+    if (!exponent || !std::isfinite(*exponent))
         return split(periods);
     NoiseTime now = split(periods * static_cast<double>(Laws().slowestOctave()));
     now.gain = std::exp2(0.5f * (1.0f - std::clamp(*exponent, 0.0f, 3.0f)));

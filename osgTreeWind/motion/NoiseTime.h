@@ -14,8 +14,8 @@ struct NoiseTime {
     float gain = 0.0f;      ///< Of each octave over the one before; 0: a single one, Perlin noise.
 
     /// @param time seconds. @param frequency Hz, >= 0. What is not finite counts as 0.
-    /// @param exponent beta of 1/f^beta noise, taken within [0, 3]; none: Perlin noise. Periods are then
-    /// those of its slowest octave, an eighth of the frequency (shaders/law/noise.glsl).
+    /// @param exponent beta of 1/f^beta noise, taken within [0, 3]; periods are then those of its slowest
+    /// octave, an eighth of the frequency (shaders/law/noise.glsl). None, or not finite: Perlin noise.
     static NoiseTime at(double time, float frequency, std::optional<float> exponent = {});
 };
 

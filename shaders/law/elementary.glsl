@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl. Elementary functions that give the same numbers on every machine, after Moshier's
-// Cephes: those of graphics cards differ by up to 2e-4, which would add up from step to step.
+// Needs limits.glsl. Elementary functions that give nearly the same numbers on every machine, after Moshier's
+// Cephes: those of graphics cards are off by up to 2e-4, which would add up from step to step.
 
 /// asin x for x in [-1, 1], within 3e-7.
 float arcSine(float x) {
@@ -28,11 +28,11 @@ float decayed(float x) {
     return p * intBitsToFloat((127 - int(n)) << 23);
 }
 
-/// (cos x, sin x) for x in [0, 1e4], within 3e-7 and the rounding of x; within the unit circle beyond.
+/// (cos x, sin x) for x in [0, 1e4], within 3e-7; within the unit circle beyond.
 vec2 cosineSine(float x) {
     float n = floor(min(x, 1.0e7f) * 0.636619772f + 0.5f); // quarter turns
     float r = ((x - n * 1.5703125f) - n * 4.83751297e-4f) - n * 7.54978995e-8f;
-    r = bounded(r, 0.7854f);
+    r = bounded(r, 0.8f); // a quarter turn and the rounding of n
     float z = r * r;
     float c = ((2.443315712e-5f * z - 1.388731625e-3f) * z + 4.166664568e-2f) * z * z - 0.5f * z + 1.0f;
     float s = ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * r + r;

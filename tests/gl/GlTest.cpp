@@ -4,8 +4,17 @@
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
+#include <unistd.h>
+
+#include <fstream>
 #include <stdexcept>
 #include <utility>
+
+std::size_t residentMemory() {
+    std::size_t all = 0, pages = 0;
+    std::ifstream("/proc/self/statm") >> all >> pages;
+    return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
 
 void MessageCollector::notify(osg::NotifySeverity severity, const char* message) {
     const std::lock_guard<std::mutex> lock(_mutex);

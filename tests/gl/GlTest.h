@@ -8,8 +8,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <mutex>
 #include <string>
+
+/// Resident memory of this program, bytes.
+std::size_t residentMemory();
+/// Bytes it may have grown by when what it made is gone again; ASan keeps freed memory for a while.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::size_t keptMemory = std::size_t(1) << 30;
+#else
+constexpr std::size_t keptMemory = std::size_t(8) << 20;
+#endif
 
 /// Keeps what OSG says at NOTICE and above, for any thread.
 class MessageCollector : public osg::NotifyHandler {

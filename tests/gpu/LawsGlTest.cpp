@@ -218,7 +218,9 @@ TEST_F(LawsGlTest, HostileInputGivesFiniteAnglesWithinLimits) {
         "noise.z, wind.x), noise.x)"};
     for (const char* law : laws) {
         for (const glm::vec4& angle : step(s.states, s.inputs(), law)) {
-            ASSERT_TRUE(std::isfinite(angle.x) && std::isfinite(angle.y)) << law;
+            ASSERT_TRUE(std::isfinite(angle.x) && std::isfinite(angle.y) && std::isfinite(angle.z) &&
+                        std::isfinite(angle.w))
+                << law;
             ASSERT_LE(std::max(std::abs(angle.x), std::abs(angle.y)), 0.5f) << law;
         }
     }

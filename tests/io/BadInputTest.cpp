@@ -103,6 +103,8 @@ const BadInput badInputs[] = {
      "expected \"perlin\" or \"1/f\""},
     {"NoiseTooSteep", head + tree + "[motion]\nnoise = \"1/f\"\nnoise_exponent = @3.5\n",
      "motion.noise_exponent", "in [0, 3], found 3.5"},
+    {"UnknownNoiseWithExponent", head + tree + "[motion]\nnoise = @\"1/F\"\nnoise_exponent = 2\n",
+     "motion.noise", "expected \"perlin\" or \"1/f\""},
     {"ExponentOfPerlin", head + tree + "[motion]\nnoise_exponent = @1\n", "motion.noise_exponent",
      "expected noise = \"1/f\" with it"},
     {"MotionNotATable", head + "motion = @\"thesis\"\n" + tree, "motion", "expected a table, found the text"},

@@ -44,6 +44,23 @@ TEST(BuiltInSpeciesOfTrees, NeedNoDeclaration) {
     EXPECT_GT(forest.value().species[0].wood.crownDrag, 0.0f);
 }
 
+TEST(BuiltInSpeciesOfTrees, AreOneByAllTheirNames) {
+    std::istringstream input("version = 1\n[[tree]]\nspecies = \"Quercus robur\"\nposition = [0, 0]\n"
+                             "[[tree]]\nspecies = \"English oak\"\nposition = [9, 0]\n");
+    const auto forest = readForest(input);
+    ASSERT_TRUE(forest.ok()) << forest.problems().front().text();
+    EXPECT_EQ(forest.value().species.size(), 1u);
+}
+
+TEST(BuiltInSpeciesOfTrees, GiveWayToTheFilesOwn) {
+    std::istringstream input("version = 1\n[[species]]\nname = \"Oak\"\nshapes = 7\n"
+                             "[[tree]]\nspecies = \"English oak\"\nposition = [9, 0]\n");
+    const auto forest = readForest(input);
+    ASSERT_TRUE(forest.ok()) << forest.problems().front().text();
+    ASSERT_EQ(forest.value().species.size(), 1u);
+    EXPECT_EQ(forest.value().species[0].shapes, 7);
+}
+
 TEST(BuiltInSpeciesOfTrees, DoNotCountAsSpeciesOfTheFile) {
     std::istringstream input("version = 1\n[[tree]]\nspecies = \"oak\"\nposition = [0, 0]\n"
                              "[[tree]]\nposition = [9, 0]\n"

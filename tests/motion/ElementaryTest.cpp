@@ -44,7 +44,11 @@ TEST(Elementary, CosineAndSineAreThoseOfTheStandardLibrary) {
         ASSERT_NEAR(turned.x, std::cos(static_cast<double>(x)), 3e-7) << x;
         ASSERT_NEAR(turned.y, std::sin(static_cast<double>(x)), 3e-7) << x;
     }
-    EXPECT_NEAR(Laws().cosineSine(9999.0f).y, std::sin(9999.0), 1e-6);
+    for (float x = 100.0f; x < 1e4f; x += 0.0137f) {
+        const glm::vec2 turned = Laws().cosineSine(x);
+        ASSERT_NEAR(turned.x, std::cos(static_cast<double>(x)), 3e-7) << x;
+        ASSERT_NEAR(turned.y, std::sin(static_cast<double>(x)), 3e-7) << x;
+    }
 }
 
 TEST(Elementary, CosineAndSineStayInTheUnitCircle) {

@@ -472,3 +472,35 @@ TEST(ForestSimulation, AWindThatIsReplacedIsReachedWithinTheStep) {
     EXPECT_GT(rising.branchStates()[0].x, 0.0f);
     EXPECT_LT(rising.branchStates()[0].x, 0.5f * steady.branchStates()[0].x);
 }
+
+TEST(ForestSimulation, EveryStepStartsFromTheWindOfTheTimeBefore) {
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    forest.trees[0].heading = 1.5707963f; // the tree's x points north
+    forest.wind = std::make_shared<TestWind>(
+        [](const glm::vec3&, double t) { return glm::vec3(0.0f, static_cast<float>(t), 0.0f); });
+    ForestSimulation simulation(forest);
+    const auto expectWinds = [&](float before, float now) {
+        ASSERT_EQ(simulation.windTexels().size(), 28u);
+        for (std::size_t unit = 0; unit < 14; ++unit) {
+            EXPECT_NEAR(simulation.windTexels()[2 * unit].x, before, 1e-5f);
+            EXPECT_NEAR(simulation.windTexels()[2 * unit + 1].x, now, 1e-5f);
+        }
+    };
+    simulation.advance(6.0);
+    simulation.advance(6.05);
+    expectWinds(6.0f, 6.05f);
+    simulation.advance(6.05); // a pause
+    simulation.advance(6.1);
+    expectWinds(6.05f, 6.1f);
+    simulation.advance(2.0); // back
+    simulation.advance(2.05);
+    expectWinds(2.0f, 2.05f);
+    simulation.advance(50.0); // ahead
+    simulation.advance(50.05);
+    expectWinds(50.0f, 50.05f);
+    simulation.reset();
+    expectWinds(0.0f, 0.0f);
+    simulation.advance(9.0);
+    simulation.advance(9.05);
+    expectWinds(9.0f, 9.05f);
+}
