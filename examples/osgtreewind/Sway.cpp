@@ -28,7 +28,7 @@ void listSpecies() {
     }
 }
 
-ExitCode sway(const SwayOptions& options) {
+ExitCode sway(SwayOptions options) {
     std::optional<Species> species = findBuiltInSpecies(options.species);
     if (!species) {
         species = defaultSpecies();
@@ -38,6 +38,12 @@ ExitCode sway(const SwayOptions& options) {
     TreeSize size;
     size.height = static_cast<float>(options.height);
     size.trunkDiameter = static_cast<float>(0.01 * options.diameter);
+    const TreeModel model = makeTreeModel(species->tree, 0);
+    const TreeSize actual = measureTree(model, fitTree(model, size));
+    if (options.diameter == 0.0)
+        options.diameter = 100.0 * static_cast<double>(actual.trunkDiameter);
+    if (options.height == 0.0)
+        options.height = actual.height;
     const std::optional<FreeSway> free = pullAndRelease(*species, size);
     if (!free) {
         std::cerr << "the tree does not swing: three periods take more than ten minutes\n";
@@ -66,8 +72,8 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--species", options->species, "Common or scientific name of a built-in species")
         ->capture_default_str();
     command->add_option("--dbh", options->diameter, "Diameter of the trunk at breast height, cm")
-        ->check(CLI::Range(0.1, 2000.0));
-    command->add_option("--height", options->height, "Height of the tree, m")->check(CLI::Range(0.1, 150.0));
+        ->check(within(0.1, 2000.0));
+    command->add_option("--height", options->height, "Height of the tree, m")->check(within(0.1, 150.0));
     command->add_flag("--json", options->json, "Print an object instead of a line");
     auto list = std::make_shared<bool>(false);
     command->add_flag("--list", *list, "List the built-in species and their sources");

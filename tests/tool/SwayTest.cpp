@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "Tool.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using nlohmann::json;
+
+json swayOf(std::vector<std::string> words) {
+    words.insert(words.begin(), "sway");
+    words.emplace_back("--json");
+    const Outcome outcome = runTool(words);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    return json::parse(outcome.out, nullptr, false);
+}
+
+TEST(Sway, PrintsWhatWasMeasured) {
+    const json sway = swayOf({"--species", "Picea sitchensis", "--dbh", "14.5", "--height", "14.2"});
+    EXPECT_EQ(sway["species"], "Sitka spruce");
+    EXPECT_EQ(sway["dbh_cm"], 14.5);
+    EXPECT_EQ(sway["height_m"], 14.2);
+    EXPECT_NEAR(sway["frequency_hz"].get<double>(), 0.35, 0.07); // Milne 1991
+    EXPECT_GT(sway["damping_ratio"].get<double>(), 0.04);
+    EXPECT_LT(sway["damping_ratio"].get<double>(), 0.2);
+}
+
+TEST(Sway, SizesNotGivenAreThoseOfTheShape) {
+    const json shape = swayOf({"--species", "oak"});
+    EXPECT_GT(shape["height_m"].get<double>(), 5.0);
+    const json tall = swayOf({"--species", "oak", "--height", "22"});
+    EXPECT_NEAR(tall["dbh_cm"].get<double>() / shape["dbh_cm"].get<double>(),
+                22.0 / shape["height_m"].get<double>(), 0.1);
+}
+
+TEST(Sway, AnUnknownSpeciesIsStoodInForAndSaid) {
+    const Outcome outcome = runTool({"sway", "--species", "lamp post", "--dbh", "30", "--height", "15"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("no built-in species \"lamp post\"; \"broadleaf\" stands for it"),
+              std::string::npos);
+    EXPECT_EQ(outcome.out.rfind("broadleaf, 30 cm, 15 m: frequency ", 0), 0u) << outcome.out;
+}
+
+TEST(Sway, ListsSpeciesWithTheirSources) {
+    const Outcome outcome = runTool({"sway", "--list"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.out.find("Norway spruce, spruce, Picea abies"), std::string::npos);
+    EXPECT_NE(outcome.out.find("ForestGALES"), std::string::npos);
+    EXPECT_GE(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 2 * 12);
+}
+
+TEST(Sway, RefusesSizesThatAreNone) {
+    for (const char* bad : {"0", "-3", "nan", "thick"}) {
+        const Outcome outcome = runTool({"sway", "--dbh", bad});
+        EXPECT_EQ(outcome.exitCode, 2) << bad;
+        EXPECT_NE(outcome.err.find("--dbh"), std::string::npos) << outcome.err;
+    }
+}
+
+} // namespace
