@@ -89,6 +89,7 @@ std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& o
     WindFileOptions options;
     options.speedUnit = arguments.unit;
     options.origin = origin;
+    options.asStored = true;
     const bool alone = arguments.files.size() == 1 && arguments.times.empty();
     Result<WindFile> wind = alone ? readWindFile(arguments.files.front(), options)
                                   : readWindFiles(arguments.files, arguments.times, options);
@@ -162,6 +163,7 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--at", arguments->at, "x,y,z[,t] in the file's coordinates, metres and seconds")
         ->delimiter(',')
         ->expected(3, 4)
+        ->check(within(-1e15, 1e15))
         ->allow_extra_args(false);
     command->add_option("--unit", arguments->unit,
                         "Of speeds where the file does not say: m/s, km/h, kn, mph, ft/s");

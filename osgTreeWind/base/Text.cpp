@@ -45,4 +45,11 @@ Result<std::string> readText(std::istream& input, const std::string& file) {
     return text;
 }
 
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 } // namespace osgTreeWind

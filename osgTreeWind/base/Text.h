@@ -23,4 +23,7 @@ TextPlace placeInText(std::string_view text, std::size_t offset);
 /// @param file name for diagnostics only.
 Result<std::string> readText(std::istream& input, const std::string& file);
 
+/// With letters A to Z in lower case.
+std::string lower(std::string text);
+
 } // namespace osgTreeWind

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NumberList.h>
 #include <osgTreeWind/io/SizeRanges.h>
@@ -13,6 +14,8 @@
 #include <osgTreeWind/wind/WindSeriesCsv.h>
 #include <osgTreeWind/wind/WindUnits.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace osgTreeWind {
@@ -274,23 +277,51 @@ bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::
     return true;
 }
 
+/// A note where trees stand beside the points of a file's grid.
+void noteTreesOutside(const WindSummary& wind, const glm::dvec3& offset, const std::string& path,
+                      ForestDescription& forest) {
+    const glm::dvec3 low = wind.low + offset, high = wind.high + offset;
+    const auto outside = [&](const TreePlacement& tree) {
+        for (int axis = 0; axis < 2; ++axis)
+            if (wind.points[axis] > 1 &&
+                (tree.position[axis] < low[axis] || tree.position[axis] > high[axis]))
+                return true;
+        return false;
+    };
+    const auto count = std::count_if(forest.trees.begin(), forest.trees.end(), outside);
+    if (count == 0)
+        return;
+    const auto rounded = [](double metres) { return numberText(std::round(100.0 * metres) / 100.0); };
+    std::string extent;
+    for (int axis = 0; axis < 2; ++axis)
+        if (wind.points[axis] > 1)
+            extent +=
+                std::string(axis == 0 ? ", x " : ", y ") + rounded(low[axis]) + " to " + rounded(high[axis]);
+    forest.notes.push_back(std::to_string(count) + " of " + std::to_string(forest.trees.size()) +
+                           " trees stand outside the grid of " + path + extent +
+                           "; the wind at its edges holds there");
+}
+
 /// Any file of wind data, or several of one time each; positions in it are world coordinates, moved by
 /// `offset`.
 WindFieldPtr readDataFile(TableReader& table, ForestReading& reading) {
     WindFileOptions options;
     const bool known = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
-    std::vector<double> offset = {0, 0, 0};
-    table.readNumbers("offset", offset, 3, 3, worldCoordinates);
-    options.origin = reading.forest.origin - glm::dvec3(offset[0], offset[1], offset[2]);
+    std::vector<double> numbers = {0, 0, 0};
+    table.readNumbers("offset", numbers, 3, 3, worldCoordinates);
+    const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);
+    options.origin = reading.forest.origin - offset;
     std::vector<std::string> paths;
     std::vector<double> times;
     if (!readDataPaths(table, reading, paths, times) || !known)
         return nullptr;
     const Result<WindFile> wind =
         table.has("files") ? readWindFiles(paths, times, options) : readWindFile(paths.front(), options);
-    if (wind)
+    if (wind) {
         for (const std::string& note : wind.value().summary.notes)
             reading.forest.notes.push_back(paths.front() + ": " + note);
+        noteTreesOutside(wind.value().summary, offset, paths.front(), reading.forest);
+    }
     return checked(wind ? Result<WindFieldPtr>(wind.value().field) : wind.problems(), table, reading);
 }
 
@@ -310,7 +341,8 @@ void readWind(TableReader& table, ForestReading& reading) {
                                       {"forest_wind", readForestWind},
                                       {"series", readSeries},
                                       {"file", readDataFile}});
-    if (!kind && !table.has("kind") && (table.has("file") || table.has("files")))
+    const bool ofOther = table.has("kind") || table.has("columns") || table.has("points");
+    if (!ofOther && (table.has("file") || table.has("files")))
         kind = readDataFile;
     if (!kind) {
         table.missing("kind");

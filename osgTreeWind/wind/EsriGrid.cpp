@@ -5,6 +5,7 @@
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 
 #include <glm/common.hpp>
 
@@ -36,9 +37,7 @@ Header readHeader(TextTokens& tokens, std::string_view text) {
         const std::string_view word = ahead.next();
         if (word.empty() || !std::isalpha(static_cast<unsigned char>(word.front())))
             break;
-        std::string key(tokens.next());
-        for (char& c : key)
-            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        const std::string key = lower(std::string(tokens.next()));
         const bool size = key == "ncols" || key == "nrows";
         if (size)
             header.values[key] = tokens.whole("a number of cells from 1 to 100000", 1, 100000);

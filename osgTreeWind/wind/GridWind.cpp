@@ -71,32 +71,6 @@ void checkHeights(const GridWind::Grid& grid, Diagnostics& problems) {
     }
 }
 
-Diagnostics check(const GridWind::Grid& grid) {
-    Diagnostics problems = checkTimes(grid.times);
-    const glm::ivec3& n = grid.points;
-    const glm::dvec3& cell = grid.cell;
-    if (!allFinite(grid.origin))
-        problems.push_back(problem("origin", "expected finite metres"));
-    if (!allFinite(cell) || cell.x <= 0.0 || cell.y <= 0.0 || cell.z <= 0.0)
-        problems.push_back(problem("cell", "expected metres above 0, found " + numberText(cell.x) + ", " +
-                                               numberText(cell.y) + ", " + numberText(cell.z)));
-    if (n.x < 1 || n.y < 1 || n.z < 1) {
-        problems.push_back(problem("points", "expected at least 1 in each direction, found " +
-                                                 std::to_string(n.x) + ", " + std::to_string(n.y) + ", " +
-                                                 std::to_string(n.z)));
-        return problems;
-    }
-    const std::size_t steps = std::max<std::size_t>(1, grid.times.size());
-    std::string shape =
-        "3 x " + std::to_string(n.x) + " x " + std::to_string(n.y) + " x " + std::to_string(n.z) + " points";
-    if (!grid.times.empty())
-        shape += " x " + std::to_string(steps) + " times";
-    checkValues(grid.values, 3.0 * n.x * n.y * n.z * static_cast<double>(steps), shape, problems);
-    if (problems.empty() && !grid.heights.empty())
-        checkHeights(grid, problems);
-    return problems;
-}
-
 /// The grid between two of its times.
 class Sampler {
 public:
@@ -173,6 +147,32 @@ private:
 } // namespace
 
 GridWind::GridWind(Grid grid) : _grid(std::move(grid)) {}
+
+Diagnostics GridWind::check(const Grid& grid) {
+    Diagnostics problems = checkTimes(grid.times);
+    const glm::ivec3& n = grid.points;
+    const glm::dvec3& cell = grid.cell;
+    if (!allFinite(grid.origin))
+        problems.push_back(problem("origin", "expected finite metres"));
+    if (!allFinite(cell) || cell.x <= 0.0 || cell.y <= 0.0 || cell.z <= 0.0)
+        problems.push_back(problem("cell", "expected metres above 0, found " + numberText(cell.x) + ", " +
+                                               numberText(cell.y) + ", " + numberText(cell.z)));
+    if (n.x < 1 || n.y < 1 || n.z < 1) {
+        problems.push_back(problem("points", "expected at least 1 in each direction, found " +
+                                                 std::to_string(n.x) + ", " + std::to_string(n.y) + ", " +
+                                                 std::to_string(n.z)));
+        return problems;
+    }
+    const std::size_t steps = std::max<std::size_t>(1, grid.times.size());
+    std::string shape =
+        "3 x " + std::to_string(n.x) + " x " + std::to_string(n.y) + " x " + std::to_string(n.z) + " points";
+    if (!grid.times.empty())
+        shape += " x " + std::to_string(steps) + " times";
+    checkValues(grid.values, 3.0 * n.x * n.y * n.z * static_cast<double>(steps), shape, problems);
+    if (problems.empty() && !grid.heights.empty())
+        checkHeights(grid, problems);
+    return problems;
+}
 
 Result<std::shared_ptr<const GridWind>> GridWind::create(Grid grid) {
     Diagnostics problems = check(grid);

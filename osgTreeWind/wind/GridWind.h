@@ -42,6 +42,9 @@ public:
     static Result<WindFieldPtr> fromForestWind(int width, int length, std::vector<float> values,
                                                const glm::dvec3& origin = glm::dvec3(0.0));
 
+    /// What is wrong with a grid; empty where create() takes it.
+    static Diagnostics check(const Grid& grid);
+
     const Grid& grid() const { return _grid; }
 
     glm::vec3 velocity(const glm::vec3& position, double time) const override;

@@ -21,7 +21,7 @@ public:
 
 } // namespace
 
-Result<WindContent> readNetCdf(const std::string& path) {
+Result<WindContent> readNetCdf(const std::string& path, bool asStored) {
     try {
         const Quiet quiet;
         NetCdfFile file(path);
@@ -30,7 +30,7 @@ Result<WindContent> readNetCdf(const std::string& path) {
         const NetCdfFile::Array u = file.array("U");
         const bool staggered =
             u && u->GetDimensionCount() == 4 && u->GetDimensions()[3]->GetName() == "west_east_stag";
-        return staggered ? readNetCdfWrf(file) : readNetCdfCf(file);
+        return staggered ? readNetCdfWrf(file, asStored) : readNetCdfCf(file, asStored);
     } catch (const std::exception& error) { // what the libraries below throw stops here
         return Diagnostic{path, 0, 0, {}, std::string("cannot be read: ") + error.what()};
     }

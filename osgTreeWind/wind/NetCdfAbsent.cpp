@@ -3,7 +3,7 @@
 
 namespace osgTreeWind {
 
-Result<WindContent> readNetCdf(const std::string& path) {
+Result<WindContent> readNetCdf(const std::string& path, bool) {
     return Diagnostic{path, 0, 0, {}, "NetCDF needs GDAL; build osgTreeWind with -DOSGTREEWIND_GDAL=ON"};
 }
 

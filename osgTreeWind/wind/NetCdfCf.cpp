@@ -4,10 +4,10 @@
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +18,6 @@ namespace osgTreeWind {
 namespace {
 
 using Array = NetCdfFile::Array;
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 /// The array with one of these standard names, else with one of these names of its own.
 Array named(const NetCdfFile& file, const std::vector<std::string>& standard,
@@ -59,26 +53,17 @@ struct Axis {
 /// The way true north lies at points of a projection: unit vectors along its x and y. Empty where the
 /// projection cannot say. @param points metres.
 std::vector<glm::dvec2> trueNorth(const OGRSpatialReference& projection, std::vector<glm::dvec2> points) {
-    OGRSpatialReference grid(projection);
-    const std::unique_ptr<OGRSpatialReference> globe(grid.CloneGeogCS());
-    if (!globe)
+    const Projection ways(projection);
+    if (!ways.toMap)
         return {};
-    grid.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    globe->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
-    const Transformation toGlobe(OGRCreateCoordinateTransformation(&grid, globe.get()));
-    const Transformation toGrid(OGRCreateCoordinateTransformation(globe.get(), &grid));
-    if (!toGlobe || !toGrid)
-        return {};
-
-    const double unit = grid.GetLinearUnits();
+    const double unit = projection.GetLinearUnits();
     for (glm::dvec2& point : points) {
         double longitude = point.x / unit, latitude = point.y / unit;
-        if (!toGlobe->Transform(1, &longitude, &latitude))
+        if (!ways.toGlobe->Transform(1, &longitude, &latitude))
             return {};
         const double step = latitude > 0.0 ? -1e-4 : 1e-4; // some metres, never across a pole
         double x = longitude, y = latitude + step;
-        if (!toGrid->Transform(1, &x, &y))
+        if (!ways.toMap->Transform(1, &x, &y))
             return {};
         point = glm::normalize((glm::dvec2(x, y) * unit - point) / step);
     }
@@ -88,7 +73,7 @@ std::vector<glm::dvec2> trueNorth(const OGRSpatialReference& projection, std::ve
 /// Which array holds what, on which axes.
 class CfReader {
 public:
-    explicit CfReader(NetCdfFile& file) : _file(file) {}
+    CfReader(NetCdfFile& file, bool asStored) : _file(file), _asStored(asStored) {}
 
     Result<WindContent> read() {
         findArrays();
@@ -246,10 +231,13 @@ private:
             turnToGrid();
     }
 
-    /// From true north to the y axis of the grid.
+    /// From true north to the y axis of the grid, or a note of what that would be.
     void turnToGrid() {
+        std::vector<std::string>& notes = _content.summary.notes;
         if (!_reference || !_reference->IsProjected()) {
-            _content.summary.notes.emplace_back("the file names no projection; its y is taken as true north");
+            notes.emplace_back(_asStored ? "the file counts from true north and names no projection; in a "
+                                           "forest its y is taken as true north"
+                                         : "the file names no projection; its y is taken as true north");
             return;
         }
         std::vector<glm::dvec2> points;
@@ -258,8 +246,12 @@ private:
                 points.emplace_back(_x.first + _x.step * static_cast<double>(x),
                                     _y.first + _y.step * static_cast<double>(y));
         const std::vector<glm::dvec2> norths = trueNorth(*_reference, std::move(points));
+        if (norths.empty() && _asStored)
+            notes.emplace_back("the file counts from true north; its projection does not hold its points");
+        else if (norths.empty())
+            _file.fail(_arrays[0]->GetName(), "the projection of this array does not hold its points");
         if (norths.empty())
-            return _file.fail(_arrays[0]->GetName(), "the projection of this array does not hold its points");
+            return;
         double least = 360.0, most = -360.0;
         for (const glm::dvec2& north : norths) {
             const double degrees = glm::degrees(std::atan2(north.x, north.y));
@@ -267,9 +259,12 @@ private:
             most = std::max(most, degrees);
         }
         const auto rounded = [](double degrees) { return numberText(std::round(100.0 * degrees) / 100.0); };
-        _content.summary.notes.push_back("the file counts from true north; velocities here are turned to the "
-                                         "grid's y axis, by " +
-                                         rounded(least) + " to " + rounded(most) + " degrees clockwise");
+        notes.push_back("the file counts from true north; " +
+                        std::string(_asStored ? "in a forest its velocities" : "velocities here") +
+                        " are turned to the grid's y axis, by " + rounded(least) + " to " + rounded(most) +
+                        " degrees clockwise");
+        if (_asStored)
+            return;
         for (std::size_t i = 0; i < _grid.values.size(); i += 3) {
             const glm::dvec2 north = norths[i / 3 % norths.size()];
             const double u = _grid.values[i], v = _grid.values[i + 1];
@@ -299,6 +294,7 @@ private:
     }
 
     NetCdfFile& _file;
+    bool _asStored;
     WindContent _content;
     GridWind::Grid _grid;
     std::vector<Array> _arrays;
@@ -311,8 +307,8 @@ private:
 
 } // namespace
 
-Result<WindContent> readNetCdfCf(NetCdfFile& file) {
-    return CfReader(file).read();
+Result<WindContent> readNetCdfCf(NetCdfFile& file, bool asStored) {
+    return CfReader(file, asStored).read();
 }
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/wind/WindFormats.h>
 #include <osgTreeWind/wind/WindUnits.h>
 
@@ -40,9 +41,7 @@ std::optional<double> secondsOf(const std::string& unit) {
     static const std::pair<const char*, double> units[] = {
         {"s", 1.0},    {"sec", 1.0},   {"second", 1.0},  {"min", 60.0},  {"minute", 60.0},
         {"h", 3600.0}, {"hr", 3600.0}, {"hour", 3600.0}, {"d", 86400.0}, {"day", 86400.0}};
-    std::string name;
-    for (char c : unit)
-        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string name = lower(unit);
     for (const auto& [known, seconds] : units)
         if (name == known || name == std::string(known) + "s")
             return seconds;
@@ -192,6 +191,19 @@ std::string NetCdfFile::speedUnitOf(const std::vector<Array>& arrays) {
             fail(array->GetName(), known.problems().front().message);
     }
     return unit;
+}
+
+Projection::Projection(const OGRSpatialReference& projection) {
+    OGRSpatialReference map(projection);
+    const std::unique_ptr<OGRSpatialReference> globe(map.CloneGeogCS());
+    if (!globe)
+        return;
+    map.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    globe->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    toMap.reset(OGRCreateCoordinateTransformation(globe.get(), &map));
+    toGlobe.reset(OGRCreateCoordinateTransformation(&map, globe.get()));
+    if (!toGlobe)
+        toMap = nullptr;
 }
 
 } // namespace osgTreeWind

@@ -5,6 +5,7 @@
 #include <osgTreeWind/wind/WindContent.h>
 
 #include <gdal_priv.h>
+#include <ogr_spatialref.h>
 
 #include <cstddef>
 #include <functional>
@@ -63,11 +64,20 @@ private:
     Diagnostic _problem;
 };
 
+/// The ways between a projection and the longitudes and latitudes of its globe, degrees.
+struct Projection {
+    std::unique_ptr<OGRCoordinateTransformation> toMap, toGlobe;
+
+    /// Without `toMap` where the projection cannot say.
+    explicit Projection(const OGRSpatialReference& projection);
+};
+
 /// Wind by CF names, or in arrays called u and v: on axes in metres. What counts from true north is turned to
-/// the y axis of the file's projection.
-Result<WindContent> readNetCdfCf(NetCdfFile& file);
+/// the y axis of the file's projection, unless wanted as stored.
+Result<WindContent> readNetCdfCf(NetCdfFile& file, bool asStored);
 /// Output of the Weather Research and Forecasting model: destaggered, heights (PH + PHB) / 9.81, in metres of
-/// the model's projection.
-Result<WindContent> readNetCdfWrf(NetCdfFile& file);
+/// the model's projection. Where the model's grid moves its winds are put in their places, unless wanted as
+/// stored.
+Result<WindContent> readNetCdfWrf(NetCdfFile& file, bool asStored);
 
 } // namespace osgTreeWind

@@ -5,11 +5,9 @@
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
-#include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 namespace osgTreeWind {
@@ -64,33 +62,41 @@ struct Place {
     std::vector<glm::ivec2> moved; ///< By these cells east and north since then, at each time.
 };
 
+/// The numbers of an array over the cells, of one time for all or of each; none where it is of another shape.
+std::vector<float> overCells(NetCdfFile& file, const char* name, const Sizes& n) {
+    const NetCdfFile::Array array = file.array(name);
+    std::vector<std::size_t> sizes;
+    if (array)
+        for (const auto& dimension : array->GetDimensions())
+            sizes.push_back(static_cast<std::size_t>(dimension->GetSize()));
+    const bool steady = sizes == std::vector<std::size_t>{n.y, n.x};
+    if (!steady && sizes != std::vector<std::size_t>{n.t, n.y, n.x})
+        return {};
+    return file.read(array, static_cast<double>(steady ? 1 : n.t) * static_cast<double>(n.y) *
+                                static_cast<double>(n.x));
+}
+
 /// The place by XLAT and XLONG; empty where they are not on the map, or not as far apart as the cells.
 std::optional<Place> placeOn(const std::string& map, NetCdfFile& file, const Sizes& n,
                              const glm::dvec2& cell) {
-    const NetCdfFile::Array arrays[] = {file.array("XLONG"), file.array("XLAT")};
     OGRSpatialReference model;
-    if (!arrays[0] || !arrays[1] || model.importFromProj4(map.c_str()) != OGRERR_NONE)
+    if (model.importFromProj4(map.c_str()) != OGRERR_NONE)
         return {};
-    const std::unique_ptr<OGRSpatialReference> globe(model.CloneGeogCS());
-    if (!globe)
-        return {};
-    globe->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    model.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const std::unique_ptr<OGRCoordinateTransformation> toMap(
-        OGRCreateCoordinateTransformation(globe.get(), &model));
-    const std::size_t layer = n.y * n.x, steps = arrays[0]->GetDimensionCount() == 2 ? 1 : n.t;
-    const double count = static_cast<double>(steps) * static_cast<double>(layer);
-    const std::vector<float> longitudes = file.read(arrays[0], count),
-                             latitudes = file.read(arrays[1], count);
-    if (!toMap || !file.good())
+    const Projection ways(model);
+    const std::vector<float> longitudes = overCells(file, "XLONG", n), latitudes = overCells(file, "XLAT", n);
+    if (!ways.toMap || longitudes.empty() || latitudes.empty())
         return {};
 
     const glm::dvec2 size(n.x, n.y);
     Place place;
     for (std::size_t t = 0; t < n.t; ++t) {
-        const std::size_t first = t % steps * layer, last = first + layer - 1;
-        double x[] = {longitudes[first], longitudes[last]}, y[] = {latitudes[first], latitudes[last]};
-        if (!toMap->Transform(2, x, y))
+        const std::size_t first = t * n.y * n.x, last = first + n.y * n.x - 1;
+        const auto at = [](const std::vector<float>& numbers, std::size_t cell) {
+            return numbers[cell % numbers.size()];
+        };
+        double x[] = {at(longitudes, first), at(longitudes, last)},
+               y[] = {at(latitudes, first), at(latitudes, last)};
+        if (!ways.toMap->Transform(2, x, y))
             return {};
         const glm::dvec2 corner(x[0], y[0]), opposite(x[1], y[1]);
         if (t == 0)
@@ -127,7 +133,7 @@ void append(const Means& means, std::size_t t, const Sizes& n, const glm::ivec2&
 
 } // namespace
 
-Result<WindContent> readNetCdfWrf(NetCdfFile& file) {
+Result<WindContent> readNetCdfWrf(NetCdfFile& file, bool asStored) {
     NetCdfFile::Array arrays[5];
     const char* names[5] = {"U", "V", "W", "PH", "PHB"};
     for (int i = 0; i < 5; ++i) {
@@ -179,7 +185,7 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file) {
     grid.values.reserve(3 * means.u.size());
     grid.heights.reserve(means.u.size());
     for (std::size_t step = 0; step < n.t; ++step)
-        append(means, step, n, place ? place->moved[step] : glm::ivec2(0), grid);
+        append(means, step, n, place && !asStored ? place->moved[step] : glm::ivec2(0), grid);
     content.summary.format = "NetCDF, WRF output";
     content.summary.direction = "components toward x, y and up of the model's grid";
     content.summary.notes = {"velocities at cell centres, means of the staggered neighbours",
@@ -195,8 +201,10 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file) {
         const auto stands = [](const glm::ivec2& moved) { return moved == glm::ivec2(0); };
         if (!std::all_of(place->moved.begin(), place->moved.end(), stands))
             content.summary.notes.emplace_back(
-                "the model's grid moves; its winds are read at the cells of its "
-                "first time, edges held where later ones do not reach");
+                asStored ? "the model's grid moves; winds of later times are shown at the places that their "
+                           "cells have at the first time, in a forest they are where they blew"
+                         : "the model's grid moves; its winds are read at the cells of its "
+                           "first time, edges held where later ones do not reach");
     }
     content.data = std::move(grid);
     return content;

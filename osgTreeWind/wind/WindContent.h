@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,6 +35,7 @@ struct WindSummary {
 struct WindContent {
     WindSummary summary;
     std::variant<GridWind::Grid, WindSeries> data;
+    std::size_t missing = 0;  ///< Velocities without data that were taken as calm.
     double travelSpeed = 0.0; ///< m/s along x at which the whole grid drifts past; 0 where it stands.
 };
 

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace osgTreeWind {
 
@@ -24,46 +23,43 @@ Diagnostic problem(const std::string& file, std::string message) {
 }
 
 /// Converts one velocity to m/s and takes note of it. False when no wind is like this.
-bool takeIn(glm::vec3& velocity, float unit, WindSummary& summary, std::size_t& missing) {
+bool takeIn(glm::vec3& velocity, float unit, WindContent& content) {
     const bool known = !std::isnan(velocity.x) && !std::isnan(velocity.y) && !std::isnan(velocity.z);
     if (!known)
-        ++missing;
+        ++content.missing;
     velocity = known ? velocity * unit : glm::vec3(0.0f);
     const double speed = glm::length(glm::dvec3(velocity));
     if (!(speed <= maxMeasuredSpeed))
         return false;
     if (known) {
-        summary.slowest = std::min(summary.slowest, speed);
-        summary.fastest = std::max(summary.fastest, speed);
+        content.summary.slowest = std::min(content.summary.slowest, speed);
+        content.summary.fastest = std::max(content.summary.fastest, speed);
     }
     return true;
 }
 
+std::size_t velocityCount(const WindContent& content) {
+    const auto* series = std::get_if<WindSeries>(&content.data);
+    return series ? series->velocities.size() : std::get<GridWind::Grid>(content.data).values.size() / 3;
+}
+
 /// Settles the unit, the range of speeds and places without data.
-/// @param files each gave the same number of velocities, one after the other.
-Diagnostics settle(WindContent& content, double unit, const std::vector<std::string>& files) {
+Diagnostics settle(WindContent& content, double unit, const std::string& path) {
     auto* series = std::get_if<WindSeries>(&content.data);
     auto* grid = std::get_if<GridWind::Grid>(&content.data);
-    const std::size_t count = series ? series->velocities.size() : grid->values.size() / 3;
-    const std::size_t perFile = std::max<std::size_t>(1, count / files.size());
-    const std::string ofAll = " of " + std::to_string(perFile);
-    WindSummary& summary = content.summary;
-    summary.slowest = std::numeric_limits<double>::max();
-    std::vector<std::size_t> missing(files.size(), 0);
+    const std::size_t count = velocityCount(content);
+    const std::string ofAll = " of " + std::to_string(count);
+    content.summary.slowest = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < count; ++i) {
         float* values = series ? &series->velocities[i].x : &grid->values[3 * i];
         glm::vec3 velocity(values[0], values[1], values[2]);
-        if (!takeIn(velocity, static_cast<float>(unit), summary, missing[i / perFile]))
-            return {problem(files[i / perFile], "expected winds of at most 200 m/s; number " +
-                                                    std::to_string(i % perFile + 1) + ofAll + " is none")};
+        if (!takeIn(velocity, static_cast<float>(unit), content))
+            return {problem(path, "expected winds of at most 200 m/s; number " + std::to_string(i + 1) +
+                                      ofAll + " is none")};
         std::copy(&velocity.x, &velocity.x + 3, values);
     }
-    for (std::size_t file = 0; file < files.size(); ++file)
-        if (missing[file] == perFile || count == 0)
-            return {problem(files[file], "holds no data at any" + ofAll + " places and times")};
-    if (const std::size_t all = std::accumulate(missing.begin(), missing.end(), std::size_t(0)); all > 0)
-        summary.notes.push_back(std::to_string(all) + " of " + std::to_string(count) +
-                                " velocities have no data and are taken as calm");
+    if (content.missing == count)
+        return {problem(path, "holds no data at any" + ofAll + " places and times")};
     return {};
 }
 
@@ -79,14 +75,17 @@ void summarize(const GridWind::Grid& grid, WindSummary& summary) {
     }
 }
 
+Diagnostics named(Diagnostics problems, const std::string& path) {
+    for (Diagnostic& one : problems)
+        one.file = path;
+    return problems;
+}
+
 template <typename Field>
 Result<WindFieldPtr> named(const Result<Field>& field, const std::string& path) {
     if (field)
         return WindFieldPtr(field.value());
-    Diagnostics problems = field.problems();
-    for (Diagnostic& one : problems)
-        one.file = path;
-    return problems;
+    return named(field.problems(), path);
 }
 
 Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, const std::string& path) {
@@ -102,29 +101,41 @@ Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, co
     return field;
 }
 
-/// What was read from these files as a field.
-Result<WindFile> fileOf(Result<WindContent>&& read, const std::vector<std::string>& files,
-                        const WindFileOptions& options) {
+/// One file, velocities in m/s, its grid sound.
+Result<WindContent> readSound(const std::string& path, const WindFileOptions& options) {
+    Result<WindContent> read = readWindContent(path, options.columns, options.asStored);
+    if (!read)
+        return read;
+    const std::string& inFile = read.value().summary.unit;
+    const Result<double> unit = speedUnit(inFile.empty() ? options.speedUnit : inFile);
+    if (!unit)
+        return problem(path, unit.problems().front().message);
+    Diagnostics problems = settle(read.value(), unit.value(), path);
+    if (const auto* grid = std::get_if<GridWind::Grid>(&read.value().data); grid && problems.empty())
+        problems = named(GridWind::check(*grid), path);
+    if (!problems.empty())
+        return problems;
+    return read;
+}
+
+/// What was read as a field. @param path of the first file.
+Result<WindFile> fileOf(Result<WindContent>&& read, const std::string& path, const WindFileOptions& options) {
     if (!read)
         return read.problems();
     WindContent& content = read.value();
-    const std::string& unitName = content.summary.unit.empty() ? options.speedUnit : content.summary.unit;
-    const Result<double> unit = speedUnit(unitName);
-    if (!unit)
-        return problem(files.front(), unit.problems().front().message);
-    Diagnostics problems = settle(content, unit.value(), files);
-    if (!problems.empty())
-        return problems;
-
-    WindFile file;
+    std::vector<std::string>& notes = content.summary.notes;
+    if (content.missing > 0)
+        notes.push_back(std::to_string(content.missing) + " of " + std::to_string(velocityCount(content)) +
+                        " velocities have no data and are taken as calm");
     if (content.summary.unit.empty())
-        content.summary.notes.push_back("the file names no unit of speed; taken as " + unitName);
+        notes.push_back("the file names no unit of speed; taken as " + options.speedUnit);
     if (const auto* grid = std::get_if<GridWind::Grid>(&content.data))
         summarize(*grid, content.summary);
     else
         content.summary.times = std::get<WindSeries>(content.data).times;
+    WindFile file;
     file.summary = std::move(content.summary);
-    Result<WindFieldPtr> field = fieldOf(std::move(content), options.origin, files.front());
+    Result<WindFieldPtr> field = fieldOf(std::move(content), options.origin, path);
     if (!field)
         return field.problems();
     file.field = field.value();
@@ -142,14 +153,15 @@ Diagnostics check(const WindFileOptions& options) {
 Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options) {
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
-    return fileOf(readWindContent(path, options.columns), {path}, options);
+    return fileOf(readSound(path, options), path, options);
 }
 
 Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
                                const WindFileOptions& options) {
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
-    return fileOf(readWindSteps(files, times, options.columns), files, options);
+    const auto read = [&](const std::string& file) { return readSound(file, options); };
+    return fileOf(readWindSteps(files, times, read), files.empty() ? "" : files.front(), options);
 }
 
 Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options) {

@@ -3,11 +3,10 @@
 
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/wind/NetCdfClassic.h>
 #include <osgTreeWind/wind/QesSensor.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -32,12 +31,6 @@ Result<std::string> readBytes(const std::string& path) {
     if (bytes.str().empty())
         return problem(path, "the file is empty");
     return bytes.str();
-}
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 bool startsWith(std::string_view text, std::string_view start) {
@@ -155,7 +148,8 @@ std::string usualSpeedUnit(const std::string& text) {
     return text;
 }
 
-Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns) {
+Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns,
+                                    bool asStored) {
     const Result<std::string> read = readBytes(path);
     if (!read)
         return read.problems();
@@ -165,7 +159,7 @@ Result<WindContent> readWindContent(const std::string& path, const WindSeriesCol
         return readVtkLegacy(bytes, path);
     if (startsWith(bytes, "CDF") || startsWith(bytes, "\x89HDF")) {
         const std::string damage = problemOfNetCdfHeader(bytes);
-        return damage.empty() ? readNetCdf(path) : problem(path, damage);
+        return damage.empty() ? readNetCdf(path, asStored) : problem(path, damage);
     }
     if (startsWith(bytes, "\"TOA5\""))
         return readToa5(bytes, path, columns);

@@ -13,8 +13,8 @@
 namespace osgTreeWind {
 
 /// The file in whichever of the formats below it is, recognised by content, then by extension.
-/// @param columns of a CSV or TOA5 table, as in WindFileOptions.
-Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns);
+/// @param columns, asStored as in WindFileOptions.
+Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns, bool asStored);
 
 /// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
 struct EsriGrid {
@@ -38,7 +38,8 @@ Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file)
 Result<WindContent> readToa5(std::string_view bytes, const std::string& file,
                              const WindSeriesColumns& columns);
 /// NetCDF through GDAL; an error where the library was built without it.
-Result<WindContent> readNetCdf(const std::string& path);
+/// @param asStored as in WindFileOptions.
+Result<WindContent> readNetCdf(const std::string& path, bool asStored = false);
 
 /// The unit as speedUnit() calls it: "m/s" for "m s-1", "meters per second", ...; the text itself otherwise.
 std::string usualSpeedUnit(const std::string& text);

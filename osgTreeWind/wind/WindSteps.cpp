@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/wind/SampleSpan.h>
-#include <osgTreeWind/wind/WindFormats.h>
 
 #include <algorithm>
 
@@ -56,10 +55,9 @@ std::string difference(const WindContent& first, const WindContent& step, const 
 /// Puts a step behind those before. False when its layers are not at their heights.
 bool append(GridWind::Grid& grid, const GridWind::Grid& step) {
     const std::size_t points = step.values.size() / 3;
-    const bool ofPoints = step.heights.size() == points && points > static_cast<std::size_t>(step.points.z);
-    const bool alike =
-        ofPoints ? !grid.heights.empty() && grid.heights.size() % points == 0 : step.heights == grid.heights;
-    if (!alike)
+    const bool ofPoints =
+        step.heights.size() == points && !grid.heights.empty() && grid.heights.size() % points == 0;
+    if (!ofPoints && step.heights != grid.heights)
         return false;
     if (ofPoints)
         grid.heights.insert(grid.heights.end(), step.heights.begin(), step.heights.end());
@@ -70,7 +68,7 @@ bool append(GridWind::Grid& grid, const GridWind::Grid& step) {
 } // namespace
 
 Result<WindContent> readWindSteps(const std::vector<std::string>& files, const std::vector<double>& times,
-                                  const WindSeriesColumns& columns) {
+                                  const std::function<Result<WindContent>(const std::string&)>& read) {
     if (files.empty())
         return problem({}, "files", "expected at least one");
     if (times.size() != files.size())
@@ -81,25 +79,29 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         return problems;
 
     WindContent wind;
+    std::vector<std::string> ofFirst; // notes
     for (const std::string& file : files) {
-        Result<WindContent> read = readWindContent(file, columns);
-        if (!read)
-            return read.problems();
-        WindContent& step = read.value();
+        Result<WindContent> one = read(file);
+        if (!one)
+            return one.problems();
+        WindContent& step = one.value();
         if (const std::string what = problemOfStep(step); !what.empty())
             return problem(file, {}, what);
         if (&file == &files.front()) {
             wind = std::move(step);
+            ofFirst = wind.summary.notes;
             continue;
         }
         if (const std::string what = difference(wind, step, files.front()); !what.empty())
             return problem(file, {}, what);
         if (!append(std::get<GridWind::Grid>(wind.data), std::get<GridWind::Grid>(step.data)))
             return problem(file, {}, "expected the heights of " + files.front());
-        for (std::string& note : step.summary.notes)
-            if (std::find(wind.summary.notes.begin(), wind.summary.notes.end(), note) ==
-                wind.summary.notes.end())
-                wind.summary.notes.push_back(std::move(note));
+        for (const std::string& note : step.summary.notes)
+            if (std::find(ofFirst.begin(), ofFirst.end(), note) == ofFirst.end())
+                wind.summary.notes.push_back(file + ": " + note);
+        wind.missing += step.missing;
+        wind.summary.slowest = std::min(wind.summary.slowest, step.summary.slowest);
+        wind.summary.fastest = std::max(wind.summary.fastest, step.summary.fastest);
     }
     std::get<GridWind::Grid>(wind.data).times = times;
     if (times.front() != 0.0)

@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindContent.h>
-#include <osgTreeWind/wind/WindSeriesCsv.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,7 +12,8 @@ namespace osgTreeWind {
 
 /// Reads files of one time each as one wind over these times: what readWindFiles() begins with. Heights of
 /// single points may move from file to file; all else of the grid must be alike. Not part of the interface.
+/// @param read one of the files, sound on its own, velocities in m/s.
 Result<WindContent> readWindSteps(const std::vector<std::string>& files, const std::vector<double>& times,
-                                  const WindSeriesColumns& columns);
+                                  const std::function<Result<WindContent>(const std::string&)>& read);
 
 } // namespace osgTreeWind

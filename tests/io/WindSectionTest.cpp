@@ -78,13 +78,48 @@ TEST(WindSection, AFileUnlikeTheFirstIsNamed) {
 }
 
 TEST(WindSection, NotesOfAFileArePassedOn) {
-    const auto forest = readWith("file = \"pair_vel.asc\"\n", // and its kind goes without saying
+    const auto forest = readWith("file = \"pair_vel.asc\"\n" // and its kind goes without saying
+                                 "offset = [890, 1790, 0]\n",
                                  "search = [\"" OSGTREEWIND_TEST_DATA "/wind\"]\n");
     ASSERT_TRUE(forest) << firstProblem(forest);
     ASSERT_FALSE(forest.value().notes.empty());
     EXPECT_NE(forest.value().notes.back().find("pair_vel.asc: the file names no unit of speed"),
               std::string::npos)
         << forest.value().notes.back();
+}
+
+TEST(WindSection, TreesOutsideTheGridOfAFileAreNoted) {
+    const std::string file = "file = \"vectors.vtk\"\n"; // x 100 to 120, y 200 to 220; the tree at 1000, 2000
+    const auto noted = [](const Result<ForestDescription>& forest) {
+        EXPECT_TRUE(forest) << firstProblem(forest);
+        return forest && !forest.value().notes.empty() ? forest.value().notes.back() : std::string();
+    };
+    const std::string far = noted(readWith(file));
+    EXPECT_EQ(far.rfind("1 of 1 trees stand outside the grid of ", 0), 0u) << far;
+    EXPECT_NE(far.find("vectors.vtk, x 100 to 120, y 200 to 220; the wind at its edges holds there"),
+              std::string::npos)
+        << far;
+    EXPECT_EQ(noted(readWith(file + "offset = [880, 1780, 0]\n")).find("outside"), std::string::npos);
+    EXPECT_NE(
+        noted(readWith(file + "offset = [901.0049, 1780, 0]\n")).find("x 1001 to 1021, y 1980 to 2000;"),
+        std::string::npos);
+    EXPECT_EQ(
+        noted(readWith(file + "offset = [880, 1780, 0]\n", "origin = [900, 1900, 0]\n")).find("outside"),
+        std::string::npos);
+}
+
+TEST(WindSection, ARecordAtOnePointHasNoOutside) {
+    const auto forest = readWith("file = \"table.csv\"\n");
+    ASSERT_TRUE(forest) << firstProblem(forest);
+    for (const std::string& note : forest.value().notes)
+        EXPECT_EQ(note.find("outside"), std::string::npos) << note;
+}
+
+TEST(WindSection, WhatBelongsToSeriesOrGridIsNoDataFile) {
+    for (const char* wind : {"file = \"table.csv\"\ncolumns = { time = \"time\" }\n",
+                             "file = \"values.txt\"\npoints = [2, 2]\ncell = [1, 1]\n"})
+        EXPECT_NE(firstProblem(readWith(wind)).find("wind.kind"), std::string::npos)
+            << firstProblem(readWith(wind));
 }
 
 TEST(WindSection, GustsVaryAroundTheMean) {

@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <tuple>
+
 namespace {
 
 const std::string head = "ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
@@ -70,6 +73,9 @@ TEST_F(WindTool, RefusesWhatDoesNotGoTogether) {
           {{"1_vel.asc", "2_vel.asc", "--times", "0,x"}, "--times"},
           {{"1_vel.asc", "wide_vel.asc", "--times", "0,1"}, "wide_vel.asc: expected the points"},
           {{"1_vel.asc", "absent.asc", "--times", "0,1"}, "absent.asc: cannot be read"},
+          {{"1_vel.asc", "--at", "nan,5,10"}, "--at"},
+          {{"1_vel.asc", "--at", "5,inf,10"}, "--at"},
+          {{"1_vel.asc", "--at", "5,5,10,nan"}, "--at"},
           {{}, "file is required"}}) {
         const Outcome outcome = wind(words);
         EXPECT_EQ(outcome.exitCode, 2) << message;
@@ -78,16 +84,21 @@ TEST_F(WindTool, RefusesWhatDoesNotGoTogether) {
     }
 }
 
-/// A velocity that is not the speed and direction in the file comes with the reason.
-TEST_F(WindTool, SaysThatItTurnsTrueNorth) {
+/// The speed and direction in the file, and a note that a forest turns them.
+TEST_F(WindTool, PrintsVelocitiesAsTheFileHasThem) {
     REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
-    const std::string place = "-1640665.53,2052449.95,10"; // the file has 4.4375 m/s from 154 degrees
-    const Outcome outcome = wind({path, "--at", place}), json = wind({path, "--at", place, "--json"});
-    if (outcome.err.find("NetCDF needs GDAL") != std::string::npos)
-        GTEST_SKIP() << "built without GDAL";
-    EXPECT_NE(outcome.err.find("velocities here are turned to the grid's y axis"), std::string::npos);
-    const auto said = nlohmann::json::parse(json.out, nullptr, false);
-    ASSERT_FALSE(said.is_discarded()) << json.out;
-    EXPECT_NEAR(said["speed"], 4.4375, 1e-3);
-    EXPECT_NE(said["notes"][0].get<std::string>().find("true north"), std::string::npos);
+    for (const auto& [place, speed, degrees] : {std::tuple{"-1640665.53,2052449.95,10", 4.4375, 154.0},
+                                                {"-1432411.62,2319122.07,10", 4.25, 183.0}}) {
+        const Outcome outcome = wind({path, "--at", place}), json = wind({path, "--at", place, "--json"});
+        if (outcome.err.find("NetCDF needs GDAL") != std::string::npos)
+            GTEST_SKIP() << "built without GDAL";
+        EXPECT_NE(outcome.err.find("in a forest its velocities are turned to the grid's y axis"),
+                  std::string::npos);
+        const auto said = nlohmann::json::parse(json.out, nullptr, false);
+        ASSERT_FALSE(said.is_discarded()) << json.out;
+        const double angle = degrees * 3.14159265358979323846 / 180.0;
+        EXPECT_NEAR(said["velocity"][0], -speed * std::sin(angle), 2e-3);
+        EXPECT_NEAR(said["velocity"][1], -speed * std::cos(angle), 2e-3);
+        EXPECT_NE(said["notes"][0].get<std::string>().find("true north"), std::string::npos);
+    }
 }

@@ -14,9 +14,11 @@
 namespace osgTreeWind {
 
 /// The file with a place of its coordinates at the scene's origin.
-inline Result<WindFile> readAt(const std::string& path, const glm::dvec3& origin = glm::dvec3(0.0)) {
+inline Result<WindFile> readAt(const std::string& path, const glm::dvec3& origin = glm::dvec3(0.0),
+                               bool asStored = false) {
     WindFileOptions options;
     options.origin = origin;
+    options.asStored = asStored;
     return readWindFile(path, options);
 }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
 
 namespace osgTreeWind {
 
@@ -58,7 +59,27 @@ TEST(NetCdf, SpeedAndDirectionOnAxesInKilometres) {
         EXPECT_EQ(file.value().summary.unit, "m/s");
         EXPECT_EQ(file.value().summary.low.z, 10.0);
         EXPECT_EQ(file.value().summary.direction, "from, degrees clockwise from true north");
-        EXPECT_TRUE(notes(file.value().summary, "by 7.03 to 8.23 degrees clockwise"));
+        EXPECT_TRUE(notes(file.value().summary, "velocities here are turned to the grid's y axis, by 7.03 to "
+                                                "8.23 degrees clockwise"));
+    }
+}
+
+/// The same cells, their speeds and directions as ncdump prints them.
+TEST(NetCdf, SpeedAndDirectionAsStored) {
+    REQUIRE_REAL_DATA(path, "wind/ndfd_20170603T1800.nc");
+    REQUIRE_NETCDF(path);
+    for (const auto& [x, y, speed, degrees] : {std::tuple{-1640665.53, 2052449.95, 4.4375, 154.0},
+                                               {-1432411.62, 2052449.95, 2.5625, 160.0},
+                                               {-1539078.25, 2179436.52, 4.0625, 116.0},
+                                               {-1432411.62, 2319122.07, 4.25, 183.0}}) {
+        const auto file = readAt(path, {x, y, 10}, true);
+        ASSERT_TRUE(file) << firstProblem(file);
+        const double angle = degrees * 3.14159265358979323846 / 180.0;
+        expectNear(file.value().field->velocity({}, 0),
+                   {-speed * std::sin(angle), -speed * std::cos(angle), 0}, 2e-3f);
+        EXPECT_TRUE(notes(file.value().summary,
+                          "the file counts from true north; in a forest its velocities are turned to the "
+                          "grid's y axis, by 7.03 to 8.23 degrees clockwise"));
     }
 }
 

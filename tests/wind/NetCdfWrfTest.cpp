@@ -6,6 +6,7 @@
 #include "../io/TemporaryFolder.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace osgTreeWind {
 
@@ -17,6 +18,21 @@ glm::vec3 windAt(const std::string& path, const glm::dvec3& place, double time) 
     const auto file = readAt(path, place);
     EXPECT_TRUE(file) << firstProblem(file);
     return file ? file.value().field->velocity({}, time) : glm::vec3(-999.0f);
+}
+
+/// wrf_polar.nc with an array over other dimensions, by their numbers in make_wrf.py: 0 is Time, 2 the two
+/// levels, 3 the rows, 5 the columns. No more numbers than it has.
+std::string withDimensions(std::string bytes, const std::string& array, const std::vector<int>& dimensions) {
+    const std::size_t data = bytes.size() - 128 * 4,
+                      at = bytes.find(std::string("\0\0\0", 3) + static_cast<char>(array.size()) + array);
+    std::string list;
+    for (int number : dimensions)
+        list += std::string("\0\0\0", 3) + static_cast<char>(number);
+    const std::size_t count = at + 4 + (array.size() + 3) / 4 * 4; // where their number stands, 3
+    EXPECT_EQ(bytes.substr(count, 4), std::string("\0\0\0\3", 4)) << array;
+    bytes.insert(data, std::string(12 - list.size(), '\0')); // what was written stays where it was
+    bytes[count + 3] = static_cast<char>(dimensions.size());
+    return bytes.replace(count + 4, 12, list);
 }
 
 /// A cell of ci_test_file.nc: what ncdump prints of it, means of the staggered neighbours.
@@ -73,6 +89,31 @@ TEST(NetCdfWrf, AMovingGridLeavesTheWindInItsPlace) {
     expectNear(windAt(lambert, {-500000, 20000, 10}, 3600), {100, 100, 0}, 1e-3f);
 }
 
+TEST(NetCdfWrf, AsStoredAMovingGridStands) {
+    REQUIRE_NETCDF(lambert);
+    const auto file = readAt(lambert, {-473000, 38000, 10}, true);
+    ASSERT_TRUE(file) << firstProblem(file);
+    expectNear(file.value().field->velocity({}, 3600), {103, 102, 0}, 1e-3f);
+    EXPECT_TRUE(notes(file.value().summary, "in a forest they are where they blew"));
+    EXPECT_FALSE(notes(file.value().summary, "edges held"));
+}
+
+/// Means of the staggered neighbours of one time and cell, as ncdump prints them.
+TEST(NetCdfWrf, AsStoredCellsOfAllTimesAreThoseOfTheFile) {
+    REQUIRE_REAL_DATA(path, "wind/ci_test_file.nc");
+    REQUIRE_NETCDF(path);
+    const glm::dvec2 corner(readAt(path).value().summary.low);
+    for (const auto& [time, cell, height, velocity] :
+         {std::tuple{10800.0, glm::dvec2(0, 0), 30.1937, glm::vec3(8.492837, -3.194436, 0.000624)},
+          {21600.0, {31, 20}, 333.0792, {20.262849, -2.727398, -0.010895}},
+          {32400.0, {5, 47}, 1318.1066, {-4.531000, -19.213836, -0.034763}},
+          {32400.0, {12, 30}, 30.4217, {9.727924, -11.523107, -0.001528}}}) {
+        const auto file = readAt(path, {corner + 10000.0 * cell, height}, true);
+        ASSERT_TRUE(file) << firstProblem(file);
+        expectNear(file.value().field->velocity({}, time), velocity, 2e-3f);
+    }
+}
+
 TEST(NetCdfWrf, PolarGridStandsWhereItWasPut) {
     REQUIRE_NETCDF(polar);
     expectNear(windAt(polar, {-300000, 1200000, 10}, 0), {0, 0, 0}, 1e-3f);
@@ -80,6 +121,15 @@ TEST(NetCdfWrf, PolarGridStandsWhereItWasPut) {
     const WindSummary summary = readAt(polar).value().summary;
     EXPECT_EQ(summary.coordinates, "+proj=stere +lat_0=-90 +lat_ts=-70 +lon_0=10 +R=6370000");
     EXPECT_FALSE(notes(summary, "moves"));
+}
+
+TEST(NetCdfWrf, OneOfLatitudeAndLongitudeMayBeTheSameAtAllTimes) {
+    REQUIRE_NETCDF(polar);
+    const TemporaryFolder folder;
+    for (const char* array : {"XLAT", "XLONG"}) {
+        const std::string path = folder.write("a.nc", withDimensions(fileBytes(polar), array, {3, 5}));
+        expectNear(windAt(path, {-273000, 1218000, 10}, 0), {3, 2, 0}, 1e-3f);
+    }
 }
 
 TEST(NetCdfWrf, WithoutAKnownMapPlacesCountFromTheCorner) {
@@ -91,7 +141,11 @@ TEST(NetCdfWrf, WithoutAKnownMapPlacesCountFromTheCorner) {
         {renamed(bytes, "STAND_LON", "STAND_LAT"), "names no map that is known here"},
         {withAttribute(bytes, "MAP_PROJ", 6), "names no map that is known here"},
         {withAttribute(bytes, "MAP_PROJ", 3), "XLAT and XLONG are not on the map"},
-        {renamed(bytes, "XLONG", "XLANG"), "XLAT and XLONG are not on the map"}};
+        {renamed(bytes, "XLONG", "XLANG"), "XLAT and XLONG are not on the map"},
+        {withDimensions(bytes, "XLAT", {0}), "XLAT and XLONG are not on the map"},
+        {withDimensions(bytes, "XLONG", {3}), "XLAT and XLONG are not on the map"},
+        {withDimensions(bytes, "XLAT", {0, 3, 2}), "XLAT and XLONG are not on the map"},
+        {withDimensions(bytes, "XLAT", {5, 3}), "XLAT and XLONG are not on the map"}};
     for (const auto& [changed, note] : cases) {
         const std::string path = folder.write("a.nc", changed);
         expectNear(windAt(path, {27000, 18000, 10}, 0), {3, 2, 0}, 1e-4f);

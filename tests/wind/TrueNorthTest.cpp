@@ -46,6 +46,17 @@ TEST(TrueNorth, EastwardWindIsTurnedByTheConvergence) {
     EXPECT_TRUE(notes(summary, "turned to the grid's y axis, by -15.75 to 15.75 degrees clockwise"));
 }
 
+TEST(TrueNorth, AsStoredNothingIsTurned) {
+    REQUIRE_NETCDF(truenorth);
+    for (const glm::dvec2& place : corners) {
+        const auto file = readAt(truenorth, {place, 0}, true);
+        expectVelocity(file, {10, 0});
+        EXPECT_TRUE(notes(file.value().summary, "in a forest its velocities are turned to the grid's y axis, "
+                                                "by -15.75 to 15.75 degrees clockwise"));
+        EXPECT_FALSE(notes(file.value().summary, "velocities here"));
+    }
+}
+
 TEST(TrueNorth, DirectionFromIsTurnedByTheConvergence) {
     REQUIRE_NETCDF(truenorth);
     const std::string bytes = renamed(fileBytes(truenorth), "eastward_wind", "eastward_what");

@@ -4,6 +4,8 @@
 
 #include "../io/TemporaryFolder.h"
 
+#include <osgTreeWind/wind/WindSteps.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -35,6 +37,27 @@ WindFile readBoth(const std::string& first, const std::string& second, double fr
 
 std::string problemOfBoth(const std::string& first, const std::string& second) {
     return firstProblem(readWindFiles({first, second}, {0, 1}));
+}
+
+/// wrf_polar.nc, whose layer is 20 m high, with another geopotential on top of it.
+std::string withTop(float geopotential) {
+    const auto bytesOf = [](const float& number) {
+        const char* little = reinterpret_cast<const char*>(&number);
+        return std::string(std::reverse_iterator(little + 4), std::reverse_iterator(little));
+    };
+    return renamed(fileBytes(smallNetCdf("wrf_polar.nc")), bytesOf(196.2f), bytesOf(geopotential));
+}
+
+/// A grid of one column and two layers.
+WindContent column(float top, const std::string& note) {
+    GridWind::Grid grid;
+    grid.points = {1, 1, 2};
+    grid.heights = {2.0f, top};
+    grid.values = {0, 0, 0, top, 0, 0};
+    WindContent content;
+    content.summary.notes = {"of all", note};
+    content.data = grid;
+    return content;
 }
 
 } // namespace
@@ -162,19 +185,40 @@ TEST(WindSteps, HeightsOfLayersMustBeTheSame) {
 
 TEST(WindSteps, HeightsOfPointsMoveWithTheWind) {
     const TemporaryFolder folder;
-    const std::string path = smallNetCdf("wrf_polar.nc"); // a layer of 20 m
+    const std::string path = smallNetCdf("wrf_polar.nc");
     REQUIRE_NETCDF(path);
-    const float geopotentials[] = {196.2f, 392.4f};
-    std::string bytes[2];
-    for (int i = 0; i < 2; ++i) {
-        const char* little = reinterpret_cast<const char*>(&geopotentials[i]);
-        bytes[i].assign(std::reverse_iterator(little + 4), std::reverse_iterator(little));
-    }
-    const std::string higher = folder.write("a.nc", renamed(fileBytes(path), bytes[0], bytes[1]));
-    const WindFile file = readBoth(path, higher, 0, 3600);
+    const WindFile file = readBoth(path, folder.write("a.nc", withTop(392.4f)), 0, 3600);
     EXPECT_NEAR(file.summary.low.z, 10.0, 1e-4);
     EXPECT_NEAR(file.summary.high.z, 20.0, 1e-4);
     EXPECT_EQ(file.summary.times.size(), 2u);
+}
+
+TEST(WindSteps, BadHeightsAreThoseOfTheirFile) {
+    const TemporaryFolder folder;
+    const std::string path = smallNetCdf("wrf_polar.nc");
+    REQUIRE_NETCDF(path);
+    const std::string bad = folder.write("a.nc", withTop(std::numeric_limits<float>::quiet_NaN()));
+    EXPECT_EQ(problemOfBoth(path, bad),
+              bad + ": heights: expected finite metres, increasing upward, found nan at index 0");
+}
+
+TEST(WindSteps, HeightsOfASingleColumnMoveToo) {
+    const auto wind = readWindSteps({"10", "30", "30"}, {0, 1, 2}, [](const std::string& top) {
+        return Result<WindContent>(column(std::stof(top), "top"));
+    });
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    const auto field = GridWind::create(std::get<GridWind::Grid>(wind.value().data));
+    ASSERT_TRUE(field) << firstProblem(field);
+    EXPECT_NEAR(field.value()->velocity({0, 0, 6}, 0).x, 5.0f, 1e-5f);
+    EXPECT_NEAR(field.value()->velocity({0, 0, 16}, 1).x, 15.0f, 1e-5f);
+}
+
+TEST(WindSteps, NotesOfLaterFilesBeginWithTheirName) {
+    const auto wind = readWindSteps({"a", "b"}, {0, 1}, [](const std::string& name) {
+        return Result<WindContent>(column(10, "of " + name));
+    });
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    EXPECT_EQ(wind.value().summary.notes, (std::vector<std::string>{"of all", "of a", "b: of b"}));
 }
 
 TEST(WindSteps, ABadFileAmongThemIsNamed) {
