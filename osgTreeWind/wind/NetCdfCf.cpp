@@ -70,6 +70,18 @@ std::vector<glm::dvec2> trueNorth(const OGRSpatialReference& projection, std::ve
     return points;
 }
 
+/// The name of a reference system; its PROJ text where it has none.
+std::string nameOf(const OGRSpatialReference& reference) {
+    const std::string name = reference.GetName() ? reference.GetName() : "";
+    if (!name.empty() && name != "unnamed" && name != "unknown")
+        return name;
+    char* text = nullptr;
+    const bool known = reference.exportToProj4(&text) == OGRERR_NONE && text;
+    const std::string result = known ? text : "";
+    CPLFree(text);
+    return result;
+}
+
 /// Which array holds what, on which axes.
 class CfReader {
 public:
@@ -200,8 +212,7 @@ private:
         if (count > 4)
             return _file.fail(_arrays[0]->GetName(), "expected dimensions (time, height, y, x) or fewer");
         _reference = _arrays[0]->GetSpatialRef();
-        const std::string name = _reference && _reference->GetName() ? _reference->GetName() : "";
-        _content.summary.coordinates = name == "unnamed" || name == "unknown" ? "" : name;
+        _content.summary.coordinates = _reference ? nameOf(*_reference) : "";
         _x = evenAxis(dimensions[count - 1]);
         _y = evenAxis(dimensions[count - 2]);
         if (count == 4 || (count == 3 && isTime(dimensions[0])))

@@ -59,6 +59,7 @@ TEST(NetCdf, SpeedAndDirectionOnAxesInKilometres) {
         EXPECT_EQ(file.value().summary.unit, "m/s");
         EXPECT_EQ(file.value().summary.low.z, 10.0);
         EXPECT_EQ(file.value().summary.direction, "from, degrees clockwise from true north");
+        EXPECT_NE(file.value().summary.coordinates.find("+proj=lcc +lat_1=25"), std::string::npos);
         EXPECT_TRUE(notes(file.value().summary, "velocities here are turned to the grid's y axis, by 7.03 to "
                                                 "8.23 degrees clockwise"));
     }
