@@ -27,7 +27,7 @@ ForestDescription describeForest() {
     description.species = {*findBuiltInSpecies("red maple")};
     for (int i = 0; i < 9; ++i) {
         TreePlacement tree;
-        tree.position = {8.0 * (i % 3 - 1), 8.0 * (i / 3 - 1), 0.0};
+        tree.position = 8.0 * glm::dvec3(i % 3 - 1, i / 3 - 1, 0);
         tree.heading = 0.7f * static_cast<float>(i);
         tree.size.height = 7.0f + static_cast<float>(i % 4);
         tree.seed = static_cast<std::uint32_t>(i);
@@ -42,11 +42,11 @@ GridWind::Grid simulateWind(double time) {
     GridWind::Grid grid;
     grid.points = {size, size, 1};
     grid.origin = {-16.0, -16.0, 0.0};
-    const double x = 10.0 * std::cos(0.4 * time), y = 10.0 * std::sin(0.4 * time);
+    const glm::dvec2 vortex(10.0 * std::cos(0.4 * time), 10.0 * std::sin(0.4 * time));
     for (int i = 0; i < size * size; ++i) {
-        const double dx = grid.origin.x + i % size - x, dy = grid.origin.y + i / size - y;
-        const double turn = 30.0 / (9.0 + dx * dx + dy * dy); // 1/s
-        for (const double component : {3.0 - turn * dy, turn * dx, 0.0})
+        const glm::dvec2 from = glm::dvec2(grid.origin) + glm::dvec2(i % size, i / size) - vortex;
+        const double turn = 30.0 / (9.0 + from.x * from.x + from.y * from.y); // 1/s
+        for (const double component : {3.0 - turn * from.y, turn * from.x, 0.0})
             grid.values.push_back(static_cast<float>(component));
     }
     return grid;

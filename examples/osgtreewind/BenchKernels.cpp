@@ -131,7 +131,7 @@ GridWind::Grid someGrid(int layers, int times) {
     return grid;
 }
 
-Timed windKind(const char* name, WindFieldPtr field) {
+Timed windKind(const char* name, const WindFieldPtr& field) {
     Random random(3);
     std::vector<glm::vec3> positions(samples), velocities(samples);
     glm::vec3 tree(0.0f);

@@ -72,14 +72,14 @@ std::vector<glm::dvec2> trueNorth(const OGRSpatialReference& projection, std::ve
 
 /// The name of a reference system; its PROJ text where it has none.
 std::string nameOf(const OGRSpatialReference& reference) {
-    const std::string name = reference.GetName() ? reference.GetName() : "";
+    std::string name = reference.GetName() ? reference.GetName() : "";
     if (!name.empty() && name != "unnamed" && name != "unknown")
         return name;
     char* text = nullptr;
     const bool known = reference.exportToProj4(&text) == OGRERR_NONE && text;
-    const std::string result = known ? text : "";
+    name = known ? text : "";
     CPLFree(text);
-    return result;
+    return name;
 }
 
 /// Which array holds what, on which axes.

@@ -96,9 +96,10 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
             return problem(file, {}, what);
         if (!append(std::get<GridWind::Grid>(wind.data), std::get<GridWind::Grid>(step.data)))
             return problem(file, {}, "expected the heights of " + files.front());
+        const std::string source = file + ": ";
         for (const std::string& note : step.summary.notes)
             if (std::find(ofFirst.begin(), ofFirst.end(), note) == ofFirst.end())
-                wind.summary.notes.push_back(file + ": " + note);
+                wind.summary.notes.push_back(source + note);
         wind.missing += step.missing;
         wind.summary.slowest = std::min(wind.summary.slowest, step.summary.slowest);
         wind.summary.fastest = std::max(wind.summary.fastest, step.summary.fastest);
