@@ -6,7 +6,7 @@
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/Laws.h>
+#include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
@@ -67,7 +67,7 @@ using ThesisStep = glm::vec4 (Laws::*)(glm::vec4, glm::vec3, glm::vec3, Laws::Th
 Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
     std::vector<Laws::ThesisBranch> parameters;
     for (const BranchParameters& p : someBranches(law, &ForestSimulation::branchParameters))
-        parameters.push_back({p.spring, p.length, p.maxAngle, p.partialSteps, p.levelLoad});
+        parameters.push_back(lawParameters(p));
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
     return {{"laws", name, "branch", branches, {}}, [=, winds = someWinds()](double time) mutable {
                 Laws laws;
@@ -86,8 +86,7 @@ Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
 Timed dampedLaw() {
     std::vector<Laws::DampedBranch> parameters;
     for (const DampedParameters& p : someBranches(MotionLaw::Damped, &ForestSimulation::dampedParameters))
-        parameters.push_back({p.stiffness, p.inertia, p.damping, p.drag, p.lever, p.maxAngle, p.streamlining,
-                              p.streamlinedTo});
+        parameters.push_back(lawParameters(p));
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
     return {{"laws", "damped", "branch", branches, {}}, [=, winds = someWinds()](double) mutable {
                 for (std::size_t i = 0; i < branches; ++i) {
@@ -103,9 +102,7 @@ Timed leafLaw(const char* name, std::optional<float> noiseExponent) {
     return {{"laws", name, "leaf", branches, {}}, [=](double time) mutable {
                 Laws laws;
                 const NoiseTime now = NoiseTime::at(time, 1.3f, noiseExponent);
-                const LeafMotion motion;
-                const Laws::ThesisLeaf leaf{motion.maxAngleX,    motion.maxAngleZ, motion.maxRotation,
-                                            motion.partialSteps, motion.factor,    motion.linkedFactor};
+                const Laws::ThesisLeaf leaf = lawParameters(LeafMotion());
                 for (std::uint32_t i = 0; i < branches; ++i) {
                     const float x =
                         laws.motionNoise(laws.noiseStream(1, i, 3), now.cell, now.fraction, now.gain);

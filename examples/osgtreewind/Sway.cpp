@@ -38,12 +38,14 @@ ExitCode sway(SwayOptions options) {
     TreeSize size;
     size.height = static_cast<float>(options.height);
     size.trunkDiameter = static_cast<float>(0.01 * options.diameter);
-    const TreeModel model = makeTreeModel(species->tree, 0);
-    const TreeSize actual = measureTree(model, fitTree(model, size));
-    if (options.diameter == 0.0)
-        options.diameter = 100.0 * static_cast<double>(actual.trunkDiameter);
-    if (options.height == 0.0)
-        options.height = actual.height;
+    if (options.diameter == 0.0 || options.height == 0.0) {
+        const TreeModel model = makeTreeModel(species->tree, 0);
+        const TreeSize actual = measureTree(model, fitTree(model, size));
+        if (options.diameter == 0.0)
+            options.diameter = 100.0 * static_cast<double>(actual.trunkDiameter);
+        if (options.height == 0.0)
+            options.height = actual.height;
+    }
     const std::optional<FreeSway> free = pullAndRelease(*species, size);
     if (!free) {
         std::cerr << "the tree does not swing: three periods take more than ten minutes\n";

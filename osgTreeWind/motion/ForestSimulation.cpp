@@ -2,7 +2,7 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osgTreeWind/model/ThesisFrame.h>
-#include <osgTreeWind/motion/Laws.h>
+#include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 #include <osgTreeWind/motion/Rotations.h>
 
@@ -179,8 +179,7 @@ void ForestSimulation::turnBranches(const Tree& tree, std::uint32_t seed, double
             noise[static_cast<int>(axis)] =
                 laws.motionNoise(laws.noiseStream(seed, unit, axis), now.cell, now.fraction, now.gain);
         }
-        const BranchParameters& p = _branches[i];
-        const Laws::ThesisBranch branch{p.spring, p.length, p.maxAngle, p.partialSteps, p.levelLoad};
+        const Laws::ThesisBranch branch = lawParameters(_branches[i]);
         const glm::vec3 air = toThesis(glm::vec3(_windTexels[2 * i + 1]));
         glm::vec4& state = _branchStates[i];
         state = _description.law == MotionLaw::Thesis
@@ -193,19 +192,16 @@ void ForestSimulation::swingBranches(const Tree& tree, float seconds) {
     Laws laws;
     for (std::size_t i = tree.firstUnit; i < endOfUnits(tree); ++i) {
         const DampedParameters& p = _dampedBranches[i];
-        const Laws::DampedBranch branch{p.stiffness, p.inertia,  p.damping,      p.drag,
-                                        p.lever,     p.maxAngle, p.streamlining, p.streamlinedTo};
         const glm::vec2 before = laws.windAcross(glm::vec3(_windTexels[2 * i]), p.direction);
         const glm::vec2 now = laws.windAcross(glm::vec3(_windTexels[2 * i + 1]), p.direction);
-        _branchStates[i] = laws.dampedBranchStep(_branchStates[i], before, now, branch, seconds);
+        _branchStates[i] = laws.dampedBranchStep(_branchStates[i], before, now, lawParameters(p), seconds);
     }
 }
 
 void ForestSimulation::flutterLeaves(const Tree& tree, std::uint32_t seed, double time) {
     Laws laws;
     const LeafMotion& motion = _description.species[tree.species].leaf;
-    const Laws::ThesisLeaf leaf{motion.maxAngleX,    motion.maxAngleZ, motion.maxRotation,
-                                motion.partialSteps, motion.factor,    motion.linkedFactor};
+    const Laws::ThesisLeaf leaf = lawParameters(motion);
     const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency, _description.noiseExponent);
     const auto leaves = static_cast<std::uint32_t>(_models[tree.model].leaves.size());
     for (std::uint32_t i = 0; i < leaves; ++i) {

@@ -101,8 +101,8 @@ Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, co
     return field;
 }
 
-/// One file, velocities in m/s, its grid sound.
-Result<WindContent> readSound(const std::string& path, const WindFileOptions& options) {
+/// One file, velocities in m/s.
+Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options) {
     Result<WindContent> read = readWindContent(path, options.columns, options.asStored);
     if (!read)
         return read;
@@ -110,10 +110,7 @@ Result<WindContent> readSound(const std::string& path, const WindFileOptions& op
     const Result<double> unit = speedUnit(inFile.empty() ? options.speedUnit : inFile);
     if (!unit)
         return problem(path, unit.problems().front().message);
-    Diagnostics problems = settle(read.value(), unit.value(), path);
-    if (const auto* grid = std::get_if<GridWind::Grid>(&read.value().data); grid && problems.empty())
-        problems = named(GridWind::check(*grid), path);
-    if (!problems.empty())
+    if (Diagnostics problems = settle(read.value(), unit.value(), path); !problems.empty())
         return problems;
     return read;
 }
@@ -153,14 +150,20 @@ Diagnostics check(const WindFileOptions& options) {
 Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options) {
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
-    return fileOf(readSound(path, options), path, options);
+    return fileOf(readSettled(path, options), path, options);
 }
 
 Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
                                const WindFileOptions& options) {
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
-    const auto read = [&](const std::string& file) { return readSound(file, options); };
+    const auto read = [&](const std::string& file) {
+        Result<WindContent> step = readSettled(file, options);
+        if (const auto* grid = step ? std::get_if<GridWind::Grid>(&step.value().data) : nullptr)
+            if (Diagnostics problems = named(GridWind::check(*grid), file); !problems.empty())
+                return Result<WindContent>(problems); // of this file, before they are joined
+        return step;
+    };
     return fileOf(readWindSteps(files, times, read), files.empty() ? "" : files.front(), options);
 }
 

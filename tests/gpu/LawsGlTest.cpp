@@ -7,7 +7,7 @@
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/DampedParameters.h>
-#include <osgTreeWind/motion/Laws.h>
+#include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 
 #include <algorithm>
@@ -150,8 +150,7 @@ TEST_F(LawsGlTest, DampedBranchesOfAllSpeciesAgreeWithTheCpu) {
         for (const float height : {6.0f, 25.0f})
             for (const DampedParameters& p :
                  makeDampedParameters(model, fitTree(model, {height, 0.0f, 0.0f}), built.species)) {
-                branches.push_back({p.stiffness, p.inertia, p.damping, p.drag, p.lever, p.maxAngle,
-                                    p.streamlining, p.streamlinedTo});
+                branches.push_back(lawParameters(p));
                 first.emplace_back(p.stiffness, p.inertia, p.damping, p.drag);
                 second.emplace_back(p.lever, p.maxAngle, p.streamlining, p.streamlinedTo);
                 const float pace = std::sqrt(p.stiffness / p.inertia);
