@@ -38,29 +38,28 @@ std::optional<ForestDescription> describe(benchmark::State& state) {
     return std::move(forest.value());
 }
 
-/// The first half of a step: the wind at every branch base.
-void sampleWind(benchmark::State& state) {
+/// @param step takes the simulation on to a time.
+template <typename Step>
+void simulate(benchmark::State& state, Step step) {
     auto description = describe(state);
     if (!description)
         return;
     ForestSimulation simulation(std::move(*description));
     double time = 0.0;
     for (auto _ : state)
-        benchmark::DoNotOptimize(simulation.beginStep(time += frame));
+        benchmark::DoNotOptimize(step(simulation, time += frame));
     state.counters["units"] = static_cast<double>(simulation.poses().size());
+    state.counters["leaves"] = static_cast<double>(simulation.leafStates().size());
+}
+
+/// The first half of a step: the wind at every branch base.
+void sampleWind(benchmark::State& state) {
+    simulate(state, [](ForestSimulation& simulation, double time) { return simulation.beginStep(time); });
 }
 
 /// A whole step: wind, law, leaves, poses.
 void advance(benchmark::State& state) {
-    auto description = describe(state);
-    if (!description)
-        return;
-    ForestSimulation simulation(std::move(*description));
-    double time = 0.0;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(simulation.advance(time += frame));
-    state.counters["units"] = static_cast<double>(simulation.poses().size());
-    state.counters["leaves"] = static_cast<double>(simulation.leafStates().size());
+    simulate(state, [](ForestSimulation& simulation, double time) { return simulation.advance(time); });
 }
 
 /// A step and the update traversal around it: textures or transforms, and bounds.

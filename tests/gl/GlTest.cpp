@@ -16,17 +16,6 @@ std::size_t residentMemory() {
     return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-void MessageCollector::notify(osg::NotifySeverity severity, const char* message) {
-    const std::lock_guard<std::mutex> lock(_mutex);
-    if (severity <= osg::NOTICE)
-        _messages += message;
-}
-
-std::string MessageCollector::take() {
-    const std::lock_guard<std::mutex> lock(_mutex);
-    return std::exchange(_messages, std::string());
-}
-
 GlTest::GlTest()
     : _collector(new MessageCollector), _formerHandler(osg::getNotifyHandler()),
       _formerLevel(osg::getNotifyLevel()) {

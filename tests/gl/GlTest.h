@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../MessageCollector.h"
+
 #include <osg/Image>
-#include <osg/Notify>
 #include <osg/Vec4ub>
 #include <osgViewer/Viewer>
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <mutex>
 #include <string>
 
 /// Resident memory of this program, bytes.
@@ -20,18 +20,6 @@ constexpr std::size_t keptMemory = std::size_t(1) << 30;
 #else
 constexpr std::size_t keptMemory = std::size_t(8) << 20;
 #endif
-
-/// Keeps what OSG says at NOTICE and above, for any thread.
-class MessageCollector : public osg::NotifyHandler {
-public:
-    void notify(osg::NotifySeverity severity, const char* message) override;
-    /// Everything kept so far, which is then forgotten.
-    std::string take();
-
-private:
-    std::mutex _mutex;
-    std::string _messages;
-};
 
 /// A test that draws without a display. Whatever OSG says at NOTICE or above (OpenGL errors, shader logs,
 /// failed frame buffer objects, warnings of ours) fails it, unless the test takes the message and judges it.

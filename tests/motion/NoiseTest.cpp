@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shaders/law/noise.glsl: Perlin noise on an integer hash, and the split of time that feeds it.
+#include "../Spectrum.h"
+
 #include <osgTreeWind/motion/Laws.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <optional>
 #include <set>
 #include <vector>
@@ -141,67 +142,6 @@ TEST(Noise, NeighbouringTreesElementsAndAxesHaveStreamsOfTheirOwn) {
 
 namespace {
 
-/// In place, for a power of two of numbers (Cooley and Tukey).
-void fourier(std::vector<std::complex<double>>& a) {
-    if (a.size() == 1)
-        return;
-    std::vector<std::complex<double>> even, odd;
-    for (std::size_t i = 0; i < a.size(); i += 2) {
-        even.push_back(a[i]);
-        odd.push_back(a[i + 1]);
-    }
-    fourier(even);
-    fourier(odd);
-    for (std::size_t i = 0; i < even.size(); ++i) {
-        const std::complex<double> turned =
-            std::polar(1.0, -6.283185307179586 * static_cast<double>(i) / static_cast<double>(a.size())) *
-            odd[i];
-        a[i] = even[i] + turned;
-        a[i + even.size()] = even[i] - turned;
-    }
-}
-
-/// Mean power of half-overlapping Hann windows (Welch).
-std::vector<double> powerSpectrum(const std::vector<double>& series, std::size_t window) {
-    std::vector<double> power(window / 2);
-    for (std::size_t start = 0; start + window <= series.size(); start += window / 2) {
-        std::vector<std::complex<double>> part;
-        for (std::size_t i = 0; i < window; ++i)
-            part.emplace_back(series[start + i] *
-                              (0.5 - 0.5 * std::cos(6.283185307179586 * static_cast<double>(i) /
-                                                    static_cast<double>(window))));
-        fourier(part);
-        for (std::size_t i = 0; i < power.size(); ++i)
-            power[i] += std::norm(part[i]);
-    }
-    return power;
-}
-
-/// Least-squares slope of log power over log frequency, from `low` to `high`, in 32 bands of equal width
-/// there.
-double slopeOf(const std::vector<double>& power, double perBin, double low, double high) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int band = 0; band < 32; ++band) {
-        const double from = low * std::pow(high / low, band / 32.0);
-        const double to = low * std::pow(high / low, (band + 1) / 32.0);
-        double sum = 0, count = 0;
-        for (std::size_t i = 1; i < power.size(); ++i)
-            if (const double f = perBin * static_cast<double>(i); f >= from && f < to) {
-                sum += power[i];
-                ++count;
-            }
-        if (count == 0)
-            continue;
-        const double x = 0.5 * std::log(from * to), y = std::log(sum / count);
-        n += 1;
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
-
 /// 1 Hz noise as the laws ask for it, 32 times a second.
 std::vector<double> noiseSeries(std::optional<float> exponent, std::size_t count) {
     Laws laws;
@@ -218,7 +158,7 @@ std::vector<double> noiseSeries(std::optional<float> exponent, std::size_t count
 TEST(OctaveNoise, PowerFallsAsFrequencyToTheMinusBeta) {
     for (const float beta : {0.0f, 0.5f, 1.0f, 1.5f, 2.0f, 2.5f, 3.0f}) {
         const std::vector<double> power = powerSpectrum(noiseSeries(beta, 1u << 20), 1u << 13);
-        EXPECT_NEAR(slopeOf(power, 32.0 / (1 << 13), 0.1, 1.6), -beta, 0.1);
+        EXPECT_NEAR(spectralSlope(power, 32.0 / (1 << 13), 0.1, 1.6, 32), -beta, 0.1);
     }
 }
 

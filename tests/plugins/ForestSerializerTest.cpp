@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "../MessageCollector.h"
 #include "../io/TemporaryFolder.h"
 #include "../nodes/ForestFixtures.h"
 #include "PluginPath.h"
 
-#include <osg/Notify>
 #include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
 
@@ -14,14 +14,6 @@
 using namespace osgTreeWind;
 
 namespace {
-
-struct Messages : osg::NotifyHandler {
-    void notify(osg::NotifySeverity severity, const char* message) override {
-        if (severity <= osg::NOTICE)
-            text += message;
-    }
-    std::string text;
-};
 
 osg::ref_ptr<osg::Node> thereAndBack(const osg::Node& node, const std::string& extension) {
     const TemporaryFolder folder;
@@ -39,15 +31,15 @@ osg::ref_ptr<Forest> example(const char* name) {
 /// The formats of OSG: text, binary, XML.
 class ForestSerializerTest : public ::testing::TestWithParam<const char*> {
 protected:
-    ForestSerializerTest() : _messages(new Messages), _former(osg::getNotifyHandler()) {
+    ForestSerializerTest() : _messages(new MessageCollector), _former(osg::getNotifyHandler()) {
         usePluginsOfThisBuild();
         osg::setNotifyHandler(_messages);
     }
     ~ForestSerializerTest() override { osg::setNotifyHandler(_former); }
-    std::string takeSaid() { return std::exchange(_messages->text, std::string()); }
+    std::string takeSaid() { return _messages->take(); }
 
 private:
-    osg::ref_ptr<Messages> _messages;
+    osg::ref_ptr<MessageCollector> _messages;
     osg::ref_ptr<osg::NotifyHandler> _former;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "../MessageCollector.h"
 #include "../io/TemporaryFolder.h"
 #include "../nodes/ForestFixtures.h"
 #include "PluginPath.h"
 
-#include <osg/Notify>
 #include <osgDB/ReadFile>
 
 #include <gtest/gtest.h>
@@ -15,30 +15,23 @@ using namespace osgTreeWind;
 
 namespace {
 
-struct Messages : osg::NotifyHandler {
-    void notify(osg::NotifySeverity severity, const char* message) override {
-        if (severity <= osg::NOTICE)
-            text += message;
-    }
-    std::string text;
-};
-
 /// Everything OSG says at NOTICE and above during a test.
 class ReaderWriterTreewindTest : public ::testing::Test {
 protected:
-    ReaderWriterTreewindTest() : _messages(new Messages), _former(osg::getNotifyHandler()) {
+    ReaderWriterTreewindTest() : _messages(new MessageCollector), _former(osg::getNotifyHandler()) {
         usePluginsOfThisBuild();
         osg::setNotifyHandler(_messages);
     }
     ~ReaderWriterTreewindTest() override { osg::setNotifyHandler(_former); }
 
-    const std::string& said() const { return _messages->text; }
+    const std::string& said() { return _said += _messages->take(); }
     static osgDB::ReaderWriter* plugin() {
         return osgDB::Registry::instance()->getReaderWriterForExtension("treewind");
     }
 
 private:
-    osg::ref_ptr<Messages> _messages;
+    osg::ref_ptr<MessageCollector> _messages;
+    std::string _said;
     osg::ref_ptr<osg::NotifyHandler> _former;
 };
 

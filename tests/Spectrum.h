@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+/// In-place radix-2 Fourier transform.
+inline void transform(std::vector<std::complex<double>>& a) {
+    constexpr double turn = 6.283185307179586;
+    const std::size_t n = a.size();
+    for (std::size_t i = 1, j = 0; i < n; ++i) {
+        std::size_t bit = n >> 1;
+        for (; j & bit; bit >>= 1)
+            j ^= bit;
+        j ^= bit;
+        if (i < j)
+            std::swap(a[i], a[j]);
+    }
+    for (std::size_t length = 2; length <= n; length *= 2)
+        for (std::size_t i = 0; i < n; i += length)
+            for (std::size_t k = 0; k < length / 2; ++k) {
+                const auto turned =
+                    std::polar(1.0, -turn * static_cast<double>(k) / static_cast<double>(length)) *
+                    a[i + k + length / 2];
+                a[i + k + length / 2] = a[i + k] - turned;
+                a[i + k] += turned;
+            }
+}
+
+/// Power of a series in half-overlapping Hann windows (Welch), summed up; bin i is i / window of the rate.
+/// @param window a power of two.
+inline std::vector<double> powerSpectrum(const std::vector<double>& series, std::size_t window) {
+    constexpr double turn = 6.283185307179586;
+    std::vector<double> power(window / 2);
+    std::vector<std::complex<double>> part(window);
+    for (std::size_t start = 0; start + window <= series.size(); start += window / 2) {
+        for (std::size_t i = 0; i < window; ++i)
+            part[i] = series[start + i] *
+                      (0.5 - 0.5 * std::cos(turn * static_cast<double>(i) / static_cast<double>(window)));
+        transform(part);
+        for (std::size_t i = 0; i < power.size(); ++i)
+            power[i] += std::norm(part[i]);
+    }
+    return power;
+}
+
+/// Least-squares slope of log power over log frequency, from `low` to `high`, in bands of equal width there,
+/// so that no octave counts more than another. @param perBin frequency from one bin to the next.
+inline double spectralSlope(const std::vector<double>& power, double perBin, double low, double high,
+                            int bands) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int band = 0; band < bands; ++band) {
+        const double from = low * std::pow(high / low, band / static_cast<double>(bands));
+        const double to = low * std::pow(high / low, (band + 1) / static_cast<double>(bands));
+        double sum = 0, count = 0;
+        for (std::size_t i = 1; i < power.size(); ++i)
+            if (const double f = perBin * static_cast<double>(i); f >= from && f < to) {
+                sum += power[i];
+                ++count;
+            }
+        if (count == 0)
+            continue;
+        const double x = 0.5 * std::log(from * to), y = std::log(sum / count);
+        n += 1;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
