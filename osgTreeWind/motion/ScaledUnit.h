@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeSize.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// A branch unit as large as the tree it is part of; metres, tree frame.
+struct ScaledUnit {
+    glm::vec3 base, span; ///< `span` from the base to the tip.
+    float length, baseDiameter, tipDiameter;
+
+    ScaledUnit(const BranchUnit& unit, const TreeScale& scale)
+        : base(scale.axes * unit.base), span(scale.axes * (unit.tip - unit.base)),
+          length(std::max(glm::length(span), 1.0e-6f)),
+          baseDiameter(std::max(2.0f * unit.baseRadius * scale.radius, 1.0e-6f)),
+          tipDiameter(std::max(2.0f * unit.tipRadius * scale.radius, 1.0e-6f)) {}
+
+    glm::vec3 middle() const { return base + 0.5f * span; }
+    glm::vec3 direction() const {
+        return glm::length(span) > 0.0f ? glm::normalize(span) : glm::vec3(0.0f, 0.0f, 1.0f);
+    }
+};
+
+/// Whether unit `i` carries on the axis of its parent: the trunk, a branch.
+inline bool carriesOn(const std::vector<BranchUnit>& units, std::size_t i) {
+    return units[i].parent >= 0 && units[static_cast<std::size_t>(units[i].parent)].level == units[i].level;
+}
+
+} // namespace osgTreeWind

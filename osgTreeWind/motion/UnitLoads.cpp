@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/UnitLoads.h>
+
+#include <osgTreeWind/motion/ScaledUnit.h>
+#include <osgTreeWind/motion/SwayModes.h>
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr float pi = 3.14159265f;
+
+float largestHeight(const Skeleton& skeleton) {
+    float height = 0.0f;
+    for (const BranchUnit& unit : skeleton.units)
+        height = std::max(height, unit.tip.z);
+    return height;
+}
+
+/// Cross-section of the trunk at breast height (a tenth of a tree below 13 m), m^2.
+float trunkSection(const Skeleton& skeleton, const TreeScale& scale) {
+    const float height = std::min(1.3f, 0.1f * scale.axes.z * largestHeight(skeleton));
+    float radius = 0.0f;
+    for (const BranchUnit& unit : skeleton.units) {
+        const float base = scale.axes.z * unit.base.z, tip = scale.axes.z * unit.tip.z;
+        if (unit.parent < 0 || (unit.level == 0 && height >= base))
+            radius = glm::mix(unit.baseRadius, unit.tipRadius,
+                              std::clamp((height - base) / std::max(tip - base, 1.0e-6f), 0.0f, 1.0f));
+    }
+    return pi * radius * radius * scale.radius * scale.radius;
+}
+
+/// Share of the tree's leaves on each unit.
+std::vector<float> leafShares(const TreeModel& model) {
+    const std::vector<BranchUnit>& units = model.skeleton.units;
+    std::vector<bool> bears(units.size());
+    for (const LeafCluster& cluster : model.leaves)
+        bears[static_cast<std::size_t>(cluster.unit)] = true;
+    std::vector<float> shares(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const float section = units[i].baseRadius * units[i].baseRadius;
+        shares[i] += section;
+        if (units[i].parent >= 0)
+            shares[static_cast<std::size_t>(units[i].parent)] -= section;
+    }
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        sum += shares[i] = bears[i] ? std::max(shares[i], 0.0f) : 0.0f;
+    for (float& share : shares)
+        share = sum > 0.0f ? share / sum : 0.0f;
+    return shares;
+}
+
+/// Outline of the crown seen from the side, taken as a rhombus, m^2.
+float crownOutline(const TreeModel& model, const TreeScale& scale) {
+    if (model.leaves.empty())
+        return 0.0f;
+    glm::vec3 low = model.leaves.front().anchor, high = low;
+    for (const LeafCluster& cluster : model.leaves) {
+        low = glm::min(low, cluster.anchor);
+        high = glm::max(high, cluster.anchor);
+    }
+    const glm::vec3 size = scale.axes * (high - low);
+    return 0.25f * (size.x + size.y) * size.z;
+}
+
+void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units, const TreeScale& scale,
+                  const WoodParameters& wood) {
+    const double modulus = wood.elasticModulus * std::pow(wood.underBark, 4.0);
+    std::vector<float> reach(units.size()); // base of a unit to the tip of its axis
+    for (std::size_t i = units.size(); i-- > 0;) {
+        const ScaledUnit unit(units[i], scale);
+        reach[i] += unit.length;
+        if (carriesOn(units, i))
+            reach[static_cast<std::size_t>(units[i].parent)] = reach[i];
+        loads[i].stiffness = static_cast<float>(
+            jointStiffness(modulus, unit.baseDiameter, unit.tipDiameter, unit.length, reach[i]));
+    }
+}
+
+} // namespace
+
+std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species) {
+    const std::vector<BranchUnit>& units = model.skeleton.units;
+    const WoodParameters& wood = species.wood;
+    const std::vector<float> shares = leafShares(model);
+    const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
+    const float leafArea = wood.leafArea * trunkSection(model.skeleton, scale);
+    const float crown =
+        known ? wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
+              : wood.leafDrag * leafArea;
+    std::vector<UnitLoad> loads(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const ScaledUnit unit(units[i], scale);
+        loads[i].leafMass = wood.leafMass * leafArea * shares[i];
+        loads[i].leafDrag = crown * shares[i];
+        if (!known || units[i].level == 0) // a crown is measured with its branches
+            loads[i].woodDrag = wood.woodDrag * 0.5f * (unit.baseDiameter + unit.tipDiameter) * unit.length;
+    }
+    addStiffness(loads, units, scale, wood);
+    return loads;
+}
+
+} // namespace osgTreeWind

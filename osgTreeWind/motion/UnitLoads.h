@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/Species.h>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What one unit bears by itself and what holds it, SI units: what all laws in SI units have in common.
+struct UnitLoad {
+    float leafMass = 0.0f;  ///< Fresh, kg.
+    float woodDrag = 0.0f;  ///< CdA that keeps its form, m^2.
+    float leafDrag = 0.0f;  ///< CdA that streamlines, up to 10 m/s: of leaves, or of the measured crown, m^2.
+    float stiffness = 1.0f; ///< K of the joint at its base (jointStiffness()), N m/rad.
+};
+
+/// Loads of every unit of a tree. Leaves, and the drag of a crown that was measured, are shared out by the
+/// pipe model: a unit bears leaf area as its cross-section exceeds its branches'.
+std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species);
+
+} // namespace osgTreeWind

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/UnitLoads.h>
+
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/SwayModes.h>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr float pi = 3.14159265f;
+
+/// A trunk of 4 m and 20 cm with two branches of half its diameter; the second has no leaves.
+TreeModel twoBranches() {
+    TreeModel model;
+    model.skeleton.units = {{-1, 0, {0, 0, 0}, {0, 0, 4}, 0.1f, 0.1f},
+                            {0, 1, {0, 0, 4}, {2, 0, 4}, 0.05f, 0.05f},
+                            {0, 1, {0, 0, 4}, {-2, 0, 4}, 0.05f, 0.05f}};
+    model.leaves.resize(2);
+    model.leaves[0].unit = model.leaves[1].unit = 1;
+    model.leaves[0].anchor = {-1, -1, 3};
+    model.leaves[1].anchor = {1, 1, 7};
+    return model;
+}
+
+} // namespace
+
+TEST(UnitLoads, LeavesFollowTheSectionOfTheTrunk) {
+    const Species species;
+    const auto loads = makeUnitLoads(twoBranches(), {}, species);
+    const float area = species.wood.leafArea * pi * 0.01f;
+    EXPECT_EQ(loads[0].leafMass, 0.0f);
+    EXPECT_NEAR(loads[1].leafMass, species.wood.leafMass * area, 1e-3f);
+    EXPECT_NEAR(loads[1].leafDrag, species.wood.leafDrag * area, 1e-3f);
+    EXPECT_EQ(loads[2].leafMass, 0.0f);
+}
+
+TEST(UnitLoads, WoodStandsInTheAirWithItsOutline) {
+    const auto loads = makeUnitLoads(twoBranches(), {}, Species());
+    EXPECT_NEAR(loads[0].woodDrag, 0.8f, 1e-6f);
+    EXPECT_NEAR(loads[1].woodDrag, 0.2f, 1e-6f);
+}
+
+TEST(UnitLoads, AMeasuredCrownIncludesItsBranches) {
+    Species species;
+    species.wood.crownDrag = 2.0f;
+    const auto loads = makeUnitLoads(twoBranches(), {}, species);
+    EXPECT_NEAR(loads[0].woodDrag, 0.8f, 1e-6f);
+    EXPECT_EQ(loads[1].woodDrag, 0.0f);
+    EXPECT_NEAR(loads[1].leafDrag, 2.0f * 0.25f * (2.0f + 2.0f) * 4.0f, 1e-4f); // a rhombus
+}
+
+TEST(UnitLoads, JointsReachToTheTipOfTheirAxis) {
+    TreeModel model = twoBranches();
+    model.skeleton.units.insert(model.skeleton.units.begin(), {-1, 0, {0, 0, -4}, {0, 0, 0}, 0.1f, 0.1f});
+    for (std::size_t i = 1; i < model.skeleton.units.size(); ++i)
+        ++model.skeleton.units[i].parent;
+    const auto loads = makeUnitLoads(model, {}, Species());
+    const float lengths[]{4, 4, 2, 2}, reaches[]{8, 4, 2, 2}, diameters[]{0.2f, 0.2f, 0.1f, 0.1f};
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        EXPECT_NEAR(loads[i].stiffness /
+                        jointStiffness(9.0e9, diameters[i], diameters[i], lengths[i], reaches[i]),
+                    1.0, 1e-5);
+}
+
+TEST(UnitLoads, OfAWholeTreeFollowItsSize) {
+    // Twice as large in all: four times the leaves and the outline, eight times the stiffness.
+    const Species species = *findBuiltInSpecies("oak");
+    const TreeModel model = makeTreeModel(species.tree, 0);
+    TreeScale twice;
+    twice.axes = glm::vec3(2.0f);
+    twice.radius = 2.0f;
+    const auto one = makeUnitLoads(model, {}, species), two = makeUnitLoads(model, twice, species);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_NEAR(two[i].leafDrag, 4.0f * one[i].leafDrag, 1e-3f * one[i].leafDrag);
+        EXPECT_NEAR(two[i].stiffness / one[i].stiffness, 8.0f, 1e-2f);
+    }
+}
