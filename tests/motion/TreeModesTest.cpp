@@ -45,10 +45,10 @@ JointTree pole(int links, double length = 1.0) {
     return tree;
 }
 
-/// A trunk and two boughs on either side of it, in the plane y = 0.
+/// A trunk and two boughs on either side of it, in the plane y = 0; the masses are at the boughs' tips.
 JointTree forkedTree(double angle) {
     JointTree tree;
-    grow(tree, -1, {0, 0, 1}, 1.0, 1.0);
+    grow(tree, -1, {0, 0, 1}, 1.0, 0.0);
     grow(tree, 0, {std::sin(angle), 0, std::cos(angle)}, 1.0, 1.0);
     grow(tree, 0, {-std::sin(angle), 0, std::cos(angle)}, 1.0, 1.0);
     return tree;
@@ -100,7 +100,7 @@ TEST(TreeModes, TwoLinksSwayAtSqrtTwoMinusAndPlusOne) {
 }
 
 TEST(TreeModes, AForkSwaysAsWorkedOutByHand) {
-    // Three equal links, 60 degrees: lambda = (7 -+ sqrt 43) / 3 of omega^-2, and boughs against each other.
+    // Three equal links, 60 degrees: omega^2 = (7 -+ sqrt 43) / 3, and boughs against each other.
     const std::vector<TreeMode> modes = slowestModes(forkedTree(std::acos(-1.0) / 3.0), 6);
     for (const double expected : {(7.0 - std::sqrt(43.0)) / 3.0, 1.0, (7.0 + std::sqrt(43.0)) / 3.0}) {
         double nearest = 0.0;
