@@ -42,9 +42,10 @@ struct Load {
 /// The parameters of one tree while they are worked out.
 class Builder {
 public:
-    Builder(const TreeModel& model, const TreeScale& scale, const Species& species)
+    Builder(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves)
         : _model(model), _units(model.skeleton.units), _scale(scale), _species(species),
-          _bears(makeUnitLoads(model, scale, species)), _parameters(_units.size()), _loads(_units.size()) {}
+          _bears(makeUnitLoads(model, scale, species, leaves)), _parameters(_units.size()),
+          _loads(_units.size()) {}
 
     std::vector<DampedParameters> build() {
         if (_units.empty())
@@ -122,8 +123,8 @@ private:
 } // namespace
 
 std::vector<DampedParameters> makeDampedParameters(const TreeModel& model, const TreeScale& scale,
-                                                   const Species& species) {
-    return Builder(model, scale, species).build();
+                                                   const Species& species, float leaves) {
+    return Builder(model, scale, species, leaves).build();
 }
 
 DampedParameters exaggerated(DampedParameters parameters, float gain) {

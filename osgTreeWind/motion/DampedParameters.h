@@ -26,8 +26,9 @@ struct DampedParameters {
 /// deflection is that of the bent wood under the drag of all parts, and the frequency that of the first mode
 /// of its axis with everything upon it (docs/validation.md has the derivation). Leaves are shared out by the
 /// pipe model: a unit bears leaf area as its cross-section exceeds its branches'.
+/// @param leaves share of its leaves that the tree bears, [0, 1].
 std::vector<DampedParameters> makeDampedParameters(const TreeModel& model, const TreeScale& scale,
-                                                   const Species& species);
+                                                   const Species& species, float leaves = 1.0f);
 
 /// The same with an answer `gain` times as large: same frequency, same damping, more torque.
 DampedParameters exaggerated(DampedParameters parameters, float gain);

@@ -49,6 +49,7 @@ ForestSimulation::ForestSimulation(ForestDescription description)
         tree.scale = fitTree(_models[tree.model], placement.size);
         tree.position = glm::vec3(placement.position - _description.origin);
         tree.heading = placement.heading;
+        tree.leaves = placement.leaves;
         tree.firstUnit = units;
         tree.firstLeaf = leaves;
         units += _models[tree.model].skeleton.units.size();
@@ -73,7 +74,7 @@ void ForestSimulation::prepareUnits(const Tree& tree) {
     for (const BranchUnit& unit : model.skeleton.units)
         _windPositions.push_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine));
     if (_description.law == MotionLaw::Damped) {
-        for (const DampedParameters& p : makeDampedParameters(model, tree.scale, species)) {
+        for (const DampedParameters& p : makeDampedParameters(model, tree.scale, species, tree.leaves)) {
             _windPositions[_dampedBranches.size()].z = tree.position.z + p.windHeight;
             _dampedBranches.push_back(exaggerated(p, _description.gain));
         }

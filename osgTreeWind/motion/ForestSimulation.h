@@ -27,6 +27,7 @@ public:
         TreeScale scale;
         glm::vec3 position{0.0f}; ///< Scene coordinates.
         float heading = 0.0f;
+        float leaves = 1.0f;
         std::size_t firstUnit = 0;
         std::size_t firstLeaf = 0;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/UnitLoads.h>
 
+#include <osgTreeWind/model/Numeric.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
 #include <osgTreeWind/motion/SwayModes.h>
 
@@ -84,22 +85,25 @@ void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& u
 
 } // namespace
 
-std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species) {
+std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
+                                    float leaves) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const WoodParameters& wood = species.wood;
     const std::vector<float> shares = leafShares(model);
     const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
-    const float leafArea = wood.leafArea * trunkSection(model.skeleton, scale);
+    const float share = inRange(leaves, 0.0f, 1.0f, 1.0f);
+    const float leafArea = share * wood.leafArea * trunkSection(model.skeleton, scale);
     const float crown =
-        known ? wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
+        known ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
               : wood.leafDrag * leafArea;
     std::vector<UnitLoad> loads(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
         loads[i].leafMass = wood.leafMass * leafArea * shares[i];
         loads[i].leafDrag = crown * shares[i];
-        if (!known || units[i].level == 0) // a crown is measured with its branches
-            loads[i].woodDrag = wood.woodDrag * 0.5f * (unit.baseDiameter + unit.tipDiameter) * unit.length;
+        loads[i].woodDrag = wood.woodDrag * 0.5f * (unit.baseDiameter + unit.tipDiameter) * unit.length;
+        if (known && units[i].level > 0) // a crown is measured with its branches
+            loads[i].woodDrag *= 1.0f - share;
     }
     addStiffness(loads, units, scale, wood);
     return loads;

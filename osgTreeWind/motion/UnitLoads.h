@@ -18,6 +18,9 @@ struct UnitLoad {
 
 /// Loads of every unit of a tree. Leaves, and the drag of a crown that was measured, are shared out by the
 /// pipe model: a unit bears leaf area as its cross-section exceeds its branches'.
-std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species);
+/// @param leaves share of its leaves that the tree bears, 0 bare to 1; bare wood has a drag of its own, all
+/// branches of it.
+std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
+                                    float leaves = 1.0f);
 
 } // namespace osgTreeWind

@@ -78,3 +78,19 @@ TEST(UnitLoads, OfAWholeTreeFollowItsSize) {
         EXPECT_NEAR(two[i].stiffness / one[i].stiffness, 8.0f, 1e-2f);
     }
 }
+
+TEST(UnitLoads, ABareTreeHasTheDragOfItsWood) {
+    Species species;
+    species.wood.crownDrag = 2.0f;
+    const auto full = makeUnitLoads(twoBranches(), {}, species),
+               half = makeUnitLoads(twoBranches(), {}, species, 0.5f),
+               bare = makeUnitLoads(twoBranches(), {}, species, 0.0f);
+    EXPECT_EQ(bare[1].leafMass, 0.0f);
+    EXPECT_EQ(bare[1].leafDrag, 0.0f);
+    EXPECT_NEAR(bare[1].woodDrag, 0.2f, 1e-6f);
+    EXPECT_NEAR(bare[0].woodDrag, full[0].woodDrag, 1e-6f);
+    EXPECT_NEAR(half[1].leafMass, 0.5f * full[1].leafMass, 1e-3f);
+    EXPECT_NEAR(half[1].leafDrag, 0.5f * full[1].leafDrag, 1e-3f);
+    EXPECT_NEAR(half[1].woodDrag, 0.1f, 1e-6f);
+    EXPECT_EQ(bare[1].stiffness, full[1].stiffness);
+}
