@@ -5,11 +5,13 @@
 
 #include "data.glsl"
 #include "target.glsl"
+#include "real.glsl"
 #include "law/limits.glsl"
 #include "law/elementary.glsl"
 #include "law/noise.glsl"
 #include "law/rotation.glsl"
 #include "law/thesis_branch.glsl"
+#include "law/oscillator.glsl"
 #include "law/damped_branch.glsl"
 
 uniform sampler2D previousAngles;   // one texel a unit: its state

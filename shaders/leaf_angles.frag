@@ -5,6 +5,7 @@
 
 #include "data.glsl"
 #include "target.glsl"
+#include "real.glsl"
 #include "law/limits.glsl"
 #include "law/noise.glsl"
 #include "law/thesis_leaf.glsl"

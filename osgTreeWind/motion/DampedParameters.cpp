@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/DampedParameters.h>
 
+#include <osgTreeWind/motion/AirDensity.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
 #include <osgTreeWind/motion/SwayModes.h>
 #include <osgTreeWind/motion/UnitLoads.h>
@@ -13,13 +14,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-constexpr float airDensity = 1.225f; // kg/m^3, standard atmosphere at sea level
-
-/// Where the drag on a branch acts, over its length: 3/8 for no taper, 0.263 at half.
-float leverShare(float taper) {
-    return 0.375f - 0.224f * (1.0f - std::clamp(taper, 0.0f, 1.0f));
-}
 
 /// Drag of a unit and all that it carries, from its base.
 struct Load {
@@ -66,8 +60,7 @@ private:
             p.maxAngle = _species.branch.maxAngle;
             p.streamlinedTo = _species.wood.streamlinedTo;
             const float wood = _bears[i].woodDrag, leaves = _bears[i].leafDrag;
-            _loads[i].add(wood, leaves, middle.z,
-                          leverShare(unit.tipDiameter / unit.baseDiameter) * unit.length);
+            _loads[i].add(wood, leaves, middle.z, unit.dragLever());
             for (int a = _units[i].parent; a >= 0; a = _units[static_cast<std::size_t>(a)].parent) {
                 const auto below = static_cast<std::size_t>(a);
                 const glm::vec3 base = _scale.axes * _units[below].base;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/Species.h>
+
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -44,5 +47,11 @@ struct JointTree {
     /// Displacement of a point per angle of a joint of a link that carries it.
     glm::dvec3 displacement(const Point& point, std::size_t link, std::size_t axis) const;
 };
+
+/// The joints of a tree model: a link a unit, with the axes, the springs and the loads of the law `damped`.
+/// Wood moves as a bent beam does within its own unit, so that a pole of one unit has its pace within 2 %.
+/// @param leaves share of its leaves that the tree bears, 0 bare to 1.
+JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Species& species,
+                        float leaves = 1.0f);
 
 } // namespace osgTreeWind

@@ -18,6 +18,10 @@ using namespace glm;
 /// unused, which the same text in a namespace could not say. Stateless: call Laws().thesisBranchStep(...).
 /// Not for installed headers, since it needs shaders/.
 struct Laws {
+    using real = float;
+    static real every(float x) { return x; }
+    static real halvings(real n) { return intBitsToFloat((127 - int(n)) << 23); }
+
 #include <shaders/law/limits.glsl>
 
 #include <shaders/law/elementary.glsl>
@@ -30,7 +34,11 @@ struct Laws {
 
 #include <shaders/law/rotation.glsl>
 
+#include <shaders/law/oscillator.glsl>
+
 #include <shaders/law/damped_branch.glsl>
+
+#include <shaders/law/modal.glsl>
 };
 
 } // namespace lawText

@@ -23,6 +23,15 @@ struct ScaledUnit {
           tipDiameter(std::max(2.0f * unit.tipRadius * scale.radius, 1.0e-6f)) {}
 
     glm::vec3 middle() const { return base + 0.5f * span; }
+    float volume() const { ///< m^3
+        return 0.26179939f * length *
+               (baseDiameter * baseDiameter + baseDiameter * tipDiameter + tipDiameter * tipDiameter);
+    }
+    /// From its base, where the drag on the unit itself acts: 3/8 of an even one, 0.263 of one half as thick
+    /// at its end.
+    float dragLever() const {
+        return length * (0.375f - 0.224f * (1.0f - std::clamp(tipDiameter / baseDiameter, 0.0f, 1.0f)));
+    }
     glm::vec3 direction() const {
         return glm::length(span) > 0.0f ? glm::normalize(span) : glm::vec3(0.0f, 0.0f, 1.0f);
     }

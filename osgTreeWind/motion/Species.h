@@ -21,7 +21,8 @@ struct WoodParameters {
     float leafMass = 0.2f;  ///< Fresh leaves over their area, kg/m^2, >= 0.
     float woodDrag = 1.0f;  ///< Drag coefficient of a bare branch, >= 0.
     float leafDrag = 0.25f; ///< Of leaves by their area, where no crownDrag is known, >= 0.
-    float crownDrag = 0.0f; ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
+    float stillDrag = 0.75f;     ///< Of leaves by their area that move through still air, >= 0.
+    float crownDrag = 0.0f;      ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
     float streamlining = 0.0f;   ///< n: drag falls with the wind speed from 10 m/s on, [0, 2].
     float streamlinedTo = 25.0f; ///< The highest speed at which it was measured, m/s, [10, 200].
 };

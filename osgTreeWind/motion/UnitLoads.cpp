@@ -69,15 +69,41 @@ float crownOutline(const TreeModel& model, const TreeScale& scale) {
     return 0.25f * (size.x + size.y) * size.z;
 }
 
+/// From the base of each unit, how far away what it carries pulls as the unit turns, metres: the middle of the
+/// loads m r^2, and at least the tip of its axis.
+std::vector<float> reaches(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                           const TreeScale& scale, float density) {
+    std::vector<float> reach(units.size(), 0.0f), moment(units.size(), 0.0f), inertia(units.size(), 0.0f);
+    std::vector<glm::vec3> directions;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const ScaledUnit unit(units[i], scale);
+        directions.push_back(unit.direction());
+        const float mass = loads[i].leafMass + density * unit.volume();
+        for (int a = static_cast<int>(i); a >= 0; a = units[static_cast<std::size_t>(a)].parent) {
+            const auto carrier = static_cast<std::size_t>(a);
+            const float arm = std::max(
+                glm::dot(unit.middle() - scale.axes * units[carrier].base, directions[carrier]), 0.0f);
+            moment[carrier] += mass * arm;
+            inertia[carrier] += mass * arm * arm;
+        }
+    }
+    for (std::size_t i = units.size(); i-- > 0;) {
+        reach[i] += ScaledUnit(units[i], scale).length;
+        if (carriesOn(units, i))
+            reach[static_cast<std::size_t>(units[i].parent)] = reach[i];
+    }
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (moment[i] > 0.0f)
+            reach[i] = std::max(reach[i], inertia[i] / moment[i]);
+    return reach;
+}
+
 void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units, const TreeScale& scale,
                   const WoodParameters& wood) {
     const double modulus = wood.elasticModulus * std::pow(wood.underBark, 4.0);
-    std::vector<float> reach(units.size()); // base of a unit to the tip of its axis
-    for (std::size_t i = units.size(); i-- > 0;) {
+    const std::vector<float> reach = reaches(loads, units, scale, wood.density);
+    for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
-        reach[i] += unit.length;
-        if (carriesOn(units, i))
-            reach[static_cast<std::size_t>(units[i].parent)] = reach[i];
         loads[i].stiffness = static_cast<float>(
             jointStiffness(modulus, unit.baseDiameter, unit.tipDiameter, unit.length, reach[i]));
     }
@@ -99,7 +125,8 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
     std::vector<UnitLoad> loads(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
-        loads[i].leafMass = wood.leafMass * leafArea * shares[i];
+        loads[i].leafArea = leafArea * shares[i];
+        loads[i].leafMass = wood.leafMass * loads[i].leafArea;
         loads[i].leafDrag = crown * shares[i];
         loads[i].woodDrag = wood.woodDrag * 0.5f * (unit.baseDiameter + unit.tipDiameter) * unit.length;
         if (known && units[i].level > 0) // a crown is measured with its branches

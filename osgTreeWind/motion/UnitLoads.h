@@ -10,6 +10,7 @@ namespace osgTreeWind {
 
 /// What one unit bears by itself and what holds it, SI units: what all laws in SI units have in common.
 struct UnitLoad {
+    float leafArea = 0.0f;  ///< m^2.
     float leafMass = 0.0f;  ///< Fresh, kg.
     float woodDrag = 0.0f;  ///< CdA that keeps its form, m^2.
     float leafDrag = 0.0f;  ///< CdA that streamlines, up to 10 m/s: of leaves, or of the measured crown, m^2.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl, elementary.glsl and rotation.glsl. Law `damped`: a driven oscillator per branch and axis, SI
+// Needs limits.glsl, elementary.glsl, oscillator.glsl and rotation.glsl. Law `damped`: a driven oscillator per branch and axis, SI
 // units, independent of the frame rate and stable at any step.
 // J w' + (C + b l^2) w + K x = b l v,  b = drag |v - l w|
 
@@ -29,41 +29,15 @@ DampedBranch soundBranch(DampedBranch given) {
     return branch;
 }
 
-/// The drag once leaves and twigs have turned out of a wind of this speed: C u^-n as measured in wind tunnels,
-/// constant outside the range of the measurements.
-float streamlinedDrag(DampedBranch branch, float speed) {
-    if (branch.streamlining <= 0.0f || speed <= 10.0f) return branch.drag;
-    return branch.drag * pow(min(speed, branch.streamlinedTo) / 10.0f, -branch.streamlining);
-}
-
 /// (angle, speed) after h seconds under the drag factor b held constant: the exact solution.
 vec2 dampedExactStep(vec2 motion, float wind, float b, DampedBranch branch, float h) {
     float equilibrium = b * branch.lever * wind / branch.stiffness;
-    float x = motion.x - equilibrium;
-    float w = sqrt(branch.stiffness / branch.inertia) * h;                                  // Omega h
-    float g = (branch.damping + b * branch.lever * branch.lever) / (2.0f * branch.inertia) * h; // gamma h
-    float d = (w - g) * (w + g);                                                            // D h^2
-    float cosine = 0.0f; // e^-gh cos(sqrt(D) h)
-    float sine = 0.0f;   // e^-gh sin(sqrt(D) h) / (sqrt(D) h)
-    if (abs(d) < 0.01f) {
-        float size = decayed(g);
-        cosine = size * (1.0f - d / 2.0f + d * d / 24.0f);
-        sine = size * (1.0f - d / 6.0f + d * d / 120.0f);
-    } else if (d > 0.0f) {
-        float size = decayed(g);
-        float phase = sqrt(d);
-        vec2 turned = cosineSine(phase);
-        cosine = size * turned.x;
-        sine = size * turned.y / phase;
-    } else {
-        float q = g * sqrt((1.0f - w / g) * (1.0f + w / g));
-        float slow = decayed(w * w / (g + q));
-        float fast = decayed(g + q);
-        cosine = 0.5f * (slow + fast);
-        sine = 0.5f * (slow - fast) / q;
-    }
-    return vec2(equilibrium + (cosine + g * sine) * x + h * sine * motion.y,
-                -w * w * sine * x / h + (cosine - g * sine) * motion.y);
+    float rate = (branch.damping + b * branch.lever * branch.lever) / (2.0f * branch.inertia);
+    Swing swing;
+    swing.angle = motion.x - equilibrium;
+    swing.speed = motion.y;
+    swing = swungFreely(swing, sqrt(branch.stiffness / branch.inertia), rate, h);
+    return vec2(equilibrium + swing.angle, swing.speed);
 }
 
 /// One axis over h > 0 seconds: half a step to find the drag, a whole one with it, then the limit.
@@ -93,7 +67,7 @@ vec4 dampedBranchStep(vec4 state, vec2 windBefore, vec2 windNow, DampedBranch gi
     vec2 second = vec2(bounded(state.y, branch.maxAngle), bounded(state.w, 1.0e3f));
     for (int i = 0; i < steps; ++i) {
         vec2 air = start + (float(i) + 0.5f) / float(steps) * (end - start);
-        streamlined.drag = streamlinedDrag(branch, length(air));
+        streamlined.drag = branch.drag * streamlinedShare(branch.streamlining, branch.streamlinedTo, length(air));
         first = dampedAxisStep(first, air.x, streamlined, time / float(steps));
         second = dampedAxisStep(second, air.y, streamlined, time / float(steps));
     }

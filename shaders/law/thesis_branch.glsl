@@ -2,6 +2,11 @@
 // Needs limits.glsl. The branch laws of the thesis: appendix B as published, and the text of §3.1.
 // Axes are the thesis' (Y up) in the tree's own frame; angles in radians.
 
+/// `bounded` by component.
+vec3 boundedVector(vec3 v, float limit) {
+    return vec3(bounded(v.x, limit), bounded(v.y, limit), bounded(v.z, limit));
+}
+
 /// What a branch is to these laws.
 struct ThesisBranch {
     float spring;       // k of the cantilever, N/m

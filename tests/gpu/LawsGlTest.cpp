@@ -56,9 +56,9 @@ protected:
 private:
     static osg::ref_ptr<osg::Program> program(const std::string& declared, const std::string& body) {
         std::string text = "#version 330 compatibility\n";
-        for (const char* file : {"data.glsl", "target.glsl", "law/limits.glsl", "law/elementary.glsl",
+        for (const char* file : {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
                                  "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl",
-                                 "law/thesis_leaf.glsl", "law/damped_branch.glsl"})
+                                 "law/thesis_leaf.glsl", "law/oscillator.glsl", "law/damped_branch.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
                 "void main() {\n"

@@ -220,11 +220,9 @@ TEST(DampedBranchLaw, GustsAreFollowedAtAnyFrameRate) {
 }
 
 TEST(DampedBranchLaw, StreamliningIsThePowerLawBetweenTenAndItsEnd) {
-    Laws::DampedBranch branch = inAir();
-    branch.streamlining = 0.75f;
-    branch.streamlinedTo = 25.0f;
     Laws laws;
-    EXPECT_EQ(laws.streamlinedDrag(branch, 3.0f), branch.drag);
-    EXPECT_NEAR(laws.streamlinedDrag(branch, 20.0f), branch.drag * std::pow(2.0f, -0.75f), 1e-6f);
-    EXPECT_NEAR(laws.streamlinedDrag(branch, 60.0f), branch.drag * std::pow(2.5f, -0.75f), 1e-6f);
+    EXPECT_EQ(laws.streamlinedShare(0.75f, 25.0f, 3.0f), 1.0f);
+    EXPECT_NEAR(laws.streamlinedShare(0.75f, 25.0f, 20.0f), std::pow(2.0f, -0.75f), 1e-6f);
+    EXPECT_NEAR(laws.streamlinedShare(0.75f, 25.0f, 60.0f), std::pow(2.5f, -0.75f), 1e-6f);
+    EXPECT_EQ(laws.streamlinedShare(0.0f, 25.0f, 60.0f), 1.0f);
 }

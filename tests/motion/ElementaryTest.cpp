@@ -40,18 +40,24 @@ TEST(Elementary, DecayedEndsAtZero) {
 TEST(Elementary, CosineAndSineAreThoseOfTheStandardLibrary) {
     for (int i = 0; i <= 100000; ++i) {
         const float x = static_cast<float>(i) / 1000.0f;
-        const glm::vec2 turned = Laws().cosineSine(x);
-        ASSERT_NEAR(turned.x, std::cos(static_cast<double>(x)), 3e-7) << x;
-        ASSERT_NEAR(turned.y, std::sin(static_cast<double>(x)), 3e-7) << x;
+        const Laws::CosineSine turned = Laws().cosineSine(x);
+        ASSERT_NEAR(turned.cosine, std::cos(static_cast<double>(x)), 3e-7) << x;
+        ASSERT_NEAR(turned.sine, std::sin(static_cast<double>(x)), 3e-7) << x;
     }
     for (float x = 100.0f; x < 1e4f; x += 0.0137f) {
-        const glm::vec2 turned = Laws().cosineSine(x);
-        ASSERT_NEAR(turned.x, std::cos(static_cast<double>(x)), 3e-7) << x;
-        ASSERT_NEAR(turned.y, std::sin(static_cast<double>(x)), 3e-7) << x;
+        const Laws::CosineSine turned = Laws().cosineSine(x);
+        ASSERT_NEAR(turned.cosine, std::cos(static_cast<double>(x)), 3e-7) << x;
+        ASSERT_NEAR(turned.sine, std::sin(static_cast<double>(x)), 3e-7) << x;
     }
 }
 
 TEST(Elementary, CosineAndSineStayInTheUnitCircle) {
     for (float x = 1e4f; x < 1e30f; x *= 1.01f)
-        ASSERT_LE(glm::length(Laws().cosineSine(x)), 1.000001f) << x;
+        ASSERT_LE(std::hypot(Laws().cosineSine(x).cosine, Laws().cosineSine(x).sine), 1.000001f) << x;
+}
+
+TEST(Elementary, LogarithmIsThatOfTheStandardLibrary) {
+    for (float x = 1.0f; x <= 64.0f; x += 0.001f)
+        ASSERT_NEAR(Laws().logarithm(x), std::log(static_cast<double>(x)), 5e-7) << x;
+    EXPECT_EQ(Laws().logarithm(1.0f), 0.0f);
 }

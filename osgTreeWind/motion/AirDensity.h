@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace osgTreeWind {
+
+constexpr float airDensity = 1.225f; ///< kg/m^3, standard atmosphere at sea level.
+
+} // namespace osgTreeWind

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/Lanes.h>
+#include <osgTreeWind/motion/ModalKernel.h>
+
+// The law `modal` for eight trees at once, compiled once for each instruction set (ModalKernel.cpp chooses).
+
+namespace osgTreeWind {
+namespace {
+
+struct LaneFactors {
+    real cosine, sine, pace, reach, drive, weight, width, leaves, foot, woodDrag, leafDrag, stillDrag;
+};
+
+/// What a mode is on each tree.
+struct LaneMode {
+    real pace, drive, limit;
+};
+
+/// Eight trees through a step.
+class ModalLanes {
+public:
+    explicit ModalLanes(const ModalStep& step)
+        : _shape(*step.shape), _modes(_shape.modes.size()), _patches(_shape.patches.size()), _step(step),
+          _amplitude(reinterpret_cast<real*>(step.block)), _speed(_amplitude + _modes),
+          _wind(_speed + _modes), _factors(*reinterpret_cast<LaneFactors*>(_wind + 3 * _patches)) {}
+
+    void run() {
+        turnWind();
+        fitModes();
+        const float h = _step.seconds / static_cast<float>(_step.substeps);
+        for (int i = 0; i < _step.substeps; ++i) {
+            const float at = (static_cast<float>(i) + 0.5f) / static_cast<float>(_step.substeps);
+            blow(at);
+            real middle[ModalDetail::maxModes];
+            push(_speed);
+            for (std::size_t k = 0; k < _modes; ++k)
+                middle[k] = swing(k, 0.5f * h).speed;
+            push(middle);
+            for (std::size_t k = 0; k < _modes; ++k) {
+                const LaneLaws::Swing next = swing(k, h);
+                _amplitude[k] = next.angle;
+                _speed[k] = next.speed;
+            }
+        }
+        for (std::size_t i = 0; i < 3 * _patches; ++i)
+            _wind[i] = _windNow[i];
+    }
+
+private:
+    /// The wind at the end of the step in the trees' own axes, bounded.
+    void turnWind() {
+        const real* wind = reinterpret_cast<const real*>(_step.wind);
+        const real most = every(1.0e3f);
+        for (std::size_t p = 0; p < 3 * _patches; p += 3) {
+            const real x = _laws.bounded(wind[p], most), y = _laws.bounded(wind[p + 1], most);
+            _windNow[p] = _factors.cosine * x + _factors.sine * y;
+            _windNow[p + 1] = _factors.cosine * y - _factors.sine * x;
+            _windNow[p + 2] = _laws.bounded(wind[p + 2], most);
+        }
+    }
+
+    void fitModes() {
+        for (std::size_t k = 0; k < _modes; ++k) {
+            const ModalShape::Mode& mode = _shape.modes[k];
+            const real least = every(0.2f);
+            const real stiffness = max(
+                1.0f + mode.stiffnessByWidth * _factors.width + mode.stiffnessByFoot * _factors.foot, least);
+            const real mass =
+                max(1.0f + mode.massByWidth * _factors.width + mode.massByLeaves * _factors.leaves, least);
+            const real weight =
+                max(min(mode.weightShare * _factors.weight / stiffness, every(0.75f)), every(-1.0f));
+            const real left = 1.0f - weight; // weight slows a tree as more mass would
+            _mode[k].pace = mode.pace * sqrt(_factors.pace * stiffness * left / mass);
+            _mode[k].drive = _factors.drive * left / mass;
+            _mode[k].limit = every(mode.limit);
+        }
+    }
+
+    /// The wind part of the way through the step.
+    void blow(float at) {
+        const real upTo = every(_shape.streamlinedTo);
+        for (std::size_t p = 0; p < _patches; ++p) {
+            real* air = _air + 3 * p;
+            for (int c = 0; c < 3; ++c)
+                air[c] = _wind[3 * p + c] + at * (_windNow[3 * p + c] - _wind[3 * p + c]);
+            const ModalShape::Patch& patch = _shape.patches[p];
+            _airSquare[p] = air[0] * air[0] + air[1] * air[1] + air[2] * air[2];
+            const real wood = patch.woodDrag * _factors.woodDrag;
+            _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) *
+                           _laws.streamlinedShare(every(patch.streamlining), upTo, sqrt(_airSquare[p]));
+            _stillDrag[p] = wood + patch.stillDrag * _factors.stillDrag;
+        }
+    }
+
+    /// The forces of the air at the start of the step, braked as it is when the modes have these speeds.
+    void push(const real* speeds) {
+        for (std::size_t k = 0; k < _modes; ++k)
+            _force[k] = _brake[k] = every(0.0f);
+        for (std::size_t p = 0; p < _patches; ++p) {
+            const float* lever = _shape.levers.data() + 3 * _modes * p;
+            const float* brakes = _shape.brakes.data() + _modes * p;
+            const real* air = _air + 3 * p;
+            real own[3], relative[3], start[3];
+            for (int c = 0; c < 3; ++c) {
+                own[c] = start[c] = every(0.0f);
+                for (std::size_t k = 0; k < _modes; ++k) {
+                    own[c] += lever[c * _modes + k] * speeds[k];
+                    start[c] += lever[c * _modes + k] * _speed[k];
+                }
+                own[c] *= _factors.reach;
+                relative[c] = air[c] - own[c];
+                start[c] = air[c] - _factors.reach * start[c];
+            }
+            const real brake = _laws.airBrake(
+                _windDrag[p], _stillDrag[p], _airSquare[p], own[0] * own[0] + own[1] * own[1] + own[2] * own[2],
+                relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2]);
+            for (int c = 0; c < 3; ++c) {
+                const real force = brake * start[c];
+                for (std::size_t k = 0; k < _modes; ++k)
+                    _force[k] += lever[c * _modes + k] * force;
+            }
+            for (std::size_t k = 0; k < _modes; ++k)
+                _brake[k] += brakes[k] * brake;
+        }
+    }
+
+    LaneLaws::Swing swing(std::size_t k, float seconds) {
+        const LaneMode& mode = _mode[k];
+        LaneLaws::Swing start;
+        start.angle = _amplitude[k];
+        start.speed = _speed[k];
+        return _laws.modeStep(start, mode.drive * _force[k], mode.drive * _factors.reach * _brake[k], mode.pace,
+                              every(_shape.dampingRatio), mode.limit, every(seconds));
+    }
+
+    LaneLaws _laws;
+    const ModalShape& _shape;
+    const std::size_t _modes, _patches;
+    const ModalStep& _step;
+    real *_amplitude, *_speed, *_wind;
+    const LaneFactors& _factors;
+    LaneMode _mode[ModalDetail::maxModes];
+    real _force[ModalDetail::maxModes], _brake[ModalDetail::maxModes];
+    real _windNow[3 * ModalDetail::maxPatches], _air[3 * ModalDetail::maxPatches];
+    real _airSquare[ModalDetail::maxPatches], _windDrag[ModalDetail::maxPatches], _stillDrag[ModalDetail::maxPatches];
+};
+
+} // namespace
+} // namespace osgTreeWind

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Needs limits.glsl and elementary.glsl. What `damped` and `modal` have in common: the exact step of an oscillator, and
+// the drag of a crown.
+
+/// What swings, and how fast.
+struct Swing {
+    real angle;
+    real speed;
+};
+
+/// Swing after h seconds of x'' + 2 rate x' + pace^2 x = 0: the exact solution. pace and h > 0, rate >= 0.
+Swing swungFreely(Swing start, real pace, real rate, real h) {
+    real w = pace * h;
+    real g = rate * h;
+    real larger = max(w, g);
+    real ratio = min(w, g) / larger;
+    real root = larger * sqrt((1.0f - ratio) * (1.0f + ratio)); // sqrt(|w^2 - g^2|)
+    real d = w > g ? root * root : -root * root;
+    real size = decayed(g);
+    real slow = decayed(w * (w / (g + root)));
+    real fast = decayed(g + root);
+    CosineSine turned = cosineSine(root);
+    real cosine = root < 0.1f ? size * (1.0f - d / 2.0f + d * d / 24.0f) // e^-gh cos(sqrt(D) h)
+                  : w > g     ? size * turned.cosine
+                              : 0.5f * (slow + fast);
+    real sine = root < 0.1f ? size * (1.0f - d / 6.0f + d * d / 120.0f) // e^-gh sin(sqrt(D) h) / (sqrt(D) h)
+                : w > g     ? size * turned.sine / root
+                            : 0.5f * (slow - fast) / root;
+    Swing end;
+    end.angle = (cosine + g * sine) * start.angle + h * sine * start.speed;
+    end.speed = (cosine - g * sine) * start.speed - w * (w / h) * sine * start.angle;
+    return end;
+}
+
+/// Share of its drag that a crown keeps once leaves and twigs have turned out of a wind of this speed: u^-exponent
+/// as measured in wind tunnels, constant outside the range of the measurements, from 10 m/s to `upTo`.
+real streamlinedShare(real exponent, real upTo, real speed) {
+    return decayed(exponent * logarithm(min(max(speed, every(10.0f)), upTo) / 10.0f));
+}
