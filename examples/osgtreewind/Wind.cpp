@@ -2,7 +2,7 @@
 #include "Arrows.h"
 #include "Command.h"
 
-#include <osgTreeWind/wind/WindFile.h>
+#include <osgTreeWind/windfiles/WindFile.h>
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>

@@ -6,13 +6,13 @@
 #include <osgTreeWind/io/Wording.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
-#include <osgTreeWind/wind/QesSensor.h>
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindFile.h>
-#include <osgTreeWind/wind/WindSeriesCsv.h>
-#include <osgTreeWind/wind/WindUnits.h>
+#include <osgTreeWind/windfiles/QesSensor.h>
+#include <osgTreeWind/windfiles/WindFile.h>
+#include <osgTreeWind/windfiles/WindSeriesCsv.h>
+#include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/wind/WindFormats.h>
+#include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <cstdint>
 #include <cstdlib>

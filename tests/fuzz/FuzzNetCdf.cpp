@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Fuzz.h"
 
-#include <osgTreeWind/wind/NetCdfClassic.h>
+#include <osgTreeWind/windfiles/NetCdfClassic.h>
 
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Fuzz.h"
 
-#include <osgTreeWind/wind/QesSensor.h>
+#include <osgTreeWind/windfiles/QesSensor.h>
 
 #include <sstream>
 

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/windfiles/QesSensor.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/wind/WindDirection.h>
+#include <osgTreeWind/wind/WindLimits.h>
+
+#include <pugixml.hpp>
+
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double anyNumber = std::numeric_limits<double>::max();
+
+struct Range {
+    double low;
+    double high;
+    const char* what; ///< For the message.
+};
+
+/// The record's elements, read one after the other. Problems gather; `problems` empty means all is well.
+class SensorReader {
+public:
+    SensorReader(const std::string& text, const std::string& file) : _text(text), _file(file) {}
+
+    Diagnostics problems;
+
+    WindSeries read() {
+        pugi::xml_document document;
+        const pugi::xml_parse_result parsed = document.load_buffer(
+            _text.data(), _text.size(), pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
+        if (!parsed) {
+            report(parsed.offset, {}, std::string("broken XML: ") + parsed.description());
+            return {};
+        }
+        WindSeries series;
+        pugi::xpath_node_set records = document.select_nodes("//timeSeries");
+        records.sort();
+        for (const pugi::xpath_node& found : records) {
+            if (problems.size() >= maxRecordProblems)
+                break;
+            readRecord(found.node(), series);
+        }
+        if (series.times.empty() && problems.empty())
+            report(0, {}, "expected at least one timeSeries element");
+        return series;
+    }
+
+private:
+    void report(std::ptrdiff_t offset, const std::string& key, std::string message) {
+        const TextPlace place = placeInText(_text, static_cast<std::size_t>(offset));
+        problems.push_back({_file, place.line, place.column, key, std::move(message)});
+    }
+
+    /// The number in a record's element. `absent` stands in for an optional element that is not there; a
+    /// required one has no such value.
+    double number(pugi::xml_node record, const char* name, const Range& range,
+                  std::optional<double> absent = std::nullopt) {
+        const pugi::xml_node element = record.child(name);
+        if (!element) {
+            if (!absent)
+                report(record.offset_debug(), name, "expected this element in timeSeries");
+            return absent.value_or(0.0);
+        }
+        if (const pugi::xml_node second = element.next_sibling(name))
+            report(second.offset_debug(), name, "expected this element once in timeSeries");
+
+        const bool onlyText = element.first_child() == element.last_child();
+        const std::optional<double> value = parseNumber(element.child_value());
+        if (onlyText && value && *value >= range.low && *value <= range.high)
+            return *value;
+        report(element.offset_debug(), name, expectedFound(range.what, element.child_value()));
+        return 0.0;
+    }
+
+    void readRecord(pugi::xml_node record, WindSeries& series) {
+        const std::size_t before = problems.size();
+        const double time = number(record, "timeEpoch", {-anyNumber, anyNumber, "seconds"});
+        const LogProfile profile{number(record, "height", {1e-6, 1e6, "metres above 0"}),
+                                 number(record, "siteZ0", {1e-6, 1e6, "metres above 0"})};
+        const double speed = number(record, "speed", {0.0, maxMeasuredSpeed, "a wind speed of 0 to 200 m/s"});
+        const double direction =
+            number(record, "direction", {-maxDirection, maxDirection, "degrees of -360 to 360"});
+        number(record, "boundaryLayerFlag", {1.0, 1.0, "1 (logarithmic profile)"}, 1.0);
+        number(record, "reciprocal", {0.0, 0.0, "0 (neutral stability)"}, 0.0);
+        if (problems.size() != before)
+            return;
+
+        if (!profile.valid())
+            return report(record.offset_debug(), "siteZ0", "expected a roughness length below the height");
+        if (!series.profile) {
+            series.profile = profile;
+            _start = time;
+        } else if (profile.height != series.profile->height ||
+                   profile.roughness != series.profile->roughness) {
+            return report(record.offset_debug(), "height",
+                          "expected the height and siteZ0 of the first record, " +
+                              numberText(series.profile->height) + " and " +
+                              numberText(series.profile->roughness));
+        } else if (time - _start <= series.times.back()) {
+            return report(record.child("timeEpoch").offset_debug(), "timeEpoch",
+                          expectedFound("a later time than in the record before", numberText(time)));
+        }
+        series.times.push_back(time - _start);
+        series.velocities.push_back(windVelocity({speed, direction}, DirectionSense::From));
+    }
+
+    const std::string& _text;
+    const std::string& _file;
+    double _start = 0.0;
+};
+
+} // namespace
+
+Result<WindSeries> readQesSensor(std::istream& input, const std::string& file) {
+    const Result<std::string> text = readText(input, file);
+    if (!text)
+        return text.problems();
+    SensorReader reader(text.value(), file);
+    WindSeries series = reader.read();
+    if (!reader.problems.empty())
+        return reader.problems;
+    return series;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/windfiles/VtkImage.h>
+
+#include <glm/common.hpp>
+
+#include <utility>
+
+namespace osgTreeWind {
+
+glm::ivec3 VtkImage::vectors() const {
+    return ofCells ? glm::max(points - 1, glm::ivec3(1)) : points;
+}
+
+double VtkImage::count() const {
+    const glm::dvec3 n(vectors());
+    return n.x * n.y * n.z;
+}
+
+WindContent windOfVtk(VtkImage&& image, const std::string& format) {
+    GridWind::Grid grid;
+    grid.points = image.vectors();
+    grid.cell = image.spacing;
+    grid.origin = image.origin;
+    for (int axis = 0; image.ofCells && axis < 3; ++axis)
+        if (image.points[axis] > 1)
+            grid.origin[axis] += 0.5 * image.spacing[axis];
+    grid.values = std::move(image.values);
+    WindContent content;
+    content.summary.format = format;
+    content.summary.direction = "components toward x, y and z, taken as east, north and up";
+    content.summary.notes = {std::string(image.ofCells ? "cell" : "point") + " vectors '" + image.name + "'"};
+    content.data = std::move(grid);
+    return content;
+}
+
+std::vector<float> floatsOf(std::string_view bytes, bool wide, ByteOrder order) {
+    const std::size_t size = wide ? 8 : 4;
+    std::vector<float> values(bytes.size() / size);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = wide ? static_cast<float>(numberAt<double>(bytes, i * size, order))
+                         : numberAt<float>(bytes, i * size, order);
+    return values;
+}
+
+} // namespace osgTreeWind

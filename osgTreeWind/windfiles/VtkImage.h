@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/windfiles/ByteOrder.h>
+#include <osgTreeWind/windfiles/WindContent.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What both VTK formats say about a regular grid of vectors. Not part of the interface.
+struct VtkImage {
+    glm::ivec3 points{0};
+    glm::dvec3 origin{0.0};
+    glm::dvec3 spacing{1.0};
+    bool ofCells = false;      ///< The vectors belong to cells, one fewer than points each way.
+    std::string name;          ///< Of the array of vectors.
+    std::vector<float> values; ///< Three for each point or cell.
+
+    /// Points or cells each way.
+    glm::ivec3 vectors() const;
+    /// How many vectors there are; a double, so that no product of sizes overflows.
+    double count() const;
+};
+
+/// An image as wind; the values move out of it.
+WindContent windOfVtk(VtkImage&& image, const std::string& format);
+
+/// The numbers in `bytes` as floats. @param wide 8 bytes each, else 4.
+std::vector<float> floatsOf(std::string_view bytes, bool wide, ByteOrder order);
+
+} // namespace osgTreeWind

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/windfiles/WindContent.h>
+#include <osgTreeWind/windfiles/WindSeriesCsv.h>
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// How a file of wind data is to be taken.
+struct WindFileOptions {
+    /// The place in the file's coordinates, metres, that becomes (0, 0, 0) of the scene. Scenes count in
+    /// 32-bit floats, so give map coordinates an origin near the forest.
+    glm::dvec3 origin{0.0};
+    /// Unit of speeds where the file does not say: "m/s", "km/h", "kn", "mph" or "ft/s".
+    std::string speedUnit = "m/s";
+    /// Of a CSV or TOA5 table; while its `time` is empty, the columns are called time, u, v, w or time,
+    /// speed, direction in a CSV and TIMESTAMP, Ux, Uy, Uz in a TOA5. The unit is `speedUnit` above.
+    WindSeriesColumns columns;
+    /// Velocities as the file has them: not turned from true north to the grid's, a model grid that moves
+    /// taken as standing still.
+    bool asStored = false;
+};
+
+/// A file of wind data as a field, and what was understood.
+struct WindFile {
+    WindSummary summary;
+    WindFieldPtr field; ///< In the scene; never null.
+};
+
+/// Reads wind data, recognised by content, then by extension: ESRI ASCII pairs of speed and direction-from
+/// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK STRUCTURED_POINTS, VTK XML ImageData, TurbSim
+/// .bts, Campbell TOA5, QES-Winds sensor XML, CSV, and NetCDF where the library was built with GDAL.
+///
+/// Time steps are interpolated. Places without data are calm, and velocities that count from true north are
+/// turned to the y axis of a NetCDF file's projection, unless wanted as stored; notes say both. A broken file
+/// gives an error with line or byte, never a partial field. Sizes are checked against the file before memory
+/// is asked for.
+Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options = {});
+
+/// Reads several files, each a steady wind on the same grid, as one wind: the hours of WindNinja, say.
+/// Velocities are linear between the times; the first holds before, the last after.
+///
+/// A file of another grid, unit or reference system than the first is an error that names it; so is a record
+/// at one point, or a file of several times. Notes that the first file does not have too begin with the name
+/// of theirs. Wrong `files` or `times` are errors with that key.
+/// @param files at least one. @param times seconds, increasing, one for each file.
+Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
+                               const WindFileOptions& options = {});
+
+/// readWindFile() for those who only want the field.
+Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options = {});
+
+} // namespace osgTreeWind

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/windfiles/WindContent.h>
+#include <osgTreeWind/windfiles/WindSeriesCsv.h>
+
+#include <string>
+#include <string_view>
+
+/// The readers behind readWindFile(), one for each format, over bytes in memory. Not part of the interface.
+/// Each gives a grid with as many values as its points say, or a problem with a line or a byte.
+namespace osgTreeWind {
+
+/// The file in whichever of the formats below it is, recognised by content, then by extension.
+/// @param columns, asStored as in WindFileOptions.
+Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns, bool asStored);
+
+/// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
+struct EsriGrid {
+    glm::ivec2 cells{0};
+    glm::dvec2 south{0.0}; ///< Centre of the south-western cell.
+    double cellSize = 1.0;
+    std::vector<float> values; ///< South row first; NaN where there are no data.
+};
+Result<EsriGrid> readEsriGrid(std::string_view text, const std::string& file);
+/// Speed and direction-from on the same cells as one wind.
+Result<WindContent> windOfEsriGrids(const EsriGrid& speed, const EsriGrid& direction,
+                                    const std::string& file);
+
+/// Legacy VTK STRUCTURED_POINTS, ASCII or BINARY, version 2 or 3.
+Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& file);
+/// VTK XML ImageData of one piece: ascii, base64 or raw, zlib or not, either byte order.
+Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file);
+/// TurbSim full field: the grid drifts along x with the mean wind at the hub (Taylor's frozen turbulence).
+Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file);
+/// Campbell TOA5: four lines of header, the third with units. Records marked NAN are left out.
+Result<WindContent> readToa5(std::string_view bytes, const std::string& file,
+                             const WindSeriesColumns& columns);
+/// NetCDF through GDAL; an error where the library was built without it.
+/// @param asStored as in WindFileOptions.
+Result<WindContent> readNetCdf(const std::string& path, bool asStored = false);
+
+/// The unit as speedUnit() calls it: "m/s" for "m s-1", "meters per second", ...; the text itself otherwise.
+std::string usualSpeedUnit(const std::string& text);
+
+} // namespace osgTreeWind

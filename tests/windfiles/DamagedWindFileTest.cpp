@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "WindFormatsCases.h"
+
+#include "../base/FirstProblem.h"
+#include "../io/TemporaryFolder.h"
+
+#include <osgTreeWind/windfiles/WindFile.h>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// A grid has as many numbers as it has points, whatever was read.
+void expectWhole(const Result<WindContent>& content, const std::string& what) {
+    if (!content) {
+        ASSERT_FALSE(content.problems().empty()) << what;
+        for (const Diagnostic& problem : content.problems()) {
+            EXPECT_FALSE(problem.message.empty()) << what;
+            EXPECT_EQ(problem.file, "damaged") << what << ": " << problem.text();
+        }
+        return;
+    }
+    if (const auto* grid = std::get_if<GridWind::Grid>(&content.value().data)) {
+        const double steps = grid->times.empty() ? 1.0 : static_cast<double>(grid->times.size());
+        ASSERT_EQ(static_cast<double>(grid->values.size()),
+                  3.0 * grid->points.x * grid->points.y * grid->points.z * steps)
+            << what;
+    }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+} // namespace
+
+class DamagedWindFile : public testing::TestWithParam<FormatCase> {};
+
+void PrintTo(const FormatCase& format, std::ostream* out) {
+    *out << format.file;
+}
+
+TEST_P(DamagedWindFile, CutAnywhereIsReadWholeOrNotAtAll) {
+    const std::string whole = bytesOf(GetParam());
+    ASSERT_TRUE(GetParam().read(whole, "damaged"));
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        expectWhole(GetParam().read(whole.substr(0, length), "damaged"), "cut at " + std::to_string(length));
+}
+
+TEST_P(DamagedWindFile, CutInHalfIsAProblem) {
+    const std::string whole = bytesOf(GetParam());
+    const auto content = GetParam().read(whole.substr(0, whole.size() / 2), "damaged");
+    ASSERT_FALSE(content);
+    EXPECT_FALSE(content.problems().front().line == 0 && content.problems().front().key.empty())
+        << "no place in: " << firstProblem(content);
+}
+
+TEST_P(DamagedWindFile, AnyBytesChangedAreReadOrRefused) {
+    const std::string whole = bytesOf(GetParam());
+    std::mt19937 random(7);
+    for (int round = 0; round < 3000; ++round) {
+        std::string bytes = whole;
+        for (unsigned changes = random() % 4 + 1; changes > 0; --changes)
+            bytes[random() % bytes.size()] =
+                static_cast<char>(random() % 3 ? random() : "0123456789-.eE <>\"\n"[random() % 19]);
+        expectWhole(GetParam().read(bytes, "damaged"), "round " + std::to_string(round));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Small, DamagedWindFile, testing::ValuesIn(formatCases()), [](const auto& info) {
+    std::string name = info.param.file;
+    name[name.find('.')] = '_';
+    return name;
+});
+
+namespace {
+
+/// A change to a small file, and what must be said of it.
+struct Damage {
+    const char* name;
+    const char* file;
+    const char* from;
+    const char* to;
+    const char* problem;
+};
+
+void PrintTo(const Damage& damage, std::ostream* out) {
+    *out << damage.name;
+}
+
+const FormatCase& caseOf(const std::string& file) {
+    for (const FormatCase& format : formatCases())
+        if (format.file == file)
+            return format;
+    ADD_FAILURE() << file;
+    return formatCases().front();
+}
+
+} // namespace
+
+class DamagedWindFileSays : public testing::TestWithParam<Damage> {};
+
+TEST_P(DamagedWindFileSays, WhereAndWhat) {
+    const Damage& damage = GetParam();
+    const FormatCase& format = caseOf(damage.file);
+    EXPECT_EQ(firstProblem(format.read(replaced(bytesOf(format), damage.from, damage.to), "f")),
+              damage.problem);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Small, DamagedWindFileSays,
+    testing::Values(
+        Damage{"EsriHuge", "pair_vel.asc", "ncols 3\nnrows 2", "ncols 50000\nnrows 20000",
+               "f:6: the file is too short for 50000 x 20000 cells"},
+        Damage{"EsriWord", "pair_vel.asc", "5 6", "5 six", "f:7: expected a number, found 'six'"},
+        Damage{"EsriExtra", "pair_vel.asc", "1 2", "1 2 3",
+               "f:8: expected the end after 6 cells, found '-999'"},
+        Damage{"EsriNoCellSize", "pair_vel.asc", "cellsize 10\n", "", "f:5: expected cellsize in the header"},
+        Damage{"EsriKey", "pair_vel.asc", "cellsize", "dx",
+               "f:5: expected a key of an ESRI ASCII grid, found 'dx'"},
+        Damage{"VtkHuge", "vectors.vtk", "DIMENSIONS 3 2 2\nORIGIN 100 200 5\nSPACING 10 20 5\nPOINT_DATA 12",
+               "DIMENSIONS 1000 1000 1000\nORIGIN 100 200 5\nSPACING 10 20 5\nPOINT_DATA 1000000000",
+               "f:10: the file ends before the 1000000000 numbers of this array"},
+        Damage{"VtkCount", "vectors.vtk", "POINT_DATA 12", "POINT_DATA 13",
+               "f:8: expected 12 as in DIMENSIONS, found 13"},
+        Damage{"VtkNoVectors", "vectors.vtk", "VECTORS", "WECTORS",
+               "f:12: expected a section of STRUCTURED_POINTS with VECTORS or FIELD data, found 'WECTORS'"},
+        Damage{"VtkOtherGrid", "vectors.vtk", "STRUCTURED_POINTS", "POLYDATA",
+               "f:4: expected STRUCTURED_POINTS, found 'POLYDATA'"},
+        Damage{"VtkBinaryType", "binary.vtk", "wind float", "wind bytes",
+               "f:12: expected float or double, found 'BYTES'"},
+        Damage{"VtiHuge", "raw.vti",
+               "WholeExtent=\"0 2 0 1 0 1\" Origin=\"100 200 5\" Spacing=\"10 20 5\">\n<Piece "
+               "Extent=\"0 2 0 1 0 1\"",
+               "WholeExtent=\"0 999 0 999 0 999\">\n<Piece Extent=\"0 999 0 999 0 999\"",
+               "f:7:2: wind: expected 12000000000 bytes of data, found 144"},
+        Damage{"VtiPiece", "ascii.vti", "<Piece Extent=\"0 2", "<Piece Extent=\"0 1",
+               "f:4:2: Extent: expected whole numbers, first before last, the same as WholeExtent"},
+        Damage{"VtiNumber", "ascii.vti", "1 0 0\n", "1 x 0\n", "f:7:79: wind: expected a number, found 'x'"},
+        Damage{"VtiZlib", "zlib.vti", "eJ", "eK", "f:7:2: wind: compressed block 1 is damaged"},
+        Damage{"VtiCompressor", "zlib.vti", "ZLib", "LZ4",
+               "f:2:2: compressor: expected  or vtkZLibDataCompressor, found 'vtkLZ4DataCompressor'"},
+        Damage{"Toa5Unit", "toa5.dat", "\"m/s\"", "\"V\"",
+               "f:3: Ux: expected a unit of speed (m/s, km/h, kn, mph, ft/s), found 'V'"},
+        Damage{"Toa5Number", "toa5.dat", ",5,-2", ",5,?", "f:7: Uy: expected a number, found '?'"},
+        Damage{"Toa5Column", "toa5.dat", "\"Uz\"", "\"w\"",
+               "f:2: Uz: no such column for w; the header has TIMESTAMP, RECORD, Ux, Uy, w"}),
+    [](const auto& info) { return info.param.name; });
+
+TEST(DamagedWindFile, TurbSimThatClaimsAMillionTimes) {
+    std::string bytes = bytesOf(caseOf("small.bts"));
+    bytes[16] = 0x10;
+    EXPECT_EQ(
+        firstProblem(readTurbSim(bytes, "f")),
+        "f: byte 243: expected 44040435 bytes for 3 x 2 points, 1 tower points and 1048580 times, found 243");
+}
+
+TEST(DamagedWindFile, TurbSimOfAnotherKind) {
+    std::string bytes = bytesOf(caseOf("small.bts"));
+    bytes[0] = 9;
+    EXPECT_EQ(firstProblem(readTurbSim(bytes, "f")),
+              "f: byte 0: expected 7 or 8, the mark of a TurbSim file");
+}
+
+TEST(DamagedWindFile, MismatchedPairIsRefused) {
+    const TemporaryFolder folder;
+    folder.write("a_vel.asc", bytesOf(caseOf("pair_vel.asc")));
+    folder.write("a_ang.asc", replaced(bytesOf(caseOf("pair_ang.asc")), "XLLCENTER 105", "XLLCENTER 115"));
+    EXPECT_EQ(firstProblem(readWindFile(folder.path() + "/a_vel.asc")),
+              folder.path() + "/a_vel.asc: expected the same header in both grids of the pair");
+}
+
+TEST(DamagedWindFile, LonelyHalfOfAPairNamesTheOther) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a_vel.asc", bytesOf(caseOf("pair_vel.asc")));
+    EXPECT_EQ(firstProblem(readWindFile(file)), folder.path() + "/a_ang.asc: cannot be read");
+}
+
+TEST(DamagedWindFile, AbsurdSpeedIsRefused) {
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.write("a.vtk", replaced(bytesOf(caseOf("vectors.vtk")), "3 0 0", "300 0 0"));
+    EXPECT_EQ(firstProblem(readWindFile(file)),
+              file + ": expected winds of at most 200 m/s; number 3 of 12 is none");
+}
+
+TEST(DamagedWindFile, UnknownFormatsEmptyFilesAndFoldersAreRefused) {
+    const TemporaryFolder folder;
+    EXPECT_NE(firstProblem(readWindFile(folder.write("a.txt", "hello"))).find("no known format"),
+              std::string::npos);
+    EXPECT_NE(firstProblem(readWindFile(folder.write("b.vtk", ""))).find("empty"), std::string::npos);
+    EXPECT_NE(firstProblem(readWindFile(folder.path())).find("cannot be read"), std::string::npos);
+    EXPECT_NE(firstProblem(readWindFile(folder.path() + "/absent.vtk")).find("cannot be read"),
+              std::string::npos);
+}
+
+} // namespace osgTreeWind

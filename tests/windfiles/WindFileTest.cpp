@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/windfiles/WindFile.h>
+
+#include "../base/FirstProblem.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+const std::string folder = std::string(OSGTREEWIND_TEST_DATA) + "/wind/";
+
+WindFile readSmall(const std::string& name, const WindFileOptions& options = {}) {
+    const Result<WindFile> file = readWindFile(folder + name, options);
+    EXPECT_TRUE(file) << firstProblem(file);
+    return file ? file.value() : WindFile{};
+}
+
+void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-5f) {
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
+}
+
+bool notes(const WindSummary& summary, const std::string& part) {
+    for (const std::string& note : summary.notes)
+        if (note.find(part) != std::string::npos)
+            return true;
+    return false;
+}
+
+} // namespace
+
+/// The files hold u = 1 + i, v = 0.5 j, w = 0.25 k at point i, j, k of 3 x 2 x 2 from (100, 200, 5), spaced
+/// by (10, 20, 5): make_small.py.
+class WindFileVtk : public testing::TestWithParam<const char*> {};
+
+TEST_P(WindFileVtk, HoldsTheLinearField) {
+    const WindFile file = readSmall(GetParam());
+    ASSERT_TRUE(file.field);
+    expectNear(file.field->velocity({100, 200, 5}, 0), {1, 0, 0});
+    expectNear(file.field->velocity({120, 220, 10}, 0), {3, 0.5f, 0.25f});
+    expectNear(file.field->velocity({105, 210, 7.5f}, 0), {1.5f, 0.25f, 0.125f});
+    EXPECT_EQ(file.summary.points, glm::ivec3(3, 2, 2));
+    EXPECT_EQ(file.summary.low, glm::dvec3(100, 200, 5));
+    EXPECT_EQ(file.summary.high, glm::dvec3(120, 220, 10));
+    EXPECT_NEAR(file.summary.slowest, 1.0, 1e-6);
+    EXPECT_NEAR(file.summary.fastest, std::sqrt(9 + 0.25 + 0.0625), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Small, WindFileVtk,
+                         testing::Values("vectors.vtk", "field.vtk", "binary.vtk", "ascii.vti", "base64.vti",
+                                         "zlib.vti", "raw.vti", "rawzlib.vti", "bigendian.vti"),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             name[name.find('.')] = '_';
+                             return name;
+                         });
+
+TEST(WindFile, OriginMovesTheGridIntoTheScene) {
+    WindFileOptions options;
+    options.origin = {110, 200, 5};
+    expectNear(readSmall("vectors.vtk", options).field->velocity({0, 0, 5}, 0), {2, 0, 0.25f});
+}
+
+TEST(WindFile, UnitIsConvertedWhereTheFileDoesNotSay) {
+    WindFileOptions options;
+    options.speedUnit = "km/h";
+    const WindFile file = readSmall("vectors.vtk", options);
+    expectNear(file.field->velocity({120, 200, 5}, 0), {3 / 3.6f, 0, 0});
+    EXPECT_TRUE(notes(file.summary, "taken as km/h"));
+}
+
+TEST(WindFile, UnknownUnitIsRefused) {
+    WindFileOptions options;
+    options.speedUnit = "furlongs";
+    EXPECT_NE(firstProblem(readWindFile(folder + "vectors.vtk", options)).find("expected a unit of speed"),
+              std::string::npos);
+}
+
+class WindFileEsri : public testing::TestWithParam<const char*> {};
+
+/// South row: speeds 1, 2 and none, from 270; north row: 4 from north, 5 from east, 6 from south.
+TEST_P(WindFileEsri, EitherFileOfThePairGivesTheWind) {
+    const WindFile file = readSmall(GetParam());
+    expectNear(file.field->velocity({105, 205, 0}, 0), {1, 0, 0});
+    expectNear(file.field->velocity({115, 205, 0}, 0), {2, 0, 0});
+    expectNear(file.field->velocity({105, 215, 9}, 7), {0, -4, 0});
+    expectNear(file.field->velocity({115, 215, 0}, 0), {-5, 0, 0});
+    expectNear(file.field->velocity({125, 215, 0}, 0), {0, 6, 0});
+    EXPECT_TRUE(notes(file.summary, "1 of 6 velocities have no data"));
+    EXPECT_EQ(file.summary.slowest, 1.0) << "a place without data is no calm that was measured";
+}
+
+INSTANTIATE_TEST_SUITE_P(Small, WindFileEsri, testing::Values("pair_vel.asc", "pair_ang.asc"),
+                         [](const auto& info) { return std::string(info.param).substr(5, 3); });
+
+/// u = 8 + number of the time, v = y / 10, w = z / 100 on y -5, 0, 5 and z 15, 25; every 0.5 s; drifting at 8
+/// m/s.
+TEST(WindFile, TurbSimDriftsDownwind) {
+    const WindFile file = readSmall("small.bts");
+    EXPECT_EQ(file.summary.points, glm::ivec3(1, 3, 2));
+    expectNear(file.field->velocity({0, 5, 25}, 1.0), {10, 0.5f, 0.25f}, 0.01f);
+    expectNear(file.field->velocity({0, -2.5f, 20}, 0.75), {9.5f, -0.25f, 0.2f}, 0.01f);
+    EXPECT_EQ(file.field->velocity({0, 0, 20}, 0.6), file.field->velocity({4, 0, 20}, 1.1));
+}
+
+TEST(WindFile, TurbSimDriftsFromItsPlaneWhereverTheOriginIs) {
+    WindFileOptions options;
+    options.origin = {-40, 0, 0};
+    const WindFile file = readSmall("small.bts", options);
+    expectNear(file.field->velocity({40, 0, 15}, 0.5), {9, 0, 0.15f}, 0.01f);
+}
+
+TEST(WindFile, Toa5CountsFromItsFirstRecordAndLeavesOutNan) {
+    const WindFile file = readSmall("toa5.dat");
+    EXPECT_EQ(file.summary.unit, "m/s");
+    EXPECT_EQ(file.summary.start, "2020-01-01 00:00:00.5");
+    EXPECT_EQ(file.summary.times, (std::vector<double>{0.0, 2.0}));
+    expectNear(file.field->velocity({}, 0.0), {1, 2, 0.5f});
+    expectNear(file.field->velocity({}, 1.0), {3, 0, 0.375f});
+    EXPECT_TRUE(notes(file.summary, "1 records marked NAN"));
+}
+
+TEST(WindFile, CsvWithUsualNamesNeedsNoColumns) {
+    WindFileOptions options;
+    options.speedUnit = "km/h";
+    const WindFile file = readSmall("table.csv", options);
+    expectNear(file.field->velocity({}, 0.0), {10, 0, 0});
+    expectNear(file.field->velocity({}, 10.0), {0, 5, 0});
+    EXPECT_EQ(file.summary.direction, "from, degrees clockwise from north");
+}
+
+TEST(WindFile, FieldAloneIsTheSame) {
+    const auto field = readWindField(folder + "vectors.vtk");
+    ASSERT_TRUE(field);
+    expectNear(field.value()->velocity({110, 200, 5}, 0), {2, 0, 0});
+}
+
+} // namespace osgTreeWind

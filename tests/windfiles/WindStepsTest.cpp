@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// Several files of one time each, read as one wind.
+#include "NetCdfReading.h"
+
+#include "../io/TemporaryFolder.h"
+
+#include <osgTreeWind/windfiles/WindSteps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+const std::string data = OSGTREEWIND_TEST_DATA "/wind/";
+
+/// Pairs NAME_vel.asc and NAME_ang.asc of 2 x 1 cells of 10 m from (0, 0).
+class Hours : public TemporaryFolder {
+public:
+    std::string pair(const std::string& name, const std::string& speeds, const std::string& directions,
+                     const std::string& corner = "0", const std::string& size = "10") const {
+        const std::string head = "ncols 2\nnrows 1\nxllcorner " + corner + "\nyllcorner 0\ncellsize " + size +
+                                 "\nNODATA_value -9\n";
+        write(name + "_ang.asc", head + directions);
+        return write(name + "_vel.asc", head + speeds);
+    }
+};
+
+WindFile readBoth(const std::string& first, const std::string& second, double from, double to) {
+    const auto wind = readWindFiles({first, second}, {from, to});
+    EXPECT_TRUE(wind) << firstProblem(wind);
+    return wind ? wind.value() : WindFile{};
+}
+
+std::string problemOfBoth(const std::string& first, const std::string& second) {
+    return firstProblem(readWindFiles({first, second}, {0, 1}));
+}
+
+/// wrf_polar.nc, whose layer is 20 m high, with another geopotential on top of it.
+std::string withTop(float geopotential) {
+    const auto bytesOf = [](const float& number) {
+        const char* little = reinterpret_cast<const char*>(&number);
+        return std::string(std::reverse_iterator(little + 4), std::reverse_iterator(little));
+    };
+    return renamed(fileBytes(smallNetCdf("wrf_polar.nc")), bytesOf(196.2f), bytesOf(geopotential));
+}
+
+/// A grid of one column and two layers.
+WindContent column(float top, const std::string& note) {
+    GridWind::Grid grid;
+    grid.points = {1, 1, 2};
+    grid.heights = {2.0f, top};
+    grid.values = {0, 0, 0, top, 0, 0};
+    WindContent content;
+    content.summary.notes = {"of all", note};
+    content.data = grid;
+    return content;
+}
+
+} // namespace
+
+TEST(WindSteps, VelocitiesAreLinearBetweenTheTimesAndHeldOutside) {
+    const Hours hours;
+    const WindFile file =
+        readBoth(hours.pair("a", "4 1", "270 180"), hours.pair("b", "8 3", "270 180"), 60, 160);
+    ASSERT_TRUE(file.field);
+    const auto at = [&](float x, double time) { return file.field->velocity({x, 5, 10}, time); };
+    for (const auto& [time, u, v] :
+         {std::tuple{-1e9, 4, 1}, {60., 4, 1}, {110., 6, 2}, {160., 8, 3}, {1e9, 8, 3}}) {
+        expectNear(at(5, time), {u, 0, 0}, 1e-5f);
+        expectNear(at(15, time), {0, v, 0}, 1e-5f);
+    }
+    EXPECT_EQ(file.summary.times, (std::vector<double>{60, 160}));
+    EXPECT_NEAR(file.summary.slowest, 1.0, 1e-6);
+    EXPECT_NEAR(file.summary.fastest, 8.0, 1e-6);
+}
+
+/// From 350 to 10 degrees the wind turns through north; the mean of the numbers is south.
+TEST(WindSteps, ComponentsAreInterpolatedNeverDirections) {
+    const Hours hours;
+    const WindFile file = readBoth(hours.pair("a", "5 5", "350 270"), hours.pair("b", "5 5", "10 90"), 0, 1);
+    ASSERT_TRUE(file.field);
+    const float north = 5.0f * std::cos(10.0f * 3.14159265f / 180.0f);
+    expectNear(file.field->velocity({5, 5, 0}, 0.5), {0, -north, 0}, 1e-5f);
+    expectNear(file.field->velocity({15, 5, 0}, 0.5), {0, 0, 0}, 1e-5f);
+}
+
+TEST(WindSteps, AFileMayComeAgain) {
+    const Hours hours;
+    const std::string a = hours.pair("a", "4 1", "270 180"), b = hours.pair("b", "8 3", "270 180");
+    const auto wind = readWindFiles({a, b, a}, {0, 1, 2});
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    expectNear(wind.value().field->velocity({5, 5, 0}, 1.5), {6, 0, 0}, 1e-5f);
+}
+
+TEST(WindSteps, OneFileIsASteadyWind) {
+    const auto wind = readWindFiles({data + "vectors.vtk"}, {7});
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    expectNear(wind.value().field->velocity({110, 220, 5}, 0), {2, 0.5f, 0}, 1e-5f);
+}
+
+TEST(WindSteps, OneGridMayComeInSeveralFormats) {
+    const WindFile file = readBoth(data + "vectors.vtk", data + "zlib.vti", 0, 10);
+    ASSERT_TRUE(file.field);
+    expectNear(file.field->velocity({110, 220, 10}, 5), {2, 0.5f, 0.25f}, 1e-5f);
+}
+
+TEST(WindSteps, PlacesWithoutDataOfAllFilesAreCounted) {
+    const Hours hours;
+    const WindFile file =
+        readBoth(hours.pair("a", "4 -9", "270 -9"), hours.pair("b", "8 3", "270 180"), 0, 1);
+    EXPECT_TRUE(notes(file.summary, "1 of 4 velocities have no data"));
+    EXPECT_EQ(std::count(file.summary.notes.begin(), file.summary.notes.end(),
+                         "the file names no unit of speed; taken as m/s"),
+              1);
+}
+
+TEST(WindSteps, WhatIsNotLikeTheFirstFileIsNamed) {
+    const Hours hours;
+    const std::string a = hours.pair("a", "4 1", "270 180"), b = hours.pair("b", "4 1", "270 180", "3"),
+                      c = hours.pair("c", "4 1", "270 180", "0", "11"), d = hours.pair("d", "4 1", "270 180");
+    hours.write("d_vel.prj", "PROJCS[\"UTM 12\"]");
+    EXPECT_EQ(problemOfBoth(a, b), b + ": expected the first point of " + a + ", 5, 5, 0, found '8, 5, 0'");
+    EXPECT_EQ(problemOfBoth(a, c),
+              c + ": expected the first point of " + a + ", 5, 5, 0, found '5.5, 5.5, 0'");
+    EXPECT_EQ(problemOfBoth(a, d), d + ": expected the coordinates of " + a + ", none, found 'UTM 12'");
+    EXPECT_EQ(problemOfBoth(d, a), a + ": expected the coordinates of " + d + ", UTM 12, found nothing");
+    EXPECT_EQ(problemOfBoth(a, data + "vectors.vtk"), data +
+                                                          "vectors.vtk: expected the points east, north and "
+                                                          "up of " +
+                                                          a + ", 2, 1, 1, found '3, 2, 2'");
+}
+
+TEST(WindSteps, GridsOfOtherSpacingAreRefused) {
+    const TemporaryFolder folder;
+    const std::string wide =
+        folder.write("a.vtk", renamed(fileBytes(data + "vectors.vtk"), "SPACING 10", "SPACING 11"));
+    EXPECT_EQ(problemOfBoth(data + "vectors.vtk", wide),
+              wide + ": expected the distances between points of " + data +
+                  "vectors.vtk, 10, 20, 5, found '11, 20, 5'");
+}
+
+class WindStepsRefuse : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(WindStepsRefuse, WhatIsNoGridAtOneTime) {
+    const auto& [name, found] = GetParam();
+    const std::string file = data + name;
+    if (file.find(".nc") != std::string::npos)
+        REQUIRE_NETCDF(file);
+    EXPECT_EQ(problemOfBoth(file, file), file + ": expected a grid at one time, found " + found);
+}
+
+INSTANTIATE_TEST_SUITE_P(Small, WindStepsRefuse,
+                         testing::Values(std::pair("small.bts", "one that drifts with the wind"),
+                                         std::pair("toa5.dat", "a record at one point"),
+                                         std::pair("table.csv", "a record at one point"),
+                                         std::pair("sensor.xml", "a record at one point"),
+                                         std::pair("small.nc", "2 times")),
+                         [](const auto& info) {
+                             std::string name = info.param.first;
+                             name[name.find('.')] = '_';
+                             return name;
+                         });
+
+TEST(WindSteps, UnitsMustBeTheSame) {
+    const TemporaryFolder folder;
+    const std::string path = smallNetCdf("wrf_polar.nc");
+    REQUIRE_NETCDF(path);
+    const std::string knots = folder.write("kn.nc", renamed(fileBytes(path), "m s-1", "knots"));
+    EXPECT_EQ(problemOfBoth(path, knots),
+              knots + ": expected the unit of speed of " + path + ", m/s, found 'kn'");
+}
+
+TEST(WindSteps, HeightsOfLayersMustBeTheSame) {
+    const TemporaryFolder folder;
+    const std::string path = smallNetCdf("truenorth.nc"); // 10 m above ground
+    REQUIRE_NETCDF(path);
+    const std::string higher =
+        folder.write("a.nc", renamed(fileBytes(path), {"\x41\x20\0\0", 4}, {"\x41\xa0\0\0", 4}));
+    EXPECT_EQ(problemOfBoth(path, higher), higher + ": expected the heights of " + path);
+}
+
+TEST(WindSteps, HeightsOfPointsMoveWithTheWind) {
+    const TemporaryFolder folder;
+    const std::string path = smallNetCdf("wrf_polar.nc");
+    REQUIRE_NETCDF(path);
+    const WindFile file = readBoth(path, folder.write("a.nc", withTop(392.4f)), 0, 3600);
+    EXPECT_NEAR(file.summary.low.z, 10.0, 1e-4);
+    EXPECT_NEAR(file.summary.high.z, 20.0, 1e-4);
+    EXPECT_EQ(file.summary.times.size(), 2u);
+}
+
+TEST(WindSteps, BadHeightsAreThoseOfTheirFile) {
+    const TemporaryFolder folder;
+    const std::string path = smallNetCdf("wrf_polar.nc");
+    REQUIRE_NETCDF(path);
+    const std::string bad = folder.write("a.nc", withTop(std::numeric_limits<float>::quiet_NaN()));
+    EXPECT_EQ(problemOfBoth(path, bad),
+              bad + ": heights: expected finite metres, increasing upward, found nan at index 0");
+}
+
+TEST(WindSteps, HeightsOfASingleColumnMoveToo) {
+    const auto wind = readWindSteps({"10", "30", "30"}, {0, 1, 2}, [](const std::string& top) {
+        return Result<WindContent>(column(std::stof(top), "top"));
+    });
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    const auto field = GridWind::create(std::get<GridWind::Grid>(wind.value().data));
+    ASSERT_TRUE(field) << firstProblem(field);
+    EXPECT_NEAR(field.value()->velocity({0, 0, 6}, 0).x, 5.0f, 1e-5f);
+    EXPECT_NEAR(field.value()->velocity({0, 0, 16}, 1).x, 15.0f, 1e-5f);
+}
+
+TEST(WindSteps, NotesOfLaterFilesBeginWithTheirName) {
+    const auto wind = readWindSteps({"a", "b"}, {0, 1}, [](const std::string& name) {
+        return Result<WindContent>(column(10, "of " + name));
+    });
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    EXPECT_EQ(wind.value().summary.notes, (std::vector<std::string>{"of all", "of a", "b: of b"}));
+}
+
+TEST(WindSteps, ABadFileAmongThemIsNamed) {
+    const Hours hours;
+    const std::string good = hours.pair("a", "4 1", "270 180"), fast = hours.pair("b", "4 201", "270 180"),
+                      empty = hours.pair("c", "-9 -9", "-9 -9"), broken = hours.pair("d", "4 x", "270 180");
+    EXPECT_EQ(problemOfBoth(good, fast), fast + ": expected winds of at most 200 m/s; number 2 of 2 is none");
+    EXPECT_EQ(problemOfBoth(good, empty), empty + ": holds no data at any of 2 places and times");
+    EXPECT_EQ(problemOfBoth(good, broken), broken + ":7: expected a number, found 'x'");
+    EXPECT_EQ(problemOfBoth(good, "absent.asc"), "absent.asc: cannot be read");
+}
+
+TEST(WindSteps, TimesMustIncreaseAndBeOneForEachFile) {
+    const std::string a = data + "vectors.vtk";
+    const auto problem = [&](const std::vector<double>& times) {
+        return firstProblem(readWindFiles({a, a}, times));
+    };
+    EXPECT_EQ(problem({0}), "times: expected 2 numbers, one for each file, found 1");
+    EXPECT_EQ(problem({3, 3}), "times: expected increasing seconds, found times[1] = 3 after 3");
+    EXPECT_EQ(problem({0, std::numeric_limits<double>::quiet_NaN()}),
+              "times: expected seconds within 1e15, found times[1] = nan");
+    EXPECT_EQ(firstProblem(readWindFiles({}, {})), "files: expected at least one");
+}
+
+} // namespace osgTreeWind
