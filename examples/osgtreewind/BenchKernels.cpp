@@ -11,9 +11,9 @@
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
-#include <osgTreeWind/wind/TravellingWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <algorithm>
@@ -154,6 +154,8 @@ std::vector<Timed> allKernels() {
     }
     series.profile = LogProfile{10.0, 0.5};
     const WindFieldPtr moving = GridWind::create(someGrid(8, 3)).value();
+    RetimedWind::Clock carried;
+    carried.speed = 8.0;
     return {thesisLaw("thesis", MotionLaw::Thesis, &Laws::thesisBranchStep),
             thesisLaw("thesis-smooth", MotionLaw::ThesisSmooth, &Laws::thesisSmoothBranchStep),
             dampedLaw(),
@@ -166,7 +168,7 @@ std::vector<Timed> allKernels() {
             windKind("grid, 8 layers, 3 times", moving),
             windKind("forest_wind", createBenchWind(false)),
             windKind("series", TimeSeriesWind::create(series).value()),
-            windKind("travelling (.bts)", std::make_shared<TravellingWind>(moving, 0.0, 8.0)),
+            windKind("travelling (.bts)", std::make_shared<RetimedWind>(moving, carried)),
             windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),
             windKind("callable", std::make_shared<FunctionWind>([](const glm::vec3& p, double) {
                          return glm::vec3(0.01f * p.y, 5.0f, 0.0f);

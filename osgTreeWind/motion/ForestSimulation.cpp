@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ForestSimulation.h>
 
-#include <osgTreeWind/model/ThesisFrame.h>
+#include <osgTreeWind/model/ThesisAxes.h>
 #include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 #include <osgTreeWind/motion/Rotations.h>

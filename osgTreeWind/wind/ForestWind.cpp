@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/ForestWind.h>
 
-#include <osgTreeWind/model/ThesisFrame.h>
+#include <osgTreeWind/model/ThesisAxes.h>
 
 #include <cmath>
 #include <utility>

@@ -3,7 +3,8 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
-#include <osgTreeWind/wind/SampleSpan.h>
+#include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/SampleTimes.h>
 
 #include <cmath>
 #include <utility>
@@ -57,7 +58,8 @@ Result<std::shared_ptr<const TimeSeriesWind>> TimeSeriesWind::create(WindSeries 
 }
 
 glm::dvec3 TimeSeriesWind::measured(double time) const {
-    const SampleSpan span = spanAtTime(_series.repeat ? wrapped(time, _series.times) : time, _series.times);
+    const Interpolation span =
+        interpolationAtTime(_series.repeat ? wrapped(time, _series.times) : time, _series.times);
     return span.mix(glm::dvec3(_series.velocities[span.lower]), glm::dvec3(_series.velocities[span.upper]));
 }
 
