@@ -130,16 +130,17 @@ GridWind::Grid someGrid(int layers, int times) {
 
 Timed windKind(const char* name, const WindFieldPtr& field) {
     Random random(3);
-    std::vector<glm::vec3> positions(samples), velocities(samples);
+    std::vector<WindPlace> places(samples);
+    std::vector<glm::vec3> velocities(samples);
     glm::vec3 tree(0.0f);
     for (std::size_t i = 0; i < samples; ++i) { // trees of 128 branches, somewhere on the grid
         if (i % 128 == 0)
             tree = {1250.0f * random.uniform(), 1250.0f * random.uniform(), 0.0f};
-        positions[i] =
+        places[i] =
             tree + glm::vec3(10.0f * random.uniform(), 10.0f * random.uniform(), 20.0f * random.uniform());
     }
     return {{"winds", name, "sample", samples, {}}, [=](double time) mutable {
-                field->sample(positions.data(), samples, time, velocities.data());
+                field->sample(places.data(), samples, time, velocities.data());
                 kept = velocities[7].x;
             }};
 }

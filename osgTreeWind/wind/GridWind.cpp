@@ -203,14 +203,14 @@ Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector
     return WindFieldPtr(std::make_shared<ForestWind>(width, length, std::move(values), origin));
 }
 
-glm::vec3 GridWind::velocity(const glm::vec3& position, double time) const {
-    return Sampler(_grid, time).at(position);
+glm::vec3 GridWind::velocity(const WindPlace& place, double time) const {
+    return Sampler(_grid, time).at(place.position);
 }
 
-void GridWind::sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
+void GridWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const Sampler sampler(_grid, time);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = sampler.at(positions[i]);
+        out[i] = sampler.at(places[i].position);
 }
 
 } // namespace osgTreeWind

@@ -15,20 +15,20 @@ bool RetimedWind::carried() const {
     return std::isfinite(_clock.speed);
 }
 
-double RetimedWind::innerTime(const glm::vec3& position, double time) const {
+double RetimedWind::innerTime(double x, double time) const {
     const double atPlane = _clock.start + _clock.scale * time;
-    return carried() ? atPlane - (position.x - _clock.plane) / _clock.speed : atPlane;
+    return carried() ? atPlane - (x - _clock.plane) / _clock.speed : atPlane;
 }
 
-glm::vec3 RetimedWind::velocity(const glm::vec3& position, double time) const {
-    return _inner->velocity(position, innerTime(position, time));
+glm::vec3 RetimedWind::velocity(const WindPlace& place, double time) const {
+    return _inner->velocity(place, innerTime(place.position.x, time));
 }
 
-void RetimedWind::sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
+void RetimedWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     if (carried())
-        WindField::sample(positions, count, time, out);
+        WindField::sample(places, count, time, out);
     else
-        _inner->sample(positions, count, innerTime({}, time), out);
+        _inner->sample(places, count, innerTime(0.0, time), out);
 }
 
 } // namespace osgTreeWind

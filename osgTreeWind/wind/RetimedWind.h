@@ -24,12 +24,12 @@ public:
     /// @param inner null is calm.
     RetimedWind(WindFieldPtr inner, const Clock& clock);
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
-    void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
 private:
     bool carried() const;
-    double innerTime(const glm::vec3& position, double time) const;
+    double innerTime(double x, double time) const;
 
     WindFieldPtr _inner;
     Clock _clock;

@@ -29,7 +29,7 @@ TEST(RetimedWind, ACarriedWindIsThatOfWhenTheAirPassedThePlane) {
     const RetimedWind wind(clockWind(), {100.0, 1.0, -30.0, 8.0});
     EXPECT_EQ(wind.velocity({-30, 0, 0}, 4.0).x, 104.0f);
     EXPECT_EQ(wind.velocity({50, 0, 0}, 4.0).x, 94.0f);
-    const glm::vec3 places[] = {{-30, 1, 0}, {50, 2, 0}};
+    const WindPlace places[] = {{-30, 1, 0}, {50, 2, 0}};
     glm::vec3 winds[2];
     wind.sample(places, 2, 4.0, winds);
     EXPECT_EQ(winds[0], glm::vec3(104, 1, 0));
