@@ -11,9 +11,9 @@
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
-#include <osgTreeWind/wind/TravellingWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <algorithm>
@@ -130,16 +130,17 @@ GridWind::Grid someGrid(int layers, int times) {
 
 Timed windKind(const char* name, const WindFieldPtr& field) {
     Random random(3);
-    std::vector<glm::vec3> positions(samples), velocities(samples);
+    std::vector<WindPlace> places(samples);
+    std::vector<glm::vec3> velocities(samples);
     glm::vec3 tree(0.0f);
     for (std::size_t i = 0; i < samples; ++i) { // trees of 128 branches, somewhere on the grid
         if (i % 128 == 0)
             tree = {1250.0f * random.uniform(), 1250.0f * random.uniform(), 0.0f};
-        positions[i] =
+        places[i] =
             tree + glm::vec3(10.0f * random.uniform(), 10.0f * random.uniform(), 20.0f * random.uniform());
     }
     return {{"winds", name, "sample", samples, {}}, [=](double time) mutable {
-                field->sample(positions.data(), samples, time, velocities.data());
+                field->sample(places.data(), samples, time, velocities.data());
                 kept = velocities[7].x;
             }};
 }
@@ -154,6 +155,8 @@ std::vector<Timed> allKernels() {
     }
     series.profile = LogProfile{10.0, 0.5};
     const WindFieldPtr moving = GridWind::create(someGrid(8, 3)).value();
+    RetimedWind::Clock carried;
+    carried.speed = 8.0;
     return {thesisLaw("thesis", MotionLaw::Thesis, &Laws::thesisBranchStep),
             thesisLaw("thesis-smooth", MotionLaw::ThesisSmooth, &Laws::thesisSmoothBranchStep),
             dampedLaw(),
@@ -166,7 +169,7 @@ std::vector<Timed> allKernels() {
             windKind("grid, 8 layers, 3 times", moving),
             windKind("forest_wind", createBenchWind(false)),
             windKind("series", TimeSeriesWind::create(series).value()),
-            windKind("travelling (.bts)", std::make_shared<TravellingWind>(moving, 0.0, 8.0)),
+            windKind("travelling (.bts)", std::make_shared<RetimedWind>(moving, carried)),
             windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),
             windKind("callable", std::make_shared<FunctionWind>([](const glm::vec3& p, double) {
                          return glm::vec3(0.01f * p.y, 5.0f, 0.0f);

@@ -102,7 +102,7 @@ std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& o
 void printVelocity(const WindFile& wind, const WindArguments& arguments) {
     const std::vector<double>& at = arguments.at;
     const double time = at.size() > 3 ? at[3] : 0.0;
-    const glm::dvec3 velocity = wind.field->velocity({0.0f, 0.0f, at[2]}, time);
+    const glm::dvec3 velocity = wind.field->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, time);
     if (arguments.json) {
         std::cout << Json{{"at", {at[0], at[1], at[2]}},
                           {"time", time},

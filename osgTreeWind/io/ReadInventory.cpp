@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/SizeRanges.h>
-#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/io/MessageText.h>
+#include <osgTreeWind/io/TreeSizeRanges.h>
+#include <osgTreeWind/io/WorldCoordinates.h>
 #include <osgTreeWind/model/Random.h>
 
 #include <glm/gtc/constants.hpp>

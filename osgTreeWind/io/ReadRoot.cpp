@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/io/MessageText.h>
+#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 
 #include <glm/common.hpp>
@@ -14,7 +15,7 @@
 namespace osgTreeWind {
 
 std::optional<std::size_t> ForestReading::species(const std::string& name) const {
-    const auto found = speciesByName.find(folded(name));
+    const auto found = speciesByName.find(foldedName(name));
     if (found == speciesByName.end())
         return std::nullopt;
     return found->second;
@@ -27,7 +28,7 @@ std::optional<std::size_t> ForestReading::speciesOrBuiltIn(const std::string& na
     if (!builtIn)
         return std::nullopt;
     // "English oak" is whatever is called oak: the document's own, or one that is here already.
-    const auto [entry, isNew] = speciesByName.emplace(folded(builtIn->name), forest.species.size());
+    const auto [entry, isNew] = speciesByName.emplace(foldedName(builtIn->name), forest.species.size());
     if (isNew)
         forest.species.push_back(std::move(*builtIn));
     return entry->second;

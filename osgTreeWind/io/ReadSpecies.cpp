@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/io/MessageText.h>
+#include <osgTreeWind/io/NameMatching.h>
 
 namespace osgTreeWind {
 
@@ -83,7 +84,7 @@ void readAppearance(TableReader& table, Appearance& appearance) {
 }
 
 void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
-    if (!reading.speciesByName.emplace(folded(name), reading.forest.species.size()).second)
+    if (!reading.speciesByName.emplace(foldedName(name), reading.forest.species.size()).second)
         table.problem(key, "the name " + inQuotes(name) + " is taken already");
 }
 

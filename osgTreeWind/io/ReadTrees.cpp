@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/SizeRanges.h>
-#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/io/MessageText.h>
+#include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/io/TreeSizeRanges.h>
+#include <osgTreeWind/io/WorldCoordinates.h>
 
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
@@ -32,7 +34,7 @@ std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& readin
         const std::string declared = joined(known);
         for (const BuiltInSpecies& built : builtInSpecies())
             known.insert(known.end(), built.names.begin(), built.names.end());
-        const std::string near = nearest(name, known);
+        const std::string near = nearestName(name, known);
         table.problem(
             key, "no species " + inQuotes(name) + "; " +
                      (near.empty() ? "known: " + declared + " and the built-in ones (osgtreewind sway --list)"

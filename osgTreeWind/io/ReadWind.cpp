@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NumberList.h>
-#include <osgTreeWind/io/SizeRanges.h>
-#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/io/WorldCoordinates.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/RetimedWind.h>
@@ -209,7 +209,7 @@ bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& seri
     auto file = reading.open(table, "file");
     std::string name;
     table.read("file", name);
-    const bool xml = folded(std::filesystem::path(name).extension().string()) == ".xml";
+    const bool xml = lower(std::filesystem::path(name).extension().string()) == ".xml";
     WindSeriesColumns columns;
     if (!xml && !readSeriesColumns(table, columns))
         return false;
@@ -348,12 +348,12 @@ void readWind(TableReader& table, ForestReading& reading) {
         table.missing("kind");
         return table.ignoreRest();
     }
-    double start = 0.0, scale = 1.0;
-    table.read("start", start, within(-1e12, 1e12));
-    table.read("time_scale", scale, within(-1e6, 1e6));
+    RetimedWind::Clock clock;
+    table.read("start", clock.start, within(-1e12, 1e12));
+    table.read("time_scale", clock.scale, within(-1e6, 1e6));
     reading.forest.wind = kind(table, reading);
-    if (reading.forest.wind && (start != 0.0 || scale != 1.0))
-        reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, start, scale);
+    if (reading.forest.wind && (clock.start != 0.0 || clock.scale != 1.0))
+        reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, clock);
 }
 
 } // namespace osgTreeWind

@@ -2,7 +2,8 @@
 #include <osgTreeWind/io/TableReader.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/io/MessageText.h>
+#include <osgTreeWind/io/NameMatching.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -326,7 +327,7 @@ void TableReader::reportUnknown() {
         const std::string name(key.str());
         if (_asked.count(name))
             continue;
-        const std::string near = nearest(name, known);
+        const std::string near = nearestName(name, known);
         const toml::source_position place = key.source().begin;
         _log.add({_log.file, static_cast<int>(place.line), static_cast<int>(place.column),
                   dotted(printable(name)),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/BranchSkin.h>
 
-#include <osgTreeWind/model/Numeric.h>
+#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

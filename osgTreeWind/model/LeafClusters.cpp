@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/LeafClusters.h>
 
-#include <osgTreeWind/model/Numeric.h>
+#include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/model/PortableMath.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -30,10 +32,10 @@ LeafParameters clamped(LeafParameters p) {
     const LeafParameters usual;
     p.clustersPerBranch = glm::clamp(p.clustersPerBranch, 0, 64);
     p.firstLevel = glm::clamp(p.firstLevel, 0, 9);
-    p.length = inRange(p.length, 0.001f, 100.0f, usual.length);
-    p.width = inRange(p.width, 0.001f, 100.0f, usual.width);
-    p.innerSize = inRange(p.innerSize, 0.01f, 1.0f, usual.innerSize);
-    p.droop = inRange(p.droop, -1.0f, 1.0f, usual.droop);
+    p.length = clampOr(p.length, 0.001f, 100.0f, usual.length);
+    p.width = clampOr(p.width, 0.001f, 100.0f, usual.width);
+    p.innerSize = clampOr(p.innerSize, 0.01f, 1.0f, usual.innerSize);
+    p.droop = clampOr(p.droop, -1.0f, 1.0f, usual.droop);
     return p;
 }
 

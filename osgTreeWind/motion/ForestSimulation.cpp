@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ForestSimulation.h>
 
-#include <osgTreeWind/model/ThesisFrame.h>
+#include <osgTreeWind/model/ThesisAxes.h>
 #include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 #include <osgTreeWind/motion/Rotations.h>
@@ -72,10 +72,11 @@ void ForestSimulation::prepareUnits(const Tree& tree) {
     const Species& species = _description.species[tree.species];
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     for (const BranchUnit& unit : model.skeleton.units)
-        _windPositions.push_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine));
+        _windPlaces.emplace_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine),
+                                 tree.position.z);
     if (_description.law == MotionLaw::Damped) {
         for (const DampedParameters& p : makeDampedParameters(model, tree.scale, species, tree.leaves)) {
-            _windPositions[_dampedBranches.size()].z = tree.position.z + p.windHeight;
+            _windPlaces[_dampedBranches.size()].position.z = tree.position.z + p.windHeight;
             _dampedBranches.push_back(exaggerated(p, _description.gain));
         }
     } else {
@@ -110,7 +111,7 @@ std::size_t ForestSimulation::endOfUnits(const Tree& tree) const {
 
 void ForestSimulation::sampleWind(double time) {
     if (const WindFieldPtr field = wind())
-        field->sample(_windPositions.data(), _windPositions.size(), time, _windSamples.data());
+        field->sample(_windPlaces.data(), _windPlaces.size(), time, _windSamples.data());
     else
         std::fill(_windSamples.begin(), _windSamples.end(), glm::vec3(0.0f));
     for (const Tree& tree : _trees) {

@@ -65,9 +65,10 @@ public:
     /// Back to rest.
     void reset();
 
-    /// Where the wind is sampled: base of each unit at rest, scene coordinates; for `damped` above or below
-    /// it, at the height of the centre of the drag on all that the unit carries.
-    const std::vector<glm::vec3>& windPositions() const { return _windPositions; }
+    /// Where the wind is sampled: base of each unit at rest, scene coordinates, over ground at the foot of
+    /// its tree; for `damped` above or below it, at the height of the centre of the drag on all that the unit
+    /// carries.
+    const std::vector<WindPlace>& windPlaces() const { return _windPlaces; }
     /// What was sampled last, scene axes, m/s.
     const std::vector<glm::vec3>& windSamples() const { return _windSamples; }
     /// Per unit: (angleXY, angleYZ, wind.x, wind.z), thesis axes of the tree's own frame; for the law
@@ -101,7 +102,8 @@ private:
     std::vector<Tree> _trees;
     std::vector<BranchParameters> _branches;       // per unit, for the laws of the thesis
     std::vector<DampedParameters> _dampedBranches; // per unit, for `damped`
-    std::vector<glm::vec3> _windPositions, _windSamples;
+    std::vector<WindPlace> _windPlaces;
+    std::vector<glm::vec3> _windSamples;
     std::vector<glm::vec4> _windTexels, _branchStates, _leafStates;
     std::vector<glm::quat> _rotations;
     std::vector<UnitPose> _poses;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/UnitLoads.h>
 
-#include <osgTreeWind/model/Numeric.h>
+#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
 #include <osgTreeWind/motion/SwayModes.h>
 
@@ -117,7 +117,7 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
     const WoodParameters& wood = species.wood;
     const std::vector<float> shares = leafShares(model);
     const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
-    const float share = inRange(leaves, 0.0f, 1.0f, 1.0f);
+    const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
     const float leafArea = share * wood.leafArea * trunkSection(model.skeleton, scale);
     const float crown =
         known ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)

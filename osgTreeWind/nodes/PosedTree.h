@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/gpu/ToOsg.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/UnitPose.h>

@@ -2,7 +2,7 @@
 #include <osgTreeWind/nodes/TreeShape.h>
 
 #include <osgTreeWind/gpu/DistinctArrays.h>
-#include <osgTreeWind/gpu/ToOsg.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

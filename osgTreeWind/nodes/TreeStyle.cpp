@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TreeStyle.h>
 
+#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/gpu/ToOsg.h>
 #include <osgTreeWind/nodes/TreeTextures.h>
 
 namespace osgTreeWind {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/ForestWind.h>
 
-#include <osgTreeWind/model/ThesisFrame.h>
+#include <osgTreeWind/model/ThesisAxes.h>
 
 #include <cmath>
 #include <utility>
@@ -24,10 +24,10 @@ std::size_t cellAt(double coordinate, int cells) {
 ForestWind::ForestWind(int width, int length, std::vector<float> values, const glm::dvec3& origin)
     : _width(width), _length(length), _values(std::move(values)), _origin(origin) {}
 
-glm::vec3 ForestWind::velocity(const glm::vec3& position, double) const {
-    const glm::vec3 place = toThesis(glm::vec3(glm::dvec3(position) - _origin));
+glm::vec3 ForestWind::velocity(const WindPlace& place, double) const {
+    const glm::vec3 at = toThesis(glm::vec3(glm::dvec3(place.position) - _origin));
     const std::size_t windIndex =
-        (cellAt(place.x, _width) + cellAt(place.z, _length) * static_cast<std::size_t>(_width)) * 3;
+        (cellAt(at.x, _width) + cellAt(at.z, _length) * static_cast<std::size_t>(_width)) * 3;
     return fromThesis(glm::vec3(_values[windIndex], _values[windIndex + 1], _values[windIndex + 2]));
 }
 

@@ -18,7 +18,7 @@ public:
     /// @param origin scene position of the array's corner, thesis (0, 0, 0).
     ForestWind(int width, int length, std::vector<float> values, const glm::dvec3& origin);
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
 
 private:
     int _width;

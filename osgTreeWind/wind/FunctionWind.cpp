@@ -9,8 +9,8 @@ namespace osgTreeWind {
 
 FunctionWind::FunctionWind(Function function) : _function(std::move(function)) {}
 
-glm::vec3 FunctionWind::velocity(const glm::vec3& position, double time) const {
-    return _function ? calmUnlessFinite(_function(position, time)) : glm::vec3(0.0f);
+glm::vec3 FunctionWind::velocity(const WindPlace& place, double time) const {
+    return _function ? calmUnlessFinite(_function(place.position, time)) : glm::vec3(0.0f);
 }
 
 } // namespace osgTreeWind

@@ -10,15 +10,15 @@ namespace osgTreeWind {
 /// Any callable as a wind: a formula, or a door into a running simulator.
 class FunctionWind final : public WindField {
 public:
-    /// Velocity (m/s toward) at a position (metres) and time (s). Called from any thread, several at once;
-    /// must not throw.
+    /// Velocity (m/s toward) at a position in the scene (metres; z is not height above the ground) and time
+    /// (s). Called from any thread, several at once; must not throw.
     using Function = std::function<glm::vec3(const glm::vec3& position, double time)>;
 
     /// @param function an empty one is calm.
     explicit FunctionWind(Function function);
 
     /// The function's answer; calm where a component of it is not finite.
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
 
 private:
     Function _function;

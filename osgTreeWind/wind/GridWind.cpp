@@ -4,7 +4,8 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/ForestWind.h>
-#include <osgTreeWind/wind/SampleSpan.h>
+#include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/SampleTimes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,28 +78,29 @@ public:
     Sampler(const GridWind::Grid& grid, double time)
         : _grid(grid), _nx(static_cast<std::size_t>(grid.points.x)),
           _ny(static_cast<std::size_t>(grid.points.y)), _nz(static_cast<std::size_t>(grid.points.z)),
-          _time(grid.times.empty() ? SampleSpan{} : spanAtTime(time, grid.times)),
+          _time(grid.times.empty() ? Interpolation{} : interpolationAtTime(time, grid.times)),
           _height(heightStrides(grid)) {}
 
     glm::vec3 at(const glm::vec3& position) const {
         const glm::dvec3 index = (glm::dvec3(position) - _grid.origin) / _grid.cell;
-        const SampleSpan x = spanAtIndex(index.x, _nx), y = spanAtIndex(index.y, _ny);
+        const Interpolation x = interpolationAtIndex(index.x, _nx), y = interpolationAtIndex(index.y, _ny);
         if (_grid.heights.empty())
-            return between(x, y, [&](std::size_t) { return spanAtIndex(index.z, _nz); });
+            return between(x, y, [&](std::size_t) { return interpolationAtIndex(index.z, _nz); });
         return between(x, y, [&](std::size_t step) { return layersAround(position.z, step, x, y); });
     }
 
 private:
     /// @param layers the layers around the place at a step of time.
     template <typename Layers>
-    glm::vec3 between(const SampleSpan& x, const SampleSpan& y, const Layers& layers) const {
+    glm::vec3 between(const Interpolation& x, const Interpolation& y, const Layers& layers) const {
         glm::dvec3 result = inStep(_time.lower, x, y, layers(_time.lower));
         if (_time.fraction > 0.0)
             result = _time.mix(result, inStep(_time.upper, x, y, layers(_time.upper)));
         return clampedVelocity(result);
     }
 
-    double heightOf(std::size_t layer, std::size_t step, const SampleSpan& x, const SampleSpan& y) const {
+    double heightOf(std::size_t layer, std::size_t step, const Interpolation& x,
+                    const Interpolation& y) const {
         const float* heights = _grid.heights.data() + step * _height.step + layer * _height.layer;
         if (_height.point == 0)
             return *heights;
@@ -107,7 +109,8 @@ private:
                      x.mix<double>(north[x.lower], north[x.upper]));
     }
 
-    SampleSpan layersAround(double z, std::size_t step, const SampleSpan& x, const SampleSpan& y) const {
+    Interpolation layersAround(double z, std::size_t step, const Interpolation& x,
+                               const Interpolation& y) const {
         std::size_t below = 0, above = _nz - 1;
         const double lowest = heightOf(below, step, x, y), highest = heightOf(above, step, x, y);
         if (!(z > lowest))
@@ -122,12 +125,13 @@ private:
         return {below, above, (z - floor) / (heightOf(above, step, x, y) - floor)};
     }
 
-    glm::dvec3 inStep(std::size_t step, const SampleSpan& x, const SampleSpan& y, const SampleSpan& z) const {
+    glm::dvec3 inStep(std::size_t step, const Interpolation& x, const Interpolation& y,
+                      const Interpolation& z) const {
         const glm::dvec3 low = inLayer(step * _nz + z.lower, x, y);
         return z.fraction > 0.0 ? z.mix(low, inLayer(step * _nz + z.upper, x, y)) : low;
     }
 
-    glm::dvec3 inLayer(std::size_t layer, const SampleSpan& x, const SampleSpan& y) const {
+    glm::dvec3 inLayer(std::size_t layer, const Interpolation& x, const Interpolation& y) const {
         const std::size_t south = (layer * _ny + y.lower) * _nx, north = (layer * _ny + y.upper) * _nx;
         return y.mix(x.mix(value(south + x.lower), value(south + x.upper)),
                      x.mix(value(north + x.lower), value(north + x.upper)));
@@ -140,7 +144,7 @@ private:
 
     const GridWind::Grid& _grid;
     std::size_t _nx, _ny, _nz;
-    SampleSpan _time;
+    Interpolation _time;
     HeightStrides _height;
 };
 
@@ -199,14 +203,14 @@ Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector
     return WindFieldPtr(std::make_shared<ForestWind>(width, length, std::move(values), origin));
 }
 
-glm::vec3 GridWind::velocity(const glm::vec3& position, double time) const {
-    return Sampler(_grid, time).at(position);
+glm::vec3 GridWind::velocity(const WindPlace& place, double time) const {
+    return Sampler(_grid, time).at(place.position);
 }
 
-void GridWind::sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
+void GridWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const Sampler sampler(_grid, time);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = sampler.at(positions[i]);
+        out[i] = sampler.at(places[i].position);
 }
 
 } // namespace osgTreeWind

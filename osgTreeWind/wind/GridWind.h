@@ -47,8 +47,8 @@ public:
 
     const Grid& grid() const { return _grid; }
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
-    void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
 private:
     explicit GridWind(Grid grid);

@@ -70,13 +70,14 @@ NoisePoint lerp(const NoisePoint& low, const NoisePoint& high, float share) {
     return result;
 }
 
-/// A block of places, number by number so that the processor does four at once.
+/// A block of places, east, north and above the ground, number by number so that the processor does four at
+/// once.
 struct Positions {
     float axis[3][block];
 };
 
 /// The same in the cells of one octave.
-struct Places {
+struct Cells {
     int corner[3][block];  ///< Of the cell, within the lattice.
     float share[3][block]; ///< Of the far corner, smoothed.
 };
@@ -96,12 +97,12 @@ void locate(const Positions& near, std::size_t count, const glm::vec4& toCells, 
 }
 
 /// Adds the noise at these places, times a factor.
-void addNoise(const NoisePoint* noise, const Places& places, std::size_t count, float factor,
+void addNoise(const NoisePoint* noise, const Cells& cells, std::size_t count, float factor,
               NoisePoint* sums) {
     for (std::size_t n = 0; n < count; ++n) {
         const NoisePoint* corner =
-            noise + (places.corner[2][n] * stride + places.corner[1][n]) * stride + places.corner[0][n];
-        const float x = places.share[0][n], y = places.share[1][n], z = places.share[2][n];
+            noise + (cells.corner[2][n] * stride + cells.corner[1][n]) * stride + cells.corner[0][n];
+        const float x = cells.share[0][n], y = cells.share[1][n], z = cells.share[2][n];
         constexpr int north = stride, up = stride * stride;
         const NoisePoint low =
             lerp(lerp(corner[0], corner[1], x), lerp(corner[north], corner[north + 1], x), y);
@@ -164,19 +165,19 @@ GustWind::GustWind(const Parameters& parameters) : _parameters(parameters) {
              glm::vec3(0.0f, 0.0f, 0.5f * deviation)};
 }
 
-glm::vec3 GustWind::velocity(const glm::vec3& position, double time) const {
+glm::vec3 GustWind::velocity(const WindPlace& place, double time) const {
     glm::vec3 result;
-    sample(&position, 1, time, &result);
+    sample(&place, 1, time, &result);
     return result;
 }
 
-void GustWind::sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
+void GustWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const glm::dvec3 travelled =
         glm::dvec3(_parameters.mean) * (std::isfinite(time) ? glm::clamp(time, -1e12, 1e12) : 0.0);
     std::array<Frame, octaves> frames;
     for (std::size_t i = 0; i < octaves; ++i) {
-        const glm::dvec3 cells = _octaves[i].offset - _octaves[i].toCells * travelled;
-        const glm::dvec3 offset = cells - glm::floor(cells / double(side)) * double(side);
+        const glm::dvec3 start = _octaves[i].offset - _octaves[i].toCells * travelled;
+        const glm::dvec3 offset = start - glm::floor(start / double(side)) * double(side);
         const glm::dmat3 axes = glm::transpose(_octaves[i].toCells);
         for (int axis = 0; axis < 3; ++axis)
             frames[i].toCells[axis] = glm::vec4(axes[axis], offset[axis]);
@@ -186,14 +187,17 @@ void GustWind::sample(const glm::vec3* positions, std::size_t count, double time
         const std::size_t size = std::min(count - first, block);
         Positions near = {};
         NoisePoint turbulence[block] = {};
-        Places places;
-        for (std::size_t n = 0; n < size; ++n)
-            for (int axis = 0; axis < 3; ++axis)
-                near.axis[axis][n] = held(positions[first + n][axis]);
+        Cells cells;
+        for (std::size_t n = 0; n < size; ++n) {
+            const WindPlace& place = places[first + n];
+            near.axis[0][n] = held(place.position.x);
+            near.axis[1][n] = held(place.position.y);
+            near.axis[2][n] = held(place.height());
+        }
         for (const Frame& frame : frames) {
             for (int axis = 0; axis < 3; ++axis)
-                locate(near, size, frame.toCells[axis], places.corner[axis], places.share[axis]);
-            addNoise(_noise.data(), places, size, frame.amplitude, turbulence);
+                locate(near, size, frame.toCells[axis], cells.corner[axis], cells.share[axis]);
+            addNoise(_noise.data(), cells, size, frame.amplitude, turbulence);
         }
         for (std::size_t n = 0; n < size; ++n) {
             const float* u = turbulence[n].values;

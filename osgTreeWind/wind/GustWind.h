@@ -26,7 +26,7 @@ struct alignas(16) NoisePoint {
 /// orientation, so that nothing repeats visibly. Its spectrum along the wind is flat below the length scale
 /// and falls with frequency to the power -5/3 above (Kolmogorov), over two decades. Standard deviations
 /// across the wind and upward are 0.8 and 0.5 of that along it (IEC 61400-1, Kaimal). One seed gives one
-/// wind.
+/// wind. The whole follows the ground: what counts is the height of a place above it.
 class GustWind final : public WindField {
 public:
     struct Parameters {
@@ -34,7 +34,7 @@ public:
         double intensity = 0.2;           ///< Standard deviation along the wind over mean speed, 0 to 1.
         double lengthScale = 60.0; ///< Integral length scale of the turbulence along the wind, 1 to 1e5 m.
         std::optional<LogProfile>
-            profile; ///< Scales mean and turbulence with height; empty: all heights alike.
+            profile; ///< Scales mean and turbulence with height above the ground; empty: all heights alike.
         std::uint32_t seed = 1;
     };
 
@@ -43,8 +43,8 @@ public:
 
     const Parameters& parameters() const { return _parameters; }
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
-    void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
 private:
     static constexpr int octaves = 8;

@@ -3,8 +3,8 @@
 
 namespace osgTreeWind {
 
-/// How wind measured at one height grows with height over flat ground at z = 0: the logarithmic law of the
-/// neutral surface layer, u(z) = u(height) * ln(z / roughness) / ln(height / roughness).
+/// How wind measured at one height grows with height above the ground: the logarithmic law of the neutral
+/// surface layer, u(z) = u(height) * ln(z / roughness) / ln(height / roughness).
 struct LogProfile {
     double height = 10.0;   ///< Metres above ground of the measurement; above the roughness length.
     double roughness = 0.1; ///< Roughness length z0 of the ground, metres, above 0.
@@ -12,8 +12,8 @@ struct LogProfile {
     /// Whether both are finite and 0 < roughness < height.
     bool valid() const;
 
-    /// u(z) / u(height) for z in metres: 1 at `height`, 0 at and below `roughness`, finite for any z.
-    /// Only when valid().
+    /// u(z) / u(height) for z in metres above the ground: 1 at `height`, 0 at and below `roughness`, finite
+    /// for any z. Only when valid().
     double factor(double z) const;
 };
 

@@ -3,20 +3,32 @@
 
 #include <osgTreeWind/wind/UniformWind.h>
 
+#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
 
-RetimedWind::RetimedWind(WindFieldPtr inner, double start, double scale)
-    : _inner(inner ? std::move(inner) : std::make_shared<UniformWind>(glm::vec3(0.0f))), _start(start),
-      _scale(scale) {}
+RetimedWind::RetimedWind(WindFieldPtr inner, const Clock& clock)
+    : _inner(inner ? std::move(inner) : std::make_shared<UniformWind>(glm::vec3(0.0f))), _clock(clock) {}
 
-glm::vec3 RetimedWind::velocity(const glm::vec3& position, double time) const {
-    return _inner->velocity(position, _start + _scale * time);
+bool RetimedWind::carried() const {
+    return std::isfinite(_clock.speed);
 }
 
-void RetimedWind::sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
-    _inner->sample(positions, count, _start + _scale * time, out);
+double RetimedWind::innerTime(double x, double time) const {
+    const double atPlane = _clock.start + _clock.scale * time;
+    return carried() ? atPlane - (x - _clock.plane) / _clock.speed : atPlane;
+}
+
+glm::vec3 RetimedWind::velocity(const WindPlace& place, double time) const {
+    return _inner->velocity(place, innerTime(place.position.x, time));
+}
+
+void RetimedWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    if (carried())
+        WindField::sample(places, count, time, out);
+    else
+        _inner->sample(places, count, innerTime(0.0, time), out);
 }
 
 } // namespace osgTreeWind

@@ -3,24 +3,36 @@
 
 #include <osgTreeWind/wind/WindField.h>
 
+#include <limits>
+
 namespace osgTreeWind {
 
-/// Another wind at its own pace: at time t it is the inner wind at start + scale * t.
-/// With a scale of 60 an hour of record passes in a minute.
+/// Another wind at another time: at x and t it is the inner wind at start + scale * t - (x - plane) / speed.
 class RetimedWind final : public WindField {
 public:
-    /// @param inner null is calm.
-    /// @param start seconds of the inner wind's time shown at time 0.
-    /// @param scale seconds of the inner wind per second; 0 freezes it, a negative one runs it backwards.
-    RetimedWind(WindFieldPtr inner, double start, double scale);
+    struct Clock {
+        double start = 0.0; ///< Seconds of the inner wind's time shown at time 0.
+        /// Seconds of the inner wind per second: with 60 an hour of record passes in a minute; 0 freezes it,
+        /// a negative one runs it backwards.
+        double scale = 1.0;
+        /// A wind known over time at the plane x = `plane` is carried past it unchanged (Taylor's frozen
+        /// turbulence) at `speed` m/s toward +x, not 0; infinite: all places have the same time.
+        double plane = 0.0;
+        double speed = std::numeric_limits<double>::infinity();
+    };
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
-    void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const override;
+    /// @param inner null is calm.
+    RetimedWind(WindFieldPtr inner, const Clock& clock);
+
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
 private:
+    bool carried() const;
+    double innerTime(double x, double time) const;
+
     WindFieldPtr _inner;
-    double _start;
-    double _scale;
+    Clock _clock;
 };
 
 } // namespace osgTreeWind

@@ -34,12 +34,12 @@ Diagnostics StreamedWind::update(std::vector<float> values) {
     return {};
 }
 
-glm::vec3 StreamedWind::velocity(const glm::vec3& position, double time) const {
-    return current()->velocity(position, time);
+glm::vec3 StreamedWind::velocity(const WindPlace& place, double time) const {
+    return current()->velocity(place, time);
 }
 
-void StreamedWind::sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
-    current()->sample(positions, count, time, out);
+void StreamedWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    current()->sample(places, count, time, out);
 }
 
 } // namespace osgTreeWind

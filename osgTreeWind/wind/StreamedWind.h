@@ -23,8 +23,8 @@ public:
     /// @return the problems; empty when all is well.
     Diagnostics update(std::vector<float> values);
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
-    void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
 private:
     using GridPtr = std::shared_ptr<const GridWind>;

@@ -3,7 +3,8 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
-#include <osgTreeWind/wind/SampleSpan.h>
+#include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/SampleTimes.h>
 
 #include <cmath>
 #include <utility>
@@ -57,23 +58,23 @@ Result<std::shared_ptr<const TimeSeriesWind>> TimeSeriesWind::create(WindSeries 
 }
 
 glm::dvec3 TimeSeriesWind::measured(double time) const {
-    const SampleSpan span = spanAtTime(_series.repeat ? wrapped(time, _series.times) : time, _series.times);
+    const Interpolation span =
+        interpolationAtTime(_series.repeat ? wrapped(time, _series.times) : time, _series.times);
     return span.mix(glm::dvec3(_series.velocities[span.lower]), glm::dvec3(_series.velocities[span.upper]));
 }
 
-glm::vec3 TimeSeriesWind::atHeight(const glm::dvec3& measured, float z) const {
-    return clampedVelocity(_series.profile ? measured * _series.profile->factor(z) : measured);
+glm::vec3 TimeSeriesWind::atHeight(const glm::dvec3& measured, float height) const {
+    return clampedVelocity(_series.profile ? measured * _series.profile->factor(height) : measured);
 }
 
-glm::vec3 TimeSeriesWind::velocity(const glm::vec3& position, double time) const {
-    return atHeight(measured(time), position.z);
+glm::vec3 TimeSeriesWind::velocity(const WindPlace& place, double time) const {
+    return atHeight(measured(time), place.height());
 }
 
-void TimeSeriesWind::sample(const glm::vec3* positions, std::size_t count, double time,
-                            glm::vec3* out) const {
+void TimeSeriesWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const glm::dvec3 now = measured(time);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = atHeight(now, positions[i].z);
+        out[i] = atHeight(now, places[i].height());
 }
 
 } // namespace osgTreeWind

@@ -10,8 +10,8 @@
 namespace osgTreeWind {
 
 /// A record of wind at one point, blowing over the whole forest: components linear in time (directions are
-/// never interpolated), scaled with height where the record has a profile. Before the first record the
-/// first holds; after the last the last holds or the record repeats.
+/// never interpolated), scaled with height above the ground where the record has a profile. Before the first
+/// record the first holds; after the last the last holds or the record repeats.
 class TimeSeriesWind final : public WindField {
 public:
     /// A field over the record, or what is wrong with it: diagnostics with the member's name as key.
@@ -19,14 +19,14 @@ public:
 
     const WindSeries& series() const { return _series; }
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
-    void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
 private:
     explicit TimeSeriesWind(WindSeries series);
 
     glm::dvec3 measured(double time) const;
-    glm::vec3 atHeight(const glm::dvec3& measured, float z) const;
+    glm::vec3 atHeight(const glm::dvec3& measured, float height) const;
 
     WindSeries _series;
 };

@@ -7,7 +7,7 @@ namespace osgTreeWind {
 
 UniformWind::UniformWind(const glm::vec3& velocity) : _velocity(calmUnlessFinite(velocity)) {}
 
-glm::vec3 UniformWind::velocity(const glm::vec3&, double) const {
+glm::vec3 UniformWind::velocity(const WindPlace&, double) const {
     return _velocity;
 }
 

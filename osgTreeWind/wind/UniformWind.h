@@ -11,7 +11,7 @@ public:
     /// @param velocity m/s toward; calm when a component is not finite.
     explicit UniformWind(const glm::vec3& velocity);
 
-    glm::vec3 velocity(const glm::vec3& position, double time) const override;
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
 
 private:
     glm::vec3 _velocity;

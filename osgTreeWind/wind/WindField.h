@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/wind/WindPlace.h>
+
 #include <glm/vec3.hpp>
 
 #include <cstddef>
@@ -11,7 +13,8 @@ namespace osgTreeWind {
 /// The wind: a velocity at every place and time.
 ///
 /// Positions are metres in the scene (x east, y north, z up, relative to the forest's origin); velocities are
-/// m/s, the direction the air moves *toward*; times are seconds of simulation time.
+/// m/s, the direction the air moves *toward*; times are seconds of simulation time. Fields that know how wind
+/// grows with height count it from the ground of each place.
 /// Fields are immutable once shared: any number of threads may sample one. Replace a wind by handing over
 /// another field.
 class WindField {
@@ -19,12 +22,12 @@ public:
     virtual ~WindField() = default;
 
     /// Velocity at one place and time. Finite for finite arguments.
-    virtual glm::vec3 velocity(const glm::vec3& position, double time) const = 0;
+    virtual glm::vec3 velocity(const WindPlace& place, double time) const = 0;
 
     /// Velocities at `count` places at one time. Does not allocate.
-    virtual void sample(const glm::vec3* positions, std::size_t count, double time, glm::vec3* out) const {
+    virtual void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
         for (std::size_t i = 0; i < count; ++i)
-            out[i] = velocity(positions[i], time);
+            out[i] = velocity(places[i], time);
     }
 };
 

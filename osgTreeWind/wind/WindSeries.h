@@ -15,7 +15,7 @@ struct WindSeries {
     std::vector<double> times;         ///< Seconds, strictly increasing; readers start them at 0.
     std::vector<glm::vec3> velocities; ///< m/s toward, one per time.
     bool repeat = false;               ///< Start again after the last time (period last - first) or hold it.
-    std::optional<LogProfile> profile; ///< Height and roughness; empty: the same wind at all heights.
+    std::optional<LogProfile> profile; ///< Over the ground of each place; empty: all heights alike.
 };
 
 } // namespace osgTreeWind

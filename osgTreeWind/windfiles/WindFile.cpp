@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
-#include <osgTreeWind/wind/TravellingWind.h>
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSteps.h>
@@ -96,9 +96,12 @@ Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, co
     for (float& height : grid.heights)
         height -= static_cast<float>(origin.z);
     Result<WindFieldPtr> field = named(GridWind::create(std::move(grid)), path);
-    if (field && content.travelSpeed > 0.0)
-        return WindFieldPtr(std::make_shared<TravellingWind>(field.value(), -origin.x, content.travelSpeed));
-    return field;
+    if (!field || !(content.travelSpeed > 0.0))
+        return field;
+    RetimedWind::Clock clock;
+    clock.plane = -origin.x;
+    clock.speed = content.travelSpeed;
+    return WindFieldPtr(std::make_shared<RetimedWind>(field.value(), clock));
 }
 
 /// One file, velocities in m/s.

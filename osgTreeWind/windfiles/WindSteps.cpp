@@ -2,7 +2,7 @@
 #include <osgTreeWind/windfiles/WindSteps.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/wind/SampleSpan.h>
+#include <osgTreeWind/wind/SampleTimes.h>
 
 #include <algorithm>
 

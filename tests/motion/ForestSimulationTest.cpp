@@ -2,6 +2,8 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +20,9 @@ namespace {
 class TestWind : public WindField {
 public:
     explicit TestWind(std::function<glm::vec3(const glm::vec3&, double)> f) : _f(std::move(f)) {}
-    glm::vec3 velocity(const glm::vec3& position, double time) const override { return _f(position, time); }
+    glm::vec3 velocity(const WindPlace& place, double time) const override {
+        return _f(place.position, time);
+    }
 
 private:
     std::function<glm::vec3(const glm::vec3&, double)> _f;
@@ -196,8 +200,9 @@ TEST(ForestSimulation, ATurnedTreeInATurnedWindMakesTheTurnedPose) {
     run(other, 20);
     for (std::size_t i = 0; i < 14; ++i) {
         EXPECT_LT(glm::length(tip(straight, i) - tip(other, i)), 1e-4f);
-        EXPECT_LT(glm::length(turned(straight.windPositions()[i], heading) - other.windPositions()[i]),
-                  1e-4f);
+        EXPECT_LT(
+            glm::length(turned(straight.windPlaces()[i].position, heading) - other.windPlaces()[i].position),
+            1e-4f);
     }
 }
 
@@ -213,8 +218,34 @@ TEST(ForestSimulation, SamplesTheWindAtEachBranchBase) {
     const auto& units = simulation.models()[0].skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const glm::vec3 base = glm::vec3(100.25f, -7.5f, 2.0f) + units[i].base;
-        EXPECT_LT(glm::length(simulation.windPositions()[i] - base), 1e-4f);
+        EXPECT_LT(glm::length(simulation.windPlaces()[i].position - base), 1e-4f);
         EXPECT_LT(glm::length(simulation.windSamples()[i] - base - glm::vec3(0, 0, 2)), 1e-4f);
+    }
+}
+
+TEST(ForestSimulation, TreesOnAHillAndBelowTheSeaHaveTheWindOfThoseAtZero) {
+    WindSeries series;
+    series.times = {0.0};
+    series.velocities = {{6.0f, 2.0f, 0.0f}};
+    series.profile = LogProfile{10.0, 0.1};
+    GustWind::Parameters gusts;
+    gusts.profile = series.profile;
+    for (const WindFieldPtr& wind : {WindFieldPtr(TimeSeriesWind::create(series).value()),
+                                     WindFieldPtr(GustWind::create(gusts).value())}) {
+        ForestDescription forest = oneTree(MotionLaw::Damped);
+        forest.wind = wind;
+        forest.trees.resize(3);
+        forest.trees[1].position.z = 200.0;
+        forest.trees[2].position.z = -50.0;
+        ForestSimulation simulation(forest);
+        simulation.advance(4.0);
+        const std::vector<glm::vec3>& winds = simulation.windSamples();
+        const std::size_t units = winds.size() / 3;
+        EXPECT_GT(glm::length(winds[units - 1]), 1.0f);
+        for (std::size_t i = 0; i < units; ++i)
+            for (std::size_t tree : {1u, 2u})
+                EXPECT_LT(glm::length(winds[tree * units + i] - winds[i]), 1e-3f)
+                    << "unit " << i << " of the tree at z = " << forest.trees[tree].position.z;
     }
 }
 

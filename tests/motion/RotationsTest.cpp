@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/Rotations.h>
 
-#include <osgTreeWind/model/ThesisFrame.h>
+#include <osgTreeWind/model/ThesisAxes.h>
 #include <osgTreeWind/motion/Laws.h>
 
 #include <gtest/gtest.h>

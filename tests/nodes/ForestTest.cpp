@@ -28,7 +28,7 @@ struct CountedForest {
         });
         forest = new Forest(description);
     }
-    int samples() const { return *asked / static_cast<int>(forest->getSimulation().windPositions().size()); }
+    int samples() const { return *asked / static_cast<int>(forest->getSimulation().windPlaces().size()); }
 };
 
 std::vector<glm::vec4> states(const Forest& forest) {

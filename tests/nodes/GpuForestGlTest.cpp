@@ -238,7 +238,7 @@ TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
 TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
     struct Hostile : WindField {
         explicit Hostile(float v) : value(v) {}
-        glm::vec3 velocity(const glm::vec3&, double) const override { return glm::vec3(value); }
+        glm::vec3 velocity(const WindPlace&, double) const override { return glm::vec3(value); }
         float value;
     };
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped}) {

@@ -13,17 +13,18 @@
 inline void expectFiniteEverywhere(const osgTreeWind::WindField& wind) {
     const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> odd = {0.0f, -0.0f, 0.5f, -1.0f, 1e-40f, 1e30f, -1e30f, 3.4e38f, inf, -inf, nan};
-    std::vector<glm::vec3> positions;
+    std::vector<osgTreeWind::WindPlace> places;
     for (float x : odd)
         for (float y : odd)
             for (float z : odd)
-                positions.emplace_back(x, y, z);
-    std::vector<glm::vec3> sampled(positions.size());
+                for (float ground : {0.0f, -40.0f, inf, nan})
+                    places.emplace_back(glm::vec3(x, y, z), ground);
+    std::vector<glm::vec3> sampled(places.size());
     for (double time : {0.0, -1.0, 0.3, 1e30, -1e300, double(inf), -double(inf), double(nan)}) {
-        wind.sample(positions.data(), positions.size(), time, sampled.data());
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const glm::vec3& at = positions[i];
-            const glm::vec3 v = wind.velocity(at, time);
+        wind.sample(places.data(), places.size(), time, sampled.data());
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const glm::vec3& at = places[i].position;
+            const glm::vec3 v = wind.velocity(places[i], time);
             ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z))
                 << "at " << at.x << ' ' << at.y << ' ' << at.z << ", time " << time;
             ASSERT_EQ(v, sampled[i]) << "at " << at.x << ' ' << at.y << ' ' << at.z << ", time " << time;

@@ -61,7 +61,7 @@ TEST(GridWind, IsLinearInSpaceAndTime) {
     for (const glm::dvec3& p :
          {glm::dvec3(103, -197, 11), glm::dvec3(127.5, -165, 14), glm::dvec3(110, -171, 10)})
         for (double t : {5.0, 5.25, 7.0, 9.99})
-            expectNear(wind->velocity(p, t), linear(p, t));
+            expectNear(wind->velocity(glm::vec3(p), t), linear(p, t));
 }
 
 TEST(GridWind, TheEdgeHoldsOutside) {
@@ -88,12 +88,13 @@ TEST(GridWind, OneLayerServesAllHeights) {
 
 TEST(GridWind, SampleEqualsVelocity) {
     const auto wind = made(filled({4, 3, 2}, times, linear));
-    std::vector<glm::vec3> positions, sampled(200);
+    std::vector<WindPlace> places;
+    std::vector<glm::vec3> sampled(200);
     for (int i = 0; i < 200; ++i)
-        positions.emplace_back(95 + 0.2f * i, -205 + 0.3f * i, 8 + 0.05f * i);
-    wind->sample(positions.data(), positions.size(), 7.3, sampled.data());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        EXPECT_EQ(sampled[i], wind->velocity(positions[i], 7.3)) << i;
+        places.emplace_back(95 + 0.2f * i, -205 + 0.3f * i, 8 + 0.05f * i);
+    wind->sample(places.data(), places.size(), 7.3, sampled.data());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        EXPECT_EQ(sampled[i], wind->velocity(places[i], 7.3)) << i;
 }
 
 TEST(GridWind, LayersMayBeUneven) {

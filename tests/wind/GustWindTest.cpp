@@ -187,6 +187,18 @@ TEST(GustWind, ProfileScalesMeanAndTurbulence) {
         EXPECT_NEAR(wind->velocity({3, 4, 20}, 7)[i], even->velocity({3, 4, 20}, 7)[i] * factor, 1e-4f);
 }
 
+TEST(GustWind, FollowsTheGround) {
+    GustWind::Parameters parameters = usual();
+    parameters.profile = LogProfile{10.0, 0.1};
+    const auto wind = made(parameters);
+    for (float height : {0.05f, 2.0f, 20.0f})
+        for (float ground : {200.0f, -50.0f}) {
+            const glm::vec3 there = wind->velocity({{3, 4, ground + height}, ground}, 7);
+            EXPECT_LT(glm::length(there - wind->velocity({3, 4, height}, 7)), 1e-3f)
+                << height << " m above ground at " << ground;
+        }
+}
+
 TEST(GustWind, NoIntensityIsTheMeanAndNoMeanIsCalm) {
     GustWind::Parameters parameters = usual();
     parameters.intensity = 0.0;

@@ -60,13 +60,14 @@ TEST(StreamedWind, EverySampleSeesOneUpdateWhole) {
             EXPECT_TRUE(wind->update(gridOf(static_cast<float>(i)).values).empty());
         done = true;
     });
-    std::vector<glm::vec3> positions, winds(64);
+    std::vector<WindPlace> places;
+    std::vector<glm::vec3> winds(64);
     for (int i = 0; i < 64; ++i)
-        positions.emplace_back(i % 8, i / 8, 0.5f);
+        places.emplace_back(i % 8, i / 8, 0.5f);
     float latest = 0.0f;
     bool whole = true, ordered = true;
     while (!done) {
-        wind->sample(positions.data(), positions.size(), 0.0, winds.data());
+        wind->sample(places.data(), places.size(), 0.0, winds.data());
         for (const glm::vec3& velocity : winds)
             whole = whole && velocity == glm::vec3(winds.front().x);
         ordered = ordered && winds.front().x >= latest;

@@ -86,6 +86,20 @@ TEST(TimeSeriesWind, FollowsTheLogarithmicProfile) {
     EXPECT_EQ(wind->velocity({0, 0, -2}, 20), glm::vec3(0));
 }
 
+TEST(TimeSeriesWind, TheProfileBeginsAtTheGroundOfThePlace) {
+    WindSeries series = three();
+    series.profile = LogProfile{10.0, 0.1};
+    const auto wind = made(series);
+    for (float ground : {0.0f, 200.0f, -50.0f}) {
+        const WindPlace places[] = {{{0, 0, ground + 10}, ground}, {{0, 0, ground - 1}, ground}};
+        glm::vec3 winds[2];
+        wind->sample(places, 2, 20, winds);
+        expectNear(winds[0], {3, 4, 0});
+        EXPECT_EQ(winds[1], glm::vec3(0));
+        EXPECT_EQ(wind->velocity(places[0], 20), winds[0]);
+    }
+}
+
 TEST(TimeSeriesWind, AbsurdPlacesAndTimesGiveFiniteWind) {
     const float max = std::numeric_limits<float>::max();
     WindSeries series = three();

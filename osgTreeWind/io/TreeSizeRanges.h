@@ -10,7 +10,4 @@ constexpr Range treeHeights = above(0, 150);
 constexpr Range trunkDiameters = above(0, 20);
 constexpr Range crownWidths = above(0, 150);
 
-/// World coordinates, metres: any map projection of the Earth.
-constexpr Range worldCoordinates = within(-1e8, 1e8);
-
 } // namespace osgTreeWind

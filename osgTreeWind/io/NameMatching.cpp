@@ -1,41 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/io/Wording.h>
+#include <osgTreeWind/io/NameMatching.h>
 
 #include <algorithm>
 #include <numeric>
 
 namespace osgTreeWind {
-
-std::string printable(std::string text) {
-    constexpr std::size_t longest = 200;
-    if (text.size() > longest) {
-        std::size_t end = longest;
-        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
-            --end; // never half a UTF-8 character
-        text = text.substr(0, end) + "...";
-    }
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-    return text;
-}
-
-std::string inQuotes(const std::string& text) {
-    return '"' + printable(text) + '"';
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string result;
-    for (const std::string& word : words)
-        result += (result.empty() ? "" : ", ") + printable(word);
-    return result;
-}
-
-std::string alternatives(const std::vector<std::string>& words) {
-    std::string result;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        result += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + inQuotes(words[i]);
-    return result;
-}
 
 namespace {
 
@@ -56,7 +25,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 
 } // namespace
 
-std::string nearest(const std::string& word, const std::vector<std::string>& words) {
+std::string nearestName(const std::string& word, const std::vector<std::string>& words) {
     constexpr std::size_t longest = 60;
     std::string best;
     std::size_t smallest = std::max<std::size_t>(std::min(longest, word.size()) / 3, 1);
@@ -70,7 +39,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
     return best;
 }
 
-std::string folded(const std::string& text) {
+std::string foldedName(const std::string& text) {
     const std::string blanks = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string::npos)

@@ -15,9 +15,5 @@ std::string inQuotes(const std::string& text);
 std::string joined(const std::vector<std::string>& words);
 /// "\"a\", \"b\" or \"c\"".
 std::string alternatives(const std::vector<std::string>& words);
-/// The word closest to `word` by edit distance; empty when none is similar.
-std::string nearest(const std::string& word, const std::vector<std::string>& words);
-/// Without blanks around it, ASCII letters in lower case: how names of species are compared.
-std::string folded(const std::string& text);
 
 } // namespace osgTreeWind

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Result.h>
-
 #include <cstddef>
 #include <vector>
 
 namespace osgTreeWind {
 
 /// Where a value falls between two neighbouring samples: lower + fraction * (upper - lower).
-struct SampleSpan {
+struct Interpolation {
     std::size_t lower = 0;
     std::size_t upper = 0;
     double fraction = 0.0; ///< In [0, 1].
@@ -23,13 +21,10 @@ struct SampleSpan {
 
 /// The samples around a coordinate counted in samples, out of `count` (at least 1); held at both ends.
 /// NaN gives the first.
-SampleSpan spanAtIndex(double index, std::size_t count);
+Interpolation interpolationAtIndex(double index, std::size_t count);
 
 /// The samples around a time; before the first and after the last they are held. NaN gives the first.
 /// @param times at least one, checked by checkTimes().
-SampleSpan spanAtTime(double time, const std::vector<double>& times);
-
-/// A problem with key "times" unless they are within 1e15 s and strictly increasing; empty when they are.
-Diagnostics checkTimes(const std::vector<double>& times);
+Interpolation interpolationAtTime(double time, const std::vector<double>& times);
 
 } // namespace osgTreeWind

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/MessageText.h>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+std::string printable(std::string text) {
+    constexpr std::size_t longest = 200;
+    if (text.size() > longest) {
+        std::size_t end = longest;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
+            --end; // never half a UTF-8 character
+        text = text.substr(0, end) + "...";
+    }
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    return text;
+}
+
+std::string inQuotes(const std::string& text) {
+    return '"' + printable(text) + '"';
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string result;
+    for (const std::string& word : words)
+        result += (result.empty() ? "" : ", ") + printable(word);
+    return result;
+}
+
+std::string alternatives(const std::vector<std::string>& words) {
+    std::string result;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        result += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + inQuotes(words[i]);
+    return result;
+}
+
+} // namespace osgTreeWind
