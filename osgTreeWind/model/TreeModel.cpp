@@ -14,6 +14,7 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
     model.skin = makeBranchSkin(model.skeleton);
     model.leaves = makeLeafClusters(model.skeleton, p.leaves);
     model.leafMesh = makeLeafMesh(p.leaves);
+    model.extents = makeTreeExtents(model);
     return model;
 }
 

@@ -5,6 +5,7 @@
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/RecursiveTree.h>
 #include <osgTreeWind/model/Skeleton.h>
+#include <osgTreeWind/model/TreeExtents.h>
 
 #include <array>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct TreeModel {
     BranchSkin skin;
     std::vector<LeafCluster> leaves;
     std::array<LeafVertex, verticesPerLeafCluster> leafMesh;
+    TreeExtents extents; ///< makeTreeExtents() of the above, for measureTree() and fitTree().
 };
 
 /// Grows skeleton, skin and leaves. Both seeds of `parameters` are offset by `variant`.

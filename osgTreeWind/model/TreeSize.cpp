@@ -2,7 +2,6 @@
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,66 +19,24 @@ float near(float factor, float expected) {
     return glm::clamp(factor, 0.02f * expected, 50.0f * expected);
 }
 
-struct Extents {
-    glm::vec3 low{0.0f}, high{0.0f}; // the foot of the trunk is always part of the tree
-
-    bool mayGrowBy(const glm::vec3& centre, float reach) const {
-        return glm::any(glm::lessThan(centre - reach, low)) ||
-               glm::any(glm::greaterThan(centre + reach, high));
-    }
-    void add(const glm::vec3& point) {
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-};
-
-Extents extentsOf(const TreeModel& model, const TreeScale& scale) {
-    Extents extents;
-    for (const SkinVertex& vertex : model.skin.vertices)
-        extents.add(scale.axes * vertex.centre + scale.radius * vertex.radius * vertex.outward);
-    float reach = 0.0f;
-    for (const LeafVertex& vertex : model.leafMesh)
-        reach = std::max(reach, glm::length(vertex.corner));
-    for (const LeafCluster& leaf : model.leaves) {
-        const glm::vec3 anchor = scale.axes * leaf.anchor;
-        const float size = scale.leaf * leaf.size;
-        if (!extents.mayGrowBy(anchor, reach * size))
-            continue;
-        for (const LeafVertex& vertex : model.leafMesh)
-            extents.add(anchor + leaf.orientation * (size * vertex.corner));
-    }
-    return extents;
-}
-
-float trunkRadiusAt(const Skeleton& skeleton, const TreeScale& scale, float height) {
-    float radius = skeleton.units.front().baseRadius;
-    for (const BranchUnit& unit : skeleton.units) {
-        const float base = scale.axes.z * unit.base.z, tip = scale.axes.z * unit.tip.z;
-        if (unit.level == 0 && height >= base)
-            radius =
-                glm::mix(unit.baseRadius, unit.tipRadius, std::min((height - base) / (tip - base), 1.0f));
-    }
-    return scale.radius * radius;
-}
-
 } // namespace
 
-TreeSize measureTree(const TreeModel& model, const TreeScale& scale) {
-    const Extents extents = extentsOf(model, scale);
+TreeSize measureTree(const TreeExtents& extents, const TreeScale& scale) {
+    const auto [east, west, north, south, height] = extents.reach(scale);
     TreeSize size;
-    size.height = extents.high.z;
-    size.trunkDiameter = 2.0f * trunkRadiusAt(model.skeleton, scale, std::min(1.3f, 0.1f * size.height));
-    size.crownWidth = 0.5f * (extents.high.x - extents.low.x + extents.high.y - extents.low.y);
+    size.height = height;
+    size.trunkDiameter = 2.0f * extents.trunkRadius(scale, std::min(1.3f, 0.1f * height));
+    size.crownWidth = 0.5f * (east + west + north + south);
     return size;
 }
 
-TreeScale fitTree(const TreeModel& model, const TreeSize& size) {
-    const TreeSize rest = measureTree(model);
+TreeScale fitTree(const TreeExtents& extents, const TreeSize& size) {
+    const TreeSize rest = measureTree(extents);
     const float height = given(size.height), trunk = given(size.trunkDiameter),
                 crown = given(size.crownWidth);
     TreeScale scale;
     for (int round = 0; round < 24; ++round) {
-        const TreeSize now = measureTree(model, scale);
+        const TreeSize now = measureTree(extents, scale);
         const float up = height > 0.0f ? height / now.height : 1.0f;
         const float out = crown > 0.0f ? crown / now.crownWidth : 1.0f;
         const float thick = trunk > 0.0f ? trunk / now.trunkDiameter : 1.0f;
@@ -92,6 +49,14 @@ TreeScale fitTree(const TreeModel& model, const TreeSize& size) {
             break;
     }
     return scale;
+}
+
+TreeSize measureTree(const TreeModel& model, const TreeScale& scale) {
+    return measureTree(model.extents, scale);
+}
+
+TreeScale fitTree(const TreeModel& model, const TreeSize& size) {
+    return fitTree(model.extents, size);
 }
 
 } // namespace osgTreeWind

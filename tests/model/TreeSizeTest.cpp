@@ -52,9 +52,8 @@ TEST(TreeSize, TrunkIsMeasuredAtBreastHeight) {
     EXPECT_NEAR(measureTree(makeTreeModel(p)).trunkDiameter, 0.8f * (1.0f - 0.5f / 10.0f), 1e-5f);
 }
 
-TEST(TreeSize, CountsEveryLeafAndEveryBranch) {
-    const TreeModel model = makeTreeModel({});
-    const TreeScale scale{{0.7f, 0.7f, 1.3f}, 1.5f, 0.9f};
+/// The size of a model from each of its vertices.
+TreeSize measureEveryVertex(const TreeModel& model, const TreeScale& scale) {
     glm::vec3 low{0.0f}, high{0.0f};
     const auto add = [&](const glm::vec3& point) {
         low = glm::min(low, point);
@@ -65,9 +64,46 @@ TEST(TreeSize, CountsEveryLeafAndEveryBranch) {
     for (const LeafCluster& leaf : model.leaves)
         for (const LeafVertex& v : model.leafMesh)
             add(scale.axes * leaf.anchor + leaf.orientation * (scale.leaf * leaf.size * v.corner));
-    const TreeSize size = measureTree(model, scale);
-    EXPECT_FLOAT_EQ(size.height, high.z);
-    EXPECT_FLOAT_EQ(size.crownWidth, 0.5f * (high.x - low.x + high.y - low.y));
+    return {high.z, 0.0f, 0.5f * (high.x - low.x + high.y - low.y)};
+}
+
+TEST(TreeSize, CountsEveryLeafAndEveryBranch) {
+    TreeParameters bare, poplar, shrub, conifer, pole;
+    bare.leaves.clustersPerBranch = 0;
+    poplar.wood.inclination = 0.15f;
+    poplar.leaves.length = 2.0f;
+    shrub.wood.levels = 2;
+    shrub.wood.childrenPerBranch = 6;
+    shrub.wood.trunkUnits = 1;
+    shrub.wood.inclination = 1.4f;
+    conifer.wood.trunkUnits = 12;
+    conifer.wood.levels = 2;
+    conifer.wood.leader = 0.5f;
+    pole.wood.levels = 0;
+    std::vector<TreeModel> models;
+    for (const TreeParameters& p : {TreeParameters(), bare, poplar, shrub, conifer, pole})
+        for (const std::uint32_t variant : {0u, 7u})
+            models.push_back(makeTreeModel(p, variant));
+    for (const TreeModel& model : models)
+        for (const float across : {0.02f, 0.3f, 1.0f, 4.0f})
+            for (const float up : {0.05f, 1.0f, 30.0f})
+                for (const float radius : {0.01f, 1.0f, 5.0f, 300.0f})
+                    for (const float leaf : {0.01f, 0.9f, 60.0f}) {
+                        const TreeScale scale{{across, 1.1f * across, up}, radius, leaf};
+                        const TreeSize size = measureTree(model, scale);
+                        const TreeSize expected = measureEveryVertex(model, scale);
+                        EXPECT_NEAR(size.height, expected.height, 1e-6f * expected.height);
+                        EXPECT_NEAR(size.crownWidth, expected.crownWidth, 1e-6f * expected.crownWidth);
+                    }
+}
+
+TEST(TreeSize, OfAWholeForestIsFittedFromAFewCornersOfTheShape) {
+    for (const TreeExtents::Side& side : makeTreeModel({}).extents.sides) {
+        EXPECT_GT(side.wood.size(), 1u);
+        EXPECT_LT(side.wood.size(), 64u);
+        EXPECT_GT(side.leaves.size(), 1u);
+        EXPECT_LT(side.leaves.size(), 64u);
+    }
 }
 
 TEST(TreeSize, NothingGivenIsScaleOne) {

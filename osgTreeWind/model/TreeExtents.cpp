@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/model/TreeExtents.h>
+
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/model/TreeSize.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+namespace osgTreeWind {
+namespace {
+
+bool turnsRight(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+    return (b.x - a.x) * (c.y - a.y) < (b.y - a.y) * (c.x - a.x);
+}
+
+/// Corners of the convex hull whose outward normal has no negative part, from the largest `along` on.
+TreeExtents::Hull outermost(TreeExtents::Hull points) {
+    std::sort(points.begin(), points.end(),
+              [](const glm::vec2& a, const glm::vec2& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
+    TreeExtents::Hull hull;
+    for (const glm::vec2& point : points) {
+        if (!hull.empty() && point.y <= hull.back().y)
+            continue;
+        while (hull.size() > 1 && !turnsRight(point, hull.back(), hull[hull.size() - 2]))
+            hull.pop_back();
+        hull.push_back(point);
+    }
+    return hull;
+}
+
+float farthest(const TreeExtents::Hull& hull, float axis, float factor) {
+    float reach = 0.0f;
+    for (const glm::vec2& corner : hull)
+        reach = std::max(reach, axis * corner.x + factor * corner.y);
+    return reach;
+}
+
+/// Neighbours at the same place, such as the vertices of a ring, become one point.
+void add(TreeExtents::Hull& points, float along, float beyond) {
+    if (!points.empty() && points.back().x == along)
+        points.back().y = std::max(points.back().y, beyond);
+    else
+        points.emplace_back(along, beyond);
+}
+
+void add(std::array<TreeExtents::Hull, 5>& sides, const glm::vec3& along, const glm::vec3& beyond) {
+    for (int axis = 0; axis < 3; ++axis)
+        add(sides[static_cast<std::size_t>(2 * axis)], along[axis], beyond[axis]);
+    add(sides[1], -along.x, -beyond.x);
+    add(sides[3], -along.y, -beyond.y);
+}
+
+} // namespace
+
+std::array<float, 5> TreeExtents::reach(const TreeScale& scale) const {
+    std::array<float, 5> reach{};
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        const float axis = scale.axes[static_cast<int>(side / 2)];
+        reach[side] = std::max(farthest(sides[side].wood, axis, scale.radius),
+                               farthest(sides[side].leaves, axis, scale.leaf));
+    }
+    return reach;
+}
+
+float TreeExtents::trunkRadius(const TreeScale& scale, float height) const {
+    float radius = trunk.empty() ? 0.0f : trunk.front().baseRadius;
+    for (const BranchUnit& unit : trunk) {
+        const float base = scale.axes.z * unit.base.z, tip = scale.axes.z * unit.tip.z;
+        if (height >= base)
+            radius =
+                glm::mix(unit.baseRadius, unit.tipRadius, std::min((height - base) / (tip - base), 1.0f));
+    }
+    return scale.radius * radius;
+}
+
+TreeExtents makeTreeExtents(const TreeModel& model) {
+    std::array<TreeExtents::Hull, 5> wood, leaves;
+    for (const SkinVertex& vertex : model.skin.vertices)
+        add(wood, vertex.centre, vertex.radius * vertex.outward);
+    for (const LeafCluster& leaf : model.leaves)
+        for (const LeafVertex& vertex : model.leafMesh)
+            add(leaves, leaf.anchor, leaf.orientation * (leaf.size * vertex.corner));
+    TreeExtents extents;
+    for (std::size_t side = 0; side < extents.sides.size(); ++side)
+        extents.sides[side] = {outermost(std::move(wood[side])), outermost(std::move(leaves[side]))};
+    std::copy_if(model.skeleton.units.begin(), model.skeleton.units.end(), std::back_inserter(extents.trunk),
+                 [](const BranchUnit& unit) { return unit.level == 0; });
+    return extents;
+}
+
+} // namespace osgTreeWind
