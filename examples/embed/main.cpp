@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulator in under 100 lines: a small wood grown in code, and a vortex that wanders through it, worked
-// out in a thread of its own.
+// A simulator in under 100 lines: a small wood, and a vortex worked out in a thread of its own.
 // Usage: osgtreewind-embed [--frames N]     (without it: until escape is pressed)
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -71,25 +70,26 @@ void markBranch(TreeNode& tree, unsigned unit) {
 } // namespace
 
 int main(int argc, char** argv) {
-    osg::ArgumentParser arguments(&argc, argv);
     unsigned frames = 0;
-    arguments.read("--frames", frames);
-
+    osg::ArgumentParser(&argc, argv).read("--frames", frames);
     osg::ref_ptr<Forest> forest = new Forest(describeForest());
     markBranch(*forest->getTree(4), 60);
-    const auto wind = StreamedWind::create(simulateWind(0.0)).value();
-    forest->setWind(wind);
-
+    const auto wind = StreamedWind::create(simulateWind(0.0));
+    if (!wind) {
+        for (const Diagnostic& problem : wind.problems())
+            std::cerr << problem.text() << '\n';
+        return 1;
+    }
+    forest->setWind(wind.value());
     osgViewer::Viewer viewer;
     viewer.setSceneData(forest);
     viewer.setCameraManipulator(new osgGA::TrackballManipulator);
-    if (frames > 0)
-        viewer.setUpViewInWindow(50, 50, 640, 360);
+    viewer.setUpViewInWindow(50, 50, 640, 360);
     viewer.realize();
     if (!viewer.isRealized())
         return 1; // no window, as OSG has said
     std::atomic<bool> done{false};
-    std::thread simulator([&] { streamWind(*wind, done); });
+    std::thread simulator([&] { streamWind(*wind.value(), done); });
     while (!viewer.done() && (frames == 0 || viewer.getFrameStamp()->getFrameNumber() < frames))
         viewer.frame();
     done = true;

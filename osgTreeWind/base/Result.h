@@ -22,6 +22,9 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Ends the program for who takes a value that is not there: prints the problems on standard error, aborts.
+[[noreturn]] void abortWithoutValue(const Diagnostics& problems);
+
 /// A value, or the problems that kept it from being made. Never throws.
 template <typename T>
 class Result {
@@ -34,9 +37,13 @@ public:
     bool ok() const { return std::holds_alternative<T>(_content); }
     explicit operator bool() const { return ok(); }
 
-    /// The value; only when ok().
-    T& value() { return *std::get_if<T>(&_content); }
-    const T& value() const { return *std::get_if<T>(&_content); }
+    /// The value; without one the program ends with the problems on standard error, so ask ok() before.
+    T& value() {
+        if (!ok())
+            abortWithoutValue(problems());
+        return *std::get_if<T>(&_content);
+    }
+    const T& value() const { return const_cast<Result*>(this)->value(); }
 
     /// All problems in the order of the input; only when not ok().
     const Diagnostics& problems() const { return *std::get_if<Diagnostics>(&_content); }

@@ -262,11 +262,11 @@ bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::
     };
     if (table.has("file") && table.has("files"))
         return refuse("files", "give either this or file");
-    if (table.has("files") != table.has("times"))
-        return refuse("times", "expected beside files, and only there");
+    if (table.has("times") && !table.has("files"))
+        return refuse("times", "expected only beside files");
     if (!table.has("file") && !table.has("files"))
         return table.missing("file");
-    if (!one && !(several && timed))
+    if (!one && !(several && (timed || !table.has("times"))))
         return false; // not what they should be, as the log says
     for (const std::string& each : one ? std::vector<std::string>{name} : names) {
         const auto file = reading.open(table, one ? "file" : "files", each);

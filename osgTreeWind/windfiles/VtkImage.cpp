@@ -25,6 +25,8 @@ WindContent windOfVtk(VtkImage&& image, const std::string& format) {
         if (image.points[axis] > 1)
             grid.origin[axis] += 0.5 * image.spacing[axis];
     grid.values = std::move(image.values);
+    if (image.time)
+        grid.times = {*image.time};
     WindContent content;
     content.summary.format = format;
     content.summary.direction = "components toward x, y and z, taken as east, north and up";

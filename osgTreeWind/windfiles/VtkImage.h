@@ -5,6 +5,7 @@
 #include <osgTreeWind/windfiles/WindContent.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +17,10 @@ struct VtkImage {
     glm::ivec3 points{0};
     glm::dvec3 origin{0.0};
     glm::dvec3 spacing{1.0};
-    bool ofCells = false;      ///< The vectors belong to cells, one fewer than points each way.
-    std::string name;          ///< Of the array of vectors.
-    std::vector<float> values; ///< Three for each point or cell.
+    bool ofCells = false;       ///< The vectors belong to cells, one fewer than points each way.
+    std::string name;           ///< Of the array of vectors.
+    std::vector<float> values;  ///< Three for each point or cell.
+    std::optional<double> time; ///< Seconds; where the file says when this wind is.
 
     /// Points or cells each way.
     glm::ivec3 vectors() const;

@@ -5,15 +5,18 @@
 
 #include <osgTreeWind/base/Number.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <vector>
 
 namespace osgTreeWind {
 
 namespace {
 
 constexpr double farthest = 1e9; // metres
+constexpr double latest = 1e15;  // seconds
 constexpr int mostPoints = 1000000000;
 
 std::string upper(std::string_view word) {
@@ -24,14 +27,20 @@ std::string upper(std::string_view word) {
     return text;
 }
 
-/// Bytes of one number in a binary file; 0 for a type that is not read.
-std::size_t sizeOfType(const std::string& type) {
+/// Bits of one number in a binary file; 0 for a type that is not read.
+std::size_t bitsOfType(const std::string& type) {
     static const std::map<std::string, std::size_t> sizes = {
-        {"CHAR", 1},          {"UNSIGNED_CHAR", 1}, {"SHORT", 2}, {"UNSIGNED_SHORT", 2},
-        {"INT", 4},           {"UNSIGNED_INT", 4},  {"FLOAT", 4}, {"LONG", 8},
-        {"UNSIGNED_LONG", 8}, {"VTKTYPEINT64", 8},  {"DOUBLE", 8}};
+        {"BIT", 1},           {"CHAR", 8},           {"SIGNED_CHAR", 8},
+        {"UNSIGNED_CHAR", 8}, {"SHORT", 16},         {"UNSIGNED_SHORT", 16},
+        {"INT", 32},          {"UNSIGNED_INT", 32},  {"VTKIDTYPE", 32},
+        {"FLOAT", 32},        {"LONG", 64},          {"UNSIGNED_LONG", 64},
+        {"VTKTYPEINT64", 64}, {"VTKTYPEUINT64", 64}, {"DOUBLE", 64}};
     const auto found = sizes.find(type);
     return found == sizes.end() ? 0 : found->second;
+}
+
+bool isReal(const std::string& type) {
+    return type == "FLOAT" || type == "DOUBLE";
 }
 
 class LegacyReader {
@@ -47,7 +56,7 @@ public:
                               _tokens.problem().message};
         if (!_tokens.good())
             return _tokens.problem();
-        return windOfVtk(std::move(_image), "VTK legacy STRUCTURED_POINTS");
+        return windOfVtk(std::move(_image), "VTK legacy " + _dataset);
     }
 
 private:
@@ -65,39 +74,85 @@ private:
         if (!_binary && upper(encoding) != "ASCII")
             _tokens.fail(expectedFound("ASCII or BINARY", encoding));
         expect("DATASET");
-        expect("STRUCTURED_POINTS");
+        const std::string_view dataset = _tokens.next();
+        _dataset = upper(dataset);
+        if (_dataset != "STRUCTURED_POINTS" && _dataset != "RECTILINEAR_GRID" &&
+            _dataset != "STRUCTURED_GRID")
+            _tokens.fail(expectedFound("STRUCTURED_POINTS, or evenly spaced points as RECTILINEAR_GRID or "
+                                       "STRUCTURED_GRID",
+                                       dataset));
     }
 
     void readSection() {
         const std::string_view found = _tokens.next();
         const std::string word = upper(found);
-        if (word == "DIMENSIONS")
-            for (int axis = 0; axis < 3; ++axis)
-                _image.points[axis] = _tokens.whole("a number of points of at least 1", 1, mostPoints);
-        else if (word == "ORIGIN")
-            for (int axis = 0; axis < 3; ++axis)
-                _image.origin[axis] = _tokens.number("metres within 1e9", -farthest, farthest);
-        else if (word == "SPACING" || word == "ASPECT_RATIO")
-            for (int axis = 0; axis < 3; ++axis)
-                _image.spacing[axis] = _tokens.number("metres above 0", 1e-6, farthest);
-        else if (word == "POINT_DATA" || word == "CELL_DATA")
+        if (word == "POINT_DATA" || word == "CELL_DATA")
             readCount(word == "CELL_DATA");
-        else if (word == "VECTORS" || word == "NORMALS")
-            readVectors();
-        else if (word == "SCALARS")
-            readScalars();
         else if (word == "FIELD")
             readFields();
+        else if (word == "METADATA")
+            skipMetadata();
         else if (word.empty())
             _tokens.fail(
                 "expected VECTORS, or a FIELD of 3 components, of the points; none found before the end");
+        else if (!(_counted ? readAttribute(word) : readGeometry(word)))
+            _tokens.fail(expectedFound("a section of " + _dataset + " with VECTORS or FIELD data", found));
+    }
+
+    /// False where it does not belong to this kind of grid.
+    bool readGeometry(const std::string& word) {
+        const bool evenByKind = _dataset == "STRUCTURED_POINTS";
+        if (word == "DIMENSIONS")
+            for (int axis = 0; axis < 3; ++axis)
+                _image.points[axis] = _tokens.whole("a number of points of at least 1", 1, mostPoints);
+        else if (evenByKind && word == "ORIGIN")
+            for (int axis = 0; axis < 3; ++axis)
+                _image.origin[axis] = _tokens.number("metres within 1e9", -farthest, farthest);
+        else if (evenByKind && (word == "SPACING" || word == "ASPECT_RATIO"))
+            for (int axis = 0; axis < 3; ++axis)
+                _image.spacing[axis] = _tokens.number("metres above 0", 1e-6, farthest);
+        else if (_dataset == "RECTILINEAR_GRID" && word.size() == 13 && word.substr(1) == "_COORDINATES" &&
+                 word[0] >= 'X' && word[0] <= 'Z')
+            readCoordinates(word[0] - 'X');
+        else if (_dataset == "STRUCTURED_GRID" && word == "POINTS")
+            readPoints();
         else
-            _tokens.fail(expectedFound("a section of STRUCTURED_POINTS with VECTORS or FIELD data", found));
+            return false;
+        return true;
+    }
+
+    /// What belongs to points or cells. False for what is not known.
+    bool readAttribute(const std::string& word) {
+        static const std::map<std::string, double> components = {{"NORMALS", 3.0},
+                                                                 {"TENSORS", 9.0},
+                                                                 {"TENSORS6", 6.0},
+                                                                 {"GLOBAL_IDS", 1.0},
+                                                                 {"PEDIGREE_IDS", 1.0}};
+        const auto known = components.find(word);
+        if (word == "VECTORS")
+            readVectors();
+        else if (word == "SCALARS")
+            readScalars();
+        else if (word == "COLOR_SCALARS" || word == "LOOKUP_TABLE")
+            readColours(word == "LOOKUP_TABLE");
+        else if (word == "TEXTURE_COORDINATES") {
+            _tokens.next(); // name
+            const int width = _tokens.whole("1 to 3 components", 1, 3);
+            skipArray(upper(_tokens.next()), width * _image.count());
+        } else if (known != components.end()) {
+            _tokens.next(); // name
+            skipArray(upper(_tokens.next()), known->second * _image.count());
+        } else {
+            return false;
+        }
+        return true;
     }
 
     void readCount(bool ofCells) {
         if (_image.points.x < 1)
             return _tokens.fail("expected DIMENSIONS before the data");
+        if (_dataset != "STRUCTURED_POINTS" && _placed != 7u)
+            return _tokens.fail("expected the coordinates of the points before the data");
         _image.ofCells = ofCells;
         const double count = _tokens.number("a number of points", 0, std::numeric_limits<double>::max());
         if (count != _image.count())
@@ -106,10 +161,69 @@ private:
         _counted = true;
     }
 
+    void readCoordinates(int axis) {
+        if (_image.points.x < 1)
+            return _tokens.fail("expected DIMENSIONS before the coordinates");
+        const int count = _tokens.whole("a number of coordinates", 1, mostPoints);
+        if (count != _image.points[axis])
+            return _tokens.fail("expected " + numberText(_image.points[axis]) + " as in DIMENSIONS, found " +
+                                numberText(count));
+        std::vector<double> places;
+        readArray(upper(_tokens.next()), count, places);
+        if (_tokens.good())
+            place(axis, places, 1);
+    }
+
+    void readPoints() {
+        if (_image.points.x < 1)
+            return _tokens.fail("expected DIMENSIONS before the points");
+        const glm::dvec3 points(_image.points);
+        const double count = _tokens.number("a number of points", 1, std::numeric_limits<double>::max());
+        if (count != points.x * points.y * points.z)
+            return _tokens.fail("expected " + numberText(points.x * points.y * points.z) +
+                                " as in DIMENSIONS, found " + numberText(count));
+        std::vector<double> places;
+        readArray(upper(_tokens.next()), 3.0 * count, places);
+        std::size_t repeats = 1;
+        for (int axis = 0; axis < 3 && _tokens.good(); ++axis) {
+            std::vector<double> along(places.size() / 3);
+            for (std::size_t i = 0; i < along.size(); ++i)
+                along[i] = places[3 * i + static_cast<std::size_t>(axis)];
+            place(axis, along, repeats);
+            repeats *= static_cast<std::size_t>(_image.points[axis]);
+        }
+    }
+
+    /// Origin and spacing along an axis from coordinates, each of which comes `repeats` times in a row.
+    void place(int axis, const std::vector<double>& places, std::size_t repeats) {
+        const auto points = static_cast<std::size_t>(_image.points[axis]);
+        const double first = places.front(), last = places[(points - 1) * repeats];
+        const double spacing = points > 1 ? (last - first) / static_cast<double>(points - 1) : 1.0;
+        const char axisName = static_cast<char>('x' + axis);
+        if (!(std::abs(first) <= farthest && spacing >= 1e-6 && spacing <= farthest))
+            return _tokens.fail(std::string("expected increasing metres within 1e9 along ") + axisName);
+        // coordinates may be floats, and written with six digits
+        const double tolerance = 0.001 * spacing + 1e-6 * std::max(std::abs(first), std::abs(last));
+        for (std::size_t i = 0; i < places.size(); ++i)
+            if (!(std::abs(places[i] - first - spacing * static_cast<double>(i / repeats % points)) <=
+                  tolerance))
+                return _tokens.fail(std::string("expected points evenly spaced along ") + axisName + ", " +
+                                    numberText(spacing) + " m apart from " + numberText(first) +
+                                    " on; number " + std::to_string(i + 1) + " is at " +
+                                    numberText(places[i]));
+        _image.origin[axis] = first;
+        _image.spacing[axis] = spacing;
+        _placed |= 1u << static_cast<unsigned>(axis);
+    }
+
     void readVectors() {
         _image.name = _tokens.next();
-        const std::string type = upper(_tokens.next());
-        readArray(type, 3.0, _image.count(), true);
+        readWind(upper(_tokens.next()));
+    }
+
+    void readWind(const std::string& type) {
+        readArray(type, 3.0 * _image.count(), _image.values);
+        _found = _tokens.good();
     }
 
     void readScalars() {
@@ -121,72 +235,133 @@ private:
             _tokens.next();
         expect("LOOKUP_TABLE");
         _tokens.next(); // name
-        readArray(type, components.value_or(1.0), _image.count(), false);
+        skipArray(type, components.value_or(1.0) * _image.count());
+    }
+
+    void readColours(bool table) {
+        _tokens.next(); // name
+        const int number = _tokens.whole("a number of colours or components", 1, mostPoints);
+        skipArray("UNSIGNED_CHAR", table ? 4.0 * number : number * _image.count());
     }
 
     void readFields() {
         _tokens.next(); // name
-        const int arrays = _tokens.whole("a number of arrays from 1 to 1000", 1, 1000);
+        const int arrays = _tokens.whole("a number of arrays from 0 to 1000", 0, 1000);
         for (int i = 0; i < arrays && _tokens.good() && !_found; ++i) {
-            const std::string_view name = _tokens.next();
-            const int components = _tokens.whole("a number of components of 1 to 100", 1, 100);
+            std::string_view name = _tokens.next();
+            if (upper(name) == "METADATA") {
+                skipMetadata();
+                name = _tokens.next();
+            }
+            const int components = _tokens.whole("a number of components of 0 to 100", 0, 100);
             const int tuples = _tokens.whole("a number of tuples", 0, std::numeric_limits<int>::max());
             const std::string type = upper(_tokens.next());
-            const bool wind = components == 3 && _counted && tuples == _image.count();
-            if (wind)
+            const double numbers = static_cast<double>(components) * tuples;
+            if (components == 3 && _counted && tuples == _image.count()) {
                 _image.name = name;
-            readArray(type, components, tuples, wind);
+                readWind(type);
+            } else if (name == "TimeValue" && !_counted && numbers == 1.0 && isReal(type)) {
+                std::vector<double> time;
+                readArray(type, 1.0, time);
+                if (_tokens.good() && !(std::abs(time.front()) <= latest))
+                    _tokens.fail("expected a TimeValue within 1e15 s, found " + numberText(time.front()));
+                if (_tokens.good())
+                    _image.time = time.front();
+            } else {
+                skipArray(type, numbers);
+            }
         }
     }
 
-    /// The numbers behind an array's head; kept when they are the wind, stepped over when not.
-    void readArray(const std::string& type, double components, double tuples, bool wind) {
-        const std::size_t size = sizeOfType(type);
-        const double numbers = components * tuples;
+    /// Names of components and facts about an array, up to an empty line.
+    void skipMetadata() {
+        _tokens.restOfLine();
+        while (_tokens.left() > 0 && !_tokens.restOfLine().empty())
+            ;
+    }
+
+    /// Goes to the numbers behind an array's head. False when there are not as many in the file.
+    bool beginArray(double numbers, std::size_t bits) {
         if (!_tokens.good())
-            return;
-        if (size == 0 || (wind && type != "FLOAT" && type != "DOUBLE"))
-            return _tokens.fail(expectedFound(wind ? "float or double" : "a VTK type of number", type));
-        if (wind && !_counted)
-            return _tokens.fail("expected POINT_DATA or CELL_DATA before the vectors");
+            return false;
         if (_binary)
             _tokens.restOfLine();
         _inData = true;
-        const double least = _binary ? numbers * static_cast<double>(size) : 2.0 * numbers - 1.0;
+        const double least =
+            _binary ? std::ceil(numbers * static_cast<double>(bits) / 8.0) : 2.0 * numbers - 1.0;
         if (!(numbers >= 0.0) || least > static_cast<double>(_tokens.left()))
-            return _tokens.fail("the file ends before the " + numberText(numbers) + " numbers of this array");
+            _tokens.fail("the file ends before the " + numberText(numbers) + " numbers of this array");
+        return _tokens.good();
+    }
+
+    template <typename T>
+    void readArray(const std::string& type, double numbers, std::vector<T>& values) {
+        if (_tokens.good() && !isReal(type))
+            return _tokens.fail(expectedFound("float or double", type));
+        const std::size_t size = type == "DOUBLE" ? 8 : 4;
+        if (!beginArray(numbers, 8 * size))
+            return;
         const auto count = static_cast<std::size_t>(numbers);
-        if (_binary) {
-            const std::string_view bytes = _tokens.bytes(count * size);
-            if (wind)
-                _image.values = floatsOf(bytes, size == 8, ByteOrder::Big);
-        } else {
-            readText(count, wind);
-        }
-        _found = wind && _tokens.good();
+        values.reserve(count);
+        const std::string_view bytes = _binary ? _tokens.bytes(count * size) : std::string_view();
+        for (std::size_t i = 0; i < count && _tokens.good(); ++i)
+            values.push_back(static_cast<T>(
+                !_binary    ? textNumber()
+                : size == 8 ? numberAt<double>(bytes, 8 * i, ByteOrder::Big)
+                            : static_cast<double>(numberAt<float>(bytes, 4 * i, ByteOrder::Big))));
+        _inData = !_tokens.good();
+    }
+
+    double textNumber() {
+        const std::string_view word = _tokens.next();
+        const auto value = parseNumber(word);
+        if (value && std::abs(*value) <= 1e30)
+            return *value;
+        if (upper(word) != "NAN")
+            _tokens.fail(expectedFound("a number", word));
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    void skipArray(const std::string& type, double numbers) {
+        if (type == "STRING")
+            return skipTexts(numbers);
+        const std::size_t bits = bitsOfType(type);
+        if (_tokens.good() && bits == 0)
+            return _tokens.fail(expectedFound("a VTK type of number", type));
+        if (!beginArray(numbers, bits))
+            return;
+        const auto count = static_cast<std::size_t>(numbers);
+        if (_binary)
+            _tokens.bytes((count * bits + 7) / 8);
+        for (std::size_t i = 0; !_binary && i < count; ++i)
+            _tokens.next();
         _inData = false;
     }
 
-    void readText(std::size_t count, bool wind) {
-        if (wind)
-            _image.values.reserve(count);
-        for (std::size_t i = 0; i < count && _tokens.good(); ++i) {
-            if (!wind) {
-                _tokens.next();
-                continue;
+    /// Texts: a line each, or each behind its length, whose own length is in its first two bits.
+    void skipTexts(double number) {
+        if (_tokens.good())
+            _tokens.restOfLine();
+        for (double i = 0; i < number && _tokens.good(); ++i) {
+            if (_tokens.left() == 0) {
+                _tokens.fail("the file ends before the " + numberText(number) + " texts of this array");
+            } else if (!_binary) {
+                _tokens.restOfLine();
+            } else {
+                const auto first = static_cast<unsigned char>(_tokens.bytes(1).front());
+                std::size_t length = first & 0x3fu;
+                for (const char byte : _tokens.bytes((std::size_t(8) >> (first >> 6)) - 1))
+                    length = length << 8 | static_cast<unsigned char>(byte);
+                _tokens.bytes(length);
             }
-            TextTokens ahead = _tokens;
-            const bool noData = upper(ahead.next()) == "NAN";
-            if (noData)
-                _tokens.next();
-            _image.values.push_back(noData ? std::numeric_limits<float>::quiet_NaN()
-                                           : static_cast<float>(_tokens.number("a number", -1e30, 1e30)));
         }
     }
 
     const std::string& _file;
     TextTokens _tokens;
     VtkImage _image;
+    std::string _dataset;
+    unsigned _placed = 0; // a bit for each axis whose coordinates are known
     bool _binary = false, _counted = false, _inData = false, _found = false;
 };
 

@@ -35,7 +35,7 @@ struct WindFile {
 };
 
 /// Reads wind data, recognised by content, then by extension: ESRI ASCII pairs of speed and direction-from
-/// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK STRUCTURED_POINTS, VTK XML ImageData, TurbSim
+/// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK grids of even spacing, VTK XML ImageData, TurbSim
 /// .bts, Campbell TOA5, QES-Winds sensor XML, CSV, and NetCDF where the library was built with GDAL.
 ///
 /// Time steps are interpolated. Places without data are calm, and velocities that count from true north are
@@ -50,7 +50,8 @@ Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& op
 /// A file of another grid, unit or reference system than the first is an error that names it; so is a record
 /// at one point, or a file of several times. Notes that the first file does not have too begin with the name
 /// of theirs. Wrong `files` or `times` are errors with that key.
-/// @param files at least one. @param times seconds, increasing, one for each file.
+/// @param files at least one. @param times seconds, increasing, one for each file; none where each file says
+/// its own, as VTK's TimeValue does.
 Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
                                const WindFileOptions& options = {});
 

@@ -71,7 +71,7 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
                                   const std::function<Result<WindContent>(const std::string&)>& read) {
     if (files.empty())
         return problem({}, "files", "expected at least one");
-    if (times.size() != files.size())
+    if (!times.empty() && times.size() != files.size())
         return problem({}, "times",
                        "expected " + std::to_string(files.size()) + " numbers, one for each file, found " +
                            std::to_string(times.size()));
@@ -79,6 +79,7 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         return problems;
 
     WindContent wind;
+    std::vector<double> ofFiles;
     std::vector<std::string> ofFirst; // notes
     for (const std::string& file : files) {
         Result<WindContent> one = read(file);
@@ -87,6 +88,17 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         WindContent& step = one.value();
         if (const std::string what = problemOfStep(step); !what.empty())
             return problem(file, {}, what);
+        if (times.empty()) {
+            const std::vector<double>& own = std::get<GridWind::Grid>(step.data).times;
+            if (own.empty())
+                return problem({}, "times",
+                               "expected times, one for each file: " + file + " does not say when it holds");
+            if (!ofFiles.empty() && own.front() <= ofFiles.back())
+                return problem(file, {},
+                               "expected a time after " + numberText(ofFiles.back()) +
+                                   " s, that of the file before; found " + numberText(own.front()) + " s");
+            ofFiles.push_back(own.front());
+        }
         if (&file == &files.front()) {
             wind = std::move(step);
             ofFirst = wind.summary.notes;
@@ -104,8 +116,9 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         wind.summary.slowest = std::min(wind.summary.slowest, step.summary.slowest);
         wind.summary.fastest = std::max(wind.summary.fastest, step.summary.fastest);
     }
-    std::get<GridWind::Grid>(wind.data).times = times;
-    if (times.front() != 0.0)
+    auto& all = std::get<GridWind::Grid>(wind.data).times;
+    all = times.empty() ? ofFiles : times;
+    if (all.front() != 0.0)
         wind.summary.start.clear(); // which was that of the first file
     return wind;
 }

@@ -27,3 +27,10 @@ TEST(Result, HoldsAValueOrItsProblems) {
     EXPECT_EQ(bad.problems().size(), 2u);
     EXPECT_EQ(bad.problems().back().line, 2);
 }
+
+TEST(ResultDeathTest, AValueThatIsNotThereEndsTheProgramWithItsProblems) {
+    const Result<int> bad = Diagnostics{{"f", 1, 0, {}, "first"}, {"f", 2, 0, {}, "second"}};
+    EXPECT_DEATH(static_cast<void>(bad.value()),
+                 "ask ok\\(\\) before value\\(\\)\n.*f:1: first\n.*f:2: second");
+    EXPECT_DEATH(static_cast<void>(Result<int>(Diagnostic{"f", 3, 0, {}, "third"}).value()), "f:3: third");
+}

@@ -65,8 +65,8 @@ TEST_F(WindTool, TellsTheWindAtAPlaceAndTime) {
 
 TEST_F(WindTool, RefusesWhatDoesNotGoTogether) {
     for (const auto& [words, message] :
-         {std::pair<std::vector<std::string>, const char*>{
-              {"1_vel.asc", "2_vel.asc"}, "times: expected 2 numbers, one for each file, found 0"},
+         {std::pair<std::vector<std::string>, const char*>{{"1_vel.asc", "2_vel.asc"},
+                                                           "times: expected times, one for each file: "},
           {{"1_vel.asc", "2_vel.asc", "--times", "0"},
            "times: expected 2 numbers, one for each file, found 1"},
           {{"1_vel.asc", "2_vel.asc", "--times", "7,7"}, "times: expected increasing seconds"},

@@ -51,13 +51,21 @@ TEST_P(WindFileVtk, HoldsTheLinearField) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Small, WindFileVtk,
-                         testing::Values("vectors.vtk", "field.vtk", "binary.vtk", "ascii.vti", "base64.vti",
-                                         "zlib.vti", "raw.vti", "rawzlib.vti", "bigendian.vti"),
+                         testing::Values("vectors.vtk", "field.vtk", "binary.vtk", "paraview.vtk",
+                                         "paraviewbinary.vtk", "cells.vtk", "rectilinear.vtk",
+                                         "structured.vtk", "ascii.vti", "base64.vti", "zlib.vti", "raw.vti",
+                                         "rawzlib.vti", "bigendian.vti"),
                          [](const auto& info) {
                              std::string name = info.param;
                              name[name.find('.')] = '_';
                              return name;
                          });
+
+TEST(WindFile, TimeValueOfVtkIsItsTime) {
+    for (const char* name : {"paraview.vtk", "paraviewbinary.vtk"})
+        EXPECT_EQ(readSmall(name).summary.times, std::vector<double>{42.5}) << name;
+    EXPECT_TRUE(readSmall("cells.vtk").summary.times.empty());
+}
 
 TEST(WindFile, OriginMovesTheGridIntoTheScene) {
     WindFileOptions options;

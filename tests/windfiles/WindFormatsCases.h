@@ -26,12 +26,24 @@ inline const std::vector<FormatCase>& formatCases() {
             return grid.problems();
         return windOfEsriGrids(grid.value(), grid.value(), file);
     };
-    static const std::vector<FormatCase> cases = {
-        {"vectors.vtk", readVtkLegacy}, {"field.vtk", readVtkLegacy}, {"binary.vtk", readVtkLegacy},
-        {"ascii.vti", readVtkXml},      {"base64.vti", readVtkXml},   {"zlib.vti", readVtkXml},
-        {"raw.vti", readVtkXml},        {"rawzlib.vti", readVtkXml},  {"bigendian.vti", readVtkXml},
-        {"small.bts", readTurbSim},     {"toa5.dat", toa5},           {"pair_vel.asc", esri},
-        {"pair_ang.asc", esri}};
+    static const std::vector<FormatCase> cases = {{"vectors.vtk", readVtkLegacy},
+                                                  {"field.vtk", readVtkLegacy},
+                                                  {"binary.vtk", readVtkLegacy},
+                                                  {"paraview.vtk", readVtkLegacy},
+                                                  {"paraviewbinary.vtk", readVtkLegacy},
+                                                  {"cells.vtk", readVtkLegacy},
+                                                  {"rectilinear.vtk", readVtkLegacy},
+                                                  {"structured.vtk", readVtkLegacy},
+                                                  {"ascii.vti", readVtkXml},
+                                                  {"base64.vti", readVtkXml},
+                                                  {"zlib.vti", readVtkXml},
+                                                  {"raw.vti", readVtkXml},
+                                                  {"rawzlib.vti", readVtkXml},
+                                                  {"bigendian.vti", readVtkXml},
+                                                  {"small.bts", readTurbSim},
+                                                  {"toa5.dat", toa5},
+                                                  {"pair_vel.asc", esri},
+                                                  {"pair_ang.asc", esri}};
     return cases;
 }
 

@@ -102,6 +102,26 @@ TEST(WindSteps, OneFileIsASteadyWind) {
     expectNear(wind.value().field->velocity({110, 220, 5}, 0), {2, 0.5f, 0}, 1e-5f);
 }
 
+TEST(WindSteps, TimesMayBeThoseOfTheFiles) {
+    const TemporaryFolder folder;
+    const std::string bytes = fileBytes(data + "paraview.vtk");
+    const std::string first = folder.write("a.vtk", renamed(bytes, "42.5", "10.0"));
+    const std::string second =
+        folder.write("b.vtk", renamed(renamed(bytes, "42.5", "20.0"), "\n1 0 0", "\n9 0 0"));
+    const auto wind = readWindFiles({first, second}, {});
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    EXPECT_EQ(wind.value().summary.times, (std::vector<double>{10, 20}));
+    expectNear(wind.value().field->velocity({100, 200, 5}, 15), {5, 0, 0}, 1e-5f);
+
+    EXPECT_EQ(firstProblem(readWindFiles({second, first}, {})),
+              first + ": expected a time after 20 s, that of the file before; found 10 s");
+    const std::string timeless = data + "vectors.vtk";
+    EXPECT_EQ(firstProblem(readWindFiles({first, timeless}, {})),
+              "times: expected times, one for each file: " + timeless + " does not say when it holds");
+    EXPECT_EQ(readBoth(second, first, 0, 1).summary.times, (std::vector<double>{0, 1}))
+        << "times given go before those of the files";
+}
+
 TEST(WindSteps, OneGridMayComeInSeveralFormats) {
     const WindFile file = readBoth(data + "vectors.vtk", data + "zlib.vti", 0, 10);
     ASSERT_TRUE(file.field);

@@ -10,6 +10,21 @@ head='# vtk DataFile Version 3.0\nsmall wind\n%s\nDATASET STRUCTURED_POINTS\nDIM
 open('vectors.vtk','w').write(head%'ASCII'+'SCALARS p float 1\nLOOKUP_TABLE default\n'+'0 '*12+'\nVECTORS wind float\n'+txt)
 open('field.vtk','w').write(head%'ASCII'+'FIELD attributes 2\np 1 12 float\n'+'0 '*12+'\nU 3 12 double\n'+txt)
 open('binary.vtk','wb').write((head%'BINARY').encode()+b'SCALARS p float\nLOOKUP_TABLE default\n'+struct.pack('>12f',*range(12))+b'\nVECTORS wind float\n'+be+b'\n')
+# As VTK 9 writes: field data first, cell data before point data, metadata behind arrays, big-endian binary.
+META='\nMETADATA\nCOMPONENT_NAMES\nX\nY\nZ\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 1 3.05164 \n\n'
+START='# vtk DataFile Version 5.1\nvtk output\n%s\nDATASET %s\n'
+IMAGE='DIMENSIONS 3 2 2\nSPACING 10 20 5\nORIGIN 100 200 5\n'
+open('paraview.vtk','w').write(START%('ASCII','STRUCTURED_POINTS')+'FIELD FieldData 2\nTimeValue 1 1 double\n42.5 \nsolver 1 2 string\nby%20hand\n\n\n'
+    +IMAGE+'CELL_DATA 2\nSCALARS id int\nLOOKUP_TABLE default\n0 1 \nPOINT_DATA 12\nSCALARS p float\nLOOKUP_TABLE default\n'+'0 '*12
+    +'\nFIELD FieldData 3\nbits 1 12 bit\n'+'0 1 '*6+'\nT 1 12 float\n'+'1 '*12+'\nMETADATA\nINFORMATION 0\n\nU 3 12 double\n'+txt+META)
+bed=b''.join(struct.pack('>3d',*v) for v in V)
+open('paraviewbinary.vtk','wb').write((START%('BINARY','STRUCTURED_POINTS')+'FIELD FieldData 2\nTimeValue 1 1 double\n').encode()+struct.pack('>d',42.5)
+    +b'\nsolver 1 2 string\n\xc7by\nhand\x80\x03two\n'+IMAGE.encode()+b'CELL_DATA 2\nCOLOR_SCALARS c 3\n\1\2\3\4\5\6\nPOINT_DATA 12\nFIELD FieldData 2\nbits 1 12 bit\nUP\nids 1 12 vtkIdType\n'
+    +struct.pack('>12i',*range(12))+b'\nVECTORS wind double\n'+bed+META.encode())
+open('cells.vtk','w').write(START%('ASCII','STRUCTURED_POINTS')+'DIMENSIONS 4 3 3\nASPECT_RATIO 10 20 5\nORIGIN 95 190 2.5\nCELL_DATA 12\nVECTORS wind float\n'+txt+META)
+open('rectilinear.vtk','w').write(START%('ASCII','RECTILINEAR_GRID')+'DIMENSIONS 3 2 2\nX_COORDINATES 3 double\n100 110 120\nY_COORDINATES 2 float\n200 220\nZ_COORDINATES 2 float\n5 10\nPOINT_DATA 12\nVECTORS wind float\n'+txt+META)
+open('structured.vtk','w').write(START%('ASCII','STRUCTURED_GRID')+'DIMENSIONS 3 2 2\nPOINTS 12 float\n'
+    +''.join('%g %g %g\n'%(100+10*i,200+20*j,5+5*k) for i,j,k in P)+'POINT_DATA 12\nVECTORS wind float\n'+txt+META)
 le=b''.join(struct.pack('<3f',*v) for v in V)
 led=b''.join(struct.pack('<3d',*v) for v in V)
 def vti(attrs,arr,app=b'',point='PointData'):
