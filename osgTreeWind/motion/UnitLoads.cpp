@@ -69,8 +69,8 @@ float crownOutline(const TreeModel& model, const TreeScale& scale) {
     return 0.25f * (size.x + size.y) * size.z;
 }
 
-/// From the base of each unit, how far away what it carries pulls as the unit turns, metres: the middle of the
-/// loads m r^2, and at least the tip of its axis.
+/// From the base of each unit, how far away what it carries pulls as the unit turns, metres: the middle of
+/// the loads m r^2, and at least the tip of its axis.
 std::vector<float> reaches(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                            const TreeScale& scale, float density) {
     std::vector<float> reach(units.size(), 0.0f), moment(units.size(), 0.0f), inertia(units.size(), 0.0f);
@@ -111,6 +111,10 @@ void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& u
 
 } // namespace
 
+float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves) {
+    return clampOr(leaves, 0.0f, 1.0f, 1.0f) * species.wood.leafArea * trunkSection(model.skeleton, scale);
+}
+
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                     float leaves) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
@@ -118,14 +122,14 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
     const std::vector<float> shares = leafShares(model);
     const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
     const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
-    const float leafArea = share * wood.leafArea * trunkSection(model.skeleton, scale);
+    const float area = leafArea(model, scale, species, share);
     const float crown =
         known ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
-              : wood.leafDrag * leafArea;
+              : wood.leafDrag * area;
     std::vector<UnitLoad> loads(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
-        loads[i].leafArea = leafArea * shares[i];
+        loads[i].leafArea = area * shares[i];
         loads[i].leafMass = wood.leafMass * loads[i].leafArea;
         loads[i].leafDrag = crown * shares[i];
         loads[i].woodDrag = wood.woodDrag * 0.5f * (unit.baseDiameter + unit.tipDiameter) * unit.length;

@@ -24,4 +24,7 @@ struct UnitLoad {
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                     float leaves = 1.0f);
 
+/// Area of all leaves of a tree, m^2.
+float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves = 1.0f);
+
 } // namespace osgTreeWind
