@@ -105,6 +105,8 @@ struct Scatter {
     std::vector<std::size_t> species;
     std::vector<double> weights;
     std::optional<Span> height, trunkDiameter, crownWidth, trunkRatio, crownRatio;
+    bool openGrown = false;
+    float leaves = 1.0f;
     std::uint32_t seed = 0;
 
     std::size_t drawSpecies(Random& random) const {
@@ -193,6 +195,8 @@ void readTree(TableReader& table, ForestReading& reading) {
     table.read("height", tree.size.height, treeHeights);
     table.read("trunk_diameter", tree.size.trunkDiameter, trunkDiameters);
     table.read("crown_width", tree.size.crownWidth, crownWidths);
+    table.read("open_grown", tree.openGrown);
+    table.read("leaves", tree.leaves, within(0, 1));
     table.readDegrees("heading", tree.heading, within(-360, 360));
     tree.seed = reading.seed + static_cast<std::uint32_t>(reading.forest.trees.size());
     table.read("seed", tree.seed);
@@ -215,6 +219,8 @@ void readScatter(TableReader& table, ForestReading& reading) {
                scatter.trunkRatio);
     readEither(table, scatter, "crown_width", crownWidths, scatter.crownWidth, "crown_ratio",
                scatter.crownRatio);
+    table.read("open_grown", scatter.openGrown);
+    table.read("leaves", scatter.leaves, within(0, 1));
     table.read("seed", scatter.seed);
     if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))
         return;
@@ -237,6 +243,8 @@ void readScatter(TableReader& table, ForestReading& reading) {
         tree.position = {place, 0.0};
         tree.species = scatter.drawSpecies(random);
         tree.size = scatter.drawSize(random);
+        tree.openGrown = scatter.openGrown;
+        tree.leaves = scatter.leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
         reading.forest.trees.push_back(tree);

@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osgTreeWind/model/ThesisAxes.h>
+#include <osgTreeWind/motion/GrowthLaws.h>
 #include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 #include <osgTreeWind/motion/Rotations.h>
@@ -46,7 +47,9 @@ ForestSimulation::ForestSimulation(ForestDescription description)
         tree.species = placement.species;
         tree.model =
             firstModel[tree.species] + placement.seed % shapeCount(_description.species[tree.species]);
-        tree.scale = fitTree(_models[tree.model], placement.size);
+        tree.scale =
+            fitTree(_models[tree.model],
+                    withCrown(placement.size, _description.species[tree.species].crown, placement.openGrown));
         tree.position = glm::vec3(placement.position - _description.origin);
         tree.heading = placement.heading;
         tree.leaves = placement.leaves;
