@@ -50,7 +50,19 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
+void Forest::setWind(WindFieldPtr wind) {
+    const std::lock_guard<std::mutex> lock(_windMutex);
+    _wind.swap(wind); // the old field goes when the parameter does, after the lock
+}
+
+WindFieldPtr Forest::getWind() const {
+    const std::lock_guard<std::mutex> lock(_windMutex);
+    return _wind;
+}
+
 void Forest::setDescription(ForestDescription description) {
+    if (description.wind)
+        setWind(description.wind);
     useCpuAngles();
     removeChild(_stand);
     _trees.clear();
@@ -160,6 +172,7 @@ void Forest::update(const osg::FrameStamp& stamp) {
         return;
     _lastFrame = stamp.getFrameNumber();
     chooseAngleSource();
+    _simulation->setWind(getWind());
     const bool moved = _prePass ? stepOnGpu(stamp.getSimulationTime()) : stepOnCpu(stamp.getSimulationTime());
     if (!moved)
         return;

@@ -112,6 +112,45 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     former->updatePose(); // of a forest that is gone: its pose stays where it was
 }
 
+TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
+    const auto streamed = std::make_shared<UniformWind>(glm::vec3(-3.0f, 2.0f, 0.0f));
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    forest->setWind(streamed);
+    ForestDescription windless = smallForest(2);
+    windless.wind = nullptr;
+    forest->setDescription(windless);
+    EXPECT_EQ(forest->getWind(), streamed);
+    updateFrames(*forest, 1, 1);
+    EXPECT_EQ(forest->getSimulation().windSamples().front(), glm::vec3(-3.0f, 2.0f, 0.0f));
+
+    const ForestDescription windy = smallForest(1, 7.0f);
+    forest->setDescription(windy);
+    EXPECT_EQ(forest->getWind(), windy.wind) << "its own wind goes before";
+    updateFrames(*forest, 2, 2);
+    EXPECT_EQ(forest->getSimulation().windSamples().front(), glm::vec3(7.0f, 0.0f, 0.0f));
+}
+
+TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
+    ForestDescription windless = smallForest(1);
+    windless.wind = nullptr;
+    osg::ref_ptr<Forest> forest = new Forest(windless);
+    std::atomic<bool> running{true};
+    WindFieldPtr last;
+    std::thread simulator([&] {
+        while (running) {
+            last = std::make_shared<UniformWind>(glm::vec3(1.0f, 0.0f, 0.0f));
+            forest->setWind(last);
+        }
+    });
+    for (unsigned frame = 1; frame <= 20; ++frame) {
+        forest->setDescription(windless);
+        update(*forest, frame, frame / 25.0);
+    }
+    running = false;
+    simulator.join();
+    EXPECT_EQ(forest->getWind(), last) << "no wind was lost";
+}
+
 TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {
     osg::ref_ptr<Forest> forest = new Forest;
     updateFrames(*forest, 1, 3);
