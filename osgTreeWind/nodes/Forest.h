@@ -48,7 +48,8 @@ public:
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
 
-        /// Replaces all trees, and the wind if the description has one; without one the wind that is set goes on.
+        /// Replaces all trees, and the wind if the description has one; without one the wind that is set goes
+        /// on. A forest for which there is not the memory (problemOfMemory()) is left empty, with a warning.
         /// Not during a traversal.
         void setDescription(ForestDescription description);
     /// Its wind is the one it came with, whatever setWind() did since.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../EnvironmentVariable.h"
+#include "../MessageCollector.h"
 #include "ForestFixtures.h"
 
 #include <osgTreeWind/wind/FunctionWind.h>
@@ -7,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 
@@ -149,6 +152,25 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
     running = false;
     simulator.join();
     EXPECT_EQ(forest->getWind(), last) << "no wind was lost";
+}
+
+TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
+    osg::setNotifyHandler(messages);
+    {
+        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
+        forest->setDescription(smallForest(1000));
+    }
+    osg::setNotifyHandler(former);
+    const std::string said = messages->take();
+    EXPECT_EQ(said.rfind("osgTreeWind: 1000 trees of these species need about ", 0), 0u) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(forest->getNumTrees(), 0u);
+    updateFrames(*forest, 1, 2);
+    forest->setDescription(smallForest(2));
+    EXPECT_EQ(forest->getNumTrees(), 2u) << "and may be filled again";
 }
 
 TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {
