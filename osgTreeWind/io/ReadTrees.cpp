@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
@@ -224,6 +225,16 @@ void readScatter(TableReader& table, ForestReading& reading) {
     table.read("seed", scatter.seed);
     if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))
         return;
+
+    // Trees thrown at random jam when their circles cover 0.547 of the area, give or take.
+    const double width = scatter.high.x - scatter.low.x + scatter.spacing,
+                 depth = scatter.high.y - scatter.low.y + scatter.spacing,
+                 circle = glm::quarter_pi<double>() * scatter.spacing * scatter.spacing,
+                 jammed = 0.547 * width * depth / circle;
+    if (scatter.spacing > 0.0 && scatter.count > jammed + 3.0 * std::sqrt(jammed))
+        return table.problem("spacing", "only about " + numberText(std::floor(jammed)) + " of " +
+                                            std::to_string(scatter.count) +
+                                            " trees fit into the area with this spacing");
 
     constexpr int mostTries = 2000;
     Random random(scatter.seed);

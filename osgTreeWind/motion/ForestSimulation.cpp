@@ -26,7 +26,7 @@ glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine) {
 
 } // namespace
 
-ForestSimulation::ForestSimulation(ForestDescription description)
+ForestSimulation::ForestSimulation(ForestDescription description, const std::function<void()>& placed)
     : _description(std::move(description)), _wind(_description.wind) {
     const std::size_t speciesCount = _description.species.size();
     auto& placements = _description.trees;
@@ -59,8 +59,11 @@ ForestSimulation::ForestSimulation(ForestDescription description)
         leaves += _models[tree.model].leaves.size();
         _trees.push_back(tree);
     }
-    for (const Tree& tree : _trees)
+    for (const Tree& tree : _trees) {
         prepareUnits(tree);
+        if (placed)
+            placed();
+    }
     _windSamples.resize(units);
     _windTexels.resize(2 * units);
     _branchStates.resize(units);

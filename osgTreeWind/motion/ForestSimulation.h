@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -33,7 +34,8 @@ public:
     };
 
     /// Grows the shapes and places the trees at rest. Trees of a species that is not there are left out.
-    explicit ForestSimulation(ForestDescription description);
+    /// @param placed called after each tree, for a person who waits; may be empty.
+    explicit ForestSimulation(ForestDescription description, const std::function<void()>& placed = {});
 
     /// As given, but for trees left out; its wind is the first one, whatever setWind() did.
     const ForestDescription& description() const { return _description; }
