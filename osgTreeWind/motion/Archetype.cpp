@@ -119,22 +119,17 @@ Archetype::Archetype(const SwayingTree& tree)
     _other[1] = nearestPatches(_shapes[1], _shapes[0]);
 }
 
-TreeFactors Archetype::factors(const SwayingTree& tree, float heading, float gain) const {
+TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
     const float l = tree.scale.axes.z / _tree.scale.axes.z, r = tree.scale.radius / _tree.scale.radius;
-    const float area = leafArea(*tree.model, tree.scale, *tree.species, tree.leaves);
-    const float outline = l * tree.scale.axes.x / _tree.scale.axes.x;
     TreeFactors f;
     f.cosine = std::cos(heading);
     f.sine = std::sin(heading);
+    f.length = l;
     f.pace = r * r / (l * l * l * l);
-    f.reach = gain > 0.0f ? l / gain : 0.0f;
-    f.drive = gain / (r * r * l * l);
-    f.weight = l * l * l / (r * r);
     f.logs = sizesOver(tree, _tree);
-    f.woodDrag = r * l;
-    f.stillDrag = _leafArea > 0.0f ? area / _leafArea : 0.0f;
+    f.stillDrag = _leafArea > 0.0f ? leafArea(*tree.model, tree.scale, *tree.species, tree.leaves) / _leafArea : 0.0f;
     f.leafDrag = tree.species->wood.crownDrag > 0.0f && _tree.leaves > 0.0f
-                     ? outline * tree.leaves / _tree.leaves
+                     ? l * tree.scale.axes.x / _tree.scale.axes.x * tree.leaves / _tree.leaves // its outline
                      : f.stillDrag;
     return f;
 }

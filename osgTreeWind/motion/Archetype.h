@@ -53,13 +53,10 @@ public:
     /// Nearest patch of the other level to each patch of `level`.
     const std::vector<std::size_t>& otherPatches(std::size_t level) const { return _other[level]; }
 
-    /// Factors of another tree of the same model and species. @param gain [0, 100], on the answer to the
-    /// wind.
-    TreeFactors factors(const SwayingTree& tree, float heading, float gain) const;
-    /// Place of a patch in the model's own frame: times the axes of its scale, in a tree's.
-    glm::vec3 place(std::size_t level, std::size_t patch) const {
-        return _shapes[level].patches[patch].place / _tree.scale.axes;
-    }
+    /// Factors of another tree of the same model and species.
+    TreeFactors factors(const SwayingTree& tree, float heading) const;
+    /// Scale of the tree it was made from.
+    const TreeScale& scale() const { return _tree.scale; }
 
 private:
     SwayingTree _tree;

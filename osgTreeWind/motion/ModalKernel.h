@@ -21,12 +21,10 @@ struct alignas(32) TreeLanes {
 /// SizePowers say how.
 struct TreeFactors {
     float cosine = 1.0f, sine = 0.0f; ///< Of its heading.
-    float pace = 1.0f;                ///< Stiffness over mass, over the shape's.
-    float reach = 1.0f;  ///< Lengths over the shape's, over the gain: speed of a patch by that of modes.
-    float drive = 1.0f;  ///< Force on a mode, over the shape's, times the gain.
-    float weight = 1.0f; ///< On the shares of weight.
-    SizePowers logs;     ///< Logarithms of its sizes over the shape's.
-    float woodDrag = 1.0f, leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the shape's.
+    float length = 1.0f;              ///< l
+    float pace = 1.0f;                ///< r^2 / l^4: stiffness over mass.
+    SizePowers logs;                  ///< Logarithms of its sizes over the shape's.
+    float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the shape's; that of wood is r l.
 };
 
 /// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in
@@ -41,7 +39,8 @@ struct ModalStep {
     TreeLanes* block = nullptr; ///< treeFloats() elements.
     TreeLanes* wind = nullptr;  ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
     float seconds = 0.0f;       ///< > 0; the wind goes evenly from where it was to where it is.
-    int substeps = 1;           ///< >= 1
+    int substeps = 1;  ///< 0: the wind is taken for that of now, and nothing moves.
+    float gain = 1.0f; ///< [0, 100]
 };
 
 /// Instruction sets the law is compiled for. All give the same bits.

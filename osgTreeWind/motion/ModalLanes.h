@@ -21,15 +21,25 @@ private:
     int _first;
 };
 
+/// A TreeFactors of each tree, and what follows from it.
 struct LaneFactors {
-    real cosine, sine, pace, reach, drive, weight, height, girth, width, leaves, woodDrag, leafDrag,
-        stillDrag;
+    real cosine, sine, length, pace, height, girth, width, leaves, leafDrag, stillDrag;
+    real reach;    ///< Speed of a patch by that of modes: lengths over the gain.
+    real drive;    ///< Force on a mode, times the gain.
+    real weight;   ///< On the shares of weight.
+    real woodDrag;
 
-    explicit LaneFactors(const LaneColumn& c)
-        : cosine(c[0]), sine(c[1]), pace(c[2]), reach(c[3]), drive(c[4]), weight(c[5]), height(c[6]),
-          girth(c[7]), width(c[8]), leaves(c[9]), woodDrag(c[10]), leafDrag(c[11]), stillDrag(c[12]) {}
+    LaneFactors(const LaneColumn& c, float gain)
+        : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), height(c[4]), girth(c[5]), width(c[6]), leaves(c[7]),
+          leafDrag(c[8]), stillDrag(c[9]) {
+        const real cube = length * length * length;
+        reach = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
+        drive = gain / (pace * cube * cube);
+        weight = 1.0f / (pace * length);
+        woodDrag = sqrt(pace) * cube;
+    }
 };
-static_assert(sizeof(TreeFactors) == 13 * sizeof(float), "LaneFactors takes them in their order");
+static_assert(sizeof(TreeFactors) == 10 * sizeof(float), "LaneFactors takes them in their order");
 
 /// What a mode is on each tree.
 struct LaneMode {
@@ -42,7 +52,7 @@ public:
     ModalLanes(const ModalStep& step, int first)
         : _shape(*step.shape), _modes(_shape.modes.size()), _patches(_shape.patches.size()), _step(step),
           _first(first), _amplitude(step.block, first), _speed(_amplitude + _modes), _wind(_speed + _modes),
-          _factors(_wind + 3 * _patches) {}
+          _factors(_wind + 3 * _patches, step.gain) {}
 
     void run() {
         turnWind();
@@ -89,7 +99,7 @@ private:
             const ModalShape::Mode& mode = _shape.modes[k];
             const real stiffness = grown(mode.stiffness), mass = grown(mode.mass);
             const real weight =
-                max(min(mode.weightShare * _factors.weight / stiffness, every(0.75f)), every(-1.0f));
+                max(min(mode.weightShare * _factors.weight * mass / stiffness, every(0.75f)), every(-1.0f));
             const real left = 1.0f - weight; // weight slows a tree as more mass would
             _mode[k].pace = mode.pace * sqrt(_factors.pace * stiffness * left / mass);
             _mode[k].drive = _factors.drive * left / mass;

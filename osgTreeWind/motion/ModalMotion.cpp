@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ModalMotion.h>
 
+#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/motion/Laws.h>
 
 #include <algorithm>
@@ -47,7 +48,8 @@ struct ModalMotion::Group {
 };
 
 ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact)
-    : _executor(executor ? std::move(executor) : Executor(runInTurn)), _slots(trees.size()) {
+    : _executor(executor ? std::move(executor) : Executor(runInTurn)), _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)),
+      _slots(trees.size()) {
     std::vector<std::uint32_t> archetypes; // per tree
     std::vector<SwayingTree> forms;        // per archetype
     std::map<ArchetypeRung, std::uint32_t> rungs;
@@ -71,11 +73,20 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
     constexpr std::size_t batch = 256;
     _executor((trees.size() + batch - 1) / batch, [&](std::size_t job) {
         for (std::size_t i = job * batch; i < std::min(trees.size(), (job + 1) * batch); ++i)
-            factors[i] = _archetypes[archetypes[i]]->factors(trees[i].form, trees[i].heading, gain);
+            factors[i] = _archetypes[archetypes[i]]->factors(trees[i].form, trees[i].heading);
     });
+    std::vector<std::size_t> sizes(_groups.size(), 0);
+    for (const std::uint32_t archetype : archetypes)
+        ++sizes[2 * archetype];
+    for (std::size_t g = 0; g < _groups.size(); ++g) {
+        const std::size_t blocks = (sizes[g] + lanes - 1) / lanes;
+        _groups[g].trees.reserve(sizes[g]);
+        _groups[g].waiting.reserve(blocks);
+        _groups[g].numbers.reserve(blocks * treeFloats(_groups[g].shape()));
+    }
+    _places.reserve(trees.size());
     for (std::size_t i = 0; i < trees.size(); ++i) {
-        const glm::vec3& axes = trees[i].form.scale.axes;
-        _places.push_back({trees[i].foot, {axes.x, axes.z}});
+        _places.push_back({trees[i].foot, trees[i].form.scale.axes.x / _archetypes[archetypes[i]]->scale().axes.x});
         put(i, 2 * archetypes[i]);
         float numbers[factorCount];
         std::memcpy(numbers, &factors[i], sizeof numbers);
@@ -217,6 +228,7 @@ void ModalMotion::advance(const WindField* wind, double time) {
             step.block = group.block(_work[w].block);
             step.wind = scratch.lanes.data();
             step.seconds = _work[w].seconds;
+            step.gain = _gain;
             const float longest = group.level == 0 ? longestNearStep : longestFarStep;
             step.substeps = static_cast<int>(std::ceil(step.seconds / longest - 0.01f));
             stepTrees(step, set);
@@ -233,9 +245,9 @@ void ModalMotion::addPlaces(const Work& work, std::vector<WindPlace>& places) co
     for (std::size_t i = first; i < end; ++i) {
         const Place& place = _places[group.trees[i]];
         const float cosine = numbers[factor].tree[i - first], sine = numbers[factor + 1].tree[i - first];
+        const glm::vec3 axes(place.width, place.width, numbers[factor + 2].tree[i - first]);
         for (std::size_t p = 0; p < patches; ++p) {
-            const glm::vec3 at =
-                group.archetype->place(group.level, p) * glm::vec3(place.axes.x, place.axes.x, place.axes.y);
+            const glm::vec3 at = axes * group.shape().patches[p].place;
             places.emplace_back(place.foot +
                                     glm::vec3(cosine * at.x - sine * at.y, sine * at.x + cosine * at.y, at.z),
                                 place.foot.z);
@@ -262,10 +274,11 @@ void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
     for (std::size_t k = 0; k < modes; ++k)
         vector[k] = number(tree, k);
     const SizePowers& stiffness = shape.modes.front().stiffness;
-    const float rest =
-        f.drive / f.pace /
-        laws.nearExponential(stiffness.height * f.logs.height + stiffness.girth * f.logs.girth +
-                             stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
+    const float reach = _gain > 0.0f ? f.length / _gain : 0.0f;
+    const float wooden = std::sqrt(f.pace) * f.length * f.length * f.length;
+    const float rest = _gain / (wooden * wooden * f.pace) / // gain l / stiffness
+                       laws.nearExponential(stiffness.height * f.logs.height + stiffness.girth * f.logs.girth +
+                                            stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
     for (std::size_t p = 0; p < patches; ++p) {
         const ModalShape::Patch& patch = shape.patches[p];
         glm::vec3 air, own(0.0f);
@@ -273,9 +286,9 @@ void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
             const auto axis = static_cast<glm::length_t>(c);
             air[axis] = number(tree, 2 * modes + 3 * p + c);
             for (std::size_t k = 0; k < modes; ++k)
-                own[axis] += f.reach * shape.levers[(3 * p + c) * modes + k] * number(tree, modes + k);
+                own[axis] += reach * shape.levers[(3 * p + c) * modes + k] * number(tree, modes + k);
         }
-        const float wood = patch.woodDrag * f.woodDrag;
+        const float wood = patch.woodDrag * wooden;
         const float drag = (wood + patch.leafDrag * f.leafDrag) *
                            laws.streamlinedShare(patch.streamlining, shape.streamlinedTo, glm::length(air));
         const glm::vec3 relative = air - own;

@@ -76,7 +76,7 @@ private:
     };
     struct Place {
         glm::vec3 foot;
-        glm::vec2 axes; ///< Scale of its model, across and up.
+        float width; ///< Lengths across over its archetype's.
     };
 
     float& number(std::size_t tree, std::size_t index);
@@ -91,6 +91,7 @@ private:
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
 
     Executor _executor;
+    float _gain;
     std::vector<std::unique_ptr<const Archetype>> _archetypes;
     std::vector<Group> _groups; ///< Two for each archetype, one a level.
     std::vector<Slot> _slots;   ///< Per tree.

@@ -85,11 +85,16 @@ void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& 
             loads[i].woodMass *= factor;
 }
 
-/// From the base of each unit, how far away what it carries pulls as the unit turns, metres: the middle of
-/// the loads m r^2, and at least the tip of its axis.
-std::vector<float> reaches(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
-                           const TreeScale& scale) {
-    std::vector<float> reach(units.size(), 0.0f), moment(units.size(), 0.0f), inertia(units.size(), 0.0f);
+/// What a unit carries, from its base along it.
+struct Carried {
+    float reach = 0.0f;   ///< Metres: the middle of the loads m r^2, and at least the tip of its axis.
+    float moment = 0.0f;  ///< Sum of m r, kg m.
+    float inertia = 0.0f; ///< Sum of m r^2, kg m^2.
+};
+
+std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                               const TreeScale& scale) {
+    std::vector<Carried> carried(units.size());
     std::vector<glm::vec3> directions;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
@@ -99,28 +104,33 @@ std::vector<float> reaches(const std::vector<UnitLoad>& loads, const std::vector
             const auto carrier = static_cast<std::size_t>(a);
             const float arm = std::max(
                 glm::dot(unit.middle() - scale.axes * units[carrier].base, directions[carrier]), 0.0f);
-            moment[carrier] += mass * arm;
-            inertia[carrier] += mass * arm * arm;
+            carried[carrier].moment += mass * arm;
+            carried[carrier].inertia += mass * arm * arm;
         }
     }
     for (std::size_t i = units.size(); i-- > 0;) {
-        reach[i] += ScaledUnit(units[i], scale).length;
+        carried[i].reach += ScaledUnit(units[i], scale).length;
         if (carriesOn(units, i))
-            reach[static_cast<std::size_t>(units[i].parent)] = reach[i];
+            carried[static_cast<std::size_t>(units[i].parent)].reach = carried[i].reach;
     }
-    for (std::size_t i = 0; i < units.size(); ++i)
-        if (moment[i] > 0.0f)
-            reach[i] = std::max(reach[i], inertia[i] / moment[i]);
-    return reach;
+    for (Carried& c : carried)
+        if (c.moment > 0.0f)
+            c.reach = std::max(c.reach, c.inertia / c.moment);
+    return carried;
 }
 
+/// A joint bends as its wood does. A branch is at least so stiff that it does not hang down by its own weight:
+/// twigs of a slender tree are not as slender as its trunk.
 void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                   const TreeScale& scale) {
-    const std::vector<float> reach = reaches(loads, units, scale);
+    constexpr float deepestSag = 0.35f, gravity = 9.81f;
+    const std::vector<Carried> carried = carriedBy(loads, units, scale);
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
-        loads[i].stiffness = static_cast<float>(
-            jointStiffness(loads[i].modulus, unit.baseDiameter, unit.tipDiameter, unit.length, reach[i]));
+        loads[i].stiffness = static_cast<float>(jointStiffness(
+            loads[i].modulus, unit.baseDiameter, unit.tipDiameter, unit.length, carried[i].reach));
+        if (units[i].level > 0)
+            loads[i].stiffness = std::max(loads[i].stiffness, gravity * carried[i].moment / deepestSag);
         if (loads[i].rootGive > 0.0f)
             loads[i].stiffness = 1.0f / (1.0f / loads[i].stiffness + loads[i].rootGive);
     }
