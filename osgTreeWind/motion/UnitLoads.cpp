@@ -71,7 +71,9 @@ float crownOutline(const TreeModel& model, const TreeScale& scale) {
     return 0.25f * (size.x + size.y) * size.z;
 }
 
-/// Brings the wood of all branches to the mass that such a tree has.
+/// Brings the wood of all branches to the mass that such a tree has. A conifer's drawn branch stands for
+/// several side by side, which share their stiffness; a broadleaf's sections add up, so that twigs alone are
+/// missing.
 void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                    const WoodParameters& wood, float diameter) {
     double trunk = 0.0, drawn = 0.0;
@@ -81,8 +83,11 @@ void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& 
         return;
     const auto factor = static_cast<float>(branchWoodMass(wood, diameter, trunk, drawn) / drawn);
     for (std::size_t i = 0; i < units.size(); ++i)
-        if (units[i].level > 0)
+        if (units[i].level > 0) {
             loads[i].woodMass *= factor;
+            if (wood.branchWood == WoodAllometry::Conifer)
+                loads[i].modulus *= factor;
+        }
 }
 
 /// What a unit carries, from its base along it.
