@@ -19,7 +19,7 @@ namespace {
 
 constexpr double gravity = 9.81; // m/s^2
 constexpr std::size_t startVectors = 4;
-constexpr std::size_t smallestSpace = 96;
+constexpr std::size_t smallestSpace = 72;
 
 /// What the points beyond a joint weigh, about the base of its link.
 struct Carried {
@@ -95,8 +95,11 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
             for (int attempt = 0;; ++attempt) {
                 const auto known = basis.leftCols(filled);
                 next -= known * (known.transpose() * next);
-                next -= known * (known.transpose() * next);
-                const double left = next.norm();
+                double left = next.norm();
+                if (left < 0.5 * norm) { // what is left has rounding in it (Kahan: twice is enough)
+                    next -= known * (known.transpose() * next);
+                    left = next.norm();
+                }
                 if (left > 1e-10 * norm && left > 0.0) {
                     basis.col(filled) = next / left;
                     break;
@@ -207,7 +210,7 @@ std::vector<TreeMode> slowestModes(const JointTree& tree, std::size_t count) {
     a.setFromTriplets(entries.begin(), entries.end());
 
     Eigen::MatrixXd basis, images;
-    krylovSpace(a, std::min(joints, std::max(smallestSpace, 3 * count)), basis, images);
+    krylovSpace(a, std::min(joints, std::max(smallestSpace, 9 * count / 4)), basis, images);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transpose() * images);
     const auto kept = static_cast<Eigen::Index>(count);
     const Eigen::VectorXd slowness = ritz.eigenvalues().tail(kept).reverse();
