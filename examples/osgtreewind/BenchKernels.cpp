@@ -4,8 +4,8 @@
 #include "BenchStage.h"
 
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 #include <osgTreeWind/wind/FunctionWind.h>
@@ -39,7 +39,7 @@ volatile float kept = 0.0f;
 /// Parameters of that many branches of broadleaves, 1 to 25 m high.
 template <typename Parameters>
 std::vector<Parameters> someBranches(MotionLaw law,
-                                     const std::vector<Parameters>& (ForestSimulation::*parameters)() const) {
+                                     const std::vector<Parameters>& (BranchwiseMotion::*parameters)() const) {
     ForestDescription forest;
     forest.law = law;
     forest.species = {defaultSpecies()};
@@ -48,8 +48,8 @@ std::vector<Parameters> someBranches(MotionLaw law,
         forest.trees[i].seed = static_cast<std::uint32_t>(i);
         forest.trees[i].size.height = 1.0f + 0.6f * static_cast<float>(i);
     }
-    const ForestSimulation simulation(std::move(forest));
-    std::vector<Parameters> result = (simulation.*parameters)();
+    const PlacedForest placed(std::move(forest));
+    std::vector<Parameters> result = (BranchwiseMotion(placed).*parameters)();
     result.resize(branches, result.front());
     return result;
 }
@@ -66,7 +66,7 @@ using ThesisStep = glm::vec4 (Laws::*)(glm::vec4, glm::vec3, glm::vec3, Laws::Th
 
 Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
     std::vector<Laws::ThesisBranch> parameters;
-    for (const BranchParameters& p : someBranches(law, &ForestSimulation::branchParameters))
+    for (const BranchParameters& p : someBranches(law, &BranchwiseMotion::thesisBranches))
         parameters.push_back(lawParameters(p));
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
     return {{"laws", name, "branch", branches, {}}, [=, winds = someWinds()](double time) mutable {
@@ -85,7 +85,7 @@ Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
 
 Timed dampedLaw() {
     std::vector<Laws::DampedBranch> parameters;
-    for (const DampedParameters& p : someBranches(MotionLaw::Damped, &ForestSimulation::dampedParameters))
+    for (const DampedParameters& p : someBranches(MotionLaw::Damped, &BranchwiseMotion::dampedBranches))
         parameters.push_back(lawParameters(p));
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
     return {{"laws", "damped", "branch", branches, {}}, [=, winds = someWinds()](double) mutable {
