@@ -361,7 +361,7 @@ TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
     forest.species[1].shapes = 4;
     forest.trees.resize(9);
     for (std::uint32_t i = 0; i < 9; ++i)
-        forest.trees[i] = {i < 4 ? 0u : 1u, glm::dvec3(i), 0.0f, {}, i};
+        forest.trees[i] = {i < 4 ? 0u : 1u, glm::dvec3(i), 0.0f, {}, 1.0f, i};
     const ForestSimulation simulation(forest);
     EXPECT_EQ(simulation.models().size(), 6u);
     EXPECT_EQ(simulation.trees()[3].model, 1u);
