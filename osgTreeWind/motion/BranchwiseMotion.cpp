@@ -2,9 +2,10 @@
 #include <osgTreeWind/motion/BranchwiseMotion.h>
 
 #include <osgTreeWind/model/ThesisAxes.h>
-#include <osgTreeWind/motion/LawParameters.h>
+#include <osgTreeWind/motion/DampedBranches.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 #include <osgTreeWind/motion/Rotations.h>
+#include <osgTreeWind/motion/ThesisParts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,13 +28,13 @@ void BranchwiseMotion::addBranches(const PlacedTree& tree) {
         _windPlaces.emplace_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine),
                                  tree.position.z);
     if (damped()) {
-        for (const DampedParameters& p : makeDampedParameters(model, tree.scale, species, tree.leaves)) {
-            _windPlaces[_dampedBranches.size()].position.z = tree.position.z + p.windHeight;
-            _dampedBranches.push_back(exaggerated(p, _forest.description.gain));
+        for (const Laws::DampedBranch& branch : makeDampedBranches(model, tree.scale, species, tree.leaves)) {
+            _windPlaces[_dampedBranches.size()].position.z = tree.position.z + branch.windHeight;
+            _dampedBranches.push_back(exaggerated(branch, _forest.description.gain));
         }
     } else {
         for (const BranchUnit& unit : model.skeleton.units)
-            _thesisBranches.push_back(makeBranchParameters(unit, tree.scale, species));
+            _thesisBranches.push_back(makeThesisBranch(unit, tree.scale, species));
     }
 }
 
@@ -95,21 +96,20 @@ void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
             noise[static_cast<int>(axis)] =
                 laws.motionNoise(laws.noiseStream(tree.seed, unit, axis), now.cell, now.fraction, now.gain);
         const std::size_t i = tree.firstUnit + unit;
-        const Laws::ThesisBranch branch = lawParameters(_thesisBranches[i]);
         const glm::vec3 air = toThesis(glm::vec3(_windTexels[2 * i + 1]));
         _states[i] = _forest.description.law == MotionLaw::Thesis
-                         ? laws.thesisBranchStep(_states[i], air, noise, branch)
-                         : laws.thesisSmoothBranchStep(_states[i], air, noise, branch);
+                         ? laws.thesisBranchStep(_states[i], air, noise, _thesisBranches[i])
+                         : laws.thesisSmoothBranchStep(_states[i], air, noise, _thesisBranches[i]);
     }
 }
 
 void BranchwiseMotion::swing(const PlacedTree& tree, float seconds) {
     Laws laws;
     for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitsOf(tree); ++i) {
-        const DampedParameters& p = _dampedBranches[i];
-        const glm::vec2 before = laws.windAcross(glm::vec3(_windTexels[2 * i]), p.direction);
-        const glm::vec2 now = laws.windAcross(glm::vec3(_windTexels[2 * i + 1]), p.direction);
-        _states[i] = laws.dampedBranchStep(_states[i], before, now, lawParameters(p), seconds);
+        const Laws::DampedBranch& branch = _dampedBranches[i];
+        const glm::vec2 before = laws.windAcross(glm::vec3(_windTexels[2 * i]), branch.direction);
+        const glm::vec2 now = laws.windAcross(glm::vec3(_windTexels[2 * i + 1]), branch.direction);
+        _states[i] = laws.dampedBranchStep(_states[i], before, now, branch, seconds);
     }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/BranchParameters.h>
-#include <osgTreeWind/motion/DampedParameters.h>
+#include <osgTreeWind/motion/Laws.h>
 #include <osgTreeWind/motion/PlacedForest.h>
 #include <osgTreeWind/motion/TreeMotion.h>
 
@@ -10,6 +9,7 @@ namespace osgTreeWind {
 
 /// The laws of a branch (`thesis`, `thesis-smooth`, `damped`) for a forest: a state per unit. All arrays run
 /// tree after tree and, within a tree, in access order. Nothing allocates but the constructor.
+/// Not for installed headers, as Laws.h.
 class BranchwiseMotion {
 public:
     /// At rest. @param forest must outlive it.
@@ -39,9 +39,9 @@ public:
     const std::vector<glm::vec4>& windTexels() const { return _windTexels; }
     const std::vector<glm::vec4>& states() const { return _states; } ///< TreeMotion::states.
     const std::vector<UnitPose>& poses() const { return _poses; }    ///< TreeMotion::poses.
-    /// What the law of the description works with; the other one is empty.
-    const std::vector<BranchParameters>& thesisBranches() const { return _thesisBranches; }
-    const std::vector<DampedParameters>& dampedBranches() const { return _dampedBranches; }
+    /// What the units are to the law of the description; the other one is empty.
+    const std::vector<Laws::ThesisBranch>& thesisBranches() const { return _thesisBranches; }
+    const std::vector<Laws::DampedBranch>& dampedBranches() const { return _dampedBranches; }
 
 private:
     bool damped() const { return _forest.description.law == MotionLaw::Damped; }
@@ -51,8 +51,8 @@ private:
     void pose(const PlacedTree& tree);
 
     const PlacedForest& _forest;
-    std::vector<BranchParameters> _thesisBranches;
-    std::vector<DampedParameters> _dampedBranches;
+    std::vector<Laws::ThesisBranch> _thesisBranches;
+    std::vector<Laws::DampedBranch> _dampedBranches;
     std::vector<WindPlace> _windPlaces;
     std::vector<glm::vec3> _winds;
     std::vector<glm::vec4> _windTexels, _states;

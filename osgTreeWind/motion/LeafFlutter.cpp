@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/LeafFlutter.h>
 
-#include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
+#include <osgTreeWind/motion/ThesisParts.h>
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ void LeafFlutter::step(double time) {
     Laws laws;
     for (const PlacedTree& tree : _forest.trees) {
         const LeafMotion& motion = _forest.speciesOf(tree).leaf;
-        const Laws::ThesisLeaf leaf = lawParameters(motion);
+        const Laws::ThesisLeaf leaf = makeThesisLeaf(motion);
         const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency, _forest.description.noiseExponent);
         const auto leaves = static_cast<std::uint32_t>(_forest.leavesOf(tree));
         for (std::uint32_t i = 0; i < leaves; ++i) {
