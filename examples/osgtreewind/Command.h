@@ -24,4 +24,5 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode);
 CLI::Validator within(double low, double high);
 
 /// The forest in `file`; prints the first problem, or what is worth knowing, on standard error.
-std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file);
+/// @param withNodes it is going to be drawn, and there must be memory for that.
+std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file, bool withNodes = false);

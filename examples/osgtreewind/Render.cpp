@@ -120,7 +120,7 @@ ExitCode render(RenderOptions options) {
         return BadInput;
     }
 
-    auto description = loadForest(options.file);
+    auto description = loadForest(options.file, true);
     if (!description)
         return BadInput;
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));

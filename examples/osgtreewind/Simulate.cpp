@@ -46,7 +46,9 @@ ExitCode simulate(const SimulateOptions& options) {
     auto description = loadForest(options.file);
     if (!description)
         return BadInput;
-    ForestSimulation simulation(std::move(*description));
+    auto growing = std::make_optional<Progress>("grow", description->trees.size());
+    ForestSimulation simulation(std::move(*description), [&] { growing->advance(); });
+    growing.reset();
 
     const bool toFile = options.output != "-";
     std::FILE* out = toFile ? std::fopen(options.output.c_str(), "w") : stdout;

@@ -2,6 +2,7 @@
 #include "Command.h"
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/motion/ForestMemory.h>
 
 #include <iostream>
 
@@ -16,10 +17,15 @@ CLI::Validator within(double low, double high) {
     return CLI::Validator(problem, range, "within");
 }
 
-std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file) {
+std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file, bool withNodes) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
     if (!forest) {
         std::cerr << forest.problems().front().text() << '\n';
+        return {};
+    }
+    if (const std::string problem = osgTreeWind::problemOfMemory(forest.value(), withNodes);
+        !problem.empty()) {
+        std::cerr << file << ": " << problem << '\n';
         return {};
     }
     for (const std::string& note : forest.value().notes)

@@ -30,6 +30,8 @@ public:
         _table.readChoice<char>("delimiter", delimiter, {{",", ','}, {";", ';'}, {"\t", '\t'}, {"|", '|'}});
         std::uint32_t seed = _reading.seed;
         _table.read("seed", seed);
+        _table.read("open_grown", _openGrown);
+        _table.read("leaves", _leaves, within(0, 1));
         readDefaultSpecies();
         _complete &= readCsv(delimiter);
         readColumns();
@@ -117,6 +119,8 @@ private:
         tree.size.height = static_cast<float>(number(row, _height, false));
         tree.size.trunkDiameter = static_cast<float>(number(row, _trunkDiameter, false));
         tree.size.crownWidth = static_cast<float>(number(row, _crownWidth, false));
+        tree.openGrown = _openGrown;
+        tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
         _reading.forest.trees.push_back(tree);
@@ -169,6 +173,8 @@ private:
     ForestReading& _reading;
     CsvTable _csv;
     bool _complete = true;
+    bool _openGrown = false;
+    float _leaves = 1.0f;
 
     Measure _x{"x", worldCoordinates}, _y{"y", worldCoordinates}, _z{"z", worldCoordinates};
     Measure _height{"height", treeHeights};

@@ -4,6 +4,7 @@
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/ForestMemory.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -180,6 +181,9 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("species"))
         dropUnusedDefault(reading.forest);
 
+    if (reading.log.problems.empty())
+        if (const std::string problem = problemOfMemory(reading.forest, false); !problem.empty())
+            root.problem("", problem);
     readOrigin(root, reading);
     root.table("wind", [&](TableReader& table) { readWind(table, reading); });
 }

@@ -51,6 +51,10 @@ void readWood(TableReader& table, WoodParameters& wood) {
     table.read("density", wood.density, within(1, 1e4));
     table.read("damping_ratio", wood.dampingRatio, within(0, 2));
     table.read("under_bark", wood.underBark, within(0.1, 1));
+    table.read("whole_stem", wood.wholeStem, within(0.1, 1));
+    table.read("branch_modulus", wood.branchModulus, within(0.01, 1));
+    table.read("modulus_power", wood.modulusPower, within(0, 2));
+    table.read("anchorage", wood.anchorage, within(0, 1e4));
     table.read("leaf_area", wood.leafArea, within(0, 1e5));
     table.read("leaf_mass", wood.leafMass, within(0, 100));
     table.read("wood_drag", wood.woodDrag, within(0, 10));

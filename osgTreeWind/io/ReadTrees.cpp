@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
@@ -105,6 +106,8 @@ struct Scatter {
     std::vector<std::size_t> species;
     std::vector<double> weights;
     std::optional<Span> height, trunkDiameter, crownWidth, trunkRatio, crownRatio;
+    bool openGrown = false;
+    float leaves = 1.0f;
     std::uint32_t seed = 0;
 
     std::size_t drawSpecies(Random& random) const {
@@ -193,6 +196,8 @@ void readTree(TableReader& table, ForestReading& reading) {
     table.read("height", tree.size.height, treeHeights);
     table.read("trunk_diameter", tree.size.trunkDiameter, trunkDiameters);
     table.read("crown_width", tree.size.crownWidth, crownWidths);
+    table.read("open_grown", tree.openGrown);
+    table.read("leaves", tree.leaves, within(0, 1));
     table.readDegrees("heading", tree.heading, within(-360, 360));
     tree.seed = reading.seed + static_cast<std::uint32_t>(reading.forest.trees.size());
     table.read("seed", tree.seed);
@@ -215,9 +220,21 @@ void readScatter(TableReader& table, ForestReading& reading) {
                scatter.trunkRatio);
     readEither(table, scatter, "crown_width", crownWidths, scatter.crownWidth, "crown_ratio",
                scatter.crownRatio);
+    table.read("open_grown", scatter.openGrown);
+    table.read("leaves", scatter.leaves, within(0, 1));
     table.read("seed", scatter.seed);
     if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))
         return;
+
+    // Trees thrown at random jam when their circles cover 0.547 of the area, give or take.
+    const double width = scatter.high.x - scatter.low.x + scatter.spacing,
+                 depth = scatter.high.y - scatter.low.y + scatter.spacing,
+                 circle = glm::quarter_pi<double>() * scatter.spacing * scatter.spacing,
+                 jammed = 0.547 * width * depth / circle;
+    if (scatter.spacing > 0.0 && scatter.count > jammed + 3.0 * std::sqrt(jammed))
+        return table.problem("spacing", "only about " + numberText(std::floor(jammed)) + " of " +
+                                            std::to_string(scatter.count) +
+                                            " trees fit into the area with this spacing");
 
     constexpr int mostTries = 2000;
     Random random(scatter.seed);
@@ -237,6 +254,8 @@ void readScatter(TableReader& table, ForestReading& reading) {
         tree.position = {place, 0.0};
         tree.species = scatter.drawSpecies(random);
         tree.size = scatter.drawSize(random);
+        tree.openGrown = scatter.openGrown;
+        tree.leaves = scatter.leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
         reading.forest.trees.push_back(tree);

@@ -12,11 +12,14 @@
 
 namespace osgTreeWind {
 
-BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest)
+BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, const std::function<void()>& placed)
     : _forest(forest), _winds(forest.units), _windTexels(2 * forest.units), _states(forest.units),
       _rotations(forest.units), _poses(forest.units) {
-    for (const PlacedTree& tree : _forest.trees)
+    for (const PlacedTree& tree : _forest.trees) {
         addBranches(tree);
+        if (placed)
+            placed();
+    }
     reset();
 }
 

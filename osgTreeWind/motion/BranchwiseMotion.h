@@ -5,6 +5,8 @@
 #include <osgTreeWind/motion/PlacedForest.h>
 #include <osgTreeWind/motion/TreeMotion.h>
 
+#include <functional>
+
 namespace osgTreeWind {
 
 /// The laws of a branch (`thesis`, `thesis-smooth`, `damped`) for a forest: a state per unit. All arrays run
@@ -12,8 +14,8 @@ namespace osgTreeWind {
 /// Not for installed headers, as Laws.h.
 class BranchwiseMotion {
 public:
-    /// At rest. @param forest must outlive it.
-    explicit BranchwiseMotion(const PlacedForest& forest);
+    /// At rest. @param forest must outlive it. @param placed called after each tree; may be empty.
+    explicit BranchwiseMotion(const PlacedForest& forest, const std::function<void()>& placed = {});
 
     /// Back to rest.
     void reset();

@@ -71,10 +71,7 @@ private:
     }
 
     void addInertia() {
-        std::vector<double> leafMass;
-        for (const UnitLoad& load : _bears)
-            leafMass.push_back(load.leafMass);
-        const std::vector<double> speeds = swaySpeeds(_model, _scale, _species.wood, leafMass);
+        const std::vector<double> speeds = swaySpeeds(_model, _scale, _bears);
         for (std::size_t i = 0; i < _units.size(); ++i) {
             Laws::DampedBranch& p = _branches[i];
             const auto speed = static_cast<float>(speeds[i]);

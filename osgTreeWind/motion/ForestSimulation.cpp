@@ -9,8 +9,8 @@
 
 namespace osgTreeWind {
 
-ForestSimulation::ForestSimulation(ForestDescription description)
-    : _forest(std::move(description)), _branches(std::make_unique<BranchwiseMotion>(_forest)),
+ForestSimulation::ForestSimulation(ForestDescription description, const std::function<void()>& placed)
+    : _forest(std::move(description)), _branches(std::make_unique<BranchwiseMotion>(_forest, placed)),
       _leaves(_forest), _wind(_forest.description.wind) {}
 
 ForestSimulation::~ForestSimulation() = default;

@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/PlacedForest.h>
 #include <osgTreeWind/motion/TreeMotion.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -19,7 +20,8 @@ class BranchwiseMotion;
 class ForestSimulation {
 public:
     /// Grows the shapes and places the trees at rest. Trees of a species that is not there are left out.
-    explicit ForestSimulation(ForestDescription description);
+    /// @param placed called after each tree, for a person who waits; may be empty.
+    explicit ForestSimulation(ForestDescription description, const std::function<void()>& placed = {});
     ~ForestSimulation();
 
     /// As given, but for trees left out; its wind is the first one, whatever setWind() did.

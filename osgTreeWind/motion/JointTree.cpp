@@ -12,7 +12,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr int slicesPerUnit = 4;
-constexpr double pi = 3.141592653589793;
 
 /// How far an even beam of that length, part of an axis that reaches `reach` on, moves at `at` from its base
 /// as it is bent by a force at the tip of the axis, over the angle of the joint that stands for it
@@ -72,8 +71,10 @@ JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Sp
             point.link = i;
             point.place = link.base + at * along;
             point.lever = bentLever(at, length, reach[i]) * along;
-            point.mass = species.wood.density * pi / 12.0 * (a * a + a * b + b * b) * length / slicesPerUnit +
-                         static_cast<double>(loads[i].leafMass) / slicesPerUnit;
+            const double share = (a * a + a * b + b * b) / (d0 * d0 + d0 * d1 + d1 * d1);
+            point.mass =
+                (share * static_cast<double>(loads[i].woodMass) + static_cast<double>(loads[i].leafMass)) /
+                slicesPerUnit;
             tree.points.push_back(point);
         }
         JointTree::Point air;

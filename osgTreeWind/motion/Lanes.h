@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Eight floats as one number, and the law files compiled for it. For sources that are compiled once for each
-// instruction set: all of it is local to them.
+// As many floats as one instruction takes, as one number, and the law files compiled for it. For sources that
+// are compiled once for each instruction set: all of it is local to them.
 
 namespace osgTreeWind {
 namespace {
 
-typedef float real __attribute__((vector_size(32)));
-typedef int wholeLanes __attribute__((vector_size(32)));
+#ifdef __AVX__
+constexpr int laneCount = 8;
+#else
+constexpr int laneCount = 4;
+#endif
+typedef float real __attribute__((vector_size(4 * laneCount)));
+typedef int wholeLanes __attribute__((vector_size(4 * laneCount)));
 
 inline real every(float x) {
     return x - real{};
@@ -23,7 +28,7 @@ inline real abs(real x) {
     return reinterpret_cast<real>(reinterpret_cast<wholeLanes>(x) & 0x7fffffff);
 }
 inline real sqrt(real x) {
-    for (int i = 0; i < 8; ++i)
+    for (int i = 0; i < laneCount; ++i)
         x[i] = __builtin_sqrtf(x[i]);
     return x;
 }

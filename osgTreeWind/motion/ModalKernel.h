@@ -15,18 +15,22 @@ struct alignas(32) TreeLanes {
 };
 
 /// A tree's own numbers beside its shape's, in the order in which they stand in a block of trees.
+///
+/// All lengths times l and all radii times r change stiffness by r^4 / l and mass by r^2 l^3. Where a tree is
+/// not so simple (its modulus follows its slenderness, its leaves do not follow its wood), the modes'
+/// SizePowers say how.
 struct TreeFactors {
     float cosine = 1.0f, sine = 0.0f; ///< Of its heading.
-    float pace = 1.0f;   ///< Stiffness over mass, over the shape's.
+    float pace = 1.0f;                ///< Stiffness over mass, over the shape's.
     float reach = 1.0f;  ///< Lengths over the shape's, over the gain: speed of a patch by that of modes.
     float drive = 1.0f;  ///< Force on a mode, over the shape's, times the gain.
     float weight = 1.0f; ///< On the shares of weight.
-    float width = 0.0f, leaves = 0.0f, foot = 0.0f; ///< Logarithms of ModalShape::Mode's ratios over the shape's.
+    SizePowers logs;     ///< Logarithms of its sizes over the shape's.
     float woodDrag = 1.0f, leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the shape's.
 };
 
-/// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in the
-/// tree's own axes), its factors.
+/// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in
+/// the tree's own axes), its factors.
 inline std::size_t treeFloats(const ModalShape& shape) {
     return 2 * shape.modes.size() + 3 * shape.patches.size() + sizeof(TreeFactors) / sizeof(float);
 }
@@ -34,16 +38,17 @@ inline std::size_t treeFloats(const ModalShape& shape) {
 /// A step of eight trees of one shape.
 struct ModalStep {
     const ModalShape* shape = nullptr;
-    TreeLanes* block = nullptr;      ///< treeFloats() elements.
-    const TreeLanes* wind = nullptr; ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
-    float seconds = 0.0f;            ///< > 0; the wind goes evenly from where it was to where it is.
-    int substeps = 1;                ///< >= 1
+    TreeLanes* block = nullptr; ///< treeFloats() elements.
+    TreeLanes* wind = nullptr;  ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
+    float seconds = 0.0f;       ///< > 0; the wind goes evenly from where it was to where it is.
+    int substeps = 1;           ///< >= 1
 };
 
 /// Instruction sets the law is compiled for. All give the same bits.
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
-/// The widest one this machine has; the environment's OSGTREEWIND_INSTRUCTIONS (baseline, avx2, avx512) narrows it.
+/// The widest one this machine has; the environment's OSGTREEWIND_INSTRUCTIONS (baseline, avx2, avx512)
+/// narrows it.
 InstructionSet bestInstructionSet();
 const char* nameOf(InstructionSet set);
 

@@ -4,7 +4,8 @@
 namespace osgTreeWind {
 
 __attribute__((flatten)) void stepTreesAvx512(const ModalStep& step) {
-    ModalLanes(step).run();
+    for (int first = 0; first < static_cast<int>(TreeLanes::count); first += laneCount)
+        ModalLanes(step, first).run();
 }
 
 } // namespace osgTreeWind

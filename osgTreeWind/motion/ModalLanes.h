@@ -9,27 +9,45 @@
 namespace osgTreeWind {
 namespace {
 
-struct LaneFactors {
-    real cosine, sine, pace, reach, drive, weight, width, leaves, foot, woodDrag, leafDrag, stillDrag;
+/// The floats from `first` on of each number of a block.
+class LaneColumn {
+public:
+    LaneColumn(TreeLanes* numbers, int first) : _numbers(numbers), _first(first) {}
+    real& operator[](std::size_t i) const { return *reinterpret_cast<real*>(_numbers[i].tree + _first); }
+    LaneColumn operator+(std::size_t i) const { return {_numbers + i, _first}; }
+
+private:
+    TreeLanes* _numbers;
+    int _first;
 };
+
+struct LaneFactors {
+    real cosine, sine, pace, reach, drive, weight, height, girth, width, leaves, woodDrag, leafDrag,
+        stillDrag;
+
+    explicit LaneFactors(const LaneColumn& c)
+        : cosine(c[0]), sine(c[1]), pace(c[2]), reach(c[3]), drive(c[4]), weight(c[5]), height(c[6]),
+          girth(c[7]), width(c[8]), leaves(c[9]), woodDrag(c[10]), leafDrag(c[11]), stillDrag(c[12]) {}
+};
+static_assert(sizeof(TreeFactors) == 13 * sizeof(float), "LaneFactors takes them in their order");
 
 /// What a mode is on each tree.
 struct LaneMode {
     real pace, drive, limit;
 };
 
-/// Eight trees through a step.
+/// The trees from `first` on, as many as there are lanes, through a step.
 class ModalLanes {
 public:
-    explicit ModalLanes(const ModalStep& step)
+    ModalLanes(const ModalStep& step, int first)
         : _shape(*step.shape), _modes(_shape.modes.size()), _patches(_shape.patches.size()), _step(step),
-          _amplitude(reinterpret_cast<real*>(step.block)), _speed(_amplitude + _modes),
-          _wind(_speed + _modes), _factors(*reinterpret_cast<LaneFactors*>(_wind + 3 * _patches)) {}
+          _first(first), _amplitude(step.block, first), _speed(_amplitude + _modes), _wind(_speed + _modes),
+          _factors(_wind + 3 * _patches) {}
 
     void run() {
         turnWind();
         fitModes();
-        const float h = _step.seconds / static_cast<float>(_step.substeps);
+        const float h = _step.substeps > 0 ? _step.seconds / static_cast<float>(_step.substeps) : 0.0f;
         for (int i = 0; i < _step.substeps; ++i) {
             const float at = (static_cast<float>(i) + 0.5f) / static_cast<float>(_step.substeps);
             blow(at);
@@ -51,8 +69,8 @@ public:
 private:
     /// The wind at the end of the step in the trees' own axes, bounded.
     void turnWind() {
-        const real* wind = reinterpret_cast<const real*>(_step.wind);
-        const real most = every(1.0e3f);
+        const LaneColumn wind(_step.wind, _first);
+        const real most = every(200.0f); // faster than any wind measured
         for (std::size_t p = 0; p < 3 * _patches; p += 3) {
             const real x = _laws.bounded(wind[p], most), y = _laws.bounded(wind[p + 1], most);
             _windNow[p] = _factors.cosine * x + _factors.sine * y;
@@ -61,14 +79,15 @@ private:
         }
     }
 
+    real grown(const SizePowers& p) const {
+        return _laws.nearExponential(p.height * _factors.height + p.girth * _factors.girth +
+                                     p.width * _factors.width + p.leaves * _factors.leaves);
+    }
+
     void fitModes() {
         for (std::size_t k = 0; k < _modes; ++k) {
             const ModalShape::Mode& mode = _shape.modes[k];
-            const real least = every(0.2f);
-            const real stiffness = max(
-                1.0f + mode.stiffnessByWidth * _factors.width + mode.stiffnessByFoot * _factors.foot, least);
-            const real mass =
-                max(1.0f + mode.massByWidth * _factors.width + mode.massByLeaves * _factors.leaves, least);
+            const real stiffness = grown(mode.stiffness), mass = grown(mode.mass);
             const real weight =
                 max(min(mode.weightShare * _factors.weight / stiffness, every(0.75f)), every(-1.0f));
             const real left = 1.0f - weight; // weight slows a tree as more mass would
@@ -95,7 +114,8 @@ private:
     }
 
     /// The forces of the air at the start of the step, braked as it is when the modes have these speeds.
-    void push(const real* speeds) {
+    template <typename Speeds>
+    void push(const Speeds& speeds) {
         for (std::size_t k = 0; k < _modes; ++k)
             _force[k] = _brake[k] = every(0.0f);
         for (std::size_t p = 0; p < _patches; ++p) {
@@ -113,9 +133,10 @@ private:
                 relative[c] = air[c] - own[c];
                 start[c] = air[c] - _factors.reach * start[c];
             }
-            const real brake = _laws.airBrake(
-                _windDrag[p], _stillDrag[p], _airSquare[p], own[0] * own[0] + own[1] * own[1] + own[2] * own[2],
-                relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2]);
+            const real brake = _laws.airBrake(_windDrag[p], _stillDrag[p], _airSquare[p],
+                                              own[0] * own[0] + own[1] * own[1] + own[2] * own[2],
+                                              relative[0] * relative[0] + relative[1] * relative[1] +
+                                                  relative[2] * relative[2]);
             for (int c = 0; c < 3; ++c) {
                 const real force = brake * start[c];
                 for (std::size_t k = 0; k < _modes; ++k)
@@ -131,20 +152,22 @@ private:
         LaneLaws::Swing start;
         start.angle = _amplitude[k];
         start.speed = _speed[k];
-        return _laws.modeStep(start, mode.drive * _force[k], mode.drive * _factors.reach * _brake[k], mode.pace,
-                              every(_shape.dampingRatio), mode.limit, every(seconds));
+        return _laws.modeStep(start, mode.drive * _force[k], mode.drive * _factors.reach * _brake[k],
+                              mode.pace, every(_shape.dampingRatio), mode.limit, every(seconds));
     }
 
-    LaneLaws _laws;
+    mutable LaneLaws _laws;
     const ModalShape& _shape;
     const std::size_t _modes, _patches;
     const ModalStep& _step;
-    real *_amplitude, *_speed, *_wind;
-    const LaneFactors& _factors;
+    const int _first;
+    const LaneColumn _amplitude, _speed, _wind;
+    const LaneFactors _factors;
     LaneMode _mode[ModalDetail::maxModes];
     real _force[ModalDetail::maxModes], _brake[ModalDetail::maxModes];
     real _windNow[3 * ModalDetail::maxPatches], _air[3 * ModalDetail::maxPatches];
-    real _airSquare[ModalDetail::maxPatches], _windDrag[ModalDetail::maxPatches], _stillDrag[ModalDetail::maxPatches];
+    real _airSquare[ModalDetail::maxPatches], _windDrag[ModalDetail::maxPatches],
+        _stillDrag[ModalDetail::maxPatches];
 };
 
 } // namespace

@@ -149,14 +149,12 @@ ModalShape shapeOf(const JointTree& tree, const ModalMaterial& material, const s
         mode.pace = static_cast<float>(modes[k].speed);
         mode.weightShare = static_cast<float>(modes[k].weightShare);
         mode.energyShare = static_cast<float>(shares[k]);
-        double most = 1e-9;
-        for (const double angle : modes[k].shape)
-            most = std::max(most, std::abs(angle));
-        mode.limit = static_cast<float>(static_cast<double>(material.maxAngle) / most);
-        double foot = 0.0;
-        for (std::size_t axis = 0; axis < 2 && axis < joints; ++axis)
-            foot += modes[k].shape[axis] * modes[k].shape[axis] * tree.links[0].stiffness;
-        mode.stiffnessByFoot = static_cast<float>(foot / (modes[k].speed * modes[k].speed));
+        double square = 1e-18; // mean of the squared angle, by elastic energy
+        for (std::size_t i = 0; i < joints; ++i) {
+            const double angle = modes[k].shape[i] * modes[k].shape[i];
+            square += angle * angle * tree.links[i / 2].stiffness / (modes[k].speed * modes[k].speed);
+        }
+        mode.limit = static_cast<float>(10.0 * static_cast<double>(material.maxAngle) / std::sqrt(square));
         shape.modes.push_back(mode);
     }
     for (std::size_t p = 0; p < patchCount; ++p) {

@@ -19,6 +19,12 @@ struct ModalDetail {
     static constexpr std::size_t maxModes = 16, maxPatches = 32;
 };
 
+/// Powers of a tree's height with all its proportions, of its girth, of the width of its crown and of its
+/// leaves.
+struct SizePowers {
+    float height = 0.0f, girth = 0.0f, width = 0.0f, leaves = 0.0f;
+};
+
 /// What the law `modal` knows of a tree: a few modes and a few patches of its crown. Shared by all trees of
 /// one form; immutable once made.
 ///
@@ -28,12 +34,10 @@ struct ModalShape {
     struct Mode {
         float pace = 1.0f;        ///< Circular frequency without weight, rad/s.
         float weightShare = 0.0f; ///< What weight takes of its stiffness; held within [-1, 0.75].
-        float limit = 1.0f; ///< Of the amplitude: where its most turned joint reaches the largest angle.
+        float limit = 1.0f; ///< Of the amplitude: far beyond the largest angles, so that numbers stay finite.
         float energyShare = 0.0f; ///< Of the energy of all modes under gusts.
-        // Of its stiffness and its mass, per unit of the logarithm of what changes:
-        float stiffnessByWidth = 0.0f, massByWidth = 0.0f; ///< Width over height.
-        float massByLeaves = 0.0f;                         ///< Mass of leaves over that of wood.
-        float stiffnessByFoot = 0.0f;                      ///< Stiffness of the lowest joint.
+        /// Powers with which stiffness and mass differ from those of a tree scaled as it is (TreeFactors).
+        SizePowers stiffness, mass;
     };
     /// A part of the crown on which one wind acts.
     struct Patch {

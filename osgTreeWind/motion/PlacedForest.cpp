@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/PlacedForest.h>
 
+#include <osgTreeWind/motion/GrowthLaws.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -33,7 +35,8 @@ PlacedForest::PlacedForest(ForestDescription given) : description(std::move(give
         PlacedTree tree;
         tree.species = placement.species;
         tree.model = firstModel[tree.species] + placement.seed % shapeCount(speciesOf(tree));
-        tree.scale = fitTree(modelOf(tree), placement.size);
+        tree.scale =
+            fitTree(modelOf(tree), withCrown(placement.size, speciesOf(tree).crown, placement.openGrown));
         tree.position = glm::vec3(placement.position - description.origin);
         tree.heading = placement.heading;
         tree.leaves = placement.leaves;

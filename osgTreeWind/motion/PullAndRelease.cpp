@@ -51,17 +51,16 @@ std::vector<glm::vec4> pulledStates(const ForestSimulation& simulation, std::siz
 
 } // namespace
 
-std::optional<FreeSway> pullAndRelease(const Species& species, const TreeSize& size, unsigned seed) {
+std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& tree) {
     ForestDescription forest;
     forest.species = {species};
-    forest.trees.resize(1);
-    forest.trees[0].size = size;
-    forest.trees[0].seed = seed;
+    forest.trees = {tree};
+    forest.trees[0].species = 0;
     ForestSimulation simulation(std::move(forest));
-    const PlacedTree& tree = simulation.trees().front();
-    const Skeleton& skeleton = simulation.models()[tree.model].skeleton;
+    const PlacedTree& grown = simulation.trees().front();
+    const Skeleton& skeleton = simulation.models()[grown.model].skeleton;
     const std::size_t top = topOf(skeleton);
-    const glm::vec3 rest = tree.scale.axes * skeleton.units[top].tip;
+    const glm::vec3 rest = grown.scale.axes * skeleton.units[top].tip;
 
     simulation.branches()->setStates(pulledStates(simulation, top).data());
     simulation.advance(0.0);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/TreeSize.h>
-#include <osgTreeWind/motion/Species.h>
+#include <osgTreeWind/motion/ForestDescription.h>
 
 #include <optional>
 
@@ -16,8 +15,8 @@ struct FreeSway {
 
 /// Pulls one tree sideways at the top of its trunk, by a hundredth of the trunk's height, lets go in a calm
 /// and follows the top (law `damped`, ForestSimulation) until six half-swings have passed.
-/// @param seed picks the shape.
+/// @param tree its size, seed, leaves and room; species and place do not count.
 /// @return nothing when it does not swing: critically damped, or six half-swings take more than ten minutes.
-std::optional<FreeSway> pullAndRelease(const Species& species, const TreeSize& size, unsigned seed = 0);
+std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& tree);
 
 } // namespace osgTreeWind

@@ -9,6 +9,13 @@
 
 namespace osgTreeWind {
 
+/// What tells the mass of branches; the last two: Jenkins et al. 2003.
+enum class WoodAllometry {
+    Drawn,     ///< The branches of the model.
+    Conifer,   ///< Share of a softwood's branches, by diameter.
+    Broadleaf, ///< A hardwood's total by diameter less its trunk; not less than drawn.
+};
+
 /// Mechanical properties of wood and crown, SI units. Sources: docs/validation.md.
 struct WoodParameters {
     float elasticModulus = 9.0e9f; ///< Of green wood, Pa, > 0.
@@ -25,6 +32,20 @@ struct WoodParameters {
     float crownDrag = 0.0f;      ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
     float streamlining = 0.0f;   ///< n: drag falls with the wind speed from 10 m/s on, [0, 2].
     float streamlinedTo = 25.0f; ///< The highest speed at which it was measured, m/s, [10, 200].
+
+    // How a living tree differs from clear wood on rock (GrowthLaws.h).
+    float wholeStem = 1.0f;     ///< Modulus of a living stem over elasticModulus, (0, 1].
+    float branchModulus = 1.0f; ///< Modulus of branches over that of the trunk, (0, 1].
+    float modulusPower = 0.0f;  ///< Power of the slenderness that the modulus follows, [0, 2].
+    float anchorage = 0.0f;     ///< Moment that overturns a tree over its stem, N m/kg, >= 0; 0: rock.
+    WoodAllometry branchWood = WoodAllometry::Drawn; ///< How much wood is in branches.
+};
+
+/// Width of a crown from the diameter of its trunk at breast height: base + perDiameter * diameter, metres.
+/// All 0: not known.
+struct CrownAllometry {
+    float base = 0.0f, perDiameter = 0.0f;         ///< In a forest.
+    float openBase = 0.0f, openPerDiameter = 0.0f; ///< With room on all sides.
 };
 
 /// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.
@@ -58,6 +79,7 @@ struct Species {
     std::string name;
     TreeParameters tree;
     int shapes = 3; ///< Distinct models shared by all trees of the species, 1 to 64.
+    CrownAllometry crown;
     WoodParameters wood;
     BranchMotion branch;
     LeafMotion leaf;

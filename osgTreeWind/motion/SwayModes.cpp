@@ -20,6 +20,7 @@ constexpr double heaviestShare = 0.75; ///< A tree that leans so far on its stif
 /// A short piece of a unit: its mass and its bending are in the middle.
 struct Slice {
     std::size_t parent; ///< Index of the slice it goes on from; its own index for the first one of a tree.
+    double rootGive;    ///< rad/(N m), of what holds the unit it is part of.
     glm::dvec3 place;
     glm::dvec3 direction;
     double mass;
@@ -30,14 +31,13 @@ double atLeast(double value, double least) {
     return value > least ? value : least;
 }
 
-std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale, const WoodParameters& wood,
-                            const std::vector<double>& leafMass) {
+std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale,
+                            const std::vector<UnitLoad>& loads) {
     constexpr double count = slicesPerUnit;
-    const double modulus = wood.elasticModulus * std::pow(wood.underBark, 4.0);
     std::vector<Slice> slices;
     slices.reserve(model.skeleton.units.size() * slicesPerUnit);
     for (const BranchUnit& unit : model.skeleton.units) {
-        const std::size_t index = slices.size() / slicesPerUnit;
+        const UnitLoad& load = loads[slices.size() / slicesPerUnit];
         const glm::dvec3 base(scale.axes * unit.base), span(scale.axes * (unit.tip - unit.base));
         const double length = atLeast(glm::length(span), 1e-6);
         const double d0 = atLeast(2.0 * unit.baseRadius * scale.radius, 1e-6);
@@ -52,12 +52,13 @@ std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale, cons
                 slice.parent = (static_cast<std::size_t>(unit.parent) + 1) * slicesPerUnit - 1;
             else
                 slice.parent = slices.size();
+            slice.rootGive = load.rootGive;
             slice.place = base + (t + 0.5 / count) * span;
             slice.direction = span / length;
-            slice.mass =
-                wood.density * pi / 12.0 * (a * a + a * b + b * b) * length / count + leafMass[index] / count;
+            const double share = (a * a + a * b + b * b) / (d0 * d0 + d0 * d1 + d1 * d1) / count;
+            slice.mass = share * load.woodMass + load.leafMass / count;
             slice.flexibility = 64.0 * (a * a + a * b + b * b) * length /
-                                (3.0 * pi * modulus * a * a * a * b * b * b * count);
+                                (3.0 * pi * load.modulus * a * a * a * b * b * b * count);
             slices.push_back(slice);
         }
     }
@@ -96,11 +97,11 @@ class Sway {
 public:
     using Shape = std::vector<glm::dvec3>; // shift of each slice
 
-    /// @param axis per slice: the axis it is part of. @param own the one that sways.
+    /// @param axis per slice: the axis it is part of. @param own the one that sways. @param foot its base.
     Sway(const std::vector<Slice>& slices, const std::vector<std::size_t>& axis, std::size_t own,
-         std::size_t first, std::size_t end, double gravity)
-        : _slices(slices), _axis(axis), _own(own), _first(first), _size(end - first), _gravity(gravity),
-          _force(_size), _moment(_size), _turn(_size), _carried(_size) {}
+         std::size_t first, std::size_t end, const glm::dvec3& foot, double gravity)
+        : _slices(slices), _axis(axis), _own(own), _first(first), _size(end - first), _foot(foot),
+          _gravity(gravity), _force(_size), _moment(_size), _turn(_size), _carried(_size) {}
 
     /// Circular frequency, the mean of both directions across the first slice.
     double speed() {
@@ -142,19 +143,25 @@ private:
         for (std::size_t i = _size; i-- > 0;) {
             _carried[i] += mass(i);
             elastic += mass(i) * glm::dot(direction, shape[i]);
-            if (i == 0)
-                break;
-            const Slice& slice = _slices[_first + i];
-            const std::size_t p = slice.parent - _first;
-            const glm::dvec3 link = slice.place - _slices[slice.parent].place, turn = _turn[p];
+            const glm::dvec3 link = linkTo(i), turn = i > 0 ? _turn[parent(i)] : _rootTurn;
             work += _carried[i] * (glm::dot(turn, turn) * link.z - glm::dot(turn, link) * turn.z);
-            _carried[p] += _carried[i];
+            if (i > 0)
+                _carried[parent(i)] += _carried[i];
         }
         std::fill(_carried.begin(), _carried.end(), 0.0);
         return std::clamp(_gravity * work / elastic, -1.0, heaviestShare);
     }
 
     double mass(std::size_t i) const { return _slices[_first + i].mass; }
+    std::size_t parent(std::size_t i) const { return _slices[_first + i].parent - _first; }
+    /// From the slice that carries this one; from the foot of the axis to its first.
+    glm::dvec3 linkTo(std::size_t i) const {
+        return _slices[_first + i].place - (i > 0 ? _slices[_slices[_first + i].parent].place : _foot);
+    }
+    /// What bends `slice` of a moment: wood does not twist.
+    static glm::dvec3 across(const Slice& slice, const glm::dvec3& moment) {
+        return moment - slice.direction * glm::dot(slice.direction, moment);
+    }
     double product(const Shape& a, const Shape& b) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < _size; ++i)
@@ -173,24 +180,20 @@ private:
             _moment[i] = glm::dvec3(0.0);
         }
         for (std::size_t i = _size; i-- > 1;) {
-            const Slice& slice = _slices[_first + i];
-            const std::size_t p = slice.parent - _first;
-            _moment[p] += _moment[i] + glm::cross(slice.place - _slices[slice.parent].place, _force[i]);
-            _force[p] += _force[i];
+            _moment[parent(i)] += _moment[i] + glm::cross(linkTo(i), _force[i]);
+            _force[parent(i)] += _force[i];
         }
+        const Slice& first = _slices[_first];
+        _rootTurn = first.rootGive * across(first, _moment[0] + glm::cross(linkTo(0), _force[0]));
         Shape result(_size);
         for (std::size_t i = 0; i < _size; ++i) {
             const Slice& slice = _slices[_first + i];
-            glm::dvec3 turn(0.0);
-            if (i > 0) {
-                const std::size_t p = slice.parent - _first;
-                turn = _turn[p];
-                result[i] = result[p] + glm::cross(turn, slice.place - _slices[slice.parent].place);
-            }
-            const glm::dvec3 across =
-                _moment[i] - slice.direction * glm::dot(slice.direction, _moment[i]); // wood does not twist
+            const glm::dvec3 turn = i > 0 ? _turn[parent(i)] : _rootTurn;
+            result[i] = glm::cross(turn, linkTo(i));
+            if (i > 0)
+                result[i] += result[parent(i)];
             const bool bends = !stiff || _axis[(_first + i) / slicesPerUnit] == _own;
-            _turn[i] = bends ? turn + slice.flexibility * across : turn;
+            _turn[i] = bends ? turn + slice.flexibility * across(slice, _moment[i]) : turn;
         }
         return result;
     }
@@ -198,7 +201,9 @@ private:
     const std::vector<Slice>& _slices;
     const std::vector<std::size_t>& _axis;
     const std::size_t _own, _first, _size;
+    const glm::dvec3 _foot;
     const double _gravity;
+    glm::dvec3 _rootTurn{0.0};
     Shape _force, _moment, _turn;
     std::vector<double> _carried; ///< Mass, 0 between uses.
 };
@@ -211,10 +216,10 @@ double jointStiffness(double elasticModulus, double d0, double d1, double length
            (64.0 * length * (q0 * q0 + q0 * q1 + q1 * q1));
 }
 
-std::vector<double> swaySpeeds(const TreeModel& model, const TreeScale& scale, const WoodParameters& wood,
-                               const std::vector<double>& leafMass, double gravity) {
+std::vector<double> swaySpeeds(const TreeModel& model, const TreeScale& scale,
+                               const std::vector<UnitLoad>& loads, double gravity) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
-    const std::vector<Slice> slices = slicesOf(model, scale, wood, leafMass);
+    const std::vector<Slice> slices = slicesOf(model, scale, loads);
     const auto parent = [&](std::size_t i) { return static_cast<std::size_t>(units[i].parent); };
     const auto goesOn = [&](std::size_t i) {
         return units[i].parent >= 0 && units[parent(i)].level == units[i].level;
@@ -230,9 +235,10 @@ std::vector<double> swaySpeeds(const TreeModel& model, const TreeScale& scale, c
 
     std::vector<double> speeds(units.size());
     for (std::size_t i = 0; i < units.size(); ++i)
-        speeds[i] = goesOn(i)
-                        ? speeds[parent(i)]
-                        : Sway(slices, axis, i, i * slicesPerUnit, ends[i] * slicesPerUnit, gravity).speed();
+        speeds[i] = goesOn(i) ? speeds[parent(i)]
+                              : Sway(slices, axis, i, i * slicesPerUnit, ends[i] * slicesPerUnit,
+                                     glm::dvec3(scale.axes * units[i].base), gravity)
+                                    .speed();
     return speeds;
 }
 

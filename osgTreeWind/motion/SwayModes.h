@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/TreeSize.h>
-#include <osgTreeWind/motion/Species.h>
+#include <osgTreeWind/motion/UnitLoads.h>
 
 #include <vector>
 
@@ -17,12 +17,13 @@ double jointStiffness(double elasticModulus, double d0, double d1, double length
 
 /// Circular frequency at which each axis of a tree sways, rad/s, one per unit (units of one axis have the
 /// same). An axis is a unit with the units of its level that carry it on: the trunk, a branch. It is held at
-/// its base; everything upon it bends with it, wood as beams, leaves as mass along their unit. Of its modes,
+/// its base; everything upon it bends with it, wood as beams, leaves as mass along their unit, and
+/// roots give under a trunk. Of its modes,
 /// the one that takes the largest part when the axis is pulled and let go (Lanczos' method); mean of both
 /// directions across. Weight slows what stands and quickens what hangs (Rayleigh's quotient of the pulled
 /// shape).
-/// @param leafMass kg on each unit. @param gravity m/s^2.
-std::vector<double> swaySpeeds(const TreeModel& model, const TreeScale& scale, const WoodParameters& wood,
-                               const std::vector<double>& leafMass, double gravity = 9.81);
+/// @param loads of makeUnitLoads(). @param gravity m/s^2.
+std::vector<double> swaySpeeds(const TreeModel& model, const TreeScale& scale,
+                               const std::vector<UnitLoad>& loads, double gravity = 9.81);
 
 } // namespace osgTreeWind

@@ -2,11 +2,13 @@
 #include <osgTreeWind/motion/UnitLoads.h>
 
 #include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/motion/GrowthLaws.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
 #include <osgTreeWind/motion/SwayModes.h>
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace osgTreeWind {
@@ -69,16 +71,30 @@ float crownOutline(const TreeModel& model, const TreeScale& scale) {
     return 0.25f * (size.x + size.y) * size.z;
 }
 
-/// From the base of each unit, how far away what it carries pulls as the unit turns, metres: the middle of the
-/// loads m r^2, and at least the tip of its axis.
+/// Brings the wood of all branches to the mass that such a tree has.
+void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                   const WoodParameters& wood, float diameter) {
+    double trunk = 0.0, drawn = 0.0;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        (units[i].level > 0 ? drawn : trunk) += loads[i].woodMass;
+    if (!(drawn > 0.0))
+        return;
+    const auto factor = static_cast<float>(branchWoodMass(wood, diameter, trunk, drawn) / drawn);
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (units[i].level > 0)
+            loads[i].woodMass *= factor;
+}
+
+/// From the base of each unit, how far away what it carries pulls as the unit turns, metres: the middle of
+/// the loads m r^2, and at least the tip of its axis.
 std::vector<float> reaches(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
-                           const TreeScale& scale, float density) {
+                           const TreeScale& scale) {
     std::vector<float> reach(units.size(), 0.0f), moment(units.size(), 0.0f), inertia(units.size(), 0.0f);
     std::vector<glm::vec3> directions;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
         directions.push_back(unit.direction());
-        const float mass = loads[i].leafMass + density * unit.volume();
+        const float mass = loads[i].leafMass + loads[i].woodMass;
         for (int a = static_cast<int>(i); a >= 0; a = units[static_cast<std::size_t>(a)].parent) {
             const auto carrier = static_cast<std::size_t>(a);
             const float arm = std::max(
@@ -98,18 +114,23 @@ std::vector<float> reaches(const std::vector<UnitLoad>& loads, const std::vector
     return reach;
 }
 
-void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units, const TreeScale& scale,
-                  const WoodParameters& wood) {
-    const double modulus = wood.elasticModulus * std::pow(wood.underBark, 4.0);
-    const std::vector<float> reach = reaches(loads, units, scale, wood.density);
+void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                  const TreeScale& scale) {
+    const std::vector<float> reach = reaches(loads, units, scale);
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
         loads[i].stiffness = static_cast<float>(
-            jointStiffness(modulus, unit.baseDiameter, unit.tipDiameter, unit.length, reach[i]));
+            jointStiffness(loads[i].modulus, unit.baseDiameter, unit.tipDiameter, unit.length, reach[i]));
+        if (loads[i].rootGive > 0.0f)
+            loads[i].stiffness = 1.0f / (1.0f / loads[i].stiffness + loads[i].rootGive);
     }
 }
 
 } // namespace
+
+float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves) {
+    return clampOr(leaves, 0.0f, 1.0f, 1.0f) * species.wood.leafArea * trunkSection(model.skeleton, scale);
+}
 
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                     float leaves) {
@@ -118,21 +139,31 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
     const std::vector<float> shares = leafShares(model);
     const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
     const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
-    const float leafArea = share * wood.leafArea * trunkSection(model.skeleton, scale);
+    const float section = trunkSection(model.skeleton, scale);
+    const float diameter = std::sqrt(4.0f * section / pi);
+    const float height = scale.axes.z * largestHeight(model.skeleton);
+    const double modulus =
+        std::pow(wood.underBark, 4.0) * stemModulus(wood, height / std::max(diameter, 1.0e-6f));
+    const float area = share * wood.leafArea * section;
     const float crown =
         known ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
-              : wood.leafDrag * leafArea;
+              : wood.leafDrag * area;
     std::vector<UnitLoad> loads(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
-        loads[i].leafArea = leafArea * shares[i];
+        const float d0 = unit.baseDiameter, d1 = unit.tipDiameter;
+        loads[i].woodMass = wood.density * unit.volume();
+        loads[i].modulus = static_cast<float>(units[i].level > 0 ? wood.branchModulus * modulus : modulus);
+        loads[i].rootGive = units[i].parent < 0 ? static_cast<float>(rootGive(wood, diameter, height)) : 0.0f;
+        loads[i].leafArea = area * shares[i];
         loads[i].leafMass = wood.leafMass * loads[i].leafArea;
         loads[i].leafDrag = crown * shares[i];
-        loads[i].woodDrag = wood.woodDrag * 0.5f * (unit.baseDiameter + unit.tipDiameter) * unit.length;
+        loads[i].woodDrag = wood.woodDrag * 0.5f * (d0 + d1) * unit.length;
         if (known && units[i].level > 0) // a crown is measured with its branches
             loads[i].woodDrag *= 1.0f - share;
     }
-    addStiffness(loads, units, scale, wood);
+    weighBranches(loads, units, wood, diameter);
+    addStiffness(loads, units, scale);
     return loads;
 }
 

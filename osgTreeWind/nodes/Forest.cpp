@@ -4,11 +4,13 @@
 #include <osgTreeWind/gpu/AnglePrePass.h>
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/FloatTargetProbe.h>
+#include <osgTreeWind/motion/ForestMemory.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
 
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 
@@ -22,6 +24,30 @@ constexpr unsigned leafAnglesTextureUnit = 5;
 osg::ApplicationUsageProxy
     anglesUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_ANGLES <cpu|gpu>",
                 "Where new osgTreeWind forests work out the angles of branches and leaves.");
+osg::ApplicationUsageProxy memoryUsage(
+    osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_MAX_MEMORY <bytes>",
+    "Memory that an osgTreeWind forest may need, with k, M, G or T for larger units; else what the "
+    "machine has available.");
+
+/// Says once what is going on when it has taken a second.
+class Patience {
+public:
+    explicit Patience(std::size_t trees) : _trees(trees) {}
+    void operator()() {
+        ++_done;
+        if (_said || Clock::now() - _start < std::chrono::seconds(1))
+            return;
+        _said = true;
+        OSG_NOTICE << "osgTreeWind: growing a forest, " << _done << " of " << _trees << " trees so far"
+                   << std::endl;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::size_t _trees, _done = 0;
+    Clock::time_point _start = Clock::now();
+    bool _said = false;
+};
 
 Forest::AngleSource environmentSource() {
     const char* value = std::getenv("OSGTREEWIND_ANGLES");
@@ -50,11 +76,28 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
+void Forest::setWind(WindFieldPtr wind) {
+    const std::lock_guard<std::mutex> lock(_windMutex);
+    _wind.swap(wind); // the old field goes when the parameter does, after the lock
+}
+
+WindFieldPtr Forest::getWind() const {
+    const std::lock_guard<std::mutex> lock(_windMutex);
+    return _wind;
+}
+
 void Forest::setDescription(ForestDescription description) {
+    if (description.wind)
+        setWind(description.wind);
+    if (const std::string problem = problemOfMemory(description, true); !problem.empty()) {
+        OSG_WARN << "osgTreeWind: " << problem << "; the forest is left empty" << std::endl;
+        description = ForestDescription();
+    }
     useCpuAngles();
     removeChild(_stand);
     _trees.clear();
-    _simulation = std::make_shared<ForestSimulation>(std::move(description));
+    const Patience patience(description.trees.size());
+    _simulation = std::make_shared<ForestSimulation>(std::move(description), patience);
     const ForestSimulation& simulation = *_simulation;
 
     const TreeStyles styles;
@@ -160,6 +203,7 @@ void Forest::update(const osg::FrameStamp& stamp) {
         return;
     _lastFrame = stamp.getFrameNumber();
     chooseAngleSource();
+    _simulation->setWind(getWind());
     const bool moved = _prePass ? stepOnGpu(stamp.getSimulationTime()) : stepOnCpu(stamp.getSimulationTime());
     if (!moved)
         return;

@@ -8,6 +8,7 @@
 #include <osg/Group>
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace osgTreeWind {
@@ -47,13 +48,17 @@ public:
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
 
-        /// Replaces all trees. Not during a traversal.
+        /// Replaces all trees, and the wind if the description has one; without one the wind that is set goes
+        /// on. A forest for which there is not the memory (problemOfMemory()) is left empty, with a warning.
+        /// Not during a traversal.
         void setDescription(ForestDescription description);
+    /// Its wind is the one it came with, whatever setWind() did since.
     const ForestDescription& getDescription() const { return _simulation->description(); }
 
-    /// The wind from the next frame on; null for calm. Any thread, any time.
-    void setWind(WindFieldPtr wind) { _simulation->setWind(std::move(wind)); }
-    WindFieldPtr getWind() const { return _simulation->wind(); }
+    /// The wind from the next frame on; null for calm. Any thread, any time, also while a description is set:
+    /// whichever of the two comes last counts.
+    void setWind(WindFieldPtr wind);
+    WindFieldPtr getWind() const;
 
     /// From the next frame on. Not during a traversal. A new Forest takes the environment's
     /// OSGTREEWIND_ANGLES (cpu or gpu), else CPU_ANGLES.
@@ -97,6 +102,8 @@ private:
     void uploadUnitPoses();
     void useCpuAngles();
 
+    mutable std::mutex _windMutex; ///< Guards _wind.
+    WindFieldPtr _wind;
     std::shared_ptr<ForestSimulation> _simulation;
     osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
     std::vector<osg::ref_ptr<TreeNode>> _trees;

@@ -28,8 +28,8 @@ Result<EsriGrid> readEsriGrid(std::string_view text, const std::string& file);
 Result<WindContent> windOfEsriGrids(const EsriGrid& speed, const EsriGrid& direction,
                                     const std::string& file);
 
-/// Legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or STRUCTURED_GRID of
-/// evenly spaced points. Its TimeValue becomes the one time of the grid.
+/// Legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or STRUCTURED_GRID
+/// of evenly spaced points. Its TimeValue becomes the one time of the grid.
 Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& file);
 /// VTK XML ImageData of one piece: ascii, base64 or raw, zlib or not, either byte order.
 Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgDB/FileNameUtils>
@@ -51,6 +52,8 @@ private:
         Result<ForestDescription> forest = readForest(input, where);
         if (!forest)
             return ReadResult(forest.problems().front().text());
+        if (const std::string problem = problemOfMemory(forest.value(), true); !problem.empty())
+            return ReadResult(Diagnostic{where.file, 0, 0, {}, problem}.text());
         for (const std::string& note : forest.value().notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
         return new Forest(std::move(forest.value()));

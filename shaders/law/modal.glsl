@@ -10,6 +10,12 @@ real airBrake(real windDrag, real stillDrag, real wind, real own, real relative)
     return (windDrag + max(stillDrag - windDrag, every(0.0f)) * swings) * sqrt(relative);
 }
 
+/// e^x within 1 % for x in [-0.5, 0.5]; held within [1/3, 3].
+real nearExponential(real x) {
+    real by = min(max(0.5f * x, every(-0.5f)), every(0.5f));
+    return (1.0f + by) / (1.0f - by);
+}
+
 /// What is too small to see comes to rest: numbers near the smallest of all make a processor slow.
 real settled(real x) { return abs(x) < 1.0e-12f ? every(0.0f) : x; }
 

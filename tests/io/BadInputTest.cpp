@@ -170,6 +170,8 @@ const BadInput badInputs[] = {
     {"CountMissing", head + "@[scatter]\narea = [0, 0, 9, 9]\n", "scatter.count", "missing"},
     {"AreaReversed", head + "[scatter]\ncount = 1\narea = @[9, 9, 0, 0]\n", "scatter.area", "x0 < x1"},
     {"NoRoom", scatter("spacing = @20.0\n"), "scatter.spacing", "only 1 of 3 trees fit"},
+    {"NoRoomForAMillion", head + "[scatter]\ncount = 1000000\narea = [0, 0, 1000, 1000]\nspacing = @0.9\n",
+     "scatter.spacing", "only about 861"},
     {"SpacingTiny", scatter("spacing = @1e-300\n"), "scatter.spacing", "0, or at least 0.001"},
     {"WeightsOfOther", scatter("species = [\"oak\"]\nweights = @[1, 2]\n") + oak, "scatter.weights",
      "array of 1 numbers, found 2"},

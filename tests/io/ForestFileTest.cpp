@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../EnvironmentVariable.h"
 #include "../TestData.h"
 #include "TemporaryFolder.h"
 
@@ -250,6 +251,18 @@ TEST(ForestFile, MessagesCarryFileLineAndColumn) {
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.problems().front().text(),
               "my.treewind:4:10: tree.height: expected a finite number in (0, 150], found -2");
+}
+
+TEST(ForestFile, AForestThatDoesNotFitIntoMemoryIsRefusedOnce) {
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "1G");
+    std::istringstream input("version = 1\n[scatter]\ncount = 1000000\narea = [0, 0, 9000, 9000]\n");
+    const Result<ForestDescription> forest = readForest(input, {"large.treewind", ""});
+    ASSERT_FALSE(forest);
+    ASSERT_EQ(forest.problems().size(), 1u);
+    const std::string text = forest.problems().front().text();
+    EXPECT_EQ(text.rfind("large.treewind:1", 0), 0u) << text;
+    EXPECT_NE(text.find("1000000 trees of these species need about "), std::string::npos) << text;
+    EXPECT_NE(text.find("the limit is 1 GB"), std::string::npos) << text;
 }
 
 } // namespace osgTreeWind

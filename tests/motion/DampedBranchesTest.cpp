@@ -40,7 +40,7 @@ TEST(DampedBranches, EveryUnitOfAnAxisSwingsAtTheSpeedOfTheAxis) {
     model.skeleton.units[1].parent = 0;
     model.skeleton.units[2].parent = 1;
     const auto p = makeDampedBranches(model, {}, bare());
-    const auto speeds = swaySpeeds(model, {}, bare().wood, {0, 0, 0});
+    const auto speeds = swaySpeeds(model, {}, makeUnitLoads(model, {}, bare()));
     EXPECT_EQ(speeds[0], speeds[1]);
     EXPECT_LT(speeds[1], speeds[2]);
     for (std::size_t i = 0; i < 3; ++i)

@@ -78,6 +78,14 @@ TEST(ForestSimulation, StartsAtRest) {
         EXPECT_EQ(tip(simulation, unit), simulation.models()[0].skeleton.units[unit].tip);
 }
 
+TEST(ForestSimulation, SaysWhenEachTreeIsPlaced) {
+    ForestDescription forest = oneTree();
+    forest.trees.resize(5, forest.trees.front());
+    int placed = 0;
+    const ForestSimulation simulation(forest, [&] { ++placed; });
+    EXPECT_EQ(placed, 5);
+}
+
 TEST(ForestSimulation, TipsMoveDownwind) {
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped})
         for (const glm::vec3 wind : {glm::vec3(3, 0, 0), glm::vec3(0, 3, 0), glm::vec3(-2, 2, 0)}) {

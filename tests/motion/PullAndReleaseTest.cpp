@@ -13,11 +13,11 @@ using namespace osgTreeWind;
 
 namespace {
 
-TreeSize sized(double height, double diameterInCentimetres) {
-    TreeSize size;
-    size.height = static_cast<float>(height);
-    size.trunkDiameter = static_cast<float>(0.01 * diameterInCentimetres);
-    return size;
+TreePlacement sized(double height, double diameterInCentimetres) {
+    TreePlacement tree;
+    tree.size.height = static_cast<float>(height);
+    tree.size.trunkDiameter = static_cast<float>(0.01 * diameterInCentimetres);
+    return tree;
 }
 
 } // namespace

@@ -28,15 +28,16 @@ TreeModel pole(int units, double length, double d0, double d1) {
     return model;
 }
 
-WoodParameters wood() {
-    WoodParameters wood;
-    wood.elasticModulus = 1.0e10f;
-    wood.density = 1000.0f;
-    return wood;
+/// Bare wood of 10 GPa and 1000 kg/m^3.
+std::vector<UnitLoad> bare(const TreeModel& model, const TreeScale& scale = {}) {
+    Species species;
+    species.wood.elasticModulus = 1.0e10f;
+    species.wood.density = 1000.0f;
+    return makeUnitLoads(model, scale, species, 0.0f);
 }
 
 double speed(const TreeModel& model, double gravity = 0.0) {
-    return swaySpeeds(model, {}, wood(), std::vector<double>(model.skeleton.units.size()), gravity)[0];
+    return swaySpeeds(model, {}, bare(model), gravity)[0];
 }
 
 } // namespace
@@ -57,9 +58,9 @@ TEST(SwayModes, AHeavyTipSwaysAsAMassOnASpring) {
     model.skeleton.units.push_back({3, 1, {0, 0, 10}, {0, 0, 10.001f}, 0.001f, 0.001f});
     const double mass = 1.0e5, own = 33.0 / 140.0 * 1000.0 * pi * 0.01 * 10.0;
     const double stiffness = 3.0 * 1.0e10 * pi * std::pow(0.2, 4) / 64.0 / 1000.0;
-    EXPECT_NEAR(swaySpeeds(model, {}, wood(), {0, 0, 0, 0, mass}, 0.0)[0] /
-                    std::sqrt(stiffness / (mass + own)),
-                1.0, 0.002);
+    std::vector<UnitLoad> loads = bare(model);
+    loads[4].leafMass = static_cast<float>(mass);
+    EXPECT_NEAR(swaySpeeds(model, {}, loads, 0.0)[0] / std::sqrt(stiffness / (mass + own)), 1.0, 0.002);
 }
 
 TEST(SwayModes, FrequencyGoesAsDiameterOverLengthSquared) {
@@ -70,13 +71,12 @@ TEST(SwayModes, FrequencyGoesAsDiameterOverLengthSquared) {
 
 TEST(SwayModes, AWholeBareTreeScalesAsItsPoles) {
     const TreeModel model = makeTreeModel({});
-    const std::vector<double> bare(model.skeleton.units.size());
     TreeScale thick, tall;
     thick.radius = 2.0f;
     tall.axes = glm::vec3(3.0f);
-    const auto one = swaySpeeds(model, {}, wood(), bare, 0.0);
-    const auto two = swaySpeeds(model, thick, wood(), bare, 0.0),
-               three = swaySpeeds(model, tall, wood(), bare, 0.0);
+    const auto one = swaySpeeds(model, {}, bare(model), 0.0);
+    const auto two = swaySpeeds(model, thick, bare(model, thick), 0.0),
+               three = swaySpeeds(model, tall, bare(model, tall), 0.0);
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_NEAR(two[i] / one[i], 2.0, 0.02);
         EXPECT_NEAR(three[i] / one[i], 1.0 / 9.0, 0.01 / 9.0);
@@ -104,7 +104,9 @@ TEST(SwayModes, ALimpTwigDoesNotSetThePaceOfItsTrunk) {
     TreeModel model = pole(4, 10, 0.2, 0.1);
     const double alone = speed(model);
     model.skeleton.units.push_back({3, 1, {0, 0, 10}, {2, 0, 10}, 0.001f, 0.001f});
-    const auto both = swaySpeeds(model, {}, wood(), {0, 0, 0, 0, 0.05}, 0.0);
+    std::vector<UnitLoad> loads = bare(model);
+    loads[4].leafMass = 0.05f;
+    const auto both = swaySpeeds(model, {}, loads, 0.0);
     EXPECT_LT(both[4], 0.2 * alone);
     EXPECT_NEAR(both[0] / alone, 1.0, 0.02);
 }
@@ -117,4 +119,18 @@ TEST(SwayModes, JointsOfAnAxisBendAsItsWoodUnderAForceAtTheTip) {
         shift += reach * reach / jointStiffness(1.0e10, 0.2, 0.2, length, reach);
     }
     EXPECT_NEAR(shift / (1000.0 / (3.0 * 1.0e10 * pi * std::pow(0.2, 4) / 64.0)), 1.0, 1e-9);
+}
+
+TEST(SwayModes, AStiffPoleOnASpringSwaysAsAPendulumOnASpring) {
+    // A rigid pole that turns about its foot: omega^2 = k / (m L^2 / 3); its weight takes g m L / 2 of k.
+    const TreeModel model = pole(12, 10, 0.2, 0.2);
+    std::vector<UnitLoad> loads = bare(model);
+    for (UnitLoad& load : loads)
+        load.modulus *= 1.0e5f;
+    const double mass = 1000.0 * pi * 0.01 * 10.0, spring = 1.0e5;
+    loads[0].rootGive = static_cast<float>(1.0 / spring);
+    const double expected = std::sqrt(spring / (mass * 100.0 / 3.0));
+    EXPECT_NEAR(swaySpeeds(model, {}, loads, 0.0)[0] / expected, 1.0, 0.003);
+    const double share = 9.81 * mass * 5.0 / spring;
+    EXPECT_NEAR(swaySpeeds(model, {}, loads)[0] / expected, std::sqrt(1.0 - share), 0.003);
 }

@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/UnitLoads.h>
 
 #include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/GrowthLaws.h>
 #include <osgTreeWind/motion/SwayModes.h>
 
 #include <gtest/gtest.h>
@@ -65,9 +66,50 @@ TEST(UnitLoads, JointsReachToTheTipOfTheirAxis) {
                     1.0, 1e-5);
 }
 
+TEST(UnitLoads, WoodWeighsAsItsPoles) {
+    const auto loads = makeUnitLoads(twoBranches(), {}, Species());
+    EXPECT_NEAR(loads[0].woodMass, 900.0f * pi * 0.01f * 4.0f, 1e-3f);
+    EXPECT_NEAR(loads[1].woodMass, 900.0f * pi * 0.0025f * 2.0f, 1e-3f);
+}
+
+TEST(UnitLoads, RootsGiveUnderTheTrunkOnly) {
+    Species species;
+    const auto rigid = makeUnitLoads(twoBranches(), {}, species);
+    species.wood.anchorage = 150.0f;
+    const auto loads = makeUnitLoads(twoBranches(), {}, species);
+    EXPECT_EQ(rigid[0].rootGive, 0.0f);
+    EXPECT_GT(loads[0].rootGive, 0.0f);
+    EXPECT_EQ(loads[1].rootGive, 0.0f);
+    EXPECT_NEAR(1.0f / loads[0].stiffness, 1.0f / rigid[0].stiffness + loads[0].rootGive,
+                1e-5f / rigid[0].stiffness);
+    EXPECT_EQ(loads[1].stiffness, rigid[1].stiffness);
+}
+
+TEST(UnitLoads, BranchesMayBeSofterThanTheirTrunk) {
+    Species species;
+    const auto even = makeUnitLoads(twoBranches(), {}, species);
+    species.wood.branchModulus = 0.5f;
+    const auto loads = makeUnitLoads(twoBranches(), {}, species);
+    EXPECT_EQ(loads[0].stiffness, even[0].stiffness);
+    EXPECT_NEAR(loads[1].stiffness / even[1].stiffness, 0.5f, 1e-5f);
+}
+
+TEST(UnitLoads, BranchesHaveTheWoodOfTheAllometry) {
+    Species species;
+    species.wood.branchWood = WoodAllometry::Conifer;
+    const auto drawn = makeUnitLoads(twoBranches(), {}, Species()),
+               loads = makeUnitLoads(twoBranches(), {}, species);
+    EXPECT_EQ(loads[0].woodMass, drawn[0].woodMass);
+    EXPECT_NEAR(loads[1].woodMass + loads[2].woodMass,
+                branchWoodMass(species.wood, 0.2, drawn[0].woodMass, 0.0), 1e-3);
+    EXPECT_EQ(loads[1].stiffness, drawn[1].stiffness);
+}
+
 TEST(UnitLoads, OfAWholeTreeFollowItsSize) {
     // Twice as large in all: four times the leaves and the outline, eight times the stiffness.
-    const Species species = *findBuiltInSpecies("oak");
+    Species species = *findBuiltInSpecies("oak");
+    species.wood.branchWood = WoodAllometry::Drawn;
+    species.wood.anchorage = 0.0f;
     const TreeModel model = makeTreeModel(species.tree, 0);
     TreeScale twice;
     twice.axes = glm::vec3(2.0f);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../EnvironmentVariable.h"
+#include "../MessageCollector.h"
 #include "ForestFixtures.h"
 
 #include <osgTreeWind/motion/BranchwiseMotion.h>
@@ -8,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 
@@ -113,6 +116,64 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     EXPECT_EQ(forest->getNumChildren(), 2u);
     updateFrames(*forest, 6, 10);
     former->updatePose(); // of a forest that is gone: its pose stays where it was
+}
+
+TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
+    const auto streamed = std::make_shared<UniformWind>(glm::vec3(-3.0f, 2.0f, 0.0f));
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    forest->setWind(streamed);
+    ForestDescription windless = smallForest(2);
+    windless.wind = nullptr;
+    forest->setDescription(windless);
+    EXPECT_EQ(forest->getWind(), streamed);
+    updateFrames(*forest, 1, 1);
+    EXPECT_EQ(forest->getSimulation().branches()->winds().front(), glm::vec3(-3.0f, 2.0f, 0.0f));
+
+    const ForestDescription windy = smallForest(1, 7.0f);
+    forest->setDescription(windy);
+    EXPECT_EQ(forest->getWind(), windy.wind) << "its own wind goes before";
+    updateFrames(*forest, 2, 2);
+    EXPECT_EQ(forest->getSimulation().branches()->winds().front(), glm::vec3(7.0f, 0.0f, 0.0f));
+}
+
+TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
+    ForestDescription windless = smallForest(1);
+    windless.wind = nullptr;
+    osg::ref_ptr<Forest> forest = new Forest(windless);
+    std::atomic<bool> running{true};
+    WindFieldPtr last;
+    std::thread simulator([&] {
+        while (running) {
+            last = std::make_shared<UniformWind>(glm::vec3(1.0f, 0.0f, 0.0f));
+            forest->setWind(last);
+        }
+    });
+    for (unsigned frame = 1; frame <= 20; ++frame) {
+        forest->setDescription(windless);
+        update(*forest, frame, frame / 25.0);
+    }
+    running = false;
+    simulator.join();
+    EXPECT_EQ(forest->getWind(), last) << "no wind was lost";
+}
+
+TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
+    osg::setNotifyHandler(messages);
+    {
+        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
+        forest->setDescription(smallForest(1000));
+    }
+    osg::setNotifyHandler(former);
+    const std::string said = messages->take();
+    EXPECT_EQ(said.rfind("osgTreeWind: 1000 trees of these species need about ", 0), 0u) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(forest->getNumTrees(), 0u);
+    updateFrames(*forest, 1, 2);
+    forest->setDescription(smallForest(2));
+    EXPECT_EQ(forest->getNumTrees(), 2u) << "and may be filled again";
 }
 
 TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {

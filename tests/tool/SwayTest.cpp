@@ -36,6 +36,32 @@ TEST(Sway, SizesNotGivenAreThoseOfTheShape) {
                 22.0 / shape["height_m"].get<double>(), 0.1);
 }
 
+TEST(Sway, ACrownFollowsTheTrunkAndTheRoomItHas) {
+    const std::vector<std::string> lime{"--species", "lime", "--dbh", "50", "--height", "16"};
+    const auto with = [&lime](std::vector<std::string> more) {
+        more.insert(more.begin(), lime.begin(), lime.end());
+        return swayOf(more);
+    };
+    const json forest = with({}), open = with({"--open"}), narrow = with({"--open", "--crown-width", "5"});
+    EXPECT_NEAR(forest["crown_width_m"].get<double>(), 9.7, 0.3);
+    EXPECT_NEAR(open["crown_width_m"].get<double>(), 11.9, 0.3);
+    EXPECT_EQ(open["open_grown"], true);
+    EXPECT_EQ(narrow["crown_width_m"], 5.0);
+    EXPECT_LT(open["frequency_hz"].get<double>(), forest["frequency_hz"].get<double>());
+    EXPECT_GT(narrow["frequency_hz"].get<double>(), open["frequency_hz"].get<double>());
+}
+
+TEST(Sway, ABareTreeIsQuicker) {
+    const std::vector<std::string> ash{"--species", "ash", "--dbh", "30", "--height", "20", "--leaves"};
+    const auto with = [&ash](const char* share) {
+        std::vector<std::string> words = ash;
+        words.emplace_back(share);
+        return swayOf(words)["frequency_hz"].get<double>();
+    };
+    EXPECT_GT(with("0"), 1.01 * with("1"));
+    EXPECT_EQ(runTool({"sway", "--leaves", "2"}).exitCode, 2);
+}
+
 TEST(Sway, AnUnknownSpeciesIsStoodInForAndSaid) {
     const Outcome outcome = runTool({"sway", "--species", "lamp post", "--dbh", "30", "--height", "15"});
     EXPECT_EQ(outcome.exitCode, 0);

@@ -102,3 +102,18 @@ TEST(Usage, AFullStandardOutputIsExitCode1) {
         EXPECT_EQ(runShell(OSGTREEWIND_TOOL " " + command + quoted(thesis) + " >/dev/full").exitCode, 1)
             << command;
 }
+
+TEST(Usage, AForestThatDoesNotFitIntoMemoryIsExitCode2) {
+    const std::string forest = example("forest.treewind");
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"simulate", forest, "--duration", "0"},
+          {"validate", forest},
+          {"info", forest},
+          {"render", forest, "-o", "a.png", "--size", "32x32"}}) {
+        const Outcome outcome = runTool(words, folder.path(), "OSGTREEWIND_MAX_MEMORY=1M ");
+        EXPECT_EQ(outcome.exitCode, 2) << words[0];
+        EXPECT_NE(outcome.err.find("40 trees of these species need about "), std::string::npos)
+            << outcome.err;
+    }
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/ForestMemory.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/motion/BranchwiseMotion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+namespace osgTreeWind {
+namespace {
+
+/// Of a simulation: what one unit, or cluster of leaves, adds to its arrays.
+std::uint64_t unitBytes(MotionLaw law) {
+    constexpr std::uint64_t ofAnyLaw =
+        2 * sizeof(glm::vec3) + 3 * sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
+    return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(Laws::DampedBranch) : sizeof(Laws::ThesisBranch));
+}
+constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
+constexpr std::uint64_t treeBytes = sizeof(PlacedTree) + sizeof(TreePlacement);
+
+// Of nodes, measured: a tree with its uniforms and drawables, and the texels of its units and leaves, which
+// the graphics driver may hold once more.
+constexpr std::uint64_t treeNodeBytes = 8000, unitTexelBytes = 2 * 32, leafTexelBytes = 2 * 16;
+
+std::uint64_t shapeBytes(const TreeCounts& counts) {
+    return counts.units * sizeof(BranchUnit) + counts.skeletonPoints * sizeof(glm::vec3) +
+           counts.skinVertices * sizeof(SkinVertex) + 3 * counts.skinTriangles * sizeof(std::uint32_t) +
+           counts.leafVertices / verticesPerLeafCluster * sizeof(LeafCluster);
+}
+
+std::uint64_t geometryBytes(const TreeCounts& counts) {
+    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
+    return counts.skinVertices * skinVertex + counts.leafVertices * leafVertex +
+           3 * index * counts.totalTriangles();
+}
+
+/// "1.5 GB", three digits.
+std::string bytesText(std::uint64_t bytes) {
+    const char* units[] = {" bytes", " kB", " MB", " GB", " TB"};
+    auto number = static_cast<double>(bytes);
+    int unit = 0;
+    for (; number >= 999.5 && unit < 4; ++unit)
+        number /= 1000.0;
+    const double step = number < 9.995 ? 0.01 : number < 99.95 ? 0.1 : 1.0;
+    return numberText(std::round(std::round(number / step) * step * 100.0) / 100.0) + units[unit];
+}
+
+std::optional<std::uint64_t> environmentLimit() {
+    const char* value = std::getenv("OSGTREEWIND_MAX_MEMORY");
+    std::string text = value ? value : "";
+    double unit = 1.0;
+    const std::size_t suffix = std::string("kMGT").find(text.empty() ? ' ' : text.back());
+    if (suffix != std::string::npos) {
+        unit = std::pow(1000.0, static_cast<double>(suffix + 1));
+        text.pop_back();
+    }
+    const std::optional<double> number = parseNumber(text);
+    if (!number || *number < 0.0 || *number * unit >= 0x1p64)
+        return std::nullopt;
+    return static_cast<std::uint64_t>(*number * unit);
+}
+
+} // namespace
+
+ForestMemory forestMemory(const ForestDescription& description) {
+    std::vector<std::uint64_t> trees(description.species.size(), 0);
+    for (const TreePlacement& tree : description.trees)
+        if (tree.species < trees.size())
+            ++trees[tree.species];
+    ForestMemory memory;
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const Species& species = description.species[i];
+        const TreeCounts counts = countTree(species.tree);
+        const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
+        const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, 64));
+        memory.simulation +=
+            shapes * shapeBytes(counts) +
+            trees[i] * (treeBytes + counts.units * unitBytes(description.law) + leaves * leafBytes);
+        memory.nodes += shapes * geometryBytes(counts) +
+                        trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes);
+    }
+    return memory;
+}
+
+std::uint64_t memoryLimit() {
+    if (const auto limit = environmentLimit())
+        return *limit;
+    std::ifstream machine("/proc/meminfo");
+    for (std::string key; machine >> key; machine.ignore(256, '\n'))
+        if (std::uint64_t kilobytes = 0; key == "MemAvailable:" && machine >> kilobytes)
+            return 1024 * kilobytes;
+    return std::numeric_limits<std::uint64_t>::max();
+}
+
+std::string problemOfMemory(const ForestDescription& description, bool withNodes) {
+    const ForestMemory memory = forestMemory(description);
+    const std::uint64_t needed = memory.simulation + (withNodes ? memory.nodes : 0), limit = memoryLimit();
+    if (needed <= limit)
+        return {};
+    return std::to_string(description.trees.size()) + " trees of these species need about " +
+           bytesText(needed) + " of memory; the limit is " + bytesText(limit) +
+           " (OSGTREEWIND_MAX_MEMORY sets another)";
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/ForestDescription.h>
+
+#include <cstdint>
+#include <string>
+
+namespace osgTreeWind {
+
+/// Bytes of main memory that a forest is going to need, near enough to say no before it is asked for.
+struct ForestMemory {
+    std::uint64_t simulation = 0; ///< Shapes, parameters and states: ForestSimulation.
+    std::uint64_t nodes = 0;      ///< What Forest adds: geometry, a node for each tree, textures of poses.
+};
+ForestMemory forestMemory(const ForestDescription& description);
+
+/// What may be asked for: the environment's OSGTREEWIND_MAX_MEMORY, bytes or a number with k, M, G or T, else
+/// what the machine has available now. The largest number where neither is known.
+std::uint64_t memoryLimit();
+
+/// How much is needed and what the limit is; empty where it fits. @param withNodes for a Forest, else for a
+/// ForestSimulation alone.
+std::string problemOfMemory(const ForestDescription& description, bool withNodes);
+
+} // namespace osgTreeWind
