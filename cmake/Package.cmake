@@ -31,7 +31,9 @@ endif()
 # Not the headers that only our own sources use: the reader's insides, and what needs shaders/ or GDAL.
 foreach(floor base model wind windfiles motion gpu nodes offscreen)
     install(DIRECTORY osgTreeWind/${floor} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
-        FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "LawParameters.h" EXCLUDE PATTERN "NetCdf*.h" EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "LawTexels.h" EXCLUDE
+        PATTERN "ThesisParts.h" EXCLUDE PATTERN "DampedBranches.h" EXCLUDE PATTERN "BranchwiseMotion.h" EXCLUDE
+        PATTERN "NetCdf*.h" EXCLUDE)
 endforeach()
 install(FILES osgTreeWind/io/ForestFile.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind/io)
 install(DIRECTORY shaders DESTINATION ${data_folder} PATTERN CMakeLists.txt EXCLUDE)

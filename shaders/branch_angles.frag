@@ -22,9 +22,11 @@ uniform sampler2D speciesTexels;    // four texels a species; the first: noise t
 uniform int motionLaw;              // MotionLaw
 uniform float seconds;              // of this step
 
-vec3 thesisNoise(vec4 stream, uint unit) {
-    vec4 time = dataTexel(speciesTexels, 4 * int(stream.y + 0.5));
-    uint seed = wholeNumber(stream.zw);
+/// @param source species, seed (two halves), index in its tree.
+vec3 thesisNoise(vec4 source) {
+    vec4 time = dataTexel(speciesTexels, 4 * int(source.x + 0.5));
+    uint seed = wholeNumber(source.yz);
+    uint unit = uint(source.w + 0.5);
     uint cell = wholeNumber(time.xy);
     return vec3(motionNoise(noiseStream(seed, unit, 0u), cell, time.z, time.w),
                 motionNoise(noiseStream(seed, unit, 1u), cell, time.z, time.w),
@@ -39,16 +41,17 @@ void main() {
     vec4 b = dataTexel(branchParameters, 3 * unit + 1);
     vec4 c = dataTexel(branchParameters, 3 * unit + 2);
 
+    // Constructors take the fields in their order, in which they are packed.
     if (motionLaw == 2) {
-        DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
+        DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.xyz, c.w);
         vec3 airBefore = dataTexel(wind, 2 * unit).xyz;
-        gl_FragColor =
-            dampedBranchStep(state, windAcross(airBefore, c.xyz), windAcross(air, c.xyz), branch, seconds);
+        gl_FragColor = dampedBranchStep(state, windAcross(airBefore, branch.direction),
+                                        windAcross(air, branch.direction), branch, seconds);
         return;
     }
     ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);
     vec3 thesisAir = vec3(air.x, air.z, -air.y);
-    vec3 noise = thesisNoise(b, uint(c.x + 0.5));
+    vec3 noise = thesisNoise(c);
     gl_FragColor = motionLaw == 0 ? thesisBranchStep(state, thesisAir, noise, branch)
                                   : thesisSmoothBranchStep(state, thesisAir, noise, branch);
 }

@@ -4,10 +4,10 @@
 #include "BenchStage.h"
 
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/LawParameters.h>
 #include <osgTreeWind/motion/NoiseTime.h>
+#include <osgTreeWind/motion/ThesisParts.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
@@ -36,10 +36,10 @@ struct Timed {
 /// Keeps what was worked out from being optimized away.
 volatile float kept = 0.0f;
 
-/// Parameters of that many branches of broadleaves, 1 to 25 m high.
-template <typename Parameters>
-std::vector<Parameters> someBranches(MotionLaw law,
-                                     const std::vector<Parameters>& (ForestSimulation::*parameters)() const) {
+/// That many branches of broadleaves, 1 to 25 m high.
+template <typename Branch>
+std::vector<Branch> someBranches(MotionLaw law,
+                                 const std::vector<Branch>& (BranchwiseMotion::*ofLaw)() const) {
     ForestDescription forest;
     forest.law = law;
     forest.species = {defaultSpecies()};
@@ -48,8 +48,8 @@ std::vector<Parameters> someBranches(MotionLaw law,
         forest.trees[i].seed = static_cast<std::uint32_t>(i);
         forest.trees[i].size.height = 1.0f + 0.6f * static_cast<float>(i);
     }
-    const ForestSimulation simulation(std::move(forest));
-    std::vector<Parameters> result = (simulation.*parameters)();
+    const PlacedForest placed(std::move(forest));
+    std::vector<Branch> result = (BranchwiseMotion(placed).*ofLaw)();
     result.resize(branches, result.front());
     return result;
 }
@@ -65,9 +65,7 @@ std::vector<glm::vec3> someWinds() {
 using ThesisStep = glm::vec4 (Laws::*)(glm::vec4, glm::vec3, glm::vec3, Laws::ThesisBranch);
 
 Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
-    std::vector<Laws::ThesisBranch> parameters;
-    for (const BranchParameters& p : someBranches(law, &ForestSimulation::branchParameters))
-        parameters.push_back(lawParameters(p));
+    const std::vector<Laws::ThesisBranch> parameters = someBranches(law, &BranchwiseMotion::thesisBranches);
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
     return {{"laws", name, "branch", branches, {}}, [=, winds = someWinds()](double time) mutable {
                 Laws laws;
@@ -84,9 +82,8 @@ Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
 }
 
 Timed dampedLaw() {
-    std::vector<Laws::DampedBranch> parameters;
-    for (const DampedParameters& p : someBranches(MotionLaw::Damped, &ForestSimulation::dampedParameters))
-        parameters.push_back(lawParameters(p));
+    const std::vector<Laws::DampedBranch> parameters =
+        someBranches(MotionLaw::Damped, &BranchwiseMotion::dampedBranches);
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
     return {{"laws", "damped", "branch", branches, {}}, [=, winds = someWinds()](double) mutable {
                 for (std::size_t i = 0; i < branches; ++i) {
@@ -102,7 +99,7 @@ Timed leafLaw(const char* name, std::optional<float> noiseExponent) {
     return {{"laws", name, "leaf", branches, {}}, [=](double time) mutable {
                 Laws laws;
                 const NoiseTime now = NoiseTime::at(time, 1.3f, noiseExponent);
-                const Laws::ThesisLeaf leaf = lawParameters(LeafMotion());
+                const Laws::ThesisLeaf leaf = makeThesisLeaf(LeafMotion());
                 for (std::uint32_t i = 0; i < branches; ++i) {
                     const float x =
                         laws.motionNoise(laws.noiseStream(1, i, 3), now.cell, now.fraction, now.gain);

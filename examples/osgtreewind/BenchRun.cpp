@@ -55,7 +55,7 @@ BenchCounts count(const BenchStage& stage, Forest& forest) {
     forest.accept(visitor);
     BenchCounts counts = visitor.counts;
     const ForestSimulation& simulation = forest.getSimulation();
-    for (const ForestSimulation::Tree& tree : simulation.trees()) {
+    for (const PlacedTree& tree : simulation.trees()) {
         const TreeModel& model = simulation.models()[tree.model];
         const TreeCounts of = countTree(model);
         counts.units += of.units;

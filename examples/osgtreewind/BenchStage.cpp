@@ -85,7 +85,7 @@ osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const Forest& fores
         lines = unitLines(model->skeleton, 0, model->skeleton.units.size(),
                           stage.geometry == BenchStage::BUFFERED_LINES);
     osg::ref_ptr<osg::Group> group = new osg::Group;
-    for (const ForestSimulation::Tree& tree : forest.getSimulation().trees()) {
+    for (const PlacedTree& tree : forest.getSimulation().trees()) {
         osg::ref_ptr<osg::PositionAttitudeTransform> node;
         if (lined) {
             node = new osg::PositionAttitudeTransform;

@@ -140,7 +140,7 @@ osg::ref_ptr<osg::Geometry> createShadows(Forest& forest) {
     osg::ref_ptr<osg::Vec2Array> spots = new osg::Vec2Array;
     const osg::Vec2 away(-sunDirection.x() / sunDirection.z(), -sunDirection.y() / sunDirection.z());
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
-        const osgTreeWind::ForestSimulation::Tree& tree = forest.getSimulation().trees()[i];
+        const osgTreeWind::PlacedTree& tree = forest.getSimulation().trees()[i];
         const osgTreeWind::TreeSize size =
             osgTreeWind::measureTree(forest.getSimulation().models()[tree.model], tree.scale);
         const osg::Vec3 foot(tree.position.x, tree.position.y, tree.position.z + 0.02f);

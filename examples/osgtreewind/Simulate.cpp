@@ -23,18 +23,18 @@ struct SimulateOptions {
 
 void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time, bool tips) {
     for (std::size_t t = 0; t < simulation.trees().size(); ++t) {
-        const ForestSimulation::Tree& tree = simulation.trees()[t];
+        const PlacedTree& tree = simulation.trees()[t];
         const std::vector<BranchUnit>& units = simulation.models()[tree.model].skeleton.units;
+        const TreeMotion motion = simulation.motion(t);
         const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
         for (std::size_t u = 0; u < units.size(); ++u) {
-            const std::size_t at = tree.firstUnit + u;
-            const glm::vec3& wind = simulation.windSamples()[at];
-            const glm::vec4& state = simulation.branchStates()[at];
+            const glm::vec3& wind = motion.winds[u];
+            const glm::vec4& state = motion.states[u];
             std::fprintf(out, "%.6g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g", time, t, u, units[u].level, wind.x,
                          wind.y, wind.z, state.x, state.y);
             if (tips) {
                 const glm::vec3 tip =
-                    tree.position + heading * simulation.poses()[at].apply(tree.scale.axes * units[u].tip);
+                    tree.position + heading * motion.poses[u].apply(tree.scale.axes * units[u].tip);
                 std::fprintf(out, ",%.6f,%.6f,%.6f", tip.x, tip.y, tip.z);
             }
             std::fputc('\n', out);

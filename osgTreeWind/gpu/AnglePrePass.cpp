@@ -6,14 +6,14 @@
 namespace osgTreeWind {
 
 AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
-    : _node(new OncePerFrame), _branches("branch_angles", simulation.branchStates()),
-      _leaves("leaf_angles", simulation.leafStates()), _wind("wind", simulation.windTexels().size()),
-      _branchParameters("branch parameters", 3 * simulation.branchStates().size()),
-      _leafParameters("leaf parameters", simulation.leafStates().size()),
-      _species("species", speciesTexels(simulation, 0.0).size()), _seconds(new osg::Uniform("seconds", 0.0f)),
-      _branchReadback(new AngleReadback) {
-    _branchParameters.fill(branchTexels(simulation));
-    _leafParameters.fill(leafTexels(simulation));
+    : _node(new OncePerFrame), _branches("branch_angles", simulation.branches()->states()),
+      _leaves("leaf_angles", simulation.leaves().states()), _wind("wind", 2 * simulation.forest().units),
+      _branchParameters("branch parameters", 3 * simulation.forest().units),
+      _leafParameters("leaf parameters", simulation.forest().leaves),
+      _species("species", speciesTexels(simulation.description(), 0.0).size()),
+      _seconds(new osg::Uniform("seconds", 0.0f)), _branchReadback(new AngleReadback) {
+    _branchParameters.fill(branchTexels(simulation.forest(), *simulation.branches()));
+    _leafParameters.fill(leafTexels(simulation.forest()));
 
     bindData(_branches.inputs(), "wind", 1, _wind.texture());
     bindData(_branches.inputs(), "branchParameters", 2, _branchParameters.texture());
@@ -31,8 +31,8 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
 }
 
 void AnglePrePass::step(const ForestSimulation& simulation, double time, float seconds) {
-    _wind.fill(simulation.windTexels());
-    _species.fill(speciesTexels(simulation, time));
+    _wind.fill(simulation.branches()->windTexels());
+    _species.fill(speciesTexels(simulation.description(), time));
     _seconds->set(seconds);
     _branches.step();
     _leaves.step();
@@ -49,11 +49,11 @@ bool AnglePrePass::readBack(ForestSimulation& simulation, bool leavesToo) {
         _leaves.setPostDrawCallback(_leafReadback);
     }
     if (_leafReadback && _leafReadback->take(_states))
-        simulation.setLeafStates(_states.data());
+        simulation.leaves().setStates(_states.data());
     if (!_branchReadback->take(_states))
         return false;
     _branches.startFrom(_states);
-    simulation.setBranchStates(_states.data());
+    simulation.branches()->setStates(_states.data());
     return true;
 }
 

@@ -15,7 +15,7 @@ namespace osgTreeWind {
 /// transforms. Used in update only.
 class AnglePrePass {
 public:
-    /// Goes on from the states of `simulation`.
+    /// Goes on from the states of `simulation`, whose law is one of a branch.
     explicit AnglePrePass(const ForestSimulation& simulation);
 
     /// To be put into the scene.

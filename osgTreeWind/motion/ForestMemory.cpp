@@ -2,7 +2,7 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,10 @@ namespace {
 std::uint64_t unitBytes(MotionLaw law) {
     constexpr std::uint64_t ofAnyLaw =
         2 * sizeof(glm::vec3) + 3 * sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
-    return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(DampedParameters) : sizeof(BranchParameters));
+    return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(Laws::DampedBranch) : sizeof(Laws::ThesisBranch));
 }
 constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
-constexpr std::uint64_t treeBytes = sizeof(ForestSimulation::Tree) + sizeof(TreePlacement);
+constexpr std::uint64_t treeBytes = sizeof(PlacedTree) + sizeof(TreePlacement);
 
 // Of nodes, measured: a tree with its uniforms and drawables, and the texels of its units and leaves, which
 // the graphics driver may hold once more.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/PullAndRelease.h>
 
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <glm/gtc/constants.hpp>
@@ -28,13 +29,13 @@ std::size_t topOf(const Skeleton& skeleton) {
 
 /// Angles of a trunk that a force at its top bends that far toward +x.
 std::vector<glm::vec4> pulledStates(const ForestSimulation& simulation, std::size_t top) {
-    const ForestSimulation::Tree& tree = simulation.trees().front();
+    const PlacedTree& tree = simulation.trees().front();
     const std::vector<BranchUnit>& units = simulation.models()[tree.model].skeleton.units;
     const auto reach = [&](std::size_t i) {
         return tree.scale.axes.z * (units[top].tip.z - units[i].base.z);
     };
     const auto compliance = [&](std::size_t i) {
-        return reach(i) / simulation.dampedParameters()[i].stiffness;
+        return reach(i) / simulation.branches()->dampedBranches()[i].stiffness;
     };
     float shift = 0.0f; // under 1 N
     for (std::size_t i = 0; i <= top; ++i)
@@ -56,18 +57,19 @@ std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlaceme
     forest.trees = {tree};
     forest.trees[0].species = 0;
     ForestSimulation simulation(std::move(forest));
-    const ForestSimulation::Tree& grown = simulation.trees().front();
+    const PlacedTree& grown = simulation.trees().front();
     const Skeleton& skeleton = simulation.models()[grown.model].skeleton;
     const std::size_t top = topOf(skeleton);
     const glm::vec3 rest = grown.scale.axes * skeleton.units[top].tip;
 
-    simulation.setBranchStates(pulledStates(simulation, top).data());
+    simulation.branches()->setStates(pulledStates(simulation, top).data());
     simulation.advance(0.0);
+    const Span<UnitPose> poses = simulation.motion(0).poses;
     std::vector<double> crossings, peaks;
-    double before = simulation.poses()[top].apply(rest).x - rest.x, peak = 0.0;
+    double before = poses[top].apply(rest).x - rest.x, peak = 0.0;
     for (double time = step; time < longest && crossings.size() <= halfSwings; time += step) {
         simulation.advance(time);
-        const double now = simulation.poses()[top].apply(rest).x - rest.x;
+        const double now = poses[top].apply(rest).x - rest.x;
         if ((before > 0.0) != (now > 0.0)) {
             if (!crossings.empty())
                 peaks.push_back(peak);

@@ -8,7 +8,7 @@
 namespace osgTreeWind {
 
 /// Turn of a branch about its base, in the tree's rest axes (shaders/law/rotation.glsl).
-/// @param state of ForestSimulation::branchStates().
+/// @param state of TreeMotion::states.
 glm::quat branchRotation(const glm::vec4& state);
 
 /// The same for the law `damped`.
@@ -17,7 +17,7 @@ glm::quat dampedRotation(const glm::vec4& state, const glm::vec3& direction);
 
 /// Turn of a leaf cluster in its own frame: a corner of the leaf mesh is drawn, before the pose of its
 /// branch, at scaled anchor + size * (orientation * (leafRotation * corner)).
-/// @param state of ForestSimulation::leafStates().
+/// @param state of TreeMotion::leaves.
 glm::quat leafRotation(const glm::vec4& state);
 
 } // namespace osgTreeWind

@@ -111,15 +111,14 @@ void Forest::setDescription(ForestDescription description) {
     _stand = new osg::Group;
     _stand->setName("trees");
     _stand->setDataVariance(osg::Object::DYNAMIC);
-    for (const ForestSimulation::Tree& tree : simulation.trees()) {
+    for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
+        const PlacedTree& tree = simulation.trees()[i];
         osg::ref_ptr<TreeNode> node =
             new TreeNode(shapes[tree.model], speciesStyles[tree.species], tree.scale);
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
-        node->getPosedTree()->follow(_simulation, &simulation.poses()[tree.firstUnit],
-                                     &simulation.rotations()[tree.firstUnit],
-                                     simulation.leafStates().data() + tree.firstLeaf);
+        node->getPosedTree()->follow(_simulation, simulation.motion(i));
         node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
         node->setLeafwise(_leafDrawing == LEAF_TRANSFORMS);
         _stand->addChild(node);
@@ -127,14 +126,14 @@ void Forest::setDescription(ForestDescription description) {
     }
     insertChild(0, _stand);
 
-    _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * simulation.poses().size());
-    _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.leafStates().size());
+    _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * simulation.forest().units);
+    _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.forest().leaves);
     osg::StateSet* state = _stand->getOrCreateStateSet();
     state->setDataVariance(osg::Object::DYNAMIC);
     bindData(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
     bindData(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
     uploadUnitPoses();
-    _leafAngles->fill(_simulation->leafStates());
+    _leafAngles->fill(_simulation->leaves().states());
 }
 
 void Forest::setBranchDrawing(BranchDrawing drawing) {
@@ -176,7 +175,8 @@ void Forest::useCpuAngles() {
 
 /// The passes start once a first frame has shown that the context can run them.
 void Forest::chooseAngleSource() {
-    if (_wantedSource == CPU_ANGLES || _prePass || _simulation->poses().empty())
+    if (_wantedSource == CPU_ANGLES || _prePass || !_simulation->branches() ||
+        _simulation->forest().units == 0)
         return;
     if (!_probe) {
         _probe = new FloatTargetProbe;
@@ -215,7 +215,7 @@ void Forest::update(const osg::FrameStamp& stamp) {
 bool Forest::stepOnCpu(double time) {
     if (!_simulation->advance(time))
         return false;
-    _leafAngles->fill(_simulation->leafStates());
+    _leafAngles->fill(_simulation->leaves().states());
     return true;
 }
 
@@ -231,12 +231,14 @@ bool Forest::stepOnGpu(double time) {
 
 void Forest::uploadUnitPoses() {
     float* texel = _unitPoses->data();
-    for (const UnitPose& pose : _simulation->poses()) {
-        const float values[8] = {pose.rotation.x,    pose.rotation.y,    pose.rotation.z,    pose.rotation.w,
-                                 pose.translation.x, pose.translation.y, pose.translation.z, 0.0f};
-        std::memcpy(texel, values, sizeof values);
-        texel += 8;
-    }
+    for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
+        for (const UnitPose& pose : _simulation->motion(tree).poses) {
+            const float values[8] = {
+                pose.rotation.x,    pose.rotation.y,    pose.rotation.z,    pose.rotation.w,
+                pose.translation.x, pose.translation.y, pose.translation.z, 0.0f};
+            std::memcpy(texel, values, sizeof values);
+            texel += 8;
+        }
     _unitPoses->dirty();
 }
 

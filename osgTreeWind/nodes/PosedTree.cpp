@@ -31,12 +31,9 @@ PosedTree::PosedTree(std::shared_ptr<const TreeModel> model, const TreeScale& sc
     growBounds();
 }
 
-void PosedTree::follow(std::shared_ptr<const void> owner, const UnitPose* poses, const glm::quat* rotations,
-                       const glm::vec4* leafStates) {
+void PosedTree::follow(std::shared_ptr<const void> owner, const TreeMotion& motion) {
     _owner = std::move(owner);
-    _poses = poses;
-    _rotations = rotations;
-    _leafStates = leafStates;
+    _motion = motion;
 }
 
 glm::vec3 PosedTree::skinPoint(const SkinVertex& vertex, const UnitPose& pose) const {
@@ -45,7 +42,7 @@ glm::vec3 PosedTree::skinPoint(const SkinVertex& vertex, const UnitPose& pose) c
 
 glm::quat PosedTree::leafTurn(std::size_t leaf) const {
     const glm::quat& rest = _model->leaves[leaf].orientation;
-    return _leafStates ? rest * leafRotation(_leafStates[leaf]) : rest;
+    return _motion.leaves.data ? rest * leafRotation(_motion.leaves[leaf]) : rest;
 }
 
 void PosedTree::leafPoints(std::size_t leaf, glm::vec3* corners) const {

@@ -4,12 +4,10 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
-#include <osgTreeWind/motion/UnitPose.h>
+#include <osgTreeWind/motion/TreeMotion.h>
 
 #include <osg/BoundingBox>
 #include <osg/Referenced>
-
-#include <glm/vec4.hpp>
 
 #include <memory>
 
@@ -24,15 +22,13 @@ public:
     const TreeModel& model() const { return *_model; }
     const TreeScale& scale() const { return _scale; }
 
-    /// The state the tree follows; null pointers stand for rest.
-    /// @param poses, rotations one per unit; @param leafStates one per leaf cluster (ForestSimulation).
-    /// They must outlive this object, or be kept alive by `owner`.
-    void follow(std::shared_ptr<const void> owner, const UnitPose* poses, const glm::quat* rotations,
-                const glm::vec4* leafStates);
+    /// The motion the tree follows; nothing stands for rest.
+    /// @param motion must outlive this object, or be kept alive by `owner`.
+    void follow(std::shared_ptr<const void> owner, const TreeMotion& motion);
 
-    UnitPose pose(std::size_t unit) const { return _poses ? _poses[unit] : UnitPose(); }
+    UnitPose pose(std::size_t unit) const { return _motion.poses.data ? _motion.poses[unit] : UnitPose(); }
     glm::quat rotation(std::size_t unit) const {
-        return _rotations ? _rotations[unit] : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
+        return _motion.rotations.data ? _motion.rotations[unit] : glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
     }
     /// A vertex of the bark, in the tree's frame; `pose` of its unit.
     glm::vec3 skinPoint(const SkinVertex& vertex, const UnitPose& pose) const;
@@ -50,9 +46,7 @@ private:
     std::shared_ptr<const TreeModel> _model;
     TreeScale _scale;
     std::shared_ptr<const void> _owner;
-    const UnitPose* _poses = nullptr;
-    const glm::quat* _rotations = nullptr;
-    const glm::vec4* _leafStates = nullptr;
+    TreeMotion _motion;
     float _reach = 0.0f; // of leaves and bark from the centre line
     osg::BoundingBox _bounds;
 };

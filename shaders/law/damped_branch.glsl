@@ -3,21 +3,23 @@
 // units, independent of the frame rate and stable at any step.
 // J w' + (C + b l^2) w + K x = b l v,  b = drag |v - l w|
 
-/// What a branch is to this law.
+/// What a branch is to this law; packed as it stands (osgTreeWind/gpu/LawTexels.cpp).
 struct DampedBranch {
-    float stiffness;     // K, N m/rad
-    float inertia;       // J, kg m^2
-    float damping;       // C, N m s
-    float drag;          // half the air's density times the sum of CdA, kg/m
-    float lever;         // l, metres
+    float stiffness;     // K of the joint at its base, N m/rad
+    float inertia;       // J, kg m^2: K over the square of its axis' own speed
+    float damping;       // C = 2 dampingRatio sqrt(K J), N m s
+    float drag;          // half the air's density times the sum of CdA, kg/m, up to 10 m/s
+    float lever;         // l of the drag: its speed over the joint's as the whole axis bends, metres
     float maxAngle;      // [0, pi/2]
     float streamlining;  // n: the drag falls as speed^-n
     float streamlinedTo; // between 10 m/s and this speed
+    vec3 direction;      // base to tip at rest, unit length
+    float windHeight;    // where its wind is taken: centre of the drag above the foot of the tree, metres
 };
 
 /// The same within ranges in which no step overflows.
 DampedBranch soundBranch(DampedBranch given) {
-    DampedBranch branch;
+    DampedBranch branch = given;
     branch.stiffness = max(bounded(given.stiffness, 1.0e12f), 1.0e-6f);
     branch.inertia = max(bounded(given.inertia, 1.0e12f), 1.0e-6f);
     branch.damping = max(bounded(given.damping, 1.0e9f), 0.0f);

@@ -7,10 +7,10 @@ vec3 boundedVector(vec3 v, float limit) {
     return vec3(bounded(v.x, limit), bounded(v.y, limit), bounded(v.z, limit));
 }
 
-/// What a branch is to these laws.
+/// What a branch is to these laws; packed as it stands (osgTreeWind/gpu/LawTexels.cpp).
 struct ThesisBranch {
     float spring;       // k of the cantilever, N/m
-    float branchLength; // metres
+    float branchLength; // base to tip, metres
     float maxAngle;     // [0, pi/2]
     float partialSteps; // NUMB, >= 1
     float levelLoad;    // factor * branchLevel (§3.1.2)

@@ -48,8 +48,8 @@ void simulate(benchmark::State& state, Step step) {
     double time = 0.0;
     for (auto _ : state)
         benchmark::DoNotOptimize(step(simulation, time += frame));
-    state.counters["units"] = static_cast<double>(simulation.poses().size());
-    state.counters["leaves"] = static_cast<double>(simulation.leafStates().size());
+    state.counters["units"] = static_cast<double>(simulation.forest().units);
+    state.counters["leaves"] = static_cast<double>(simulation.forest().leaves);
 }
 
 /// The first half of a step: the wind at every branch base.

@@ -6,8 +6,7 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/DampedParameters.h>
-#include <osgTreeWind/motion/LawParameters.h>
+#include <osgTreeWind/motion/DampedBranches.h>
 #include <osgTreeWind/motion/NoiseTime.h>
 
 #include <algorithm>
@@ -56,9 +55,10 @@ protected:
 private:
     static osg::ref_ptr<osg::Program> program(const std::string& declared, const std::string& body) {
         std::string text = "#version 330 compatibility\n";
-        for (const char* file : {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
-                                 "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl",
-                                 "law/thesis_leaf.glsl", "law/oscillator.glsl", "law/damped_branch.glsl"})
+        for (const char* file :
+             {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
+              "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
+              "law/oscillator.glsl", "law/damped_branch.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
                 "void main() {\n"
@@ -143,16 +143,17 @@ TEST_F(LawsGlTest, LeafAgreesWithTheCpu) {
 TEST_F(LawsGlTest, DampedBranchesOfAllSpeciesAgreeWithTheCpu) {
     // Every kind of branch there is, in winds of up to 30 m/s and the motion they may cause.
     Random random(11);
-    Texels states, winds, first, second;
+    Texels states, winds, first, second, third;
     std::vector<Laws::DampedBranch> branches;
     for (const BuiltInSpecies& built : builtInSpecies()) {
         const TreeModel model = makeTreeModel(built.species.tree, 0);
         for (const float height : {6.0f, 25.0f})
-            for (const DampedParameters& p :
-                 makeDampedParameters(model, fitTree(model, {height, 0.0f, 0.0f}), built.species)) {
-                branches.push_back(lawParameters(p));
+            for (const Laws::DampedBranch& p :
+                 makeDampedBranches(model, fitTree(model, {height, 0.0f, 0.0f}), built.species)) {
+                branches.push_back(p);
                 first.emplace_back(p.stiffness, p.inertia, p.damping, p.drag);
                 second.emplace_back(p.lever, p.maxAngle, p.streamlining, p.streamlinedTo);
+                third.emplace_back(p.direction, p.windHeight);
                 const float pace = std::sqrt(p.stiffness / p.inertia);
                 states.emplace_back(0.3f * random.symmetric(), 0.3f * random.symmetric(),
                                     0.3f * pace * random.symmetric(), 0.3f * pace * random.symmetric());
@@ -161,9 +162,9 @@ TEST_F(LawsGlTest, DampedBranchesOfAllSpeciesAgreeWithTheCpu) {
             }
     }
     for (const float rate : {120.0f, 60.0f, 10.0f}) {
-        const Texels gpu = step(states, {{"wind", winds}, {"a", first}, {"b", second}},
+        const Texels gpu = step(states, {{"wind", winds}, {"a", first}, {"b", second}, {"c", third}},
                                 "dampedBranchStep(state, wind.xy, wind.zw, "
-                                "DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w), 1.0 / " +
+                                "DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.xyz, c.w), 1.0 / " +
                                     std::to_string(rate) + ")");
         float worstAngle = 0.0f, worstSpeed = 0.0f, moved = 0.0f;
         for (std::size_t i = 0; i < gpu.size(); ++i) {
@@ -210,11 +211,11 @@ TEST_F(LawsGlTest, HostileInputGivesFiniteAnglesWithinLimits) {
         "thesisBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.0))",
         "thesisSmoothBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.2))",
         "thesisLeafStep(state, noise.x, noise.y, ThesisLeaf(0.5, 0.5, 0.5, 4.0, 1.0, 0.7))",
-        "dampedBranchStep(state, wind.xy, noise.xy, DampedBranch(40.0, 2.0, 1.0, 1.2, 0.4, 0.5, 0.7, 25.0), "
-        "0.1)",
+        "dampedBranchStep(state, wind.xy, noise.xy, DampedBranch(40.0, 2.0, 1.0, 1.2, 0.4, 0.5, 0.7, 25.0, "
+        "vec3(0.0, 0.0, 1.0), 0.0), 0.1)",
         "dampedBranchStep(state, wind.xy, noise.xy, DampedBranch(wind.x, wind.y, noise.x, noise.y, wind.z, "
         "0.5, "
-        "noise.z, wind.x), noise.x)"};
+        "noise.z, wind.x, vec3(0.0, 0.0, 1.0), 0.0), noise.x)"};
     for (const char* law : laws) {
         for (const glm::vec4& angle : step(s.states, s.inputs(), law)) {
             ASSERT_TRUE(std::isfinite(angle.x) && std::isfinite(angle.y) && std::isfinite(angle.z) &&

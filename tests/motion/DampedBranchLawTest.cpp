@@ -16,7 +16,8 @@ namespace {
 /// 1 Hz, lightly damped, no air.
 Laws::DampedBranch vacuum(float ratio) {
     const float omega = 6.2831853f, inertia = 2.0f;
-    return {inertia * omega * omega, inertia, 2.0f * ratio * omega * inertia, 0.0f, 0.4f, 1.5f, 0.0f, 25.0f};
+    const float stiffness = inertia * omega * omega, damping = 2.0f * ratio * omega * inertia;
+    return {stiffness, inertia, damping, 0.0f, 0.4f, 1.5f, 0.0f, 25.0f, {0, 0, 1}, 0.0f};
 }
 
 Laws::DampedBranch inAir() {
@@ -73,7 +74,7 @@ TEST(DampedBranchLaw, FreeDecayFollowsTheClosedForm) {
 
 TEST(DampedBranchLaw, QuadraticDragAloneSlowsHyperbolically) {
     // J w' = -drag l^3 w |w|: w = w0 / (1 + drag l^3 w0 t / J). No spring to speak of.
-    const Laws::DampedBranch branch{1e-6f, 2.0f, 0.0f, 40.0f, 0.5f, 1.5f, 0.0f, 25.0f};
+    const Laws::DampedBranch branch{1e-6f, 2.0f, 0.0f, 40.0f, 0.5f, 1.5f, 0.0f, 25.0f, {0, 0, 1}, 0.0f};
     const glm::vec4 state = run({-1.0f, 0, 1.5f, 0}, glm::vec2(0.0f), branch, 1.0, 120);
     EXPECT_NEAR(state.z, 1.5 / (1.0 + 40.0 * 0.125 * 1.5 / 2.0), 2e-4);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ForestSimulation.h>
 
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
@@ -53,9 +54,9 @@ void run(ForestSimulation& simulation, int frames, double start = 0.0, double st
 
 /// Tip of a unit, tree frame.
 glm::vec3 tip(const ForestSimulation& simulation, std::size_t unit) {
-    const ForestSimulation::Tree& tree = simulation.trees()[0];
+    const PlacedTree& tree = simulation.trees()[0];
     const BranchUnit& branch = simulation.models()[tree.model].skeleton.units[unit];
-    return simulation.poses()[tree.firstUnit + unit].apply(tree.scale.axes * branch.tip);
+    return simulation.motion(0).poses[unit].apply(tree.scale.axes * branch.tip);
 }
 
 glm::vec3 turned(const glm::vec3& v, float heading) {
@@ -71,8 +72,8 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
 
 TEST(ForestSimulation, StartsAtRest) {
     const ForestSimulation simulation(oneTree());
-    ASSERT_EQ(simulation.poses().size(), 14u);
-    ASSERT_EQ(simulation.leafStates().size(), 24u);
+    ASSERT_EQ(simulation.branches()->poses().size(), 14u);
+    ASSERT_EQ(simulation.leaves().states().size(), 24u);
     for (std::size_t unit = 0; unit < 14; ++unit)
         EXPECT_EQ(tip(simulation, unit), simulation.models()[0].skeleton.units[unit].tip);
 }
@@ -106,14 +107,15 @@ TEST(ForestSimulation, JointsStayConnected) {
     forest.trees[0].size = {11.0f, 0.5f, 9.0f};
     ForestSimulation simulation(forest);
     run(simulation, 100);
-    const ForestSimulation::Tree& tree = simulation.trees()[0];
+    const PlacedTree& tree = simulation.trees()[0];
     const Skeleton& skeleton = simulation.models()[tree.model].skeleton;
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const int parent = skeleton.units[i].parent;
         const glm::vec3 joint = tree.scale.axes * skeleton.units[i].base;
         const glm::vec3 below =
-            parent < 0 ? joint : simulation.poses()[static_cast<std::size_t>(parent)].apply(joint);
-        EXPECT_LT(glm::length(below - simulation.poses()[i].apply(joint)), 1e-4f);
+            parent < 0 ? joint
+                       : simulation.branches()->poses()[static_cast<std::size_t>(parent)].apply(joint);
+        EXPECT_LT(glm::length(below - simulation.branches()->poses()[i].apply(joint)), 1e-4f);
     }
 }
 
@@ -124,7 +126,7 @@ TEST(ForestSimulation, AnglesStayWithinTheirLimits) {
         [](const glm::vec3&, double t) { return glm::vec3(40 * std::sin(t), 40 * std::cos(3 * t), 0); });
     ForestSimulation simulation(forest);
     run(simulation, 300);
-    for (const glm::vec4& state : simulation.branchStates()) {
+    for (const glm::vec4& state : simulation.branches()->states()) {
         EXPECT_LE(std::abs(state.x), 0.3f);
         EXPECT_LE(std::abs(state.y), 0.3f);
     }
@@ -135,11 +137,11 @@ TEST(ForestSimulation, CalmAfterWindFreezesTheThesisLaw) {
     forest.wind = uniform({2, 1, 0});
     ForestSimulation simulation(forest);
     run(simulation, 20);
-    const auto poses = simulation.poses();
+    const auto poses = simulation.branches()->poses();
     simulation.setWind(nullptr);
     run(simulation, 60, 1.0);
-    EXPECT_GT(simulation.branchStates()[5].x, 0.01f);
-    EXPECT_TRUE(sameBits(poses, simulation.poses()));
+    EXPECT_GT(simulation.branches()->states()[5].x, 0.01f);
+    EXPECT_TRUE(sameBits(poses, simulation.branches()->poses()));
 }
 
 TEST(ForestSimulation, ThesisLawFollowsTheFrameRate) {
@@ -149,7 +151,7 @@ TEST(ForestSimulation, ThesisLawFollowsTheFrameRate) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 30, 0.0, 1.0 / 30.0);
     run(fast, 60, 0.0, 1.0 / 60.0);
-    EXPECT_NEAR(fast.branchStates()[8].x / slow.branchStates()[8].x, 2.0f, 0.02f);
+    EXPECT_NEAR(fast.branches()->states()[8].x / slow.branches()->states()[8].x, 2.0f, 0.02f);
 }
 
 TEST(ForestSimulation, DampedLawDoesNotFollowTheFrameRate) {
@@ -173,7 +175,7 @@ TEST(ForestSimulation, DampedTreesComeBackToRestInACalm) {
         ForestSimulation simulation(forest);
         const auto largestAngle = [&] {
             float largest = 0.0f;
-            for (const glm::vec4& state : simulation.branchStates())
+            for (const glm::vec4& state : simulation.branches()->states())
                 largest = std::max({largest, std::abs(state.x), std::abs(state.y)});
             return largest;
         };
@@ -193,7 +195,7 @@ TEST(ForestSimulation, AJumpCountsAsTheLongestStepOfTheDampedLaw) {
     jump.advance(1000.0);
     step.advance(0.0);
     step.advance(ForestSimulation::maxStep);
-    EXPECT_TRUE(sameBits(jump.branchStates(), step.branchStates()));
+    EXPECT_TRUE(sameBits(jump.branches()->states(), step.branches()->states()));
 }
 
 TEST(ForestSimulation, ATurnedTreeInATurnedWindMakesTheTurnedPose) {
@@ -208,9 +210,9 @@ TEST(ForestSimulation, ATurnedTreeInATurnedWindMakesTheTurnedPose) {
     run(other, 20);
     for (std::size_t i = 0; i < 14; ++i) {
         EXPECT_LT(glm::length(tip(straight, i) - tip(other, i)), 1e-4f);
-        EXPECT_LT(
-            glm::length(turned(straight.windPlaces()[i].position, heading) - other.windPlaces()[i].position),
-            1e-4f);
+        EXPECT_LT(glm::length(turned(straight.branches()->windPlaces()[i].position, heading) -
+                              other.branches()->windPlaces()[i].position),
+                  1e-4f);
     }
 }
 
@@ -226,8 +228,8 @@ TEST(ForestSimulation, SamplesTheWindAtEachBranchBase) {
     const auto& units = simulation.models()[0].skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const glm::vec3 base = glm::vec3(100.25f, -7.5f, 2.0f) + units[i].base;
-        EXPECT_LT(glm::length(simulation.windPlaces()[i].position - base), 1e-4f);
-        EXPECT_LT(glm::length(simulation.windSamples()[i] - base - glm::vec3(0, 0, 2)), 1e-4f);
+        EXPECT_LT(glm::length(simulation.branches()->windPlaces()[i].position - base), 1e-4f);
+        EXPECT_LT(glm::length(simulation.branches()->winds()[i] - base - glm::vec3(0, 0, 2)), 1e-4f);
     }
 }
 
@@ -247,7 +249,7 @@ TEST(ForestSimulation, TreesOnAHillAndBelowTheSeaHaveTheWindOfThoseAtZero) {
         forest.trees[2].position.z = -50.0;
         ForestSimulation simulation(forest);
         simulation.advance(4.0);
-        const std::vector<glm::vec3>& winds = simulation.windSamples();
+        const std::vector<glm::vec3>& winds = simulation.branches()->winds();
         const std::size_t units = winds.size() / 3;
         EXPECT_GT(glm::length(winds[units - 1]), 1.0f);
         for (std::size_t i = 0; i < units; ++i)
@@ -263,8 +265,8 @@ TEST(ForestSimulation, StateCarriesTheWindInThesisAxesOfTheTree) {
     forest.wind = uniform({3, 5, 0});
     ForestSimulation simulation(forest);
     run(simulation, 1);
-    EXPECT_NEAR(simulation.branchStates()[0].z, 5.0f, 1e-5f); // north is the tree's x
-    EXPECT_NEAR(simulation.branchStates()[0].w, 3.0f, 1e-5f); // east is the tree's -y, thesis z
+    EXPECT_NEAR(simulation.branches()->states()[0].z, 5.0f, 1e-5f); // north is the tree's x
+    EXPECT_NEAR(simulation.branches()->states()[0].w, 3.0f, 1e-5f); // east is the tree's -y, thesis z
 }
 
 TEST(ForestSimulation, AReplacedWindShowsInTheNextStep) {
@@ -274,11 +276,11 @@ TEST(ForestSimulation, AReplacedWindShowsInTheNextStep) {
     run(simulation, 3);
     simulation.setWind(uniform({0, -4, 0}));
     simulation.advance(1.0);
-    for (const glm::vec3& sample : simulation.windSamples())
+    for (const glm::vec3& sample : simulation.branches()->winds())
         EXPECT_EQ(sample, glm::vec3(0, -4, 0));
     simulation.setWind(nullptr);
     simulation.advance(1.1);
-    EXPECT_EQ(simulation.windSamples()[3], glm::vec3(0.0f));
+    EXPECT_EQ(simulation.branches()->winds()[3], glm::vec3(0.0f));
 }
 
 TEST(ForestSimulation, FirstCallPauseAndEarlierTimesHoldTheState) {
@@ -286,15 +288,15 @@ TEST(ForestSimulation, FirstCallPauseAndEarlierTimesHoldTheState) {
     forest.wind = uniform({2, 0, 0});
     ForestSimulation simulation(forest);
     EXPECT_FALSE(simulation.advance(5.0));
-    EXPECT_EQ(simulation.branchStates()[3], glm::vec4(0.0f));
+    EXPECT_EQ(simulation.branches()->states()[3], glm::vec4(0.0f));
     EXPECT_TRUE(simulation.advance(5.1));
-    const auto states = simulation.branchStates();
-    const auto leaves = simulation.leafStates();
+    const auto states = simulation.branches()->states();
+    const auto leaves = simulation.leaves().states();
     EXPECT_FALSE(simulation.advance(5.1));
     EXPECT_FALSE(simulation.advance(2.0));
     EXPECT_FALSE(simulation.advance(std::nan("")));
-    EXPECT_TRUE(sameBits(states, simulation.branchStates()));
-    EXPECT_TRUE(sameBits(leaves, simulation.leafStates()));
+    EXPECT_TRUE(sameBits(states, simulation.branches()->states()));
+    EXPECT_TRUE(sameBits(leaves, simulation.leaves().states()));
     EXPECT_TRUE(simulation.advance(2.1)); // goes on from the earlier time
 }
 
@@ -305,7 +307,8 @@ TEST(ForestSimulation, AJumpIsOneStep) {
     run(one, 1);
     jump.advance(0.0);
     jump.advance(1.0e6);
-    EXPECT_NEAR(jump.branchStates()[9].x, one.branchStates()[9].x, 0.2f * one.branchStates()[9].x);
+    EXPECT_NEAR(jump.branches()->states()[9].x, one.branches()->states()[9].x,
+                0.2f * one.branches()->states()[9].x);
 }
 
 TEST(ForestSimulation, ResetGoesBackToRest) {
@@ -314,11 +317,11 @@ TEST(ForestSimulation, ResetGoesBackToRest) {
     ForestSimulation simulation(forest), fresh(forest);
     run(simulation, 20);
     simulation.reset();
-    EXPECT_TRUE(sameBits(simulation.poses(), fresh.poses()));
+    EXPECT_TRUE(sameBits(simulation.branches()->poses(), fresh.branches()->poses()));
     run(simulation, 20);
     run(fresh, 20);
-    EXPECT_TRUE(sameBits(simulation.branchStates(), fresh.branchStates()));
-    EXPECT_TRUE(sameBits(simulation.leafStates(), fresh.leafStates()));
+    EXPECT_TRUE(sameBits(simulation.branches()->states(), fresh.branches()->states()));
+    EXPECT_TRUE(sameBits(simulation.leaves().states(), fresh.leaves().states()));
 }
 
 TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
@@ -330,9 +333,9 @@ TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
     ForestSimulation a(forest), b(forest);
     run(a, 50);
     run(b, 50);
-    EXPECT_TRUE(sameBits(a.branchStates(), b.branchStates()));
-    EXPECT_TRUE(sameBits(a.leafStates(), b.leafStates()));
-    EXPECT_TRUE(sameBits(a.poses(), b.poses()));
+    EXPECT_TRUE(sameBits(a.branches()->states(), b.branches()->states()));
+    EXPECT_TRUE(sameBits(a.leaves().states(), b.leaves().states()));
+    EXPECT_TRUE(sameBits(a.branches()->poses(), b.branches()->poses()));
 }
 
 TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
@@ -341,7 +344,7 @@ TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
     forest.trees[1].seed = 3; // the same shape: 3 shapes
     ForestSimulation simulation(forest);
     run(simulation, 30);
-    const auto& leaves = simulation.leafStates();
+    const auto& leaves = simulation.leaves().states();
     EXPECT_EQ(simulation.trees()[0].model, simulation.trees()[1].model);
     EXPECT_NE(leaves[0].x, leaves[1].x);
     EXPECT_NE(leaves[0].x, leaves[simulation.trees()[1].firstLeaf].x);
@@ -352,10 +355,10 @@ TEST(ForestSimulation, LeavesMoveSmoothly) {
     ForestSimulation simulation(oneTree());
     run(simulation, 60);
     for (int frame = 61; frame < 400; ++frame) {
-        const auto before = simulation.leafStates();
+        const auto before = simulation.leaves().states();
         simulation.advance(frame / 60.0);
         for (std::size_t i = 0; i < before.size(); ++i)
-            ASSERT_LT(std::abs(simulation.leafStates()[i].x - before[i].x), 0.05f);
+            ASSERT_LT(std::abs(simulation.leaves().states()[i].x - before[i].x), 0.05f);
     }
 }
 
@@ -387,7 +390,7 @@ TEST(ForestSimulation, AnEmptyForestAdvances) {
     ForestSimulation simulation(ForestDescription{});
     simulation.advance(0.0);
     EXPECT_TRUE(simulation.advance(1.0));
-    EXPECT_TRUE(simulation.poses().empty());
+    EXPECT_TRUE(simulation.branches()->poses().empty());
 }
 
 TEST(ForestSimulation, AHostileWindLeavesNoTrace) {
@@ -398,13 +401,13 @@ TEST(ForestSimulation, AHostileWindLeavesNoTrace) {
     for (const float bad : {std::nanf(""), HUGE_VALF, -HUGE_VALF, 1e30f}) {
         simulation.setWind(uniform(glm::vec3(bad)));
         run(simulation, 3, 1.0);
-        for (const UnitPose& pose : simulation.poses())
+        for (const UnitPose& pose : simulation.branches()->poses())
             ASSERT_TRUE(std::isfinite(glm::length(pose.translation)) &&
                         std::isfinite(glm::length(pose.rotation)));
     }
     simulation.setWind(uniform({-3, 0, 0}));
     run(simulation, 200, 2.0);
-    EXPECT_FLOAT_EQ(simulation.branchStates()[13].x, -0.5f);
+    EXPECT_FLOAT_EQ(simulation.branches()->states()[13].x, -0.5f);
 }
 
 TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
@@ -418,8 +421,8 @@ TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
     });
     for (int frame = 0; frame < 500; ++frame) {
         simulation.advance(frame / 60.0);
-        const glm::vec3 first = simulation.windSamples()[0];
-        for (const glm::vec3& sample : simulation.windSamples()) // one field for all branches of a step
+        const glm::vec3 first = simulation.branches()->winds()[0];
+        for (const glm::vec3& sample : simulation.branches()->winds()) // one field for all branches of a step
             ASSERT_EQ(sample, first);
     }
     done = true;
@@ -441,7 +444,7 @@ TEST(ForestSimulation, DeflectionGrowsWithTheWindAsMeasured) {
             return glm::vec3(speed * static_cast<float>(1.0 + gust), 0, 0);
         });
         ForestSimulation simulation(forest);
-        const std::size_t top = simulation.poses().size() - 1;
+        const std::size_t top = simulation.branches()->poses().size() - 1;
         const glm::vec3 rest = tip(simulation, top);
         double sum = 0.0;
         for (int i = 0; i < 3600; ++i) {
@@ -466,7 +469,7 @@ TEST(ForestSimulation, AGainOfThreeMovesThreeTimesAsFar) {
     run(physical, 300);
     run(more, 300);
     for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_NEAR(more.branchStates()[unit].x, 3.0f * physical.branchStates()[unit].x, 1e-6f);
+        EXPECT_NEAR(more.branches()->states()[unit].x, 3.0f * physical.branches()->states()[unit].x, 1e-6f);
 }
 
 TEST(ForestSimulation, GustsAreFollowedAtAnyFrameRate) {
@@ -508,8 +511,8 @@ TEST(ForestSimulation, AWindThatIsReplacedIsReachedWithinTheStep) {
     rising.setWind(forest.wind);
     for (ForestSimulation* simulation : {&rising, &steady})
         simulation->advance(0.1);
-    EXPECT_GT(rising.branchStates()[0].x, 0.0f);
-    EXPECT_LT(rising.branchStates()[0].x, 0.5f * steady.branchStates()[0].x);
+    EXPECT_GT(rising.branches()->states()[0].x, 0.0f);
+    EXPECT_LT(rising.branches()->states()[0].x, 0.5f * steady.branches()->states()[0].x);
 }
 
 TEST(ForestSimulation, EveryStepStartsFromTheWindOfTheTimeBefore) {
@@ -519,10 +522,10 @@ TEST(ForestSimulation, EveryStepStartsFromTheWindOfTheTimeBefore) {
         [](const glm::vec3&, double t) { return glm::vec3(0.0f, static_cast<float>(t), 0.0f); });
     ForestSimulation simulation(forest);
     const auto expectWinds = [&](float before, float now) {
-        ASSERT_EQ(simulation.windTexels().size(), 28u);
+        ASSERT_EQ(simulation.branches()->windTexels().size(), 28u);
         for (std::size_t unit = 0; unit < 14; ++unit) {
-            EXPECT_NEAR(simulation.windTexels()[2 * unit].x, before, 1e-5f);
-            EXPECT_NEAR(simulation.windTexels()[2 * unit + 1].x, now, 1e-5f);
+            EXPECT_NEAR(simulation.branches()->windTexels()[2 * unit].x, before, 1e-5f);
+            EXPECT_NEAR(simulation.branches()->windTexels()[2 * unit + 1].x, now, 1e-5f);
         }
     };
     simulation.advance(6.0);

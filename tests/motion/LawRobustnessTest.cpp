@@ -52,7 +52,8 @@ glm::vec4 leaf(const std::array<float, 16>& v) {
 
 glm::vec4 damped(const std::array<float, 16>& v) {
     return Laws().dampedBranchStep(state(v), {v[9], v[4]}, {v[4], v[5]},
-                                   {v[10], v[11], v[13], v[14], v[15], v[12], v[7], v[8]}, v[6]);
+                                   {v[10], v[11], v[13], v[14], v[15], v[12], v[7], v[8], {0, 0, 1}, 0.0f},
+                                   v[6]);
 }
 
 struct Case {

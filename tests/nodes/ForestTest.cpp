@@ -3,6 +3,7 @@
 #include "../MessageCollector.h"
 #include "ForestFixtures.h"
 
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
 #include <osgUtil/CullVisitor>
@@ -31,11 +32,13 @@ struct CountedForest {
         });
         forest = new Forest(description);
     }
-    int samples() const { return *asked / static_cast<int>(forest->getSimulation().windPlaces().size()); }
+    int samples() const {
+        return *asked / static_cast<int>(forest->getSimulation().branches()->windPlaces().size());
+    }
 };
 
 std::vector<glm::vec4> states(const Forest& forest) {
-    return forest.getSimulation().branchStates();
+    return forest.getSimulation().branches()->states();
 }
 
 } // namespace
@@ -73,11 +76,11 @@ TEST(ForestTest, aNewWindShowsInTheNextFramesLoads) {
     updateFrames(*forest, 1, 3);
     forest->setWind(std::make_shared<UniformWind>(glm::vec3(-3.0f, 2.0f, 1.0f)));
     updateFrames(*forest, 4, 4);
-    for (const glm::vec3& sample : forest->getSimulation().windSamples())
+    for (const glm::vec3& sample : forest->getSimulation().branches()->winds())
         EXPECT_EQ(sample, glm::vec3(-3.0f, 2.0f, 1.0f));
     forest->setWind(nullptr);
     updateFrames(*forest, 5, 5);
-    for (const glm::vec3& sample : forest->getSimulation().windSamples())
+    for (const glm::vec3& sample : forest->getSimulation().branches()->winds())
         EXPECT_EQ(sample, glm::vec3(0.0f)) << "null is calm";
 }
 
@@ -91,13 +94,13 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileFramesRun) {
     });
     for (unsigned frame = 1; frame <= 200; ++frame) {
         update(*forest, frame, frame / 25.0);
-        const std::vector<glm::vec3>& samples = forest->getSimulation().windSamples();
+        const std::vector<glm::vec3>& samples = forest->getSimulation().branches()->winds();
         for (const glm::vec3& sample : samples)
             ASSERT_EQ(sample, samples.front()) << "one frame, one wind";
     }
     running = false;
     simulator.join();
-    EXPECT_GT(forest->getSimulation().windSamples().front().x, 0.5f);
+    EXPECT_GT(forest->getSimulation().branches()->winds().front().x, 0.5f);
 }
 
 TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
@@ -124,13 +127,13 @@ TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
     forest->setDescription(windless);
     EXPECT_EQ(forest->getWind(), streamed);
     updateFrames(*forest, 1, 1);
-    EXPECT_EQ(forest->getSimulation().windSamples().front(), glm::vec3(-3.0f, 2.0f, 0.0f));
+    EXPECT_EQ(forest->getSimulation().branches()->winds().front(), glm::vec3(-3.0f, 2.0f, 0.0f));
 
     const ForestDescription windy = smallForest(1, 7.0f);
     forest->setDescription(windy);
     EXPECT_EQ(forest->getWind(), windy.wind) << "its own wind goes before";
     updateFrames(*forest, 2, 2);
-    EXPECT_EQ(forest->getSimulation().windSamples().front(), glm::vec3(7.0f, 0.0f, 0.0f));
+    EXPECT_EQ(forest->getSimulation().branches()->winds().front(), glm::vec3(7.0f, 0.0f, 0.0f));
 }
 
 TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/gpu/AnglePrePass.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -90,7 +91,7 @@ TEST_F(GpuForestGlTest, EveryWindValueArrivesAtItsOwnBranch) {
                                TexelCase{"300,000 units", bareSpecies(8, 3, 2), 31, 9842 * 31}}) {
         osg::ref_ptr<Forest> forest = start(forestOf(c.species, c.trees));
         ForestSimulation oracle(forest->getDescription());
-        ASSERT_EQ(oracle.branchStates().size(), c.units) << c.name;
+        ASSERT_EQ(oracle.branches()->states().size(), c.units) << c.name;
         oracle.advance(0.0);
         for (int i = 1; i <= 3; ++i) {
             frame(i / 60.0);
@@ -98,10 +99,12 @@ TEST_F(GpuForestGlTest, EveryWindValueArrivesAtItsOwnBranch) {
         }
         frame(3.0 / 60.0); // brings the third step back
         float moved = 0.0f;
-        for (const glm::vec4& state : oracle.branchStates())
+        for (const glm::vec4& state : oracle.branches()->states())
             moved = std::max(moved, std::abs(state.x));
         EXPECT_GT(moved, 1e-4f) << c.name;
-        EXPECT_LT(largestDifference(forest->getSimulation().branchStates(), oracle.branchStates()), 5e-4f)
+        EXPECT_LT(
+            largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states()),
+            5e-4f)
             << c.name;
     }
 }
@@ -136,7 +139,8 @@ TEST_F(GpuForestGlTest, SixHundredFramesStayWithTheCpu) {
             oracle.advance(i / 60.0);
         }
         frame(10.0);
-        const float off = largestDifference(forest->getSimulation().branchStates(), oracle.branchStates());
+        const float off =
+            largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states());
         RecordProperty("off" + std::to_string(static_cast<int>(law)), std::to_string(off));
         EXPECT_LT(off, 1e-3f) << static_cast<int>(law);
     }
@@ -153,7 +157,8 @@ TEST_F(GpuForestGlTest, SixHundredFramesOfTheExampleForestStayWithTheCpu) {
         oracle.advance(i / 60.0);
     }
     frame(10.0);
-    const float off = largestDifference(forest->getSimulation().branchStates(), oracle.branchStates());
+    const float off =
+        largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states());
     RecordProperty("off", std::to_string(off));
     EXPECT_LT(off, 1e-3f);
 }
@@ -172,10 +177,13 @@ TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
             oracle.advance(i / 60.0);
         }
         frame(30.0 / 60.0);
-        ASSERT_FALSE(oracle.leafStates().empty());
-        EXPECT_GT(std::abs(oracle.leafStates()[0].x), 1e-3f);
-        EXPECT_LT(largestDifference(forest->getSimulation().leafStates(), oracle.leafStates()), 5e-4f);
-        EXPECT_LT(largestDifference(forest->getSimulation().branchStates(), oracle.branchStates()), 5e-4f);
+        ASSERT_FALSE(oracle.leaves().states().empty());
+        EXPECT_GT(std::abs(oracle.leaves().states()[0].x), 1e-3f);
+        EXPECT_LT(largestDifference(forest->getSimulation().leaves().states(), oracle.leaves().states()),
+                  5e-4f);
+        EXPECT_LT(
+            largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states()),
+            5e-4f);
     }
 }
 
@@ -183,7 +191,7 @@ TEST_F(GpuForestGlTest, ALostContextGoesOnFromTheStatesReadBack) {
     osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(2, 3, 1), 2));
     for (int i = 1; i <= 30; ++i)
         frame(i / 60.0);
-    const std::vector<glm::vec4> before = forest->getSimulation().branchStates();
+    const std::vector<glm::vec4> before = forest->getSimulation().branches()->states();
     forest->releaseGLObjects();
     open(16, 16);
     viewer().setSceneData(forest);
@@ -193,7 +201,7 @@ TEST_F(GpuForestGlTest, ALostContextGoesOnFromTheStatesReadBack) {
     for (const glm::vec4& state : before)
         moved = std::max(moved, std::abs(state.x));
     EXPECT_GT(moved, 0.1f);
-    EXPECT_LT(largestDifference(forest->getSimulation().branchStates(), before), 0.2f * moved);
+    EXPECT_LT(largestDifference(forest->getSimulation().branches()->states(), before), 0.2f * moved);
 }
 
 TEST_F(GpuForestGlTest, APauseHolds) {
@@ -201,10 +209,10 @@ TEST_F(GpuForestGlTest, APauseHolds) {
     for (int i = 1; i <= 5; ++i)
         frame(i / 60.0);
     frame(5.0 / 60.0);
-    const std::vector<glm::vec4> held = forest->getSimulation().branchStates();
+    const std::vector<glm::vec4> held = forest->getSimulation().branches()->states();
     for (int i = 0; i < 5; ++i)
         frame(5.0 / 60.0);
-    EXPECT_EQ(forest->getSimulation().branchStates(), held);
+    EXPECT_EQ(forest->getSimulation().branches()->states(), held);
 }
 
 TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
@@ -232,7 +240,8 @@ TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
     }
     composite.frame(10.0 / 60.0);
     EXPECT_EQ(forest->getAngleSource(), Forest::GPU_ANGLES);
-    EXPECT_LT(largestDifference(forest->getSimulation().branchStates(), oracle.branchStates()), 5e-4f);
+    EXPECT_LT(largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states()),
+              5e-4f);
 }
 
 TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
@@ -254,7 +263,7 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
             forest->setWind(sane);
             frame(time += 0.02);
             frame(time += 0.02);
-            for (const glm::vec4& state : forest->getSimulation().branchStates()) {
+            for (const glm::vec4& state : forest->getSimulation().branches()->states()) {
                 ASSERT_TRUE(std::isfinite(state.x) && std::isfinite(state.y)) << value;
                 ASSERT_LE(std::max(std::abs(state.x), std::abs(state.y)), 1.5708f) << value;
             }
@@ -278,7 +287,7 @@ TEST_F(GpuForestGlTest, WithoutFloatTargetsTheCpuTakesOverWithOneNotice) {
     EXPECT_NE(messages.find("angles come from the CPU"), std::string::npos);
     EXPECT_EQ(messages.find("angles come from the CPU"), messages.rfind("angles come from the CPU"));
     EXPECT_EQ(forest->getAngleSource(), Forest::CPU_ANGLES);
-    EXPECT_NE(forest->getSimulation().branchStates()[1].x, 0.0f);
+    EXPECT_NE(forest->getSimulation().branches()->states()[1].x, 0.0f);
 }
 
 TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
@@ -309,7 +318,7 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
             osg::Matrix::rotate(osg::Quat(forest->getSimulation().trees()[0].heading, osg::Z_AXIS))
                 .preMult(toOsg(corners[2])));
         found.push_back(toOsg(tree.model().leafMesh[2].corner) * leaves.matrices[leaf]);
-        fluttering = std::max(fluttering, std::abs(forest->getSimulation().leafStates()[leaf].x));
+        fluttering = std::max(fluttering, std::abs(forest->getSimulation().leaves().states()[leaf].x));
     }
     EXPECT_GT(fluttering, 1e-3f);
     for (const osg::Vec3& point : found) { // transforms stand in scene order, leaves in access order
@@ -356,7 +365,7 @@ TEST_F(GpuForestGlTest, ABrokenShaderFileGivesWayToTheEmbeddedOne) {
     const std::string messages = takeMessages();
     EXPECT_NE(messages.find("nonsense"), std::string::npos) << "the driver's log";
     EXPECT_NE(messages.find("the embedded ones are used instead"), std::string::npos);
-    EXPECT_NE(forest->getSimulation().branchStates()[1].x, 0.0f);
+    EXPECT_NE(forest->getSimulation().branches()->states()[1].x, 0.0f);
 }
 
 } // namespace

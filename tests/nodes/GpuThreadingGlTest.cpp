@@ -2,6 +2,7 @@
 #include "../gl/GlTest.h"
 #include "ForestFixtures.h"
 
+#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
 #include <osgShadow/ShadowMap>
@@ -37,7 +38,7 @@ TEST_P(GpuThreadingGlTest, SixHundredFramesBringBackWholeStatesOneFrameOld) {
     const double step = 1.0 / 64.0; // exact in floats
     for (int i = 1; i <= 600; ++i) {
         frame(i * step);
-        const std::vector<glm::vec4>& states = forest->getSimulation().branchStates();
+        const std::vector<glm::vec4>& states = forest->getSimulation().branches()->states();
         for (const glm::vec4& state : states)
             ASSERT_EQ(state.z, states.front().z) << "frame " << i;
         if (i > 4) {
@@ -78,9 +79,9 @@ TEST_F(ShadowedForestGlTest, AShadowPassTakesNoStepOfItsOwn) {
     }
     frame(10.0 / 60.0);
     ASSERT_EQ(forest->getAngleSource(), Forest::GPU_ANGLES);
-    const auto& expected = plain->getSimulation().branchStates();
+    const auto& expected = plain->getSimulation().branches()->states();
     for (std::size_t i = 0; i < expected.size(); ++i)
-        ASSERT_NEAR(forest->getSimulation().branchStates()[i].x, expected[i].x, 5e-4f) << i;
+        ASSERT_NEAR(forest->getSimulation().branches()->states()[i].x, expected[i].x, 5e-4f) << i;
 }
 
 } // namespace

@@ -35,8 +35,8 @@ TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
     updateFrames(*forest, 1, 40);
 
     const ForestSimulation& simulation = forest->getSimulation();
-    const ForestSimulation::Tree& place = simulation.trees()[treeIndex];
-    const osg::Vec3d inTree = toOsg(simulation.poses()[place.firstUnit + unit].apply(tip));
+    const PlacedTree& place = simulation.trees()[treeIndex];
+    const osg::Vec3d inTree = toOsg(simulation.motion(treeIndex).poses[unit].apply(tip));
     const osg::Vec3d expected =
         osg::Quat(place.heading, osg::Z_AXIS) * inTree + osg::Vec3d(toOsg(place.position));
     EXPECT_LT((worldMatrix(*sensor).getTrans() - expected).length(), 1e-4);

@@ -4,6 +4,8 @@
 #include "../nodes/ForestFixtures.h"
 #include "PluginPath.h"
 
+#include <osgTreeWind/motion/BranchwiseMotion.h>
+
 #include <osgDB/ReadFile>
 
 #include <gtest/gtest.h>
@@ -132,7 +134,8 @@ TEST_F(ReaderWriterTreewindTest, servesSeveralThreadsAtOnce) {
     for (const osg::ref_ptr<Forest>& forest : forests) {
         ASSERT_TRUE(forest);
         updateFrames(*forest, 1, 5);
-        EXPECT_EQ(forest->getSimulation().branchStates(), forests[0]->getSimulation().branchStates());
+        EXPECT_EQ(forest->getSimulation().branches()->states(),
+                  forests[0]->getSimulation().branches()->states());
     }
     EXPECT_EQ(said(), "");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/DampedParameters.h>
+#include <osgTreeWind/motion/DampedBranches.h>
 
 #include <osgTreeWind/motion/AirDensity.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
@@ -33,21 +33,21 @@ struct Load {
     }
 };
 
-/// The parameters of one tree while they are worked out.
+/// The branches of one tree while they are worked out.
 class Builder {
 public:
     Builder(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves)
         : _model(model), _units(model.skeleton.units), _scale(scale), _species(species),
-          _bears(makeUnitLoads(model, scale, species, leaves)), _parameters(_units.size()),
+          _bears(makeUnitLoads(model, scale, species, leaves)), _branches(_units.size()),
           _loads(_units.size()) {}
 
-    std::vector<DampedParameters> build() {
+    std::vector<Laws::DampedBranch> build() {
         if (_units.empty())
             return {};
         addDrag();
         addInertia();
         bendTogether();
-        return std::move(_parameters);
+        return std::move(_branches);
     }
 
 private:
@@ -55,7 +55,7 @@ private:
         for (std::size_t i = 0; i < _units.size(); ++i) {
             const ScaledUnit unit(_units[i], _scale);
             const glm::vec3 middle = unit.middle();
-            DampedParameters& p = _parameters[i];
+            Laws::DampedBranch& p = _branches[i];
             p.direction = unit.direction();
             p.maxAngle = _species.branch.maxAngle;
             p.streamlinedTo = _species.wood.streamlinedTo;
@@ -64,7 +64,7 @@ private:
             for (int a = _units[i].parent; a >= 0; a = _units[static_cast<std::size_t>(a)].parent) {
                 const auto below = static_cast<std::size_t>(a);
                 const glm::vec3 base = _scale.axes * _units[below].base;
-                const float arm = std::max(glm::dot(middle - base, _parameters[below].direction), 0.0f);
+                const float arm = std::max(glm::dot(middle - base, _branches[below].direction), 0.0f);
                 _loads[below].add(wood, leaves, middle.z, arm);
             }
         }
@@ -73,7 +73,7 @@ private:
     void addInertia() {
         const std::vector<double> speeds = swaySpeeds(_model, _scale, _bears);
         for (std::size_t i = 0; i < _units.size(); ++i) {
-            DampedParameters& p = _parameters[i];
+            Laws::DampedBranch& p = _branches[i];
             const auto speed = static_cast<float>(speeds[i]);
             p.stiffness = _bears[i].stiffness;
             p.inertia = p.stiffness / (speed * speed);
@@ -87,10 +87,10 @@ private:
         std::vector<float> shift(_units.size()); // per axis: of its load, under its load
         for (std::size_t i = 0; i < _units.size(); ++i) {
             first[i] = carriesOn(_units, i) ? first[static_cast<std::size_t>(_units[i].parent)] : i;
-            shift[first[i]] += _loads[i].square / _parameters[i].stiffness;
+            shift[first[i]] += _loads[i].square / _branches[i].stiffness;
         }
         for (std::size_t i = 0; i < _units.size(); ++i) {
-            DampedParameters& p = _parameters[i];
+            Laws::DampedBranch& p = _branches[i];
             const Load& load = _loads[i];
             p.windHeight = load.area > 0.0f ? load.height / load.area : _scale.axes.z * _units[i].base.z;
             if (!(load.moment > 0.0f))
@@ -106,25 +106,25 @@ private:
     const TreeScale& _scale;
     const Species& _species;
     const std::vector<UnitLoad> _bears; ///< Each unit by itself.
-    std::vector<DampedParameters> _parameters;
+    std::vector<Laws::DampedBranch> _branches;
     std::vector<Load> _loads; ///< Each with all that it carries.
 };
 
 } // namespace
 
-std::vector<DampedParameters> makeDampedParameters(const TreeModel& model, const TreeScale& scale,
+std::vector<Laws::DampedBranch> makeDampedBranches(const TreeModel& model, const TreeScale& scale,
                                                    const Species& species, float leaves) {
     return Builder(model, scale, species, leaves).build();
 }
 
-DampedParameters exaggerated(DampedParameters parameters, float gain) {
+Laws::DampedBranch exaggerated(Laws::DampedBranch branch, float gain) {
     if (!(gain > 0.0f)) {
-        parameters.drag = 0.0f;
-        return parameters;
+        branch.drag = 0.0f;
+        return branch;
     }
-    parameters.drag *= gain * gain;
-    parameters.lever /= gain;
-    return parameters;
+    branch.drag *= gain * gain;
+    branch.lever /= gain;
+    return branch;
 }
 
 } // namespace osgTreeWind
