@@ -38,6 +38,8 @@ const char* lawName(MotionLaw law) {
         return "thesis";
     case MotionLaw::ThesisSmooth:
         return "thesis-smooth";
+    case MotionLaw::Modal:
+        return "modal";
     case MotionLaw::Damped:
         break;
     }

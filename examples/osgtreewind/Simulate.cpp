@@ -22,10 +22,11 @@ struct SimulateOptions {
 };
 
 void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time, bool tips) {
+    UnitValues values;
     for (std::size_t t = 0; t < simulation.trees().size(); ++t) {
         const PlacedTree& tree = simulation.trees()[t];
         const std::vector<BranchUnit>& units = simulation.models()[tree.model].skeleton.units;
-        const TreeMotion motion = simulation.motion(t);
+        const TreeMotion motion = simulation.motion(t, values);
         const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
         for (std::size_t u = 0; u < units.size(); ++u) {
             const glm::vec3& wind = motion.winds[u];
@@ -47,7 +48,10 @@ ExitCode simulate(const SimulateOptions& options) {
     if (!description)
         return BadInput;
     auto growing = std::make_optional<Progress>("grow", description->trees.size());
-    ForestSimulation simulation(std::move(*description), [&] { growing->advance(); });
+    SimulationOptions simulationOptions;
+    simulationOptions.leaves = false;
+    simulationOptions.placed = [&] { growing->advance(); };
+    ForestSimulation simulation(std::move(*description), simulationOptions);
     growing.reset();
 
     const bool toFile = options.output != "-";

@@ -85,7 +85,8 @@ void readMotion(TableReader& table, ForestReading& reading) {
     table.readChoice<MotionLaw>("law", reading.forest.law,
                                 {{"thesis", MotionLaw::Thesis},
                                  {"thesis-smooth", MotionLaw::ThesisSmooth},
-                                 {"damped", MotionLaw::Damped}});
+                                 {"damped", MotionLaw::Damped},
+                                 {"modal", MotionLaw::Modal}});
     table.read("gain", reading.forest.gain, within(0, 100));
     bool octaves = false;
     const bool known = table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});

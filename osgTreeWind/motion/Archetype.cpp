@@ -127,7 +127,8 @@ TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
     f.length = l;
     f.pace = r * r / (l * l * l * l);
     f.logs = sizesOver(tree, _tree);
-    f.stillDrag = _leafArea > 0.0f ? leafArea(*tree.model, tree.scale, *tree.species, tree.leaves) / _leafArea : 0.0f;
+    f.stillDrag =
+        _leafArea > 0.0f ? leafArea(*tree.model, tree.scale, *tree.species, tree.leaves) / _leafArea : 0.0f;
     f.leafDrag = tree.species->wood.crownDrag > 0.0f && _tree.leaves > 0.0f
                      ? l * tree.scale.axes.x / _tree.scale.axes.x * tree.leaves / _tree.leaves // its outline
                      : f.stillDrag;

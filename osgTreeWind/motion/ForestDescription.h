@@ -19,6 +19,7 @@ enum class MotionLaw {
     Thesis,       ///< Appendix B as published: no restoring force, one step a frame.
     ThesisSmooth, ///< The text of §3.1: partial steps and the level term.
     Damped,       ///< A damped oscillator per branch and axis, in SI units and seconds.
+    Modal,        ///< The whole tree coupled, swaying in a few modes; SI units and seconds.
 };
 
 /// One tree: which species, where, how large.
@@ -37,9 +38,9 @@ struct ForestDescription {
     std::vector<Species> species;
     std::vector<TreePlacement> trees;
     glm::dvec3 origin{0.0}; ///< World position of the scene's origin; geometry is relative to it.
-    MotionLaw law = MotionLaw::Damped;
-    float gain =
-        1.0f; ///< On the answer of `damped`: 1 is physical, more is an exaggeration for the eye, [0, 100].
+    MotionLaw law = MotionLaw::Modal;
+    /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
+    float gain = 1.0f;
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;
     WindFieldPtr wind; ///< In scene coordinates. Null: calm.

@@ -19,6 +19,10 @@ std::uint64_t unitBytes(MotionLaw law) {
         2 * sizeof(glm::vec3) + 3 * sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
     return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(Laws::DampedBranch) : sizeof(Laws::ThesisBranch));
 }
+/// Of a tree under `modal`: its state, and what a Forest asks of each of its units.
+constexpr std::uint64_t modalBytes = 300;
+constexpr std::uint64_t unitValueBytes =
+    sizeof(glm::vec2) + sizeof(glm::vec3) + sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
 constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
 constexpr std::uint64_t treeBytes = sizeof(PlacedTree) + sizeof(TreePlacement);
 
@@ -71,6 +75,7 @@ ForestMemory forestMemory(const ForestDescription& description) {
     for (const TreePlacement& tree : description.trees)
         if (tree.species < trees.size())
             ++trees[tree.species];
+    const bool modal = description.law == MotionLaw::Modal;
     ForestMemory memory;
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const Species& species = description.species[i];
@@ -79,9 +84,11 @@ ForestMemory forestMemory(const ForestDescription& description) {
         const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, 64));
         memory.simulation +=
             shapes * shapeBytes(counts) +
-            trees[i] * (treeBytes + counts.units * unitBytes(description.law) + leaves * leafBytes);
-        memory.nodes += shapes * geometryBytes(counts) +
-                        trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes);
+            trees[i] * (treeBytes + (modal ? modalBytes : counts.units * unitBytes(description.law)));
+        memory.nodes +=
+            shapes * geometryBytes(counts) +
+            trees[i] * (treeNodeBytes + counts.units * unitTexelBytes +
+                        (modal ? counts.units * unitValueBytes : 0) + leaves * (leafBytes + leafTexelBytes));
     }
     return memory;
 }

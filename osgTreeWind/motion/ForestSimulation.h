@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/motion/LeafFlutter.h>
+#include <osgTreeWind/motion/ModalMotion.h>
 #include <osgTreeWind/motion/PlacedForest.h>
 #include <osgTreeWind/motion/TreeMotion.h>
 
@@ -14,14 +16,20 @@ namespace osgTreeWind {
 
 class BranchwiseMotion;
 
+/// How a ForestSimulation works.
+struct SimulationOptions {
+    bool leaves = true; ///< Whether leaves flutter; without them a tree under `modal` takes 300 bytes.
+    Executor executor;  ///< A host's threads; none: for a large forest a thread for each processor.
+    std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
+};
+
 /// A forest in motion, without graphics: the `cpu` way to the pose (design, "The frame").
 ///
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
 class ForestSimulation {
 public:
     /// Grows the shapes and places the trees at rest. Trees of a species that is not there are left out.
-    /// @param placed called after each tree, for a person who waits; may be empty.
-    explicit ForestSimulation(ForestDescription description, const std::function<void()>& placed = {});
+    explicit ForestSimulation(ForestDescription description, const SimulationOptions& options = {});
     ~ForestSimulation();
 
     /// As given, but for trees left out; its wind is the first one, whatever setWind() did.
@@ -32,16 +40,16 @@ public:
     /// All of it.
     const PlacedForest& forest() const { return _forest; }
 
-    /// The wind from the next advance() on; `damped` goes to it evenly within that step. Null: calm.
+    /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
     void setWind(WindFieldPtr wind);
     WindFieldPtr wind() const;
 
     /// Moves on to `time` (seconds): samples the wind, takes one step of the law, flutters the leaves,
     /// composes the poses. The first call, and a call with an unchanged or earlier time, keeps the state (a
     /// pause holds), and a time that is not finite is ignored. The laws of the thesis take one step however
-    /// much time has passed; for `damped` a jump of more than maxStep counts as maxStep, and the wind goes
+    /// much time has passed; for the others a jump of more than maxStep counts as maxStep, and the wind goes
     /// evenly from the sample before to this one.
-    /// Does not allocate.
+    /// Does not allocate in steady state.
     /// @return whether a step was taken.
     bool advance(double time);
     static constexpr double maxStep = 0.1;
@@ -50,8 +58,18 @@ public:
     void reset();
 
     /// One tree as it stands now. Its values stay where they are as long as the simulation lives, and are
-    /// those of the last step taken before the call.
+    /// those of the last step taken before the call; under `modal` they are worked out by the call, which
+    /// different threads may make for different trees.
     TreeMotion motion(std::size_t tree) const;
+    /// The same, under `modal` worked out into `values` instead of memory of the simulation's own: they stay
+    /// until `values` is used again.
+    TreeMotion motion(std::size_t tree, UnitValues& values) const;
+
+    /// How closely a tree is followed from the next step on, as for one far from all viewers. Laws of a
+    /// branch follow all alike.
+    void setLevel(std::size_t tree, ModalMotion::Level level);
+    /// The law `modal` at work; null under another law.
+    const ModalMotion* modal() const { return _modal.get(); }
 
     // What follows is for those who work out states elsewhere (gpu/AnglePrePass.h).
 
@@ -66,7 +84,13 @@ public:
 
 private:
     const PlacedForest _forest;
-    const std::unique_ptr<BranchwiseMotion> _branches;
+    void meetWind(double time);
+    TreeMotion branchwiseMotion(std::size_t tree) const;
+
+    std::unique_ptr<BranchwiseMotion> _branches; ///< Either this one
+    std::unique_ptr<ModalMotion> _modal;         ///< or that one.
+    mutable std::vector<std::unique_ptr<UnitValues>>
+        _values; ///< Of trees that were asked for, under `modal`.
     LeafFlutter _leaves;
     std::optional<double> _time;
     mutable std::mutex _windMutex; // guards _wind

@@ -8,14 +8,16 @@
 
 namespace osgTreeWind {
 
-LeafFlutter::LeafFlutter(const PlacedForest& forest)
-    : _forest(forest), _states(forest.leaves, glm::vec4(0.0f)) {}
+LeafFlutter::LeafFlutter(const PlacedForest& forest, bool wanted)
+    : _forest(forest), _states(wanted ? forest.leaves : 0, glm::vec4(0.0f)) {}
 
 void LeafFlutter::reset() {
     std::fill(_states.begin(), _states.end(), glm::vec4(0.0f));
 }
 
 void LeafFlutter::step(double time) {
+    if (_states.empty())
+        return;
     Laws laws;
     for (const PlacedTree& tree : _forest.trees) {
         const LeafMotion& motion = _forest.speciesOf(tree).leaf;

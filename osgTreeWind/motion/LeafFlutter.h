@@ -11,8 +11,8 @@ namespace osgTreeWind {
 /// The leaf law of the thesis (appendix D) for a forest: a state per leaf cluster, tree after tree.
 class LeafFlutter {
 public:
-    /// At rest. @param forest must outlive it.
-    explicit LeafFlutter(const PlacedForest& forest);
+    /// At rest. @param forest must outlive it. @param wanted whether there are to be any.
+    explicit LeafFlutter(const PlacedForest& forest, bool wanted = true);
 
     /// Back to rest.
     void reset();
@@ -24,6 +24,8 @@ public:
     /// (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame.
     const std::vector<glm::vec4>& states() const { return _states; }
     Span<glm::vec4> statesOf(const PlacedTree& tree) const {
+        if (_states.empty())
+            return {};
         return {_states.data() + tree.firstLeaf, _forest.leavesOf(tree)};
     }
 

@@ -20,10 +20,10 @@ struct alignas(32) TreeLanes {
 /// not so simple (its modulus follows its slenderness, its leaves do not follow its wood), the modes'
 /// SizePowers say how.
 struct TreeFactors {
-    float cosine = 1.0f, sine = 0.0f; ///< Of its heading.
-    float length = 1.0f;              ///< l
-    float pace = 1.0f;                ///< r^2 / l^4: stiffness over mass.
-    SizePowers logs;                  ///< Logarithms of its sizes over the shape's.
+    float cosine = 1.0f, sine = 0.0f;        ///< Of its heading.
+    float length = 1.0f;                     ///< l
+    float pace = 1.0f;                       ///< r^2 / l^4: stiffness over mass.
+    SizePowers logs;                         ///< Logarithms of its sizes over the shape's.
     float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the shape's; that of wood is r l.
 };
 
@@ -39,8 +39,8 @@ struct ModalStep {
     TreeLanes* block = nullptr; ///< treeFloats() elements.
     TreeLanes* wind = nullptr;  ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
     float seconds = 0.0f;       ///< > 0; the wind goes evenly from where it was to where it is.
-    int substeps = 1;  ///< 0: the wind is taken for that of now, and nothing moves.
-    float gain = 1.0f; ///< [0, 100]
+    int substeps = 1;           ///< 0: the wind is taken for that of now, and nothing moves.
+    float gain = 1.0f;          ///< [0, 100]
 };
 
 /// Instruction sets the law is compiled for. All give the same bits.

@@ -48,8 +48,8 @@ struct ModalMotion::Group {
 };
 
 ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact)
-    : _executor(executor ? std::move(executor) : Executor(runInTurn)), _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)),
-      _slots(trees.size()) {
+    : _executor(executor ? std::move(executor) : Executor(runInTurn)),
+      _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)), _slots(trees.size()) {
     std::vector<std::uint32_t> archetypes; // per tree
     std::vector<SwayingTree> forms;        // per archetype
     std::map<ArchetypeRung, std::uint32_t> rungs;
@@ -86,7 +86,8 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
     }
     _places.reserve(trees.size());
     for (std::size_t i = 0; i < trees.size(); ++i) {
-        _places.push_back({trees[i].foot, trees[i].form.scale.axes.x / _archetypes[archetypes[i]]->scale().axes.x});
+        _places.push_back(
+            {trees[i].foot, trees[i].form.scale.axes.x / _archetypes[archetypes[i]]->scale().axes.x});
         put(i, 2 * archetypes[i]);
         float numbers[factorCount];
         std::memcpy(numbers, &factors[i], sizeof numbers);
@@ -276,9 +277,10 @@ void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
     const SizePowers& stiffness = shape.modes.front().stiffness;
     const float reach = _gain > 0.0f ? f.length / _gain : 0.0f;
     const float wooden = std::sqrt(f.pace) * f.length * f.length * f.length;
-    const float rest = _gain / (wooden * wooden * f.pace) / // gain l / stiffness
-                       laws.nearExponential(stiffness.height * f.logs.height + stiffness.girth * f.logs.girth +
-                                            stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
+    const float rest =
+        _gain / (wooden * wooden * f.pace) / // gain l / stiffness
+        laws.nearExponential(stiffness.height * f.logs.height + stiffness.girth * f.logs.girth +
+                             stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
     for (std::size_t p = 0; p < patches; ++p) {
         const ModalShape::Patch& patch = shape.patches[p];
         glm::vec3 air, own(0.0f);
@@ -321,11 +323,14 @@ std::vector<float> ModalMotion::amplitudes(std::size_t tree) const {
     return result;
 }
 
-glm::vec3 ModalMotion::patchWind(std::size_t tree, std::size_t patch) const {
-    const std::size_t first = 2 * _groups[_slots[tree].group].shape().modes.size() + 3 * patch;
+void ModalMotion::winds(std::size_t tree, glm::vec3* winds) const {
+    const ModalShape& shape = _groups[_slots[tree].group].shape();
     const TreeFactors f = factors(tree);
-    const float x = number(tree, first), y = number(tree, first + 1);
-    return {f.cosine * x - f.sine * y, f.sine * x + f.cosine * y, number(tree, first + 2)};
+    for (std::size_t unit = 0; unit < shape.patchOfLink.size(); ++unit) {
+        const std::size_t first = 2 * shape.modes.size() + 3 * shape.patchOfLink[unit];
+        const float x = number(tree, first), y = number(tree, first + 1);
+        winds[unit] = {f.cosine * x - f.sine * y, f.sine * x + f.cosine * y, number(tree, first + 2)};
+    }
 }
 
 std::size_t ModalMotion::stateBytes() const {

@@ -59,11 +59,12 @@ public:
     /// species' largest. @param angles one per unit.
     void angles(std::size_t tree, glm::vec2* angles) const;
 
+    /// Per unit: the wind that its patch met last, m/s, scene axes.
+    void winds(std::size_t tree, glm::vec3* winds) const;
+
     /// Amplitudes of the modes, in the order of the archetype's, at most as many as it has; speeds become 0.
     void setAmplitudes(std::size_t tree, const std::vector<float>& amplitudes);
     std::vector<float> amplitudes(std::size_t tree) const;
-    /// Wind that a patch met last, m/s, scene axes.
-    glm::vec3 patchWind(std::size_t tree, std::size_t patch) const;
 
     /// All bytes kept for the state of trees, and for archetypes.
     std::size_t stateBytes() const;

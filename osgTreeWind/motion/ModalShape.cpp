@@ -24,18 +24,20 @@ constexpr double enoughEnergy = 0.95;
 using PatchTorques = std::vector<std::vector<glm::dvec3>>; // per patch and joint
 
 struct Patches {
+    std::vector<std::size_t> ofLink;
     std::vector<ModalShape::Patch> list;
     PatchTorques torques;
 };
 
 Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, std::size_t count) {
-    const std::vector<std::size_t> ofLink = dragPatches(tree, count);
+    std::vector<std::size_t> ofLink = dragPatches(tree, count);
     std::size_t made = 0;
     for (const std::size_t patch : ofLink)
         made = std::max(made, patch + 1);
     std::vector<double> area(made), wood(made), leaves(made), still(made);
     std::vector<glm::dvec3> place(made, glm::dvec3(0.0));
-    Patches patches{std::vector<ModalShape::Patch>(made),
+    Patches patches{{},
+                    std::vector<ModalShape::Patch>(made),
                     PatchTorques(made, std::vector<glm::dvec3>(tree.jointCount(), glm::dvec3(0.0)))};
     for (const JointTree::Point& point : tree.points) {
         const std::size_t p = ofLink[point.link];
@@ -70,6 +72,7 @@ Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, st
                 ? static_cast<float>(static_cast<double>(material.streamlining) * leaves[p] / area[p])
                 : 0.0f;
     }
+    patches.ofLink = std::move(ofLink);
     return patches;
 }
 
@@ -136,6 +139,7 @@ ModalShape shapeOf(const JointTree& tree, const ModalMaterial& material, const s
     const std::size_t joints = tree.jointCount(), count = modes.size(), patchCount = patches.list.size();
     shape.joints = joints;
     shape.patches = patches.list;
+    shape.patchOfLink = patches.ofLink;
     shape.dampingRatio = material.dampingRatio;
     shape.streamlinedTo = std::max(material.streamlinedTo, 10.0f);
     shape.maxAngle = material.maxAngle;

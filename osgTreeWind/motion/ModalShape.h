@@ -49,7 +49,8 @@ struct ModalShape {
     };
 
     std::size_t joints = 0;
-    std::vector<Mode> modes; ///< By energy under gusts, most first.
+    std::vector<std::size_t> patchOfLink; ///< Per link, the patch it is part of.
+    std::vector<Mode> modes;              ///< By energy under gusts, most first.
     std::vector<Patch> patches;
     std::vector<float> levers; ///< V: per patch 3 x modes, its velocity by speed of each mode: x, y, z.
     std::vector<float> brakes; ///< Per patch and mode, what its brake adds to the mode's own.

@@ -124,8 +124,8 @@ std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::ve
     return carried;
 }
 
-/// A joint bends as its wood does. A branch is at least so stiff that it does not hang down by its own weight:
-/// twigs of a slender tree are not as slender as its trunk.
+/// A joint bends as its wood does. A branch is at least so stiff that it does not hang down by its own
+/// weight: twigs of a slender tree are not as slender as its trunk.
 void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                   const TreeScale& scale) {
     constexpr float deepestSag = 0.35f, gravity = 9.81f;

@@ -96,8 +96,9 @@ void Forest::setDescription(ForestDescription description) {
     useCpuAngles();
     removeChild(_stand);
     _trees.clear();
-    const Patience patience(description.trees.size());
-    _simulation = std::make_shared<ForestSimulation>(std::move(description), patience);
+    SimulationOptions options;
+    options.placed = Patience(description.trees.size());
+    _simulation = std::make_shared<ForestSimulation>(std::move(description), options);
     const ForestSimulation& simulation = *_simulation;
 
     const TreeStyles styles;
