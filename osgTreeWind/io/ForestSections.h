@@ -18,6 +18,7 @@ struct ForestReading {
     ReadLog log;
     std::vector<std::string> folders; ///< Where relative paths are looked for, in order.
     std::uint32_t seed = 1;
+    float leaves = 1.0f; ///< Of trees that do not say.
     ForestDescription forest;
     std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.

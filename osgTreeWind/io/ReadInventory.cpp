@@ -31,6 +31,7 @@ public:
         std::uint32_t seed = _reading.seed;
         _table.read("seed", seed);
         _table.read("open_grown", _openGrown);
+        _leaves = _reading.leaves;
         _table.read("leaves", _leaves, within(0, 1));
         readDefaultSpecies();
         _complete &= readCsv(delimiter);

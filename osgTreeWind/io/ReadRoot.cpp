@@ -88,6 +88,7 @@ void readMotion(TableReader& table, ForestReading& reading) {
                                  {"damped", MotionLaw::Damped},
                                  {"modal", MotionLaw::Modal}});
     table.read("gain", reading.forest.gain, within(0, 100));
+    table.read("leaves", reading.leaves, within(0, 1));
     bool octaves = false;
     const bool known = table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});
     float exponent = 1.0f;

@@ -197,6 +197,7 @@ void readTree(TableReader& table, ForestReading& reading) {
     table.read("trunk_diameter", tree.size.trunkDiameter, trunkDiameters);
     table.read("crown_width", tree.size.crownWidth, crownWidths);
     table.read("open_grown", tree.openGrown);
+    tree.leaves = reading.leaves;
     table.read("leaves", tree.leaves, within(0, 1));
     table.readDegrees("heading", tree.heading, within(-360, 360));
     tree.seed = reading.seed + static_cast<std::uint32_t>(reading.forest.trees.size());
@@ -221,6 +222,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
     readEither(table, scatter, "crown_width", crownWidths, scatter.crownWidth, "crown_ratio",
                scatter.crownRatio);
     table.read("open_grown", scatter.openGrown);
+    scatter.leaves = reading.leaves;
     table.read("leaves", scatter.leaves, within(0, 1));
     table.read("seed", scatter.seed);
     if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))

@@ -84,11 +84,11 @@ ForestMemory forestMemory(const ForestDescription& description) {
         const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, 64));
         memory.simulation +=
             shapes * shapeBytes(counts) +
-            trees[i] * (treeBytes + (modal ? modalBytes : counts.units * unitBytes(description.law)));
-        memory.nodes +=
-            shapes * geometryBytes(counts) +
-            trees[i] * (treeNodeBytes + counts.units * unitTexelBytes +
-                        (modal ? counts.units * unitValueBytes : 0) + leaves * (leafBytes + leafTexelBytes));
+            trees[i] * (treeBytes + (modal ? modalBytes
+                                           : counts.units * unitBytes(description.law) + leaves * leafBytes));
+        memory.nodes += shapes * geometryBytes(counts) +
+                        trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes +
+                                    (modal ? counts.units * unitValueBytes + leaves * leafBytes : 0));
     }
     return memory;
 }

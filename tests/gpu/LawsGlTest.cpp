@@ -58,7 +58,7 @@ private:
         for (const char* file :
              {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
               "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
-              "law/oscillator.glsl", "law/damped_branch.glsl"})
+              "law/oscillator.glsl", "law/damped_branch.glsl", "law/modal.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
                 "void main() {\n"
@@ -113,6 +113,33 @@ TEST_F(LawsGlTest, ThesisBranchAgreesWithTheCpu) {
         ASSERT_LT(difference(gpu[i], Laws().thesisBranchStep(s.states[i], s.winds[i], s.noises[i], branch)),
                   5e-4f)
             << i;
+}
+
+TEST_F(LawsGlTest, AModeAgreesWithTheCpu) {
+    Texels states, numbers, air;
+    Laws laws;
+    for (const float force : {0.0f, -3.0f, 40.0f})
+        for (const float brake : {0.0f, 0.3f, 8.0f, 60.0f})
+            for (const float pace : {0.5f, 2.0f, 9.0f, 40.0f})
+                for (const float angle : {0.0f, -0.2f, 0.7f}) {
+                    states.emplace_back(angle, 1.0f - angle, 0.0f, 0.0f);
+                    numbers.emplace_back(force, brake, pace, 0.04f);
+                    air.emplace_back(2.0f * pace, 0.5f * brake, 3.0f + force * force, 5.0f * pace);
+                }
+    const std::string mode = "modeStep(Swing(state.x, state.y), n.x, n.y, n.z, n.w, 5.0, 0.0166667)";
+    std::string body = "vec4(" + mode + ".angle, " + mode +
+                       ".speed, airBrake(2.0, 7.0, air.x, air.y, air.z), streamlinedShare(0.8, 30.0, air.w))";
+    const Texels gpu = step(states, {{"n", numbers}, {"air", air}}, body);
+    for (std::size_t i = 0; i < gpu.size(); ++i) {
+        const glm::vec4 &n = numbers[i], &a = air[i];
+        const Laws::Swing swing =
+            laws.modeStep({states[i].x, states[i].y}, n.x, n.y, n.z, n.w, 5.0f, 0.0166667f);
+        const float brake = laws.airBrake(2.0f, 7.0f, a.x, a.y, a.z);
+        ASSERT_NEAR(gpu[i].x, swing.angle, 1e-5f) << i;
+        ASSERT_NEAR(gpu[i].y, swing.speed, 1e-4f) << i;
+        ASSERT_NEAR(gpu[i].z / brake, 1.0f, 1e-5f) << i;
+        ASSERT_NEAR(gpu[i].w, laws.streamlinedShare(0.8f, 30.0f, a.w), 1e-5f) << i;
+    }
 }
 
 TEST_F(LawsGlTest, ThesisSmoothBranchAgreesWithTheCpu) {

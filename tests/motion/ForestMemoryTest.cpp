@@ -35,6 +35,13 @@ TEST(ForestMemory, OfTheReferenceTreeIsWhatWasMeasured) {
     }
 }
 
+TEST(ForestMemory, UnderModalATreeWithoutNodesTakesFewBytes) {
+    const ForestMemory none = forestMemory(forestOf(0, MotionLaw::Modal)),
+                       all = forestMemory(forestOf(1000, MotionLaw::Modal));
+    EXPECT_LT(all.simulation - none.simulation, 500000u);
+    EXPECT_NEAR(static_cast<double>(all.nodes - none.nodes), 110e6, 40e6);
+}
+
 TEST(ForestMemory, LeavesOutTreesOfASpeciesThatIsNotThere) {
     ForestDescription forest = forestOf(3);
     forest.trees.back().species = 7;

@@ -79,15 +79,20 @@ TEST(ForestSimulation, StartsAtRest) {
 }
 
 TEST(ForestSimulation, SaysWhenEachTreeIsPlaced) {
-    ForestDescription forest = oneTree();
-    forest.trees.resize(5, forest.trees.front());
-    int placed = 0;
-    const ForestSimulation simulation(forest, [&] { ++placed; });
-    EXPECT_EQ(placed, 5);
+    for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::Modal}) {
+        ForestDescription forest = oneTree(law);
+        forest.trees.resize(5, forest.trees.front());
+        int placed = 0;
+        SimulationOptions options;
+        options.placed = [&] { ++placed; };
+        const ForestSimulation simulation(forest, options);
+        EXPECT_EQ(placed, 5);
+    }
 }
 
 TEST(ForestSimulation, TipsMoveDownwind) {
-    for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped})
+    for (const MotionLaw law :
+         {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped, MotionLaw::Modal})
         for (const glm::vec3 wind : {glm::vec3(3, 0, 0), glm::vec3(0, 3, 0), glm::vec3(-2, 2, 0)}) {
             ForestDescription forest = oneTree(law);
             forest.wind = uniform(wind);
@@ -95,7 +100,7 @@ TEST(ForestSimulation, TipsMoveDownwind) {
             std::vector<glm::vec3> rest;
             for (std::size_t unit = 0; unit < 14; ++unit)
                 rest.push_back(tip(simulation, unit));
-            run(simulation, 30);
+            run(simulation, law == MotionLaw::Modal ? 600 : 30); // a whip's butt first goes the other way
             for (std::size_t unit = 0; unit < 14; ++unit)
                 EXPECT_GT(glm::dot(tip(simulation, unit) - rest[unit], wind), 0.0f) << "unit " << unit;
         }
@@ -545,4 +550,81 @@ TEST(ForestSimulation, EveryStepStartsFromTheWindOfTheTimeBefore) {
     simulation.advance(9.0);
     simulation.advance(9.05);
     expectWinds(9.0f, 9.05f);
+}
+
+TEST(ForestSimulation, UnderModalHasNoStatePerBranchUntilATreeIsAskedFor) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    forest.wind = uniform({4, 0, 0});
+    ForestSimulation simulation(forest);
+    EXPECT_EQ(simulation.branches(), nullptr);
+    ASSERT_NE(simulation.modal(), nullptr);
+    run(simulation, 60);
+    UnitValues values;
+    const TreeMotion once = simulation.motion(0), again = simulation.motion(0, values);
+    ASSERT_EQ(once.poses.size, simulation.models()[0].skeleton.units.size());
+    for (std::size_t unit = 0; unit < once.poses.size; ++unit) {
+        EXPECT_EQ(once.states[unit], again.states[unit]);
+        EXPECT_EQ(once.poses[unit].translation, again.poses[unit].translation);
+        EXPECT_NEAR(once.winds[unit].x, 4.0f, 1e-5f);
+    }
+}
+
+TEST(ForestSimulation, UnderModalValuesOfATreeStayWhereTheyAre) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    forest.wind = uniform({4, 0, 0});
+    ForestSimulation simulation(forest);
+    const TreeMotion before = simulation.motion(0);
+    const glm::vec4 rest = before.states[0];
+    run(simulation, 60);
+    EXPECT_EQ(simulation.motion(0).states.data, before.states.data);
+    EXPECT_NE(before.states[0], rest);
+}
+
+TEST(ForestSimulation, WithoutLeavesHasNone) {
+    SimulationOptions options;
+    options.leaves = false;
+    ForestSimulation simulation(oneTree(MotionLaw::Modal), options);
+    run(simulation, 2);
+    EXPECT_EQ(simulation.motion(0).leaves.size, 0u);
+}
+
+TEST(ForestSimulation, UnderModalTheFrameRateDoesNotMatter) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    forest.wind = uniform({4, 1, 0});
+    ForestSimulation slow(forest), fast(forest);
+    run(slow, 90, 0.0, 1.0 / 30.0);
+    run(fast, 720, 0.0, 1.0 / 240.0);
+    const float lean = tip(fast, 0).x - fast.models()[0].skeleton.units[0].tip.x;
+    EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
+}
+
+TEST(ForestSimulation, UnderModalAHostsThreadsDoTheWork) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    forest.trees.resize(100, forest.trees.front());
+    forest.wind = uniform({4, 0, 0});
+    std::size_t jobs = 0;
+    SimulationOptions options;
+    options.executor = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
+        jobs += count;
+        for (std::size_t i = count; i-- > 0;) // in any order
+            job(i);
+    };
+    ForestSimulation lent(forest, options), own(forest);
+    run(lent, 30);
+    run(own, 30);
+    EXPECT_GT(jobs, 30u);
+    for (std::size_t tree = 0; tree < 100; ++tree)
+        EXPECT_EQ(lent.motion(tree).states[5], own.motion(tree).states[5]);
+}
+
+TEST(ForestSimulation, UnderModalABareTreeStandsMoreStillInTheWind) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    forest.wind = uniform({4, 0, 0});
+    ForestSimulation leafy(forest);
+    forest.trees[0].leaves = 0.0f;
+    ForestSimulation bare(forest);
+    run(leafy, 600);
+    run(bare, 600);
+    const float rest = leafy.models()[0].skeleton.units[1].tip.x;
+    EXPECT_GT(tip(leafy, 1).x - rest, 1.5f * (tip(bare, 1).x - rest));
 }
