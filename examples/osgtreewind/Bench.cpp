@@ -22,7 +22,8 @@ struct BenchOptions {
     std::string output, chart, size = "1280x720", backend = offscreenBackendName();
     std::vector<std::string> stages;
     std::vector<int> trees = {1, 2, 3, 4, 16, 64};
-    int frames = 60;
+    int frames = 60, forestTrees = 100000;
+    std::string forest;
 };
 
 /// Keeps freed memory: page faults of the driver's buffers would be measured otherwise.
@@ -57,8 +58,9 @@ bool isAsked(const BenchOptions& options, const std::string& stage) {
            std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
 }
 
-/// Stages of their own, without frames.
+// Stages of their own, without frames.
 const std::vector<std::string> kernelGroups = {"laws", "winds"};
+const std::string forestsStage = "forests";
 
 ExitCode bench(const BenchOptions& options) {
     BenchSettings settings;
@@ -70,6 +72,9 @@ ExitCode bench(const BenchOptions& options) {
         std::cerr << "--chart: expected a name that ends in .svg, found " << options.chart << '\n';
         return BadInput;
     }
+    std::optional<ForestDescription> forest;
+    if (isAsked(options, forestsStage) && !options.forest.empty() && !(forest = loadForest(options.forest)))
+        return BadInput;
     for (const std::string& path : {options.output, options.chart})
         if (!path.empty() && !writeText(path, "")) // before minutes of measuring
             return Failed;
@@ -98,9 +103,15 @@ ExitCode bench(const BenchOptions& options) {
     const std::vector<BenchKernel> kernels = runBenchKernels(groups, options.frames);
     if (!kernels.empty())
         printBenchKernels(std::cout, conditions, kernels);
+    std::optional<BenchForests> forests;
+    if (isAsked(options, forestsStage)) {
+        forests = runBenchForests(forest, options.forest, static_cast<std::size_t>(options.forestTrees),
+                                  options.frames);
+        printBenchForests(std::cout, conditions, *forests);
+    }
 
     if (!options.output.empty() &&
-        !writeText(options.output, benchReport(conditions, results, kernels).dump(2) + '\n'))
+        !writeText(options.output, benchReport(conditions, results, kernels, forests).dump(2) + '\n'))
         return Failed;
     if (!options.chart.empty() && !writeChart(options.chart, benchChart(conditions, results)))
         return Failed;
@@ -117,6 +128,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     for (const BenchStage& stage : benchStages())
         names.push_back(stage.name);
     names.insert(names.end(), kernelGroups.begin(), kernelGroups.end());
+    names.push_back(forestsStage);
     command->add_option("--stage", options->stages, "Stages to measure; all when not given")
         ->delimiter(',')
         ->check(CLI::IsMember(names));
@@ -126,8 +138,15 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     command
         ->add_option("--frames", options->frames,
-                     "Pairs of frames, one in motion and one at rest; rounds of laws and winds")
+                     "Pairs of frames, one in motion and one at rest; rounds of laws, winds and forests")
         ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command
+        ->add_option("--forest", options->forest,
+                     "Stage forests: a .treewind file to step under damped; made trees when not given")
+        ->type_name("FILE");
+    command->add_option("--forest-trees", options->forestTrees, "Stage forests: trees under modal")
+        ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
     command->add_option("-o,--output", options->output, "JSON file for the results (docs/results.md)");
@@ -138,6 +157,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     command->footer("fps = frames / seconds; times in milliseconds.\n"
                     "Every stage is drawn in turns with the same trees at rest (static), so that what else\n"
                     "the machine does falls on both; ratios are medians of such pairs.\n"
-                    "Example: osgtreewind bench --trees 1,4 --stage gpu,gpu-leaves -o results.json");
+                    "Example: osgtreewind bench --trees 1,4 --stage gpu,gpu-leaves -o results.json\n"
+                    "         osgtreewind bench --stage laws,forests --forest campus.treewind");
     command->callback([options, &exitCode] { exitCode = bench(*options); });
 }

@@ -2,6 +2,7 @@
 #include "BenchKernels.h"
 
 #include "BenchStage.h"
+#include "BenchTrees.h"
 
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/BranchwiseMotion.h>
@@ -19,7 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
+#include <iterator>
 
 using namespace osgTreeWind;
 
@@ -27,11 +28,6 @@ namespace {
 
 constexpr std::size_t branches = 4096, samples = 16384;
 constexpr float frame = 1.0f / 60.0f;
-
-struct Timed {
-    BenchKernel kernel;
-    std::function<void(double)> round; ///< Given the time of the round, seconds.
-};
 
 /// Keeps what was worked out from being optimized away.
 volatile float kept = 0.0f;
@@ -64,10 +60,10 @@ std::vector<glm::vec3> someWinds() {
 
 using ThesisStep = glm::vec4 (Laws::*)(glm::vec4, glm::vec3, glm::vec3, Laws::ThesisBranch);
 
-Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
+TimedKernel thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
     const std::vector<Laws::ThesisBranch> parameters = someBranches(law, &BranchwiseMotion::thesisBranches);
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
-    return {{"laws", name, "branch", branches, {}}, [=, winds = someWinds()](double time) mutable {
+    return {{"laws", name, "branch", branches, {}, 1}, [=, winds = someWinds()](double time) mutable {
                 Laws laws;
                 const NoiseTime now = NoiseTime::at(time, 0.7f);
                 for (std::uint32_t i = 0; i < branches; ++i) {
@@ -81,11 +77,11 @@ Timed thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
             }};
 }
 
-Timed dampedLaw() {
+TimedKernel dampedLaw() {
     const std::vector<Laws::DampedBranch> parameters =
         someBranches(MotionLaw::Damped, &BranchwiseMotion::dampedBranches);
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
-    return {{"laws", "damped", "branch", branches, {}}, [=, winds = someWinds()](double) mutable {
+    return {{"laws", "damped", "branch", branches, {}, 1}, [=, winds = someWinds()](double) mutable {
                 for (std::size_t i = 0; i < branches; ++i) {
                     const glm::vec2 before(winds[i]), now(winds[(i + 1) % branches]);
                     states[i] = Laws().dampedBranchStep(states[i], before, now, parameters[i], frame);
@@ -94,9 +90,9 @@ Timed dampedLaw() {
             }};
 }
 
-Timed leafLaw(const char* name, std::optional<float> noiseExponent) {
+TimedKernel leafLaw(const char* name, std::optional<float> noiseExponent) {
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
-    return {{"laws", name, "leaf", branches, {}}, [=](double time) mutable {
+    return {{"laws", name, "leaf", branches, {}, 1}, [=](double time) mutable {
                 Laws laws;
                 const NoiseTime now = NoiseTime::at(time, 1.3f, noiseExponent);
                 const Laws::ThesisLeaf leaf = makeThesisLeaf(LeafMotion());
@@ -125,7 +121,7 @@ GridWind::Grid someGrid(int layers, int times) {
     return grid;
 }
 
-Timed windKind(const char* name, const WindFieldPtr& field) {
+TimedKernel windKind(const char* name, const WindFieldPtr& field) {
     Random random(3);
     std::vector<WindPlace> places(samples);
     std::vector<glm::vec3> velocities(samples);
@@ -136,13 +132,13 @@ Timed windKind(const char* name, const WindFieldPtr& field) {
         places[i] =
             tree + glm::vec3(10.0f * random.uniform(), 10.0f * random.uniform(), 20.0f * random.uniform());
     }
-    return {{"winds", name, "sample", samples, {}}, [=](double time) mutable {
+    return {{"winds", name, "sample", samples, {}, 1}, [=](double time) mutable {
                 field->sample(places.data(), samples, time, velocities.data());
                 kept = velocities[7].x;
             }};
 }
 
-std::vector<Timed> allKernels() {
+std::vector<TimedKernel> allKernels() {
     GustWind::Parameters gusts;
     gusts.profile = LogProfile{10.0, 0.5};
     WindSeries series;
@@ -154,23 +150,28 @@ std::vector<Timed> allKernels() {
     const WindFieldPtr moving = GridWind::create(someGrid(8, 3)).value();
     RetimedWind::Clock carried;
     carried.speed = 8.0;
-    return {thesisLaw("thesis", MotionLaw::Thesis, &Laws::thesisBranchStep),
-            thesisLaw("thesis-smooth", MotionLaw::ThesisSmooth, &Laws::thesisSmoothBranchStep),
-            dampedLaw(),
-            leafLaw("leaf, Perlin noise", {}),
-            leafLaw("leaf, 1/f noise", 1.0f),
-            windKind("uniform", std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f))),
-            windKind("gusts", GustWind::create(gusts).value()),
-            windKind("grid", GridWind::create(someGrid(1, 1)).value()),
-            windKind("grid, 8 layers", GridWind::create(someGrid(8, 1)).value()),
-            windKind("grid, 8 layers, 3 times", moving),
-            windKind("forest_wind", createBenchWind(false)),
-            windKind("series", TimeSeriesWind::create(series).value()),
-            windKind("travelling (.bts)", std::make_shared<RetimedWind>(moving, carried)),
-            windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),
-            windKind("callable", std::make_shared<FunctionWind>([](const glm::vec3& p, double) {
-                         return glm::vec3(0.01f * p.y, 5.0f, 0.0f);
-                     }))};
+    std::vector<TimedKernel> kernels = {
+        thesisLaw("thesis", MotionLaw::Thesis, &Laws::thesisBranchStep),
+        thesisLaw("thesis-smooth", MotionLaw::ThesisSmooth, &Laws::thesisSmoothBranchStep),
+        dampedLaw(),
+        leafLaw("leaf, Perlin noise", {}),
+        leafLaw("leaf, 1/f noise", 1.0f),
+        windKind("uniform", std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f))),
+        windKind("gusts", GustWind::create(gusts).value()),
+        windKind("grid", GridWind::create(someGrid(1, 1)).value()),
+        windKind("grid, 8 layers", GridWind::create(someGrid(8, 1)).value()),
+        windKind("grid, 8 layers, 3 times", moving),
+        windKind("forest_wind", createBenchWind(false)),
+        windKind("series", TimeSeriesWind::create(series).value()),
+        windKind("travelling (.bts)", std::make_shared<RetimedWind>(moving, carried)),
+        windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),
+        windKind("callable", std::make_shared<FunctionWind>([](const glm::vec3& p, double) {
+                     return glm::vec3(0.01f * p.y, 5.0f, 0.0f);
+                 }))};
+    std::vector<TimedKernel> trees = treeKernels();
+    kernels.insert(kernels.begin() + 3, std::make_move_iterator(trees.begin()),
+                   std::make_move_iterator(trees.end()));
+    return kernels;
 }
 
 } // namespace
@@ -178,15 +179,15 @@ std::vector<Timed> allKernels() {
 std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups, int rounds) {
     if (groups.empty())
         return {};
-    std::vector<Timed> kernels = allKernels();
+    std::vector<TimedKernel> kernels = allKernels();
     kernels.erase(std::remove_if(kernels.begin(), kernels.end(),
-                                 [&](const Timed& t) {
+                                 [&](const TimedKernel& t) {
                                      return std::find(groups.begin(), groups.end(), t.kernel.group) ==
                                             groups.end();
                                  }),
                   kernels.end());
     for (int round = -1; round < rounds; ++round) // the first one warms caches up
-        for (Timed& timed : kernels) {
+        for (TimedKernel& timed : kernels) {
             const auto start = std::chrono::steady_clock::now();
             timed.round(static_cast<double>(round + 1) * static_cast<double>(frame));
             const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
@@ -195,7 +196,7 @@ std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups,
                                                    static_cast<double>(timed.kernel.elements));
         }
     std::vector<BenchKernel> results;
-    for (Timed& timed : kernels)
+    for (TimedKernel& timed : kernels)
         results.push_back(std::move(timed.kernel));
     return results;
 }

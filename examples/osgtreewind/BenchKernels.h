@@ -2,16 +2,24 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
-/// What one branch, one leaf or one sample of the wind costs on one core, without graphics.
+/// What one branch, one tree, one leaf or one sample of the wind costs, without graphics.
 struct BenchKernel {
     std::string group;               ///< "laws" or "winds".
     std::string name;                ///< "damped", "gusts", ...
-    std::string element;             ///< What is counted: "branch", "leaf" or "sample".
+    std::string element;             ///< What is counted: "branch", "tree", "leaf" or "sample".
     std::size_t elements = 0;        ///< In a round.
     std::vector<double> nanoseconds; ///< An element, a number a round.
+    unsigned threads = 1;
+};
+
+/// A kernel before it is measured.
+struct TimedKernel {
+    BenchKernel kernel;
+    std::function<void(double)> round; ///< Given the time of the round, seconds.
 };
 
 /// Measures the groups asked for, all kernels in turns in each round, so that what else the machine does

@@ -39,6 +39,49 @@ ordered_json timesJson(const BenchTimes& times) {
             {"gpuMs", spread(times.gpu)}};
 }
 
+/// Of two kernels, round by round; empty unless both were measured.
+std::vector<double> kernelRatios(const std::vector<BenchKernel>& kernels, const std::string& name,
+                                 const std::string& over) {
+    const auto times = [&](const std::string& wanted) {
+        for (const BenchKernel& kernel : kernels)
+            if (kernel.name == wanted)
+                return kernel.nanoseconds;
+        return std::vector<double>();
+    };
+    return ratios(times(name), times(over));
+}
+
+/// What a tree costs under damped over what it costs under modal, on one core.
+std::vector<double> calmRatios(const std::vector<BenchKernel>& kernels) {
+    return kernelRatios(kernels, "damped tree", "modal");
+}
+std::vector<double> gustRatios(const std::vector<BenchKernel>& kernels) {
+    return kernelRatios(kernels, "damped tree, gusts", "modal, gusts");
+}
+
+ordered_json forestsJson(const BenchForests& forests) {
+    const auto measured = [](const BenchForest& forest) {
+        return ordered_json{{"forest", forest.name},
+                            {"law", forest.law},
+                            {"trees", forest.trees},
+                            {"nearTrees", forest.nearTrees},
+                            {"units", forest.units},
+                            {"loadSeconds", number(forest.loadSeconds)},
+                            {"loadProcessorSeconds", number(forest.loadProcessorSeconds)},
+                            {"archetypes", forest.archetypes},
+                            {"archetypeBytes", forest.archetypeBytes},
+                            {"stateBytesPerTree", number(forest.stateBytesPerTree)},
+                            {"stepMs", spread(forest.stepMs)},
+                            {"oneCoreStepMs", spread(forest.oneCoreStepMs)}};
+    };
+    return {{"threads", forests.threads},
+            {"damped", measured(forests.damped)},
+            {"modal", measured(forests.modal)},
+            {"modalOverDamped", spread(ratios(forests.modal.stepMs, forests.damped.stepMs))},
+            {"modalOverDampedOneCore",
+             spread(ratios(forests.modal.oneCoreStepMs, forests.damped.oneCoreStepMs))}};
+}
+
 ordered_json resultJson(const BenchResult& result) {
     const BenchCounts& counts = result.counts;
     const int thesis = thesisFps(result.stage, result.trees);
@@ -110,7 +153,8 @@ int thesisFps(const BenchStage& stage, int trees) {
 }
 
 ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results,
-                         const std::vector<BenchKernel>& kernels) {
+                         const std::vector<BenchKernel>& kernels,
+                         const std::optional<BenchForests>& forests) {
     const BenchSettings& settings = conditions.settings;
     ordered_json json = {{"format", "osgtreewind bench 1"},
                          {"version", OSGTREEWIND_VERSION},
@@ -134,7 +178,10 @@ ordered_json benchReport(const BenchConditions& conditions, const std::vector<Be
                                    {"name", kernel.name},
                                    {"element", kernel.element},
                                    {"elements", kernel.elements},
+                                   {"threads", kernel.threads},
                                    {"nanoseconds", spread(kernel.nanoseconds)}});
+    json["dampedOverModal"] = {{"calm", spread(calmRatios(kernels))}, {"gusts", spread(gustRatios(kernels))}};
+    json["forests"] = forests ? forestsJson(*forests) : ordered_json(nullptr);
     json["thesis"] = ordered_json::array();
     for (const BenchStage& stage : benchStages())
         if (!stage.table.empty())
@@ -177,13 +224,45 @@ void printBenchRow(std::ostream& out, const BenchResult& result) {
 void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
                        const std::vector<BenchKernel>& kernels) {
     out << '\n'
-        << conditions.date << ", " << machineName() << ", one core, " << conditions.settings.frames
-        << " rounds\n\n| kernel | of | ns | p10 | p90 | millions a second |\n"
-           "| --- | --- | ---: | ---: | ---: | ---: |\n";
+        << conditions.date << ", " << machineName() << ", " << conditions.settings.frames
+        << " rounds\n\n| kernel | of | threads | ns | p10 | p90 | millions a second |\n"
+           "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n";
     for (const BenchKernel& kernel : kernels) {
         const double median = quantile(kernel.nanoseconds, 0.5);
-        out << "| " << kernel.name << " | " << kernel.element << " | " << fixed(median, 1) << " | "
-            << fixed(quantile(kernel.nanoseconds, 0.1), 1) << " | "
-            << fixed(quantile(kernel.nanoseconds, 0.9), 1) << " | " << fixed(1000.0 / median, 1) << " |\n";
+        out << "| " << kernel.name << " | " << kernel.element << " | " << kernel.threads << " | "
+            << fixed(median, 1) << " | " << fixed(quantile(kernel.nanoseconds, 0.1), 1) << " | "
+            << fixed(quantile(kernel.nanoseconds, 0.9), 1) << " | "
+            << fixed(1000.0 / median, median < 1000.0 ? 1 : 4) << " |\n";
     }
+    if (const std::vector<double> gusts = gustRatios(kernels); !gusts.empty())
+        out << "\na tree under damped over one under modal: " << fixed(quantile(gusts, 0.5), 1)
+            << " in gusts, " << fixed(quantile(calmRatios(kernels), 0.5), 1) << " calm\n";
+}
+
+void printBenchForests(std::ostream& out, const BenchConditions& conditions, const BenchForests& forests) {
+    out << '\n'
+        << conditions.date << ", " << machineName() << ", " << forests.modal.stepMs.size() << " rounds, "
+        << forests.threads
+        << " threads, without leaves; under modal no poses\n\n"
+           "| forest | law | trees | step, ms | p10 | p90 | one core, ms | load, s | processor, s | "
+           "archetypes | their MB | "
+           "bytes a tree |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
+           "---: |\n";
+    for (const BenchForest* forest : {&forests.damped, &forests.modal}) {
+        out << "| " << forest->name << " | " << forest->law << " | " << forest->trees;
+        for (const std::string& cell :
+             {fixed(quantile(forest->stepMs, 0.5), 2), fixed(quantile(forest->stepMs, 0.1), 2),
+              fixed(quantile(forest->stepMs, 0.9), 2), fixed(quantile(forest->oneCoreStepMs, 0.5), 2),
+              fixed(forest->loadSeconds, 2), fixed(forest->loadProcessorSeconds, 2),
+              std::to_string(forest->archetypes),
+              fixed(1e-6 * static_cast<double>(forest->archetypeBytes), 1),
+              fixed(forest->stateBytesPerTree, 0)})
+            out << " | " << cell;
+        out << " |\n";
+    }
+    const auto ratio = [](const std::vector<double>& modal, const std::vector<double>& damped) {
+        return fixed(quantile(ratios(modal, damped), 0.5), 3);
+    };
+    out << "\nmodal over damped: " << ratio(forests.modal.stepMs, forests.damped.stepMs) << "; on one core "
+        << ratio(forests.modal.oneCoreStepMs, forests.damped.oneCoreStepMs) << '\n';
 }

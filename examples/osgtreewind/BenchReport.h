@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "BenchForests.h"
 #include "BenchKernels.h"
 #include "BenchRun.h"
 
 #include <nlohmann/json.hpp>
 
 #include <iosfwd>
+#include <optional>
 
 /// Where and how results were measured.
 struct BenchConditions {
@@ -32,10 +34,12 @@ int thesisFps(const BenchStage& stage, int trees);
 
 /// The document that docs/results.md describes.
 nlohmann::ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results,
-                                   const std::vector<BenchKernel>& kernels);
+                                   const std::vector<BenchKernel>& kernels,
+                                   const std::optional<BenchForests>& forests);
 
 // The same for people, as a Markdown table.
 void printBenchHead(std::ostream& out, const BenchConditions& conditions);
 void printBenchRow(std::ostream& out, const BenchResult& result);
 void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
                        const std::vector<BenchKernel>& kernels);
+void printBenchForests(std::ostream& out, const BenchConditions& conditions, const BenchForests& forests);

@@ -131,7 +131,10 @@ void ModalMotion::put(std::size_t tree, std::uint32_t index) {
     group.trees.push_back(static_cast<std::uint32_t>(tree));
     if (group.trees.size() > group.waiting.size() * lanes) {
         group.waiting.push_back(0.0f);
-        group.numbers.resize(group.waiting.size() * treeFloats(group.shape()));
+        const std::size_t size = group.waiting.size() * treeFloats(group.shape());
+        if (size > group.numbers.capacity())
+            group.numbers.reserve(size + size / 8); // not twice as many: forests are large
+        group.numbers.resize(size);
     }
 }
 
@@ -150,6 +153,8 @@ void ModalMotion::take(std::size_t tree) {
     if (group.trees.size() <= (group.waiting.size() - 1) * lanes) {
         group.waiting.pop_back();
         group.numbers.resize(group.waiting.size() * treeFloats(group.shape()));
+        if (2 * group.numbers.size() < group.numbers.capacity())
+            group.numbers.shrink_to_fit();
     }
 }
 
@@ -193,7 +198,7 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
         Group& group = _groups[g];
         for (std::uint32_t b = 0; b < group.waiting.size(); ++b) {
             group.waiting[b] += seconds;
-            if (group.level != 0 && (_turn + g + b) % farInterval != 0)
+            if (group.level != 0 && (_turn + g / Archetype::levels + b) % farInterval != 0)
                 continue;
             _work.push_back({g, b, group.waiting[b]});
             group.waiting[b] = 0.0f;
@@ -203,7 +208,6 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
 }
 
 void ModalMotion::advance(const WindField* wind, double time) {
-    const InstructionSet set = bestInstructionSet();
     _executor((_work.size() + blocksPerJob - 1) / blocksPerJob, [&](std::size_t job) {
         const std::size_t end = std::min(_work.size(), (job + 1) * blocksPerJob);
         thread_local Scratch scratch;
@@ -232,7 +236,7 @@ void ModalMotion::advance(const WindField* wind, double time) {
             step.gain = _gain;
             const float longest = group.level == 0 ? longestNearStep : longestFarStep;
             step.substeps = static_cast<int>(std::ceil(step.seconds / longest - 0.01f));
-            stepTrees(step, set);
+            stepTrees(step, _instructions);
         }
     });
 }

@@ -93,6 +93,7 @@ private:
 
     Executor _executor;
     float _gain;
+    InstructionSet _instructions = bestInstructionSet();
     std::vector<std::unique_ptr<const Archetype>> _archetypes;
     std::vector<Group> _groups; ///< Two for each archetype, one a level.
     std::vector<Slot> _slots;   ///< Per tree.

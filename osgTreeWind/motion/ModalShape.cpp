@@ -76,15 +76,11 @@ Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, st
     return patches;
 }
 
-double dot(const std::vector<double>& a, const std::vector<glm::dvec3>& b, int axis) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += a[i] * b[i][axis];
-    return sum;
-}
-
 glm::dvec3 lever(const TreeMode& mode, const std::vector<glm::dvec3>& torques) {
-    return {dot(mode.shape, torques, 0), dot(mode.shape, torques, 1), dot(mode.shape, torques, 2)};
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < torques.size(); ++i)
+        sum += mode.shape[i] * torques[i];
+    return sum;
 }
 
 double dragOf(const ModalShape::Patch& patch) {

@@ -24,6 +24,15 @@ constexpr unsigned leafAnglesTextureUnit = 5;
 osg::ApplicationUsageProxy
     anglesUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_ANGLES <cpu|gpu>",
                 "Where new osgTreeWind forests work out the angles of branches and leaves.");
+osg::ApplicationUsageProxy
+    threadsUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_THREADS <number>",
+                 "Threads that step a large osgTreeWind forest under the law modal; else one for each "
+                 "processor. Numbers do not depend on it.");
+osg::ApplicationUsageProxy
+    instructionsUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE,
+                      "OSGTREEWIND_INSTRUCTIONS <baseline|avx2|avx512>",
+                      "The widest instructions that osgTreeWind forests under the law modal may use; else "
+                      "what the processor has. Numbers do not depend on it.");
 osg::ApplicationUsageProxy memoryUsage(
     osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_MAX_MEMORY <bytes>",
     "Memory that an osgTreeWind forest may need, with k, M, G or T for larger units; else what the "

@@ -135,7 +135,7 @@ TEST_P(SimulateLaw, AnglesStayWithinTheLargest) {
     EXPECT_NEAR(motion.largestAngle(motion.frames() - 1), limit, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(, SimulateLaw, testing::Values("thesis", "thesis-smooth", "damped"),
+INSTANTIATE_TEST_SUITE_P(, SimulateLaw, testing::Values("thesis", "thesis-smooth", "damped", "modal"),
                          [](const testing::TestParamInfo<const char*>& info) {
                              std::string name = info.param;
                              name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
@@ -175,6 +175,39 @@ TEST(Simulate, CalmAfterWindBringsTheDampedLawBackToRest) {
 TEST(Simulate, TheSameFileGivesTheSameText) {
     const std::vector<std::string> words = {"simulate", example("forest.treewind"), "--duration", "0.2"};
     EXPECT_EQ(runTool(words).out, runTool(words).out);
+}
+
+TEST(Simulate, ThreadsAndInstructionsChangeNoNumber) {
+    const TemporaryFolder folder; // 256 trees are stepped by several threads, unless told otherwise
+    const std::vector<std::string> words = {"simulate",
+                                            folder.write("t.treewind", "version = 1\n"
+                                                                       "motion = { law = 'modal' }\n"
+                                                                       "[wind]\n"
+                                                                       "kind = 'gusts'\n"
+                                                                       "velocity = [12, 4, 0]\n"
+                                                                       "[[species]]\n"
+                                                                       "name = 'tree'\n"
+                                                                       "tree = { levels = 2 }\n"
+                                                                       "[scatter]\n"
+                                                                       "count = 300\n"
+                                                                       "area = [0, 0, 200, 200]\n"
+                                                                       "height = [3, 20]\n"),
+                                            "--duration",
+                                            "0.2",
+                                            "--fps",
+                                            "20"};
+    const std::string expected =
+        runTool(words, ".", "OSGTREEWIND_THREADS=1 OSGTREEWIND_INSTRUCTIONS=baseline ").out;
+    EXPECT_EQ(std::count(expected.begin(), expected.end(), '\n') % 300, 1);
+    EXPECT_NE(expected.find(",299,"), std::string::npos);
+    for (const char* threads : {"1", "2"})
+        for (const char* instructions : {"baseline", "avx2", "avx512"}) {
+            const Outcome outcome = runTool(words, ".",
+                                            std::string("OSGTREEWIND_THREADS=") + threads +
+                                                " OSGTREEWIND_INSTRUCTIONS=" + instructions + ' ');
+            EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+            EXPECT_TRUE(outcome.out == expected) << threads << " threads, " << instructions;
+        }
 }
 
 TEST(Simulate, NumbersDoNotFollowTheLocale) {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Trees of a forest near by and far away.
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace osgTreeWind;
+
+namespace {
+
+ForestDescription saplings(std::size_t count) {
+    ForestDescription forest;
+    Species species;
+    species.name = "sapling";
+    species.tree.wood.levels = 2;
+    species.tree.leaves.clustersPerBranch = 2;
+    species.wood.elasticModulus = 2.0e6f;
+    forest.species.push_back(species);
+    forest.trees.resize(count);
+    return forest;
+}
+
+void run(ForestSimulation& simulation, int frames, double start) {
+    for (int i = 0; i <= frames; ++i)
+        simulation.advance(start + i / 60.0);
+}
+
+} // namespace
+
+TEST(ForestLevels, TreesFarAwayTakeLittleMemory) {
+    ForestDescription forest = saplings(2000);
+    SimulationOptions options;
+    options.leaves = false;
+    ForestSimulation simulation(std::move(forest), options);
+    const auto bytesPerTree = [&] { return simulation.modal()->stateBytes() / simulation.trees().size(); };
+    EXPECT_LE(bytesPerTree(), 300u);
+    for (std::size_t i = 0; i < simulation.trees().size(); ++i)
+        simulation.setLevel(i, i % 50 == 0 ? ModalMotion::Level::Near : ModalMotion::Level::Far);
+    EXPECT_LE(bytesPerTree(), 200u);
+}
+
+TEST(ForestLevels, ATreeComesNearAtRestInTheModesThatItHadNot) {
+    ForestDescription forest = saplings(3);
+    forest.wind = std::make_shared<UniformWind>(glm::vec3(8.0f, 2.0f, 0.0f));
+    ForestSimulation simulation(std::move(forest));
+    for (const auto level : {ModalMotion::Level::Far, ModalMotion::Level::Near}) {
+        simulation.setLevel(2, level);
+        run(simulation, 30, level == ModalMotion::Level::Far ? 0.0 : 1.0);
+    }
+    simulation.setLevel(2, ModalMotion::Level::Far);
+    run(simulation, 30, 2.0); // trees near go on beside the place it left
+    const std::vector<float> far = simulation.modal()->amplitudes(2);
+    simulation.setLevel(2, ModalMotion::Level::Near);
+    const std::vector<float> near = simulation.modal()->amplitudes(2);
+    ASSERT_GT(near.size(), far.size());
+    for (std::size_t k = far.size(); k < near.size(); ++k)
+        EXPECT_EQ(near[k], 0.0f) << k;
+    run(simulation, 30, 3.0);
+    for (const float amplitude : simulation.modal()->amplitudes(2))
+        EXPECT_TRUE(std::isfinite(amplitude));
+}
