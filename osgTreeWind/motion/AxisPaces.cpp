@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/SwayModes.h>
+#include <osgTreeWind/motion/AxisPaces.h>
 
 #include <glm/geometric.hpp>
 
@@ -216,8 +216,8 @@ double jointStiffness(double elasticModulus, double d0, double d1, double length
            (64.0 * length * (q0 * q0 + q0 * q1 + q1 * q1));
 }
 
-std::vector<double> swaySpeeds(const TreeModel& model, const TreeScale& scale,
-                               const std::vector<UnitLoad>& loads, double gravity) {
+std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
+                              const std::vector<UnitLoad>& loads, double gravity) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const std::vector<Slice> slices = slicesOf(model, scale, loads);
     const auto parent = [&](std::size_t i) { return static_cast<std::size_t>(units[i].parent); };

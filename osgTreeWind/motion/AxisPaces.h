@@ -23,7 +23,7 @@ double jointStiffness(double elasticModulus, double d0, double d1, double length
 /// directions across. Weight slows what stands and quickens what hangs (Rayleigh's quotient of the pulled
 /// shape).
 /// @param loads of makeUnitLoads(). @param gravity m/s^2.
-std::vector<double> swaySpeeds(const TreeModel& model, const TreeScale& scale,
-                               const std::vector<UnitLoad>& loads, double gravity = 9.81);
+std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
+                              const std::vector<UnitLoad>& loads, double gravity = 9.81);
 
 } // namespace osgTreeWind
