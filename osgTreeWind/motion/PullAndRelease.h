@@ -14,7 +14,7 @@ struct FreeSway {
 };
 
 /// Pulls one tree sideways at the top of its trunk, by a hundredth of the trunk's height, lets go in a calm
-/// and follows the top (law `damped`, ForestSimulation) until six half-swings have passed.
+/// and follows the top until six half-swings have passed (law `modal`, with modes of the tree's own).
 /// @param tree its size, seed, leaves and room; species and place do not count.
 /// @return nothing when it does not swing: critically damped, or six half-swings take more than ten minutes.
 std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& tree);
