@@ -22,7 +22,7 @@ using namespace osgTreeWind;
 
 struct SwayOptions {
     std::string species = "broadleaf";
-    double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0;
+    double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0, pull = 0.01;
     bool open = false;
     bool json = false;
     std::string table;
@@ -103,7 +103,7 @@ void printLines(const SwayOptions& options, const Species& species, const FreeSw
 ExitCode sway(SwayOptions options) {
     const Species species = speciesOf(options.species);
     const TreePlacement tree = treeOf(options, species);
-    const std::optional<FreeSway> free = pullAndRelease(species, tree);
+    const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
     if (!free) {
         std::cerr << "the tree does not swing: three periods take more than ten minutes\n";
         return Failed;
@@ -134,7 +134,7 @@ public:
                 options.species = *name;
             const Species species = speciesOf(options.species);
             const TreePlacement tree = treeOf(options, species);
-            const std::optional<FreeSway> free = pullAndRelease(species, tree);
+            const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
             std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
                         options.crownWidth, options.open ? 1 : 0, options.leaves);
             if (free)
@@ -203,6 +203,9 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_flag("--open", options->open, "It stands by itself: its crown is wider than in a forest");
     command->add_option("--leaves", options->leaves, "Share of its leaves that it bears, 0 to 1")
         ->check(within(0.0, 1.0))
+        ->capture_default_str();
+    command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
+        ->check(within(1e-4, 0.2))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print an object instead of a line");
     command->add_option(

@@ -17,6 +17,40 @@ constexpr std::size_t halfSwings = 6;
 constexpr double stepsPerSwing = 60.0; // to and fro
 constexpr double longest = 600.0;      // seconds
 
+/// Times something that swings about 0, from its first crossing on.
+class HalfSwings {
+public:
+    explicit HalfSwings(double start) : _before(start) {}
+
+    void add(double now, double time, double step) {
+        if (done())
+            return;
+        if ((_before > 0.0) != (now > 0.0)) {
+            if (!_crossings.empty())
+                _peaks.push_back(_peak);
+            _crossings.push_back(time - step * now / (now - _before));
+            _peak = 0.0;
+        }
+        _peak = std::max(_peak, std::abs(now));
+        _before = now;
+    }
+
+    bool done() const { return _crossings.size() > halfSwings; }
+    double frequency() const {
+        return 0.5 * static_cast<double>(halfSwings) / (_crossings.back() - _crossings.front());
+    }
+    /// From the decrement of its peaks.
+    double dampingRatio() const {
+        const double decrement =
+            std::log(_peaks.front() / _peaks.back()) / static_cast<double>(_peaks.size() - 1);
+        return decrement / std::hypot(glm::pi<double>(), decrement);
+    }
+
+private:
+    std::vector<double> _crossings, _peaks;
+    double _before, _peak = 0.0;
+};
+
 ForestDescription forestOf(const Species& species, const TreePlacement& tree) {
     ForestDescription forest;
     forest.species = {species};
@@ -84,30 +118,17 @@ std::vector<std::vector<glm::vec3>> CalmTree::shiftsByMode() {
     return byMode;
 }
 
-std::optional<FreeSway> CalmTree::release(double pace, const std::function<double()>& followed) {
-    const double h = glm::two_pi<double>() / pace / stepsPerSwing;
-    std::vector<double> crossings, peaks;
-    double before = followed(), peak = 0.0;
-    for (double time = h; time < longest && crossings.size() <= halfSwings; time += h) {
+std::optional<FreeSway> CalmTree::release(std::size_t mode, const std::function<double()>& followed) {
+    const double h = glm::two_pi<double>() / pace(mode) / stepsPerSwing;
+    HalfSwings all(followed()), own(static_cast<double>(amplitude(mode)));
+    for (double time = h; time < longest && !(all.done() && own.done()); time += h) {
         step(h);
-        const double now = followed();
-        if ((before > 0.0) != (now > 0.0)) {
-            if (!crossings.empty())
-                peaks.push_back(peak);
-            crossings.push_back(time - h * now / (now - before));
-            peak = 0.0;
-        }
-        peak = std::max(peak, std::abs(now));
-        before = now;
+        all.add(followed(), time, h);
+        own.add(static_cast<double>(amplitude(mode)), time, h);
     }
-    if (crossings.size() <= halfSwings)
+    if (!all.done() || !own.done())
         return {};
-    FreeSway sway;
-    sway.frequency = 0.5 * static_cast<double>(halfSwings) / (crossings.back() - crossings.front());
-    const double decrement =
-        std::log(peaks.front() / peaks.back()) / static_cast<double>(peaks.size() - 1); // of half a swing
-    sway.dampingRatio = decrement / std::hypot(glm::pi<double>(), decrement);
-    return sway;
+    return FreeSway{all.frequency(), own.dampingRatio()};
 }
 
 } // namespace osgTreeWind

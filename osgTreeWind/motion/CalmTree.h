@@ -34,9 +34,10 @@ public:
     /// The same in each mode by its amplitude, for small ones: per mode and unit. Leaves the tree at rest.
     std::vector<std::vector<glm::vec3>> shiftsByMode();
 
-    /// Steps until `followed` has swung six times to and fro; `pace` tells how finely.
-    /// @return nothing when that takes more than ten minutes.
-    std::optional<FreeSway> release(double pace, const std::function<double()>& followed);
+    /// Steps until `followed` has made six half-swings, for its frequency; the damping ratio is that of the
+    /// mode, as if all else were filtered out.
+    /// @return nothing when either takes more than ten minutes.
+    std::optional<FreeSway> release(std::size_t mode, const std::function<double()>& followed);
 
 private:
     PlacedForest _forest;

@@ -7,13 +7,13 @@
 
 namespace osgTreeWind {
 
-std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& placement) {
-    constexpr double pull = 0.01; // of the trunk's length
+std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& placement, double pull) {
     CalmTree tree(species, placement);
     const std::vector<std::vector<glm::vec3>> shifts = tree.shiftsByMode();
     const std::size_t top = tree.top();
     std::vector<float> amplitudes; // under 1 N
-    double shift = 0.0, largest = 0.0, pace = 0.0;
+    double shift = 0.0, largest = 0.0;
+    std::size_t first = 0;
     for (std::size_t k = 0; k < shifts.size(); ++k) {
         const double x = shifts[k][top].x, speed = tree.pace(k);
         amplitudes.push_back(static_cast<float>(x / (speed * speed)));
@@ -21,7 +21,7 @@ std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlaceme
         shift += part;
         if (part > largest) {
             largest = part;
-            pace = speed;
+            first = k;
         }
     }
     if (!(shift > 0.0))
@@ -29,7 +29,7 @@ std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlaceme
     for (float& amplitude : amplitudes)
         amplitude *= static_cast<float>(pull * tree.trunkLength() / shift);
     tree.setAmplitudes(amplitudes);
-    return tree.release(pace, [&] { return static_cast<double>(tree.shifts()[top].x); });
+    return tree.release(first, [&] { return static_cast<double>(tree.shifts()[top].x); });
 }
 
 } // namespace osgTreeWind

@@ -22,7 +22,7 @@ std::vector<SwayMode> swayModes(const Species& species, const TreePlacement& pla
         std::vector<float> amplitudes(shifts.size(), 0.0f);
         amplitudes[k] = static_cast<float>(off * tree.trunkLength()) / most;
         tree.setAmplitudes(amplitudes);
-        const auto sway = tree.release(tree.pace(k), [&] { return static_cast<double>(tree.amplitude(k)); });
+        const auto sway = tree.release(k, [&] { return static_cast<double>(tree.amplitude(k)); });
         modes.push_back({tree.pace(k) / glm::two_pi<double>(), sway ? sway->dampingRatio : 1.0,
                          static_cast<double>(tree.modes()[k].energyShare)});
     }
