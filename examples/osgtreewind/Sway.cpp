@@ -4,12 +4,17 @@
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/GrowthLaws.h>
 #include <osgTreeWind/motion/PullAndRelease.h>
+#include <osgTreeWind/motion/SwayModes.h>
+
+#include <osgTreeWind/base/CsvTable.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <set>
 
 namespace {
 
@@ -17,9 +22,10 @@ using namespace osgTreeWind;
 
 struct SwayOptions {
     std::string species = "broadleaf";
-    double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0;
+    double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0, pull = 0.01;
     bool open = false;
     bool json = false;
+    std::string table;
 };
 
 void listSpecies() {
@@ -45,40 +51,140 @@ void fillIn(SwayOptions& options, const Species& species, const TreePlacement& t
         options.crownWidth = actual.crownWidth;
 }
 
-ExitCode sway(SwayOptions options) {
-    std::optional<Species> species = findBuiltInSpecies(options.species);
-    if (!species) {
-        species = defaultSpecies();
-        std::cerr << "note: no built-in species \"" << options.species << "\"; \"" << species->name
+Species speciesOf(const std::string& name) {
+    static std::set<std::string> unknown;
+    const std::optional<Species> species = findBuiltInSpecies(name);
+    if (!species && unknown.insert(name).second)
+        std::cerr << "note: no built-in species \"" << name << "\"; \"" << defaultSpecies().name
                   << "\" stands for it\n";
-    }
+    return species.value_or(defaultSpecies());
+}
+
+/// The tree that the options ask for; fills in what they leave open.
+TreePlacement treeOf(SwayOptions& options, const Species& species) {
     TreePlacement tree;
     tree.size.height = static_cast<float>(options.height);
     tree.size.trunkDiameter = static_cast<float>(0.01 * options.diameter);
     tree.size.crownWidth = static_cast<float>(options.crownWidth);
     tree.openGrown = options.open;
     tree.leaves = static_cast<float>(options.leaves);
-    fillIn(options, *species, tree);
-    const std::optional<FreeSway> free = pullAndRelease(*species, tree);
+    fillIn(options, species, tree);
+    return tree;
+}
+
+void printObject(const SwayOptions& options, const Species& species, const FreeSway& free,
+                 const std::vector<SwayMode>& modes) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const SwayMode& mode : modes)
+        list.push_back({{"hz", mode.frequency}, {"damping", mode.dampingRatio}, {"share", mode.share}});
+    std::cout << nlohmann::ordered_json{{"species", species.name},
+                                        {"dbh_cm", options.diameter},
+                                        {"height_m", options.height},
+                                        {"crown_width_m", options.crownWidth},
+                                        {"open_grown", options.open},
+                                        {"leaves", options.leaves},
+                                        {"frequency_hz", free.frequency},
+                                        {"damping_ratio", free.dampingRatio},
+                                        {"modes", list}}
+                     .dump(2)
+              << '\n';
+}
+
+void printLines(const SwayOptions& options, const Species& species, const FreeSway& free,
+                const std::vector<SwayMode>& modes) {
+    std::printf("%s, %.4g cm, %.4g m: frequency %.4f Hz, damping ratio %.3f\n\n", species.name.c_str(),
+                options.diameter, options.height, free.frequency, free.dampingRatio);
+    std::printf("modes      Hz  damping  share of gusts\n");
+    for (std::size_t k = 0; k < modes.size(); ++k)
+        std::printf("%5zu %7.3f  %7.3f  %14.3f\n", k + 1, modes[k].frequency, modes[k].dampingRatio,
+                    modes[k].share);
+}
+
+ExitCode sway(SwayOptions options) {
+    const Species species = speciesOf(options.species);
+    const TreePlacement tree = treeOf(options, species);
+    const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
     if (!free) {
         std::cerr << "the tree does not swing: three periods take more than ten minutes\n";
         return Failed;
     }
-    if (options.json)
-        std::cout << nlohmann::ordered_json{{"species", species->name},
-                                            {"dbh_cm", options.diameter},
-                                            {"height_m", options.height},
-                                            {"crown_width_m", options.crownWidth},
-                                            {"open_grown", options.open},
-                                            {"leaves", options.leaves},
-                                            {"frequency_hz", free->frequency},
-                                            {"damping_ratio", free->dampingRatio}}
-                         .dump(2)
-                  << '\n';
-    else
-        std::printf("%s, %.4g cm, %.4g m: frequency %.4f Hz, damping ratio %.3f\n", species->name.c_str(),
-                    options.diameter, options.height, free->frequency, free->dampingRatio);
+    (options.json ? printObject : printLines)(options, species, *free, swayModes(species, tree));
     return Succeeded;
+}
+
+/// A tree for each row; what a row or the table does not say is as in the options.
+class SwayTable {
+public:
+    SwayTable(const CsvTable& csv, SwayOptions usual) : _csv(csv), _usual(std::move(usual)) {}
+
+    ExitCode print() {
+        std::printf("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,damping_ratio\n");
+        for (const CsvTable::Row& row : _csv.rows) {
+            SwayOptions options = _usual;
+            double open = options.open ? 1.0 : 0.0;
+            const bool right = read(row, "dbh_cm", 0.1, 2000.0, options.diameter) &&
+                               read(row, "height_m", 0.1, 150.0, options.height) &&
+                               read(row, "crown_width_m", 0.1, 150.0, options.crownWidth) &&
+                               read(row, "leaves", 0.0, 1.0, options.leaves) &&
+                               read(row, "open", 0.0, 1.0, open);
+            if (!right)
+                return BadInput;
+            options.open = open > 0.0;
+            if (const std::string* name = cell(row, "species"))
+                options.species = *name;
+            const Species species = speciesOf(options.species);
+            const TreePlacement tree = treeOf(options, species);
+            const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
+            std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
+                        options.crownWidth, options.open ? 1 : 0, options.leaves);
+            if (free)
+                std::printf("%.4f,%.4f\n", free->frequency, free->dampingRatio);
+            else
+                std::printf(",\n"); // it does not swing
+        }
+        return Succeeded;
+    }
+
+private:
+    /// Null where there is nothing.
+    const std::string* cell(const CsvTable::Row& row, const char* name) const {
+        const std::optional<std::size_t> column = _csv.column(name);
+        return column && !row.cells[*column].empty() ? &row.cells[*column] : nullptr;
+    }
+
+    bool read(const CsvTable::Row& row, const char* name, double low, double high, double& value) const {
+        if (!cell(row, name))
+            return true;
+        const Result<double> number = _csv.number(row, *_csv.column(name));
+        if (!number.ok()) {
+            std::cerr << number.problems().front().text() << '\n';
+            return false;
+        }
+        if (number.value() < low || number.value() > high) {
+            std::cerr << _csv.file << ':' << row.line << ": " << name << " is not within " << low << " to "
+                      << high << '\n';
+            return false;
+        }
+        value = number.value();
+        return true;
+    }
+
+    const CsvTable& _csv;
+    SwayOptions _usual;
+};
+
+ExitCode swayTable(const SwayOptions& options) {
+    std::ifstream file(options.table);
+    if (!file) {
+        std::cerr << "cannot open " << options.table << '\n';
+        return BadInput;
+    }
+    const Result<CsvTable> csv = readCsvTable(file, options.table);
+    if (!csv.ok()) {
+        std::cerr << csv.problems().front().text() << '\n';
+        return BadInput;
+    }
+    return SwayTable(csv.value(), options).print();
 }
 
 } // namespace
@@ -98,7 +204,14 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--leaves", options->leaves, "Share of its leaves that it bears, 0 to 1")
         ->check(within(0.0, 1.0))
         ->capture_default_str();
+    command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
+        ->check(within(1e-4, 0.2))
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print an object instead of a line");
+    command->add_option(
+        "--table", options->table,
+        "CSV file of trees: species, dbh_cm, height_m, crown_width_m, open, leaves; prints one "
+        "with their frequencies and damping ratios");
     auto list = std::make_shared<bool>(false);
     command->add_flag("--list", *list, "List the built-in species and their sources");
     command->footer(
@@ -108,6 +221,8 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
     command->callback([options, list, &exitCode] {
         if (*list)
             listSpecies();
+        else if (!options->table.empty())
+            exitCode = swayTable(*options);
         else
             exitCode = sway(*options);
     });

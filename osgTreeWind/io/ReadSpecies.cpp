@@ -59,6 +59,7 @@ void readWood(TableReader& table, WoodParameters& wood) {
     table.read("leaf_mass", wood.leafMass, within(0, 100));
     table.read("wood_drag", wood.woodDrag, within(0, 10));
     table.read("leaf_drag", wood.leafDrag, within(0, 10));
+    table.read("still_drag", wood.stillDrag, within(0, 10));
     table.read("crown_drag", wood.crownDrag, within(0, 100));
     table.read("streamlining", wood.streamlining, within(0, 2));
     table.read("streamlined_to", wood.streamlinedTo, within(10, 200));

@@ -120,6 +120,7 @@ BuiltInSpecies conifer(std::vector<std::string> names, const TreeParameters& for
     Species& species = built.species;
     species.wood.leafArea = 1300.0f; // Jenkins et al. 2003: 280 kg of dry needles per m^2; 4.6 m^2 per kg
     species.wood.leafMass = 0.45f;
+    species.wood.stillDrag = 0.75f; // needles as cylinders, half of it lost to each other's shelter
     species.wood.branchWood = WoodAllometry::Conifer;
     species.crown.openBase = 1.41f; // Paine and Hann 1982, Douglas fir
     species.crown.openPerDiameter = 17.0f;

@@ -2,8 +2,8 @@
 #include <osgTreeWind/motion/DampedBranches.h>
 
 #include <osgTreeWind/motion/AirDensity.h>
+#include <osgTreeWind/motion/AxisPaces.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
-#include <osgTreeWind/motion/SwayModes.h>
 #include <osgTreeWind/motion/UnitLoads.h>
 
 #include <glm/geometric.hpp>
@@ -71,7 +71,7 @@ private:
     }
 
     void addInertia() {
-        const std::vector<double> speeds = swaySpeeds(_model, _scale, _bears);
+        const std::vector<double> speeds = axisPaces(_model, _scale, _bears);
         for (std::size_t i = 0; i < _units.size(); ++i) {
             Laws::DampedBranch& p = _branches[i];
             const auto speed = static_cast<float>(speeds[i]);

@@ -10,13 +10,14 @@ namespace osgTreeWind {
 /// How a tree sways freely.
 struct FreeSway {
     double frequency = 0.0;    ///< Of the top of the trunk, Hz.
-    double dampingRatio = 0.0; ///< From the decrement of its peaks; 1 is critical.
+    double dampingRatio = 0.0; ///< Of the mode that moves it most, from its decrement; 1 is critical.
 };
 
-/// Pulls one tree sideways at the top of its trunk, by a hundredth of the trunk's height, lets go in a calm
-/// and follows the top (law `damped`, ForestSimulation) until six half-swings have passed.
-/// @param tree its size, seed, leaves and room; species and place do not count.
+/// Pulls one tree sideways at the top of its trunk, lets go in a calm and follows the top until six
+/// half-swings have passed (law `modal`, with modes of the tree's own).
+/// @param tree its size, seed, leaves and room; species and place do not count. @param pull over the length
+/// of the trunk, > 0: the further, the more the air damps.
 /// @return nothing when it does not swing: critically damped, or six half-swings take more than ten minutes.
-std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& tree);
+std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& tree, double pull = 0.01);
 
 } // namespace osgTreeWind

@@ -19,17 +19,17 @@ enum class WoodAllometry {
 /// Mechanical properties of wood and crown, SI units. Sources: docs/validation.md.
 struct WoodParameters {
     float elasticModulus = 9.0e9f; ///< Of green wood, Pa, > 0.
-    // The rest is for the law `damped`.
+    // The rest is for the laws in SI units.
     float density = 900.0f;     ///< Of green wood with its bark, kg/m^3, > 0.
     float underBark = 1.0f;     ///< Diameter of the wood that bends, over that with its bark, (0, 1].
-    float dampingRatio = 0.08f; ///< Of a branch's own oscillation in vacuum, [0, 2].
+    float dampingRatio = 0.05f; ///< Of wood, without air, [0, 2].
     float leafArea =
         1800.0f;            ///< Of a tree with leaves, over its trunk's cross-section at breast height, >= 0.
     float leafMass = 0.2f;  ///< Fresh leaves over their area, kg/m^2, >= 0.
     float woodDrag = 1.0f;  ///< Drag coefficient of a bare branch, >= 0.
     float leafDrag = 0.25f; ///< Of leaves by their area, where no crownDrag is known, >= 0.
-    float stillDrag = 0.75f;     ///< Of leaves by their area that move through still air, >= 0.
-    float crownDrag = 0.0f;      ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
+    float stillDrag = 0.9f; ///< Of leaves by their area that move through still air, >= 0.
+    float crownDrag = 0.0f; ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
     float streamlining = 0.0f;   ///< n: drag falls with the wind speed from 10 m/s on, [0, 2].
     float streamlinedTo = 25.0f; ///< The highest speed at which it was measured, m/s, [10, 200].
 

@@ -2,9 +2,9 @@
 #include <osgTreeWind/motion/UnitLoads.h>
 
 #include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/motion/AxisPaces.h>
 #include <osgTreeWind/motion/GrowthLaws.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
-#include <osgTreeWind/motion/SwayModes.h>
 
 #include <glm/common.hpp>
 

