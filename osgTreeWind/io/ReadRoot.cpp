@@ -83,10 +83,10 @@ void readHead(TableReader& root, ForestReading& reading) {
 
 void readMotion(TableReader& table, ForestReading& reading) {
     table.readChoice<MotionLaw>("law", reading.forest.law,
-                                {{"thesis", MotionLaw::Thesis},
-                                 {"thesis-smooth", MotionLaw::ThesisSmooth},
+                                {{"modal", MotionLaw::Modal},
                                  {"damped", MotionLaw::Damped},
-                                 {"modal", MotionLaw::Modal}});
+                                 {"thesis", MotionLaw::Thesis},
+                                 {"thesis-smooth", MotionLaw::ThesisSmooth}});
     table.read("gain", reading.forest.gain, within(0, 100));
     table.read("leaves", reading.leaves, within(0, 1));
     bool octaves = false;

@@ -173,6 +173,7 @@ TEST(ForestSimulation, DampedLawDoesNotFollowTheFrameRate) {
 TEST(ForestSimulation, DampedTreesComeBackToRestInACalm) {
     for (const char* name : {"broadleaf", "conifer"}) {
         ForestDescription forest;
+        forest.law = MotionLaw::Damped;
         forest.species = {*findBuiltInSpecies(name)};
         forest.trees.resize(1);
         forest.trees[0].size.height = 18.0f;
@@ -392,10 +393,13 @@ TEST(ForestSimulation, TreesOfNoSpeciesAreLeftOut) {
 }
 
 TEST(ForestSimulation, AnEmptyForestAdvances) {
-    ForestSimulation simulation(ForestDescription{});
-    simulation.advance(0.0);
-    EXPECT_TRUE(simulation.advance(1.0));
-    EXPECT_TRUE(simulation.branches()->poses().empty());
+    for (const MotionLaw law : {MotionLaw::Damped, MotionLaw::Modal}) {
+        ForestDescription none;
+        none.law = law;
+        ForestSimulation simulation(none);
+        simulation.advance(0.0);
+        EXPECT_TRUE(simulation.advance(1.0));
+    }
 }
 
 TEST(ForestSimulation, AHostileWindLeavesNoTrace) {
@@ -439,6 +443,7 @@ TEST(ForestSimulation, DeflectionGrowsWithTheWindAsMeasured) {
     // mean.
     const auto rms = [](float speed) {
         ForestDescription forest;
+        forest.law = MotionLaw::Damped;
         forest.species = {defaultSpecies()};
         forest.trees.resize(1);
         forest.trees[0].size.height = 15.0f;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ForestFixtures.h"
 
-#include <osgTreeWind/motion/BranchwiseMotion.h>
-
 #include <gtest/gtest.h>
 
 using namespace osgTreeWind;
@@ -33,15 +31,15 @@ TEST_P(ForestCopyTest, hasTreesOfItsOwnAndTheUsersChildren) {
 TEST_P(ForestCopyTest, movesOnItsOwn) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 20);
-    const std::vector<glm::vec4> held = forest->getSimulation().branches()->states();
+    const std::vector<glm::vec4> held = statesOf(*forest);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     copy->setWind(nullptr);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(copy);
     updateFrames(*scene, 21, 40);
-    EXPECT_EQ(forest->getSimulation().branches()->states(), held);
+    EXPECT_EQ(statesOf(*forest), held);
     EXPECT_NE(forest->getWind(), nullptr);
-    for (const glm::vec4& state : copy->getSimulation().branches()->states())
+    for (const glm::vec4& state : statesOf(*copy))
         EXPECT_EQ(state, glm::vec4(0.0f)) << "at rest, and calm";
 }
 

@@ -45,6 +45,24 @@ inline osgTreeWind::ForestDescription oneTree(const osgTreeWind::Species& specie
     return description;
 }
 
+/// Of all units of all trees (TreeMotion::states).
+inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
+    std::vector<glm::vec4> states;
+    for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
+        for (const glm::vec4& state : forest.getSimulation().motion(tree).states)
+            states.push_back(state);
+    return states;
+}
+
+/// Of all units of all trees (TreeMotion::winds).
+inline std::vector<glm::vec3> windsOf(const osgTreeWind::Forest& forest) {
+    std::vector<glm::vec3> winds;
+    for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
+        for (const glm::vec3& wind : forest.getSimulation().motion(tree).winds)
+            winds.push_back(wind);
+    return winds;
+}
+
 /// The update traversal of one frame, as a viewer does it.
 inline void update(osg::Node& scene, unsigned frame, double time) {
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;

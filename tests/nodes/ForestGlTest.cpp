@@ -3,7 +3,6 @@
 #include "ForestFixtures.h"
 #include "Pictures.h"
 
-#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -136,7 +135,7 @@ TEST_F(ForestGlTest, twoViewsShowTheSameForestAndStepItOnce) {
     }
     for (int i = 0; i < 10; ++i)
         composite.frame(i / 25.0);
-    EXPECT_EQ(forest->getSimulation().branches()->states(), alone->getSimulation().branches()->states());
+    EXPECT_EQ(statesOf(*forest), statesOf(*alone));
     EXPECT_GT(covered(*images[0]), 0.02);
     EXPECT_EQ(difference(*images[0], *images[1]).mean, 0.0);
 }

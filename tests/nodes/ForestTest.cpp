@@ -25,6 +25,7 @@ struct CountedForest {
 
     CountedForest() {
         ForestDescription description = smallForest(1);
+        description.law = MotionLaw::Damped; // asks once for each unit
         auto count = asked;
         description.wind = std::make_shared<FunctionWind>([count](const glm::vec3&, double) {
             ++*count;
@@ -36,10 +37,6 @@ struct CountedForest {
         return *asked / static_cast<int>(forest->getSimulation().branches()->windPlaces().size());
     }
 };
-
-std::vector<glm::vec4> states(const Forest& forest) {
-    return forest.getSimulation().branches()->states();
-}
 
 } // namespace
 
@@ -63,12 +60,12 @@ TEST(ForestTest, isUpdatedBelowAGroupThatKnowsNothingOfIt) {
 TEST(ForestTest, aPauseHoldsTheTrees) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 20);
-    const std::vector<glm::vec4> held = states(*forest);
+    const std::vector<glm::vec4> held = statesOf(*forest);
     for (unsigned frame = 21; frame < 30; ++frame)
         update(*forest, frame, 20 / 25.0);
-    EXPECT_EQ(states(*forest), held);
+    EXPECT_EQ(statesOf(*forest), held);
     update(*forest, 30, 21 / 25.0);
-    EXPECT_NE(states(*forest), held) << "and goes on after it";
+    EXPECT_NE(statesOf(*forest), held) << "and goes on after it";
 }
 
 TEST(ForestTest, aNewWindShowsInTheNextFramesLoads) {
@@ -76,11 +73,11 @@ TEST(ForestTest, aNewWindShowsInTheNextFramesLoads) {
     updateFrames(*forest, 1, 3);
     forest->setWind(std::make_shared<UniformWind>(glm::vec3(-3.0f, 2.0f, 1.0f)));
     updateFrames(*forest, 4, 4);
-    for (const glm::vec3& sample : forest->getSimulation().branches()->winds())
-        EXPECT_EQ(sample, glm::vec3(-3.0f, 2.0f, 1.0f));
+    for (const glm::vec3& sample : windsOf(*forest))
+        EXPECT_LT(glm::length(sample - glm::vec3(-3.0f, 2.0f, 1.0f)), 1e-5f);
     forest->setWind(nullptr);
     updateFrames(*forest, 5, 5);
-    for (const glm::vec3& sample : forest->getSimulation().branches()->winds())
+    for (const glm::vec3& sample : windsOf(*forest))
         EXPECT_EQ(sample, glm::vec3(0.0f)) << "null is calm";
 }
 
@@ -94,13 +91,13 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileFramesRun) {
     });
     for (unsigned frame = 1; frame <= 200; ++frame) {
         update(*forest, frame, frame / 25.0);
-        const std::vector<glm::vec3>& samples = forest->getSimulation().branches()->winds();
+        const std::vector<glm::vec3> samples = windsOf(*forest);
         for (const glm::vec3& sample : samples)
-            ASSERT_EQ(sample, samples.front()) << "one frame, one wind";
+            ASSERT_LT(glm::length(sample - samples.front()), 1e-4f) << "one frame, one wind";
     }
     running = false;
     simulator.join();
-    EXPECT_GT(forest->getSimulation().branches()->winds().front().x, 0.5f);
+    EXPECT_GT(windsOf(*forest).front().x, 0.5f);
 }
 
 TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
@@ -127,13 +124,13 @@ TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
     forest->setDescription(windless);
     EXPECT_EQ(forest->getWind(), streamed);
     updateFrames(*forest, 1, 1);
-    EXPECT_EQ(forest->getSimulation().branches()->winds().front(), glm::vec3(-3.0f, 2.0f, 0.0f));
+    EXPECT_EQ(windsOf(*forest).front(), glm::vec3(-3.0f, 2.0f, 0.0f));
 
     const ForestDescription windy = smallForest(1, 7.0f);
     forest->setDescription(windy);
     EXPECT_EQ(forest->getWind(), windy.wind) << "its own wind goes before";
     updateFrames(*forest, 2, 2);
-    EXPECT_EQ(forest->getSimulation().branches()->winds().front(), glm::vec3(7.0f, 0.0f, 0.0f));
+    EXPECT_EQ(windsOf(*forest).front(), glm::vec3(7.0f, 0.0f, 0.0f));
 }
 
 TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {

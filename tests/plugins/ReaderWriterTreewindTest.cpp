@@ -4,8 +4,6 @@
 #include "../nodes/ForestFixtures.h"
 #include "PluginPath.h"
 
-#include <osgTreeWind/motion/BranchwiseMotion.h>
-
 #include <osgDB/ReadFile>
 
 #include <gtest/gtest.h>
@@ -134,8 +132,7 @@ TEST_F(ReaderWriterTreewindTest, servesSeveralThreadsAtOnce) {
     for (const osg::ref_ptr<Forest>& forest : forests) {
         ASSERT_TRUE(forest);
         updateFrames(*forest, 1, 5);
-        EXPECT_EQ(forest->getSimulation().branches()->states(),
-                  forests[0]->getSimulation().branches()->states());
+        EXPECT_EQ(statesOf(*forest), statesOf(*forests[0]));
     }
     EXPECT_EQ(said(), "");
 }
