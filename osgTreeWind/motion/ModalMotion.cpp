@@ -287,7 +287,7 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
     const float reach = _gain > 0.0f ? f.length / _gain : 0.0f;
     const float wooden = std::sqrt(f.pace) * f.length * f.length * f.length;
     const float rest = _gain / (wooden * wooden * f.pace) / // gain l / stiffness
-                       laws.nearExponential(stiffness.height * f.logs.height + stiffness.girth * f.logs.girth +
+                       laws.nearExponential(stiffness.modulus * f.logs.modulus + stiffness.branches * f.logs.branches +
                                             stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
     for (std::size_t p = 0; p < patches; ++p) {
         const ModalShape::Patch& patch = shape.patches[p];

@@ -54,7 +54,7 @@ private:
 };
 
 float grown(const SizePowers& powers, const SizePowers& logs) {
-    return Laws().nearExponential(powers.height * logs.height + powers.girth * logs.girth +
+    return Laws().nearExponential(powers.modulus * logs.modulus + powers.branches * logs.branches +
                                   powers.width * logs.width + powers.leaves * logs.leaves);
 }
 
@@ -146,8 +146,8 @@ TEST(Archetype, IsExactForItsOwnTree) {
     const TreeFactors factors = archetype.factors(oak.form(), 0.0f);
     EXPECT_EQ(factors.length, 1.0f);
     EXPECT_EQ(factors.pace, 1.0f);
-    EXPECT_EQ(factors.logs.height, 0.0f);
-    EXPECT_EQ(factors.logs.girth, 0.0f);
+    EXPECT_EQ(factors.logs.modulus, 0.0f);
+    EXPECT_EQ(factors.logs.branches, 0.0f);
     EXPECT_EQ(factors.logs.width, 0.0f);
     EXPECT_EQ(factors.logs.leaves, 0.0f);
     EXPECT_EQ(factors.leafDrag, 1.0f);
@@ -190,7 +190,7 @@ TEST(Archetype, ARungDoesNotDependOnTheForest) {
         const ModalShape &a = all.archetype(i).shape(0), &b = alone.archetype(0).shape(0);
         EXPECT_EQ(a.poses, b.poses) << forest.nameOf(i);
         EXPECT_EQ(all.factors(i).pace, alone.factors(0).pace);
-        EXPECT_EQ(all.factors(i).logs.girth, alone.factors(0).logs.girth);
+        EXPECT_EQ(all.factors(i).logs.branches, alone.factors(0).logs.branches);
     }
 }
 
