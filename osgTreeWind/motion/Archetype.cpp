@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/Archetype.h>
 
+#include <osgTreeWind/motion/GrowthLaws.h>
 #include <osgTreeWind/motion/JointTree.h>
+#include <osgTreeWind/motion/ScaledUnit.h>
 #include <osgTreeWind/motion/UnitLoads.h>
 
 #include <glm/geometric.hpp>
@@ -14,7 +16,7 @@ namespace osgTreeWind {
 namespace {
 
 // Steps between rungs: of logarithms, and of the leaves' share.
-constexpr float heightStep = 0.5f, girthStep = 0.5f, widthStep = 0.2f, leavesStep = 0.25f;
+constexpr float heightStep = 0.7f, girthStep = 0.7f, widthStep = 0.2f, leavesStep = 0.25f;
 
 JointTree jointsOf(const SwayingTree& tree) {
     return makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves);
@@ -32,48 +34,81 @@ int steps(float value, float step) {
     return static_cast<int>(std::lround(std::clamp(value / step, -100.0f, 100.0f)));
 }
 
-/// The logarithms of a tree's sizes over another's.
-SizePowers sizesOver(const SwayingTree& tree, const SwayingTree& other) {
+/// Logarithms of what growth gives to a tree beside its scale; of its leaves, over the mass of wood of that
+/// scale.
+SizePowers growthOf(const SwayingTree& tree, float leaves) {
+    const WoodParameters& wood = tree.species->wood;
+    double trunk = 0.0, drawn = 0.0, height = 0.0;
+    for (const BranchUnit& unit : tree.model->skeleton.units) {
+        const ScaledUnit scaled(unit, tree.scale);
+        (unit.level > 0 ? drawn : trunk) += static_cast<double>(wood.density * scaled.volume());
+        height = std::max(height, static_cast<double>(scaled.base.z + scaled.span.z));
+    }
+    const double diameter = std::max(breastDiameter(*tree.model, tree.scale), 1.0e-6);
+    const glm::vec3& axes = tree.scale.axes;
     SizePowers logs;
-    logs.height = std::log(tree.scale.axes.z / other.scale.axes.z);
-    logs.girth = std::log(girthOver(tree.scale) / girthOver(other.scale));
-    logs.width = std::log(widthOver(tree.scale) / widthOver(other.scale));
-    logs.leaves = tree.leaves > 0.0f && other.leaves > 0.0f ? std::log(tree.leaves / other.leaves) : 0.0f;
+    logs.modulus = static_cast<float>(std::log(stemModulus(wood, height / diameter)));
+    logs.branches = drawn > 0.0
+                        ? static_cast<float>(std::log(branchWoodMass(wood, diameter, trunk, drawn) / drawn))
+                        : 0.0f;
+    logs.width = std::log(widthOver(tree.scale));
+    logs.leaves = leaves > 0.0f ? std::log(leaves / (tree.scale.radius * tree.scale.radius * axes.z)) : 0.0f;
     return logs;
 }
 
-/// Adds the powers by which the modes follow one size: what is left on `other`, e^little as large, when
-/// scaling is taken out.
-void addPowers(std::vector<ModalShape>& shapes, const SwayingTree& tree, const SwayingTree& other,
-               float little, float SizePowers::*size) {
-    const double l = other.scale.axes.z / tree.scale.axes.z, r = other.scale.radius / tree.scale.radius;
-    const ModalRatios ratios = modalRatios(shapes.front(), jointsOf(other));
+constexpr double little = 0.1; // of a logarithm
+
+/// The powers by which the modes follow one quantity: what is left on `other`, which has e^change as much of
+/// it.
+void addPowers(std::vector<ModalShape>& shapes, const JointTree& other, double change,
+               float SizePowers::*size) {
+    const ModalRatios ratios = modalRatios(shapes.front(), other);
     for (ModalShape& shape : shapes)
         for (std::size_t k = 0; k < shape.modes.size(); ++k) {
-            ModalShape::Mode& mode = shape.modes[k];
-            mode.stiffness.*size =
-                static_cast<float>(std::log(ratios.stiffness[k] * l / std::pow(r, 4.0))) / little;
-            mode.mass.*size = static_cast<float>(std::log(ratios.mass[k] / (r * r * l * l * l))) / little;
+            shape.modes[k].stiffness.*size = static_cast<float>(std::log(ratios.stiffness[k]) / change);
+            shape.modes[k].mass.*size = static_cast<float>(std::log(ratios.mass[k]) / change);
         }
 }
 
-void addPowers(std::vector<ModalShape>& shapes, const SwayingTree& tree) {
-    constexpr float little = 0.1f;
-    const float more = std::exp(little), less = std::exp(-little);
+/// The tree with more wood in its branches.
+JointTree withBranches(const SwayingTree& tree, double factor) {
+    const std::vector<BranchUnit>& units = tree.model->skeleton.units;
+    SwayingTree bare = tree;
+    bare.leaves = 0.0f;
+    JointTree joints = jointsOf(tree);
+    const JointTree wood = jointsOf(bare);
+    for (std::size_t i = 0; i < joints.points.size(); ++i)
+        if (units[joints.points[i].link].level > 0)
+            joints.points[i].mass += (factor - 1.0) * wood.points[i].mass;
+    if (tree.species->wood.branchWood ==
+        WoodAllometry::Conifer) // several side by side, which share stiffness
+        for (std::size_t i = 0; i < units.size(); ++i)
+            if (units[i].level > 0)
+                joints.links[i].stiffness *= factor;
+    return joints;
+}
+
+/// The tree with a crown as many times wider, and the same wood in its branches.
+JointTree withWidth(const SwayingTree& tree, float factor) {
     SwayingTree other = tree;
-    other.scale.axes *= more;
-    other.scale.radius *= more;
-    addPowers(shapes, tree, other, little, &SizePowers::height);
+    other.scale.axes.x *= factor;
+    other.scale.axes.y *= factor;
+    return withBranches(
+        other, std::exp(static_cast<double>(growthOf(tree, 0.0f).branches - growthOf(other, 0.0f).branches)));
+}
+
+void addPowers(std::vector<ModalShape>& shapes, const SwayingTree& tree) {
+    const double more = std::exp(little);
+    Species stiffer = *tree.species;
+    stiffer.wood.elasticModulus *= static_cast<float>(more);
+    SwayingTree other = tree;
+    other.species = &stiffer;
+    addPowers(shapes, jointsOf(other), little, &SizePowers::modulus);
+    addPowers(shapes, withBranches(tree, more), little, &SizePowers::branches);
+    addPowers(shapes, withWidth(tree, static_cast<float>(more)), little, &SizePowers::width);
     other = tree;
-    other.scale.radius *= more;
-    addPowers(shapes, tree, other, little, &SizePowers::girth);
-    other = tree;
-    other.scale.axes.x *= more;
-    other.scale.axes.y *= more;
-    addPowers(shapes, tree, other, little, &SizePowers::width);
-    other = tree;
-    other.leaves *= less;
-    addPowers(shapes, tree, other, -little, &SizePowers::leaves);
+    other.leaves *= static_cast<float>(1.0 / more);
+    addPowers(shapes, jointsOf(other), -little, &SizePowers::leaves);
 }
 
 std::vector<std::size_t> nearestPatches(const ModalShape& shape, const ModalShape& other) {
@@ -109,7 +144,8 @@ SwayingTree treeOn(const ArchetypeRung& rung) {
 }
 
 Archetype::Archetype(const SwayingTree& tree)
-    : _tree(tree), _leafArea(leafArea(*tree.model, tree.scale, *tree.species, tree.leaves)) {
+    : _tree(tree), _leafArea(leafArea(*tree.model, tree.scale, *tree.species, tree.leaves)),
+      _logs(growthOf(tree, _leafArea)) {
     const WoodParameters& wood = tree.species->wood;
     const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
                                  tree.species->branch.maxAngle};
@@ -126,9 +162,13 @@ TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
     f.sine = std::sin(heading);
     f.length = l;
     f.pace = r * r / (l * l * l * l);
-    f.logs = sizesOver(tree, _tree);
-    f.stillDrag =
-        _leafArea > 0.0f ? leafArea(*tree.model, tree.scale, *tree.species, tree.leaves) / _leafArea : 0.0f;
+    const float leaves = leafArea(*tree.model, tree.scale, *tree.species, tree.leaves);
+    const SizePowers logs = growthOf(tree, leaves);
+    f.logs.modulus = logs.modulus - _logs.modulus;
+    f.logs.branches = logs.branches - _logs.branches;
+    f.logs.width = logs.width - _logs.width;
+    f.logs.leaves = leaves > 0.0f && _leafArea > 0.0f ? logs.leaves - _logs.leaves : 0.0f;
+    f.stillDrag = _leafArea > 0.0f ? leaves / _leafArea : 0.0f;
     f.leafDrag = tree.species->wood.crownDrag > 0.0f && _tree.leaves > 0.0f
                      ? l * tree.scale.axes.x / _tree.scale.axes.x * tree.leaves / _tree.leaves // its outline
                      : f.stillDrag;

@@ -61,6 +61,7 @@ public:
 private:
     SwayingTree _tree;
     float _leafArea = 0.0f;
+    SizePowers _logs; ///< Logarithms of what its growth gives it.
     std::vector<ModalShape> _shapes;
     std::vector<std::size_t> _other[levels];
 };

@@ -11,7 +11,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int slicesPerUnit = 4;
+constexpr int slicesPerUnit = 8;
 
 /// How far an even beam of that length, part of an axis that reaches `reach` on, moves at `at` from its base
 /// as it is bent by a force at the tip of the axis, over the angle of the joint that stands for it

@@ -23,7 +23,7 @@ struct TreeFactors {
     float cosine = 1.0f, sine = 0.0f;        ///< Of its heading.
     float length = 1.0f;                     ///< l
     float pace = 1.0f;                       ///< r^2 / l^4: stiffness over mass.
-    SizePowers logs;                         ///< Logarithms of its sizes over the shape's.
+    SizePowers logs;                         ///< Logarithms of what else is not as on the shape's tree.
     float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the shape's; that of wood is r l.
 };
 

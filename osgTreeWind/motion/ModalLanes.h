@@ -23,14 +23,14 @@ private:
 
 /// A TreeFactors of each tree, and what follows from it.
 struct LaneFactors {
-    real cosine, sine, length, pace, height, girth, width, leaves, leafDrag, stillDrag;
+    real cosine, sine, length, pace, modulus, branches, width, leaves, leafDrag, stillDrag;
     real reach;  ///< Speed of a patch by that of modes: lengths over the gain.
     real drive;  ///< Force on a mode, times the gain.
     real weight; ///< On the shares of weight.
     real woodDrag;
 
     LaneFactors(const LaneColumn& c, float gain)
-        : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), height(c[4]), girth(c[5]), width(c[6]),
+        : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), modulus(c[4]), branches(c[5]), width(c[6]),
           leaves(c[7]), leafDrag(c[8]), stillDrag(c[9]) {
         const real cube = length * length * length;
         reach = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
@@ -90,7 +90,7 @@ private:
     }
 
     real grown(const SizePowers& p) const {
-        return _laws.nearExponential(p.height * _factors.height + p.girth * _factors.girth +
+        return _laws.nearExponential(p.modulus * _factors.modulus + p.branches * _factors.branches +
                                      p.width * _factors.width + p.leaves * _factors.leaves);
     }
 

@@ -181,6 +181,16 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
                 numbers[2 * from.modes.size() + 3 * nearest[p] + c];
     for (std::size_t n = 0; n < factorCount; ++n)
         number(tree, firstFactor(to) + n) = numbers[firstFactor(from) + n];
+    if (modes == to.modes.size())
+        return;
+    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+    poseVector(tree, vector);
+    for (std::size_t k = modes; k < to.modes.size(); ++k) { // the new ones are where the air holds them
+        float force = 0.0f;
+        for (std::size_t i = 0; i < 3 * to.patches.size(); ++i)
+            force += to.levers[i * to.modes.size() + k] * vector[to.modes.size() + i];
+        number(tree, k) = force / (to.modes[k].pace * to.modes[k].pace);
+    }
 }
 
 void ModalMotion::meet(const WindField* wind, double time) {
@@ -270,12 +280,12 @@ void ModalMotion::reset() {
     _turn = 0;
 }
 
-void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
+/// What the pose is a matrix times: amplitudes of the modes, forces of the air on the patches.
+void ModalMotion::poseVector(std::size_t tree, float* vector) const {
     const ModalShape& shape = _groups[_slots[tree].group].shape();
     const std::size_t modes = shape.modes.size(), patches = shape.patches.size();
     const TreeFactors f = factors(tree);
     Laws laws;
-    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
     for (std::size_t k = 0; k < modes; ++k)
         vector[k] = number(tree, k);
     const SizePowers& stiffness = shape.modes.front().stiffness;
@@ -283,7 +293,7 @@ void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
     const float wooden = std::sqrt(f.pace) * f.length * f.length * f.length;
     const float rest =
         _gain / (wooden * wooden * f.pace) / // gain l / stiffness
-        laws.nearExponential(stiffness.height * f.logs.height + stiffness.girth * f.logs.girth +
+        laws.nearExponential(stiffness.modulus * f.logs.modulus + stiffness.branches * f.logs.branches +
                              stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
     for (std::size_t p = 0; p < patches; ++p) {
         const ModalShape::Patch& patch = shape.patches[p];
@@ -303,6 +313,13 @@ void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
         for (std::size_t c = 0; c < 3; ++c)
             vector[modes + 3 * p + c] = rest * brake * relative[static_cast<glm::length_t>(c)];
     }
+}
+
+void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
+    const ModalShape& shape = _groups[_slots[tree].group].shape();
+    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+    poseVector(tree, vector);
+    Laws laws;
     const float* row = shape.poses.data();
     for (std::size_t joint = 0; joint < shape.joints; ++joint, row += shape.columns()) {
         float angle = 0.0f;

@@ -90,6 +90,7 @@ private:
     };
     void advance(const WindField* wind, double time);
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
+    void poseVector(std::size_t tree, float* vector) const;
 
     Executor _executor;
     float _gain;

@@ -19,10 +19,10 @@ struct ModalDetail {
     static constexpr std::size_t maxModes = 16, maxPatches = 32;
 };
 
-/// Powers of a tree's height with all its proportions, of its girth, of the width of its crown and of its
-/// leaves.
+/// Powers of what does not follow a tree's scale: the modulus of its wood, how much wood its branches have
+/// over what is drawn, the width of its crown over its height, the mass of its leaves over that of wood.
 struct SizePowers {
-    float height = 0.0f, girth = 0.0f, width = 0.0f, leaves = 0.0f;
+    float modulus = 0.0f, branches = 0.0f, width = 0.0f, leaves = 0.0f;
 };
 
 /// What the law `modal` knows of a tree: a few modes and a few patches of its crown. Shared by all trees of

@@ -143,6 +143,11 @@ void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& u
 
 } // namespace
 
+double breastDiameter(const TreeModel& model, const TreeScale& scale) {
+    return std::sqrt(4.0 * static_cast<double>(trunkSection(model.skeleton, scale)) /
+                     static_cast<double>(pi));
+}
+
 float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves) {
     return clampOr(leaves, 0.0f, 1.0f, 1.0f) * species.wood.leafArea * trunkSection(model.skeleton, scale);
 }

@@ -27,6 +27,9 @@ struct UnitLoad {
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                     float leaves = 1.0f);
 
+/// Diameter of its trunk at breast height (a tenth of a tree below 13 m), metres.
+double breastDiameter(const TreeModel& model, const TreeScale& scale);
+
 /// Area of all leaves of a tree, m^2.
 float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves = 1.0f);
 

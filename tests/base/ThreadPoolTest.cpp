@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/ThreadPool.h>
+
+#include "../EnvironmentVariable.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace osgTreeWind {
+namespace {
+
+/// By number of threads.
+class ThreadPools : public testing::TestWithParam<unsigned> {};
+
+TEST_P(ThreadPools, DoEveryJobOnceInEveryRound) {
+    ThreadPool pool(GetParam());
+    for (std::size_t round = 0; round < 2000; ++round) {
+        const std::size_t count = round % 37;
+        std::vector<std::atomic<int>> done(count);
+        pool.run(count, [&](std::size_t i) { ++done[i]; });
+        for (std::size_t i = 0; i < count; ++i)
+            ASSERT_EQ(done[i], 1) << "job " << i << " of " << count << " in round " << round;
+    }
+}
+
+TEST_P(ThreadPools, AreAsLargeAsAskedFor) {
+    EXPECT_EQ(ThreadPool(GetParam()).threadCount(), GetParam());
+}
+
+TEST_P(ThreadPools, ReturnWhenAllIsDone) {
+    ThreadPool pool(GetParam());
+    for (int round = 0; round < 20; ++round) {
+        std::vector<int> plain(64, 0); // unguarded: a late job would be a race
+        pool.run(plain.size(), [&](std::size_t i) {
+            if (i % 16 == 0)
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            plain[i] = static_cast<int>(i) + 1;
+        });
+        for (std::size_t i = 0; i < plain.size(); ++i)
+            ASSERT_EQ(plain[i], static_cast<int>(i) + 1) << "round " << round;
+    }
+}
+
+TEST_P(ThreadPools, DoNothingForNoJobs) {
+    ThreadPool pool(GetParam());
+    pool.run(0, [](std::size_t) { FAIL() << "there is no job"; });
+}
+
+TEST_P(ThreadPools, ComeAsExecutorsThatKeepThemAlive) {
+    Executor executor = ThreadPool::executor(GetParam());
+    const Executor copy = executor;
+    executor = nullptr;
+    std::atomic<int> done{0};
+    copy(100, [&](std::size_t) { ++done; });
+    EXPECT_EQ(done, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(, ThreadPools, testing::Values(1u, 2u, 3u, 4u),
+                         [](const auto& info) { return std::to_string(info.param) + "Threads"; });
+
+TEST(ThreadPool, OneThreadIsTheCallers) {
+    ThreadPool pool(1);
+    std::set<std::thread::id> seen;
+    pool.run(10, [&](std::size_t) { seen.insert(std::this_thread::get_id()); });
+    EXPECT_EQ(seen, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST(ThreadPool, TheEnvironmentSaysHowManyThreads) {
+    const EnvironmentVariable three("OSGTREEWIND_THREADS", "3");
+    EXPECT_EQ(ThreadPool().threadCount(), 3u);
+    EXPECT_EQ(ThreadPool(2).threadCount(), 2u) << "who asks for a number gets it";
+}
+
+TEST(ThreadPool, NonsenseInTheEnvironmentIsNotListenedTo) {
+    for (const char* value : {"", "0", "-2", "many", "100000"}) {
+        const EnvironmentVariable nonsense("OSGTREEWIND_THREADS", value);
+        const unsigned processors = std::thread::hardware_concurrency();
+        EXPECT_EQ(ThreadPool().threadCount(), processors > 0 ? processors : 1) << '"' << value << '"';
+    }
+}
+
+} // namespace
+} // namespace osgTreeWind

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/Archetype.h>
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/GrowthLaws.h>
+#include <osgTreeWind/motion/JointTree.h>
+#include <osgTreeWind/wind/GustWind.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// A tree of a species at a size, and what the law `modal` makes of it. What it hands out points into it.
+struct GrownTree {
+    Species species;
+    TreeModel model;
+    TreeScale scale;
+    float leaves;
+
+    GrownTree(Species kind, const TreeSize& size, float leafShare = 1.0f)
+        : species(std::move(kind)), model(makeTreeModel(species.tree)), scale(fitTree(model, size)),
+          leaves(leafShare) {}
+    GrownTree(const std::string& name, const TreeSize& size, float leafShare = 1.0f)
+        : GrownTree(*findBuiltInSpecies(name), size, leafShare) {}
+
+    const std::vector<BranchUnit>& units() const { return model.skeleton.units; }
+    SwayingTree form() const { return {&model, &species, scale, leaves}; }
+    JointTree joints() const { return makeJointTree(model, scale, species, leaves); }
+    ModalMaterial material() const {
+        return {species.wood.dampingRatio, species.wood.streamlining, species.wood.streamlinedTo,
+                species.branch.maxAngle};
+    }
+    /// Index of the trunk's last unit.
+    std::size_t top() const {
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < units().size(); ++i)
+            if (units()[i].level == 0)
+                last = i;
+        return last;
+    }
+    /// Metres, the tree's own frame.
+    glm::dvec3 tipOf(std::size_t unit) const { return scale.axes * units()[unit].tip; }
+};
+
+/// The end of a unit as a point of its link.
+inline JointTree::Point tipPoint(const GrownTree& tree, const JointTree& joints, std::size_t unit) {
+    JointTree::Point point;
+    point.link = unit;
+    point.place = tree.tipOf(unit);
+    point.lever = point.place - joints.links[unit].base;
+    return point;
+}
+
+/// A wind of that mean speed along x, standard deviation a quarter of it, alike at all heights.
+inline WindFieldPtr gustsOf(float speed) {
+    GustWind::Parameters parameters;
+    parameters.mean = {speed, 0.0f, 0.0f};
+    parameters.intensity = 0.25;
+    return GustWind::create(parameters).value();
+}
+
+} // namespace osgTreeWind
