@@ -22,7 +22,7 @@ using namespace osgTreeWind;
 
 struct SwayOptions {
     std::string species = "broadleaf";
-    double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0, pull = 0.01;
+    double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0, pull = 0.05;
     bool open = false;
     bool json = false;
     std::string table;

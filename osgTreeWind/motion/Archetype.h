@@ -32,7 +32,7 @@ struct ArchetypeRung {
     }
 };
 
-/// The rung nearest to a tree: heights and girths a factor of 1.65 apart, widths of 1.22, leaves by quarters.
+/// The rung nearest to a tree: heights and girths a factor of 2 apart, widths of 1.22, leaves by quarters.
 ArchetypeRung nearestRung(const SwayingTree& tree);
 /// The tree that stands on a rung.
 SwayingTree treeOn(const ArchetypeRung& rung);

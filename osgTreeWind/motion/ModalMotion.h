@@ -16,8 +16,9 @@ namespace osgTreeWind {
 /// The law `modal` for a forest: every tree a short vector, stepped eight at a time with those of its
 /// archetype.
 ///
-/// A tree takes stateBytes() beside its archetype. What comes out does not depend on the other trees, on
-/// threads or on the processor's instruction set. Not thread-safe, but for the threads of its executor.
+/// A tree takes stateBytes() beside its archetype. What comes out does not depend on threads or on the
+/// processor's instruction set, nor, for near trees, on the other trees; far ones step in turns with those
+/// they are kept with. Not thread-safe, but for the threads of its executor.
 class ModalMotion {
 public:
     /// A tree and where it stands.

@@ -37,6 +37,12 @@ Angles anglesOf(const ModalMotion& motion, std::size_t tree) {
     return angles;
 }
 
+std::vector<glm::vec3> windsOf(const ModalMotion& motion, std::size_t tree) {
+    std::vector<glm::vec3> winds(motion.archetype(tree).shape(0).joints / 2);
+    motion.winds(tree, winds.data());
+    return winds;
+}
+
 float largest(const Angles& angles) {
     float most = 0.0f;
     for (const glm::vec2& angle : angles)
@@ -164,7 +170,7 @@ TEST(ModalMotion, ThreadsChangeNothing) {
         run(several, wind.get(), 60);
         for (std::size_t tree = 0; tree < forest.trees.size(); ++tree) {
             ASSERT_EQ(several.amplitudes(tree), one.amplitudes(tree)) << threads << " threads, tree " << tree;
-            ASSERT_EQ(several.patchWind(tree, 1), one.patchWind(tree, 1));
+            ASSERT_EQ(windsOf(several, tree), windsOf(one, tree));
         }
     }
 }
@@ -280,7 +286,8 @@ TEST(ModalMotion, ResetIsRestInACalm) {
     motion.reset();
     for (std::size_t tree = 0; tree < 20; ++tree) {
         EXPECT_EQ(largest(anglesOf(motion, tree)), 0.0f);
-        EXPECT_EQ(motion.patchWind(tree, 0), glm::vec3(0.0f));
+        for (const glm::vec3& wind : windsOf(motion, tree))
+            EXPECT_EQ(wind, glm::vec3(0.0f));
     }
     run(motion, wind.get(), 30);
     run(fresh, wind.get(), 30);
@@ -295,8 +302,8 @@ TEST(ModalMotion, MeetingAWindMovesNothing) {
     motion.meet(&wind, 0.0);
     for (const float amplitude : motion.amplitudes(0))
         EXPECT_EQ(amplitude, 0.0f);
-    for (std::size_t patch = 0; patch < 10; ++patch)
-        EXPECT_LT(glm::length(motion.patchWind(0, patch) - glm::vec3(5, -2, 1)), 1e-5f) << "patch " << patch;
+    for (const glm::vec3& met : windsOf(motion, 0))
+        EXPECT_LT(glm::length(met - glm::vec3(5, -2, 1)), 1e-5f);
 }
 
 TEST(ModalMotion, AnglesAreHeldWithinTheSpecies) {
@@ -326,89 +333,6 @@ TEST(ModalMotion, ALongStepIsCutIntoShortOnes) {
 }
 
 // A tree pulled by a hundredth of its height and let go in a calm.
-
-/// Sideways shift of the trunk's top by amplitude of each mode, and the amplitudes under a force there.
-std::vector<float> pulledBy(const GrownTree& tree, const ModalMotion& motion, float shift) {
-    const ModalShape& shape = motion.archetype(0).shape(0);
-    const JointTree joints = tree.joints();
-    const JointTree::Point top = tipPoint(tree, joints, tree.top());
-    std::vector<float> amplitudes(shape.modes.size(), 0.0f);
-    double whole = 0.0;
-    for (std::size_t k = 0; k < shape.modes.size(); ++k) {
-        double lever = 0.0;
-        for (std::size_t i = 0; i < shape.joints; ++i)
-            if (joints.carries(i / 2, top.link))
-                lever += joints.displacement(top, i / 2, i % 2).x *
-                         static_cast<double>(shape.poses[i * shape.columns() + k]);
-        const double amplitude = lever / std::pow(static_cast<double>(shape.modes[k].pace), 2.0);
-        amplitudes[k] = static_cast<float>(amplitude);
-        whole += lever * amplitude;
-    }
-    for (float& amplitude : amplitudes)
-        amplitude *= shift / static_cast<float>(whole);
-    return amplitudes;
-}
-
-struct Sway {
-    double frequency = 0.0, dampingRatio = 0.0;
-};
-
-/// From the decrement of the first six half-swings.
-std::optional<Sway> freeSway(const GrownTree& tree) {
-    ModalMotion motion({placed(tree)}, 1.0f, runInTurn, true);
-    const JointTree joints = tree.joints();
-    const JointTree::Point top = tipPoint(tree, joints, tree.top());
-    motion.setAmplitudes(0, pulledBy(tree, motion, 0.01f * static_cast<float>(top.place.z)));
-    std::vector<double> crossings, peaks;
-    double before = 1.0, peak = 0.0;
-    for (int i = 1; i < 6000 && crossings.size() < 7; ++i) {
-        run(motion, nullptr, 1, i);
-        const Angles angles = anglesOf(motion, 0);
-        double now = 0.0;
-        for (std::size_t unit = 0; unit < angles.size(); ++unit)
-            if (joints.carries(unit, top.link))
-                for (std::size_t axis = 0; axis < 2; ++axis)
-                    now += joints.displacement(top, unit, axis).x *
-                           static_cast<double>(angles[unit][static_cast<int>(axis)]);
-        if ((before > 0.0) != (now > 0.0)) {
-            if (!crossings.empty())
-                peaks.push_back(peak);
-            crossings.push_back((i - now / (now - before)) / 60.0);
-            peak = 0.0;
-        }
-        peak = std::max(peak, std::abs(now));
-        before = now;
-    }
-    if (crossings.size() < 7)
-        return {};
-    const double decrement = std::log(peaks.front() / peaks.back()) / 5.0;
-    return Sway{3.0 / (crossings.back() - crossings.front()), decrement / std::hypot(pi, decrement)};
-}
-
-GrownTree forestTree(const Species& species, float leaves) {
-    return {species, withCrown({20, 0.3f, 0}, species.crown, false), leaves};
-}
-
-/// Whether it drops its leaves in autumn.
-bool isDeciduous(const Species& species) {
-    return !species.appearance.needles || species.name == "European larch";
-}
-
-// Bare, 0.01 to 0.06 of critical; in leaf the air makes it 0.06 to 0.15 (pull-and-release tests: Wytham,
-// 0.051 in winter, 0.121 in summer; Moore and Maguire 2005).
-TEST(ModalMotion, SwayingDiesAwayAsMeasured) {
-    for (const BuiltInSpecies& built : builtInSpecies()) {
-        const std::optional<Sway> leafy = freeSway(forestTree(built.species, 1.0f)),
-                                  bare = freeSway(forestTree(built.species, 0.0f));
-        ASSERT_TRUE(leafy && bare) << built.species.name << " does not sway";
-        EXPECT_GT(leafy->dampingRatio, 0.06) << built.species.name << " in leaf";
-        EXPECT_LT(leafy->dampingRatio, 0.15) << built.species.name << " in leaf";
-        if (isDeciduous(built.species)) {
-            EXPECT_LT(bare->dampingRatio, 0.06) << built.species.name << " bare";
-            EXPECT_GT(bare->dampingRatio, 0.01) << built.species.name << " bare";
-        }
-    }
-}
 
 } // namespace
 } // namespace osgTreeWind
