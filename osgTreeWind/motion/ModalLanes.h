@@ -80,12 +80,11 @@ private:
     /// The wind at the end of the step in the trees' own axes, bounded.
     void turnWind() {
         const LaneColumn wind(_step.wind, _first);
-        const real most = every(200.0f); // faster than any wind measured
         for (std::size_t p = 0; p < 3 * _patches; p += 3) {
-            const real x = _laws.bounded(wind[p], most), y = _laws.bounded(wind[p + 1], most);
+            const real x = _laws.plausibleWind(wind[p]), y = _laws.plausibleWind(wind[p + 1]);
             _windNow[p] = _factors.cosine * x + _factors.sine * y;
             _windNow[p + 1] = _factors.cosine * y - _factors.sine * x;
-            _windNow[p + 2] = _laws.bounded(wind[p + 2], most);
+            _windNow[p + 2] = _laws.plausibleWind(wind[p + 2]);
         }
     }
 

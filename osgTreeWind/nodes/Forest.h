@@ -28,7 +28,8 @@ public:
         CPU_ANGLES, ///< In the update traversal: the frame shows the wind of the same frame.
         GPU_ANGLES  ///< In fragment shaders before the frame is drawn (thesis §5.2). Branch angles are read
                     ///< back and move the branches one frame later; leaves show them at once. Falls back to
-                    ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
+                    ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing; and
+                    ///< for the law `modal`, which has no state for each branch.
     };
     /// How branches are drawn.
     enum BranchDrawing {

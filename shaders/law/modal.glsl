@@ -2,6 +2,9 @@
 // Needs limits.glsl, elementary.glsl and oscillator.glsl. Law `modal`: a tree sways in a few modes, q'' + 2 rate q' +
 // pace^2 q = force, and the air pushes on a few patches of its crown, F = brake (v - u).
 
+/// A component of the wind, m/s; one that no wind on earth ever had, and what is no number, counts as calm.
+real plausibleWind(real x) { return abs(x) <= 200.0f ? x : every(0.0f); }
+
 /// kg/s: what a patch and the air take from each other's speed. In still air leaves meet it with their whole area
 /// as they swing; in a wind, with what the crown's own shelter leaves.
 /// @param windDrag, stillDrag kg/m: half the air's density times CdA. @param wind, own, relative squares of speeds.

@@ -168,8 +168,8 @@ TEST(Archetype, RungsAreOneForAllWhoAreNear) {
     SwayingTree near = treeOn(rung), far = treeOn(rung);
     near.scale.axes *= 1.2f;
     near.scale.radius *= 1.2f;
-    far.scale.axes *= 1.4f;
-    far.scale.radius *= 1.4f;
+    far.scale.axes *= 1.6f;
+    far.scale.radius *= 1.6f;
     EXPECT_FALSE(nearestRung(near) < rung || rung < nearestRung(near));
     EXPECT_TRUE(rung < nearestRung(far));
     far = treeOn(rung);

@@ -235,7 +235,7 @@ TEST(ModalKernel, ForgetsABadWind) {
     blow(true, 60);
     blow(false, 1);
     for (std::size_t tree = 0; tree < lanes; ++tree)
-        EXPECT_LT(block.largestAngle(tree), 20.0f) << "after wind " << winds[tree];
+        EXPECT_LT(block.largestAngle(tree), 1.0f) << "after wind " << winds[tree];
     blow(false, 60 * 60);
     for (std::size_t tree = 1; tree < lanes; ++tree)
         for (std::size_t k = 0; k < block.modes(); ++k)

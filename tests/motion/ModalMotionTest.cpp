@@ -242,7 +242,7 @@ TEST(ModalMotion, LevelsChangeWithoutAJump) {
             EXPECT_LT(nearer.foot, 0.05f);
             EXPECT_LT(nearer.any, 0.2f);
             EXPECT_LT(farther.foot, 0.12f);
-            EXPECT_LT(farther.any, 0.6f) << "twigs keep what the steady wind does to them";
+            EXPECT_LT(farther.any, 1.0f) << "twigs keep what the steady wind does to them";
         }
     }
 }

@@ -215,5 +215,5 @@ TEST(ForestTest, farFromTheWorldsOriginNothingIsLost) {
     updateFrames(*there, 1, 20);
     for (unsigned i = 0; i < 3; ++i)
         EXPECT_EQ(there->getTree(i)->getPosition(), here->getTree(i)->getPosition());
-    EXPECT_EQ(states(*there), states(*here));
+    EXPECT_EQ(statesOf(*there), statesOf(*here));
 }
