@@ -17,8 +17,8 @@ Swing swungFreely(Swing start, real pace, real rate, real h) {
     real root = larger * sqrt((1.0f - ratio) * (1.0f + ratio)); // sqrt(|w^2 - g^2|)
     real d = w > g ? root * root : -root * root;
     real size = decayed(g);
-    real slow = decayed(w * (w / (g + root)));
-    real fast = decayed(g + root);
+    real slow = w > g ? every(0.0f) : decayed(w * (w / (g + root)));
+    real fast = w > g ? every(0.0f) : decayed(g + root);
     CosineSine turned = cosineSine(root);
     real cosine = root < 0.1f ? size * (1.0f - d / 2.0f + d * d / 24.0f) // e^-gh cos(sqrt(D) h)
                   : w > g     ? size * turned.cosine
