@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/PhysicalConstants.h>
 #include <osgTreeWind/motion/UnitLoads.h>
 
 #include <vector>
@@ -24,6 +25,6 @@ double jointStiffness(double elasticModulus, double d0, double d1, double length
 /// shape).
 /// @param loads of makeUnitLoads(). @param gravity m/s^2.
 std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
-                              const std::vector<UnitLoad>& loads, double gravity = 9.81);
+                              const std::vector<UnitLoad>& loads, double gravity = osgTreeWind::gravity);
 
 } // namespace osgTreeWind

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/CalmTree.h>
 
-#include <osgTreeWind/motion/Rotations.h>
-#include <osgTreeWind/motion/ScaledUnit.h>
+#include <osgTreeWind/motion/Laws.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -80,8 +79,7 @@ CalmTree::CalmTree(const Species& species, const TreePlacement& tree)
 
 double CalmTree::pace(std::size_t mode) const {
     const ModalShape::Mode& m = modes()[mode];
-    return static_cast<double>(m.pace) *
-           std::sqrt(1.0 - std::clamp(static_cast<double>(m.weightShare), -1.0, 0.75));
+    return static_cast<double>(m.pace) * std::sqrt(static_cast<double>(Laws().weightLeaves(m.weightShare)));
 }
 
 void CalmTree::step(double seconds) {
@@ -93,10 +91,7 @@ std::vector<glm::vec3> CalmTree::shifts() {
     const PlacedTree& tree = _forest.trees.front();
     const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
     _motion.angles(0, _angles.data());
-    for (std::size_t i = 0; i < _rest.size(); ++i)
-        _rotations[i] = dampedRotation(glm::vec4(_angles[i], 0.0f, 0.0f),
-                                       ScaledUnit(skeleton.units[i], tree.scale).direction());
-    composePoses(skeleton, tree.scale, _rotations.data(), _poses.data());
+    swingPoses(skeleton, tree.scale, _angles.data(), _rotations.data(), _poses.data());
     std::vector<glm::vec3> shifts(_rest.size());
     for (std::size_t i = 0; i < _rest.size(); ++i)
         shifts[i] = _poses[i].apply(_rest[i]) - _rest[i];

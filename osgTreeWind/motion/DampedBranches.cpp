@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/DampedBranches.h>
 
-#include <osgTreeWind/motion/AirDensity.h>
 #include <osgTreeWind/motion/AxisPaces.h>
+#include <osgTreeWind/motion/PhysicalConstants.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
 #include <osgTreeWind/motion/UnitLoads.h>
 

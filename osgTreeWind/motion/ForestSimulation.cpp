@@ -3,8 +3,6 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/BranchwiseMotion.h>
-#include <osgTreeWind/motion/Rotations.h>
-#include <osgTreeWind/motion/ScaledUnit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,12 +116,9 @@ TreeMotion ForestSimulation::motion(std::size_t index, UnitValues& values) const
     values.resize(units);
     _modal->angles(index, values.angles.data());
     _modal->winds(index, values.winds.data());
-    for (std::size_t i = 0; i < units; ++i) {
+    for (std::size_t i = 0; i < units; ++i)
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
-        values.rotations[i] =
-            dampedRotation(values.states[i], ScaledUnit(skeleton.units[i], tree.scale).direction());
-    }
-    composePoses(skeleton, tree.scale, values.rotations.data(), values.poses.data());
+    swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
     return {{values.poses.data(), units},
             {values.rotations.data(), units},
             {values.states.data(), units},

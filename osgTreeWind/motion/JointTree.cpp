@@ -40,12 +40,7 @@ JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Sp
                         float leaves) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const std::vector<UnitLoad> loads = makeUnitLoads(model, scale, species, leaves);
-    std::vector<double> reach(units.size(), 0.0); // base of a unit to the tip of its axis
-    for (std::size_t i = units.size(); i-- > 0;) {
-        reach[i] += static_cast<double>(ScaledUnit(units[i], scale).length);
-        if (carriesOn(units, i))
-            reach[static_cast<std::size_t>(units[i].parent)] = reach[i];
-    }
+    const std::vector<float> reach = axisReaches(units, scale);
     JointTree tree;
     tree.links.reserve(units.size());
     tree.points.reserve(units.size() * (slicesPerUnit + 1));

@@ -97,9 +97,8 @@ private:
         for (std::size_t k = 0; k < _modes; ++k) {
             const ModalShape::Mode& mode = _shape.modes[k];
             const real stiffness = grown(mode.stiffness), mass = grown(mode.mass);
-            const real weight =
-                max(min(mode.weightShare * _factors.weight * mass / stiffness, every(0.75f)), every(-1.0f));
-            const real left = 1.0f - weight; // weight slows a tree as more mass would
+            // Weight slows a tree as more mass would.
+            const real left = _laws.weightLeaves(mode.weightShare * _factors.weight * mass / stiffness);
             _mode[k].pace = mode.pace * sqrt(_factors.pace * stiffness * left / mass);
             _mode[k].drive = _factors.drive * left / mass;
             _mode[k].limit = every(mode.limit);

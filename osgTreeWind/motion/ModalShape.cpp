@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ModalShape.h>
 
-#include <osgTreeWind/motion/AirDensity.h>
 #include <osgTreeWind/motion/DragPatches.h>
+#include <osgTreeWind/motion/PhysicalConstants.h>
 #include <osgTreeWind/motion/TreeModes.h>
 
 #include <glm/common.hpp>

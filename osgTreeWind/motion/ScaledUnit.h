@@ -42,4 +42,15 @@ inline bool carriesOn(const std::vector<BranchUnit>& units, std::size_t i) {
     return units[i].parent >= 0 && units[static_cast<std::size_t>(units[i].parent)].level == units[i].level;
 }
 
+/// Per unit, from its base to the tip of its axis, metres.
+inline std::vector<float> axisReaches(const std::vector<BranchUnit>& units, const TreeScale& scale) {
+    std::vector<float> reaches(units.size(), 0.0f);
+    for (std::size_t i = units.size(); i-- > 0;) {
+        reaches[i] += ScaledUnit(units[i], scale).length;
+        if (carriesOn(units, i))
+            reaches[static_cast<std::size_t>(units[i].parent)] = reaches[i];
+    }
+    return reaches;
+}
+
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/TreeModes.h>
 
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/PhysicalConstants.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -17,7 +18,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double gravity = 9.81; // m/s^2
 constexpr std::size_t startVectors = 4;
 constexpr std::size_t smallestSpace = 72;
 

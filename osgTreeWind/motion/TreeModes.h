@@ -38,7 +38,7 @@ private:
 };
 
 /// The slowest modes of a tree, slowest first: K phi = M phi omega^2 with phi^T M phi = 1.
-/// Exact for up to 48 links; beyond that the slower half is exact to 1e-6 and the rest near it (a Krylov
+/// Exact for up to 36 links; beyond that the slower half is exact to 1e-6 and the rest near it (a Krylov
 /// space of K^-1 M).
 /// @param count at most jointCount().
 std::vector<TreeMode> slowestModes(const JointTree& tree, std::size_t count);

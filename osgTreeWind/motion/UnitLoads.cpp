@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/motion/AxisPaces.h>
 #include <osgTreeWind/motion/GrowthLaws.h>
+#include <osgTreeWind/motion/PhysicalConstants.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
 
 #include <glm/common.hpp>
@@ -113,14 +114,11 @@ std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::ve
             carried[carrier].inertia += mass * arm * arm;
         }
     }
-    for (std::size_t i = units.size(); i-- > 0;) {
-        carried[i].reach += ScaledUnit(units[i], scale).length;
-        if (carriesOn(units, i))
-            carried[static_cast<std::size_t>(units[i].parent)].reach = carried[i].reach;
+    const std::vector<float> reaches = axisReaches(units, scale);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        Carried& c = carried[i];
+        c.reach = c.moment > 0.0f ? std::max(reaches[i], c.inertia / c.moment) : reaches[i];
     }
-    for (Carried& c : carried)
-        if (c.moment > 0.0f)
-            c.reach = std::max(c.reach, c.inertia / c.moment);
     return carried;
 }
 
@@ -128,14 +126,14 @@ std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::ve
 /// weight: twigs of a slender tree are not as slender as its trunk.
 void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                   const TreeScale& scale) {
-    constexpr float deepestSag = 0.35f, gravity = 9.81f;
+    constexpr float deepestSag = 0.35f, g = static_cast<float>(gravity);
     const std::vector<Carried> carried = carriedBy(loads, units, scale);
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
         loads[i].stiffness = static_cast<float>(jointStiffness(
             loads[i].modulus, unit.baseDiameter, unit.tipDiameter, unit.length, carried[i].reach));
         if (units[i].level > 0)
-            loads[i].stiffness = std::max(loads[i].stiffness, gravity * carried[i].moment / deepestSag);
+            loads[i].stiffness = std::max(loads[i].stiffness, g * carried[i].moment / deepestSag);
         if (loads[i].rootGive > 0.0f)
             loads[i].stiffness = 1.0f / (1.0f / loads[i].stiffness + loads[i].rootGive);
     }
@@ -159,12 +157,11 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
     const std::vector<float> shares = leafShares(model);
     const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
     const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
-    const float section = trunkSection(model.skeleton, scale);
-    const float diameter = std::sqrt(4.0f * section / pi);
+    const auto diameter = static_cast<float>(breastDiameter(model, scale));
     const float height = scale.axes.z * largestHeight(model.skeleton);
     const double modulus =
         std::pow(wood.underBark, 4.0) * stemModulus(wood, height / std::max(diameter, 1.0e-6f));
-    const float area = share * wood.leafArea * section;
+    const float area = leafArea(model, scale, species, share);
     const float crown =
         known ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
               : wood.leafDrag * area;

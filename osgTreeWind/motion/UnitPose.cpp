@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/UnitPose.h>
 
+#include <osgTreeWind/motion/Rotations.h>
+#include <osgTreeWind/motion/ScaledUnit.h>
+
 namespace osgTreeWind {
 
 void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,
@@ -13,6 +16,14 @@ void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::q
         poses[i].rotation = parent.rotation * rotations[i];
         poses[i].translation = parent.apply(base) - poses[i].rotation * base;
     }
+}
+
+void swingPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
+                glm::quat* rotations, UnitPose* poses) {
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i)
+        rotations[i] = dampedRotation(glm::vec4(angles[i], 0.0f, 0.0f),
+                                      ScaledUnit(skeleton.units[i], scale).direction());
+    composePoses(skeleton, scale, rotations, poses);
 }
 
 } // namespace osgTreeWind

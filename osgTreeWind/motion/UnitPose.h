@@ -4,6 +4,7 @@
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 
 #include <vector>
 
@@ -23,5 +24,10 @@ struct UnitPose {
 /// @param rotations, poses skeleton.units.size() elements each.
 void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,
                   UnitPose* poses);
+
+/// The same from the angles of each unit about its own two axes (laws `damped` and `modal`), with the
+/// rotations on the way.
+void swingPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
+                glm::quat* rotations, UnitPose* poses);
 
 } // namespace osgTreeWind

@@ -19,6 +19,10 @@ real nearExponential(real x) {
     return (1.0f + by) / (1.0f - by);
 }
 
+/// Share of its stiffness that weight leaves a mode, given the share it takes: a tree that leans so far on its
+/// stiffness still has half its pace.
+real weightLeaves(real taken) { return 1.0f - max(min(taken, every(0.75f)), every(-1.0f)); }
+
 /// What is too small to see comes to rest: numbers near the smallest of all make a processor slow.
 real settled(real x) { return abs(x) < 1.0e-12f ? every(0.0f) : x; }
 

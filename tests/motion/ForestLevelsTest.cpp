@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Trees of a forest near by and far away.
+#include "Sapling.h"
+
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -13,12 +15,7 @@ namespace {
 
 ForestDescription saplings(std::size_t count) {
     ForestDescription forest;
-    Species species;
-    species.name = "sapling";
-    species.tree.wood.levels = 2;
-    species.tree.leaves.clustersPerBranch = 2;
-    species.wood.elasticModulus = 2.0e6f;
-    forest.species.push_back(species);
+    forest.species = {sapling()};
     forest.trees.resize(count);
     return forest;
 }

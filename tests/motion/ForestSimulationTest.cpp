@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "Sapling.h"
+
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osgTreeWind/motion/BranchwiseMotion.h>
@@ -33,15 +35,10 @@ WindFieldPtr uniform(const glm::vec3& v) {
     return std::make_shared<TestWind>([v](const glm::vec3&, double) { return v; });
 }
 
-/// One small limber tree at the origin: 2 + 3 + 9 units.
+/// One sapling at the origin.
 ForestDescription oneTree(MotionLaw law = MotionLaw::Thesis) {
     ForestDescription forest;
-    Species species;
-    species.name = "sapling";
-    species.tree.wood.levels = 2;
-    species.tree.leaves.clustersPerBranch = 2;
-    species.wood.elasticModulus = 2.0e6f;
-    forest.species.push_back(species);
+    forest.species = {sapling()};
     forest.trees.resize(1);
     forest.law = law;
     return forest;

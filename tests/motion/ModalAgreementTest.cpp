@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The law `modal` against a full integration of the same tree: all its modes, drag on each of its units.
-#include <osgTreeWind/motion/AirDensity.h>
 #include <osgTreeWind/motion/ModalMotion.h>
+#include <osgTreeWind/motion/PhysicalConstants.h>
 #include <osgTreeWind/motion/TreeModes.h>
 
 #include "GrownTree.h"

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/Species.h>
+
+/// A small limber tree: 2 + 3 + 9 units.
+inline osgTreeWind::Species sapling() {
+    osgTreeWind::Species species;
+    species.name = "sapling";
+    species.tree.wood.levels = 2;
+    species.tree.leaves.clustersPerBranch = 2;
+    species.wood.elasticModulus = 2.0e6f;
+    return species;
+}
