@@ -43,12 +43,13 @@ void TreeLod::setRanges(const TreeLodRanges& ranges) {
 }
 
 void TreeLod::traverse(osg::NodeVisitor& visitor) {
-    const bool culls = visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR;
-    if (!culls || visitor.getDistanceToViewPoint(getCenter(), true) >= getMaxRange(FULL)) {
+    if (visitor.getTraversalMode() != osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN ||
+        visitor.getDistanceToViewPoint(getCenter(), true) >= getMaxRange(FULL)) {
         osg::LOD::traverse(visitor);
         return;
     }
-    _wanted = true;
+    if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR)
+        _wanted = true;
     getChild(_ready ? FULL : STAND_IN)->accept(visitor);
 }
 

@@ -161,8 +161,9 @@ TEST_F(BranchwiseForestGlTest, leavesKeepTheirShadeWhenATreeIsAdded) {
     EXPECT_EQ(difference(*before, image()).mean, 0.0);
 }
 
-class BranchwiseThreadingGlTest : public BranchwiseForestGlTest,
-                                  public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {};
+class BranchwiseThreadingGlTest
+    : public BranchwiseForestGlTest,
+      public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {};
 
 TEST_P(BranchwiseThreadingGlTest, aForestMayGoWhileItsFrameIsDrawn) {
     start(dampedForest(1));
