@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/ForestDrawing.h>
 #include <osgTreeWind/motion/Species.h>
 #include <osgTreeWind/wind/WindField.h>
 
@@ -44,6 +45,7 @@ struct ForestDescription {
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;
     WindFieldPtr wind; ///< In scene coordinates. Null: calm.
+    ForestDrawing drawing;
 
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.
     std::string source; ///< Text of the .treewind file it was read from; empty for one made by hand.
