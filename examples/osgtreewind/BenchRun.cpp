@@ -180,7 +180,7 @@ Result<BenchResult> runBench(const BenchStage& stage, int trees, const BenchSett
     result.trees = trees;
     const BenchScene scene = createBenchScene(stage, trees);
     Bench(scene, settings, *context.value(), driver).run(result.moving, result.still);
-    result.gpuAngles = scene.moving->getAngleSource() == Forest::GPU_ANGLES;
+    result.gpuAngles = scene.moving->getBranchwise()->getAngleSource() == BranchwiseForest::GPU_ANGLES;
     scene.moving->setNodeMask(~0u);
     result.counts = count(stage, *scene.moving);
     return result;

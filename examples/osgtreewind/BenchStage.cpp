@@ -2,7 +2,7 @@
 #include "BenchStage.h"
 
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/nodes/SkinDrawable.h>
+#include <osgTreeWind/nodes/branchwise/SkinDrawable.h>
 #include <osgTreeWind/wind/GridWind.h>
 
 #include <osg/Geometry>
@@ -66,7 +66,7 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
         lines.push_back(unitLines(skeleton, unit, 1, buffered));
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
-        TreeNode& tree = *forest.getTree(i);
+        TreeNode& tree = *forest.getBranchwise()->getTree(i);
         for (unsigned child = 0; child < tree.getNumChildren(); ++child)
             if (dynamic_cast<SkinDrawable*>(tree.getChild(child)))
                 tree.getChild(child)->setNodeMask(0);
@@ -108,57 +108,57 @@ const std::vector<BenchStage>& benchStages() {
          "6.1",
          {10, 5, 3, 2},
          BenchStage::LINES,
-         Forest::CPU_ANGLES,
-         Forest::BRANCH_DRAWING,
-         Forest::TREE_LEAVES},
+         BranchwiseForest::CPU_ANGLES,
+         BranchwiseForest::BRANCH_DRAWING,
+         BranchwiseForest::TREE_LEAVES},
         {"cpu-vbo",
          "the same in vertex buffers",
          "6.2",
          {12, 5, 3, 2},
          BenchStage::BUFFERED_LINES,
-         Forest::CPU_ANGLES,
-         Forest::BRANCH_DRAWING,
-         Forest::TREE_LEAVES},
+         BranchwiseForest::CPU_ANGLES,
+         BranchwiseForest::BRANCH_DRAWING,
+         BranchwiseForest::TREE_LEAVES},
         {"gpu",
          "the same, angles on the GPU",
          "6.3",
          {105, 60, 40, 31},
          BenchStage::BUFFERED_LINES,
-         Forest::GPU_ANGLES,
-         Forest::BRANCH_DRAWING,
-         Forest::TREE_LEAVES},
+         BranchwiseForest::GPU_ANGLES,
+         BranchwiseForest::BRANCH_DRAWING,
+         BranchwiseForest::TREE_LEAVES},
         {"gpu-skin",
          "with bark",
          "6.4",
          {90, 45, 36, 31},
          BenchStage::BARK,
-         Forest::GPU_ANGLES,
-         Forest::BRANCH_DRAWING,
-         Forest::TREE_LEAVES},
+         BranchwiseForest::GPU_ANGLES,
+         BranchwiseForest::BRANCH_DRAWING,
+         BranchwiseForest::TREE_LEAVES},
         {"gpu-leaves",
          "with bark and a transform per leaf",
          "6.5",
          {32, 14, 9, 7},
          BenchStage::BARK_AND_LEAVES,
-         Forest::GPU_ANGLES,
-         Forest::BRANCH_DRAWING,
-         Forest::LEAF_TRANSFORMS},
+         BranchwiseForest::GPU_ANGLES,
+         BranchwiseForest::BRANCH_DRAWING,
+         BranchwiseForest::LEAF_TRANSFORMS},
         {"gpu-tree-leaves",
          "with bark, and leaves in one draw a tree",
          "",
          {},
          BenchStage::BARK_AND_LEAVES,
-         Forest::GPU_ANGLES,
-         Forest::BRANCH_DRAWING,
-         Forest::TREE_LEAVES},
+         BranchwiseForest::GPU_ANGLES,
+         BranchwiseForest::BRANCH_DRAWING,
+         BranchwiseForest::TREE_LEAVES},
         {"gpu-tree",
          "bark and leaves in one draw each a tree",
          "",
          {},
          BenchStage::BARK_AND_LEAVES,
-         Forest::GPU_ANGLES,
-         Forest::TREE_DRAWING,
-         Forest::TREE_LEAVES},
+         BranchwiseForest::GPU_ANGLES,
+         BranchwiseForest::TREE_DRAWING,
+         BranchwiseForest::TREE_LEAVES},
     };
     return stages;
 }
@@ -167,13 +167,13 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     BenchScene scene;
     scene.moving = new Forest(benchForest(trees, stage.geometry == BenchStage::BARK_AND_LEAVES));
     scene.still = stillTrees(stage, *scene.moving);
-    scene.moving->setAngleSource(stage.angles);
+    scene.moving->getBranchwise()->setAngleSource(stage.angles);
     if (stage.geometry <= BenchStage::BUFFERED_LINES)
         drawLinesInsteadOfBark(*scene.moving, scene.moving->getSimulation().models().front().skeleton,
                                stage.geometry == BenchStage::BUFFERED_LINES);
     else
-        scene.moving->setBranchDrawing(stage.branches);
-    scene.moving->setLeafDrawing(stage.leaves);
+        scene.moving->getBranchwise()->setBranchDrawing(stage.branches);
+    scene.moving->getBranchwise()->setLeafDrawing(stage.leaves);
     return scene;
 }
 

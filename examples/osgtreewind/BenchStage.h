@@ -20,9 +20,9 @@ struct BenchStage {
     std::string table;          ///< Of the thesis; empty for a stage it does not have.
     std::vector<int> thesisFps; ///< That table: frames a second for 1, 2, 3 and 4 trees.
     Geometry geometry;
-    osgTreeWind::Forest::AngleSource angles;
-    osgTreeWind::Forest::BranchDrawing branches;
-    osgTreeWind::Forest::LeafDrawing leaves;
+    osgTreeWind::BranchwiseForest::AngleSource angles;
+    osgTreeWind::BranchwiseForest::BranchDrawing branches;
+    osgTreeWind::BranchwiseForest::LeafDrawing leaves;
 };
 
 /// All stages, in the order of the thesis.

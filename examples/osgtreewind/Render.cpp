@@ -142,9 +142,9 @@ ExitCode render(RenderOptions options) {
     viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     placeCamera(*viewer.getCamera(), options, forest->getBound());
     if (options.pose != "cpu")
-        forest->setAngleSource(Forest::GPU_ANGLES);
+        forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
     if (options.pose == "scenegraph")
-        forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+        forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     viewer.setSceneData(scene);
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);

@@ -11,7 +11,7 @@
 namespace osgTreeWind {
 
 /// An array of RGBA32F texels as a texture: element i stands at (i % width, i / width). Shaders read it with
-/// `texelFetch` (shaders/tree.glsl). Filled on the CPU, or the target of a pass.
+/// `texelFetch` (shaders/branchwise/tree.glsl). Filled on the CPU, or the target of a pass.
 class DataTexture {
 public:
     static constexpr int width = 2048;

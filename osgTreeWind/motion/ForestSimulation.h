@@ -71,7 +71,7 @@ public:
     /// The law `modal` at work; null under another law.
     const ModalMotion* modal() const { return _modal.get(); }
 
-    // What follows is for those who work out states elsewhere (gpu/AnglePrePass.h).
+    // What follows is for those who work out states elsewhere (gpu/branchwise/AnglePrePass.h).
 
     /// The first half of advance(): moves on to `time` and samples the wind.
     /// @return seconds to step, or nothing when the state is to be kept.

@@ -13,6 +13,7 @@
 // its own are written as they are.
 namespace {
 
+using osgTreeWind::BranchwiseForest;
 using osgTreeWind::Forest;
 
 bool checkDocument(const Forest& forest) {
@@ -83,6 +84,28 @@ bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
     return true;
 }
 
+bool checkBranchwiseDrawing(const Forest& forest) {
+    return forest.getBranchwise() != nullptr;
+}
+
+bool writeBranchwiseDrawing(osgDB::OutputStream& output, const Forest& forest) {
+    output << static_cast<int>(forest.getBranchwise()->getBranchDrawing())
+           << static_cast<int>(forest.getBranchwise()->getLeafDrawing()) << std::endl;
+    return true;
+}
+
+bool readBranchwiseDrawing(osgDB::InputStream& input, Forest& forest) {
+    int branches = 0, leaves = 0;
+    input >> branches >> leaves;
+    if (BranchwiseForest* branchwise = forest.getBranchwise()) {
+        branchwise->setBranchDrawing(branches ? BranchwiseForest::BRANCH_DRAWING
+                                              : BranchwiseForest::TREE_DRAWING);
+        branchwise->setLeafDrawing(leaves ? BranchwiseForest::LEAF_TRANSFORMS
+                                          : BranchwiseForest::TREE_LEAVES);
+    }
+    return true;
+}
+
 } // namespace
 
 // Not an osg::Group here: the trees are grown again, not stored.
@@ -90,12 +113,5 @@ REGISTER_OBJECT_WRAPPER(osgTreeWind_Forest, new osgTreeWind::Forest, osgTreeWind
                         "osg::Object osg::Node osgTreeWind::Forest") {
     ADD_USER_SERIALIZER(Document);
     ADD_USER_SERIALIZER(OtherChildren);
-    BEGIN_ENUM_SERIALIZER(BranchDrawing, TREE_DRAWING);
-    ADD_ENUM_VALUE(TREE_DRAWING);
-    ADD_ENUM_VALUE(BRANCH_DRAWING);
-    END_ENUM_SERIALIZER();
-    BEGIN_ENUM_SERIALIZER(LeafDrawing, TREE_LEAVES);
-    ADD_ENUM_VALUE(TREE_LEAVES);
-    ADD_ENUM_VALUE(LEAF_TRANSFORMS);
-    END_ENUM_SERIALIZER();
+    ADD_USER_SERIALIZER(BranchwiseDrawing);
 }

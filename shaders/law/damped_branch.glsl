@@ -3,7 +3,7 @@
 // units, independent of the frame rate and stable at any step.
 // J w' + (C + b l^2) w + K x = b l v,  b = drag |v - l w|
 
-/// What a branch is to this law; packed as it stands (osgTreeWind/gpu/LawTexels.cpp).
+/// What a branch is to this law; packed as it stands (osgTreeWind/gpu/branchwise/LawTexels.cpp).
 struct DampedBranch {
     float stiffness;     // K of the joint at its base, N m/rad
     float inertia;       // J, kg m^2: K over the square of its axis' own speed

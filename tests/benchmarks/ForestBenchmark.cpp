@@ -63,12 +63,12 @@ void advance(benchmark::State& state) {
 }
 
 /// A step and the update traversal around it: textures or transforms, and bounds.
-void update(benchmark::State& state, Forest::BranchDrawing drawing) {
+void update(benchmark::State& state, BranchwiseForest::BranchDrawing drawing) {
     auto description = describe(state);
     if (!description)
         return;
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
-    forest->setBranchDrawing(drawing);
+    forest->getBranchwise()->setBranchDrawing(drawing);
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     osgUtil::UpdateVisitor visitor;
     visitor.setFrameStamp(stamp);
@@ -91,7 +91,7 @@ void trees(benchmark::internal::Benchmark* benchmark) {
 
 BENCHMARK(sampleWind)->Apply(trees);
 BENCHMARK(advance)->Apply(trees);
-BENCHMARK_CAPTURE(update, treeDrawing, Forest::TREE_DRAWING)->Apply(trees);
-BENCHMARK_CAPTURE(update, branchDrawing, Forest::BRANCH_DRAWING)->Apply(trees);
+BENCHMARK_CAPTURE(update, treeDrawing, BranchwiseForest::TREE_DRAWING)->Apply(trees);
+BENCHMARK_CAPTURE(update, branchDrawing, BranchwiseForest::BRANCH_DRAWING)->Apply(trees);
 
 BENCHMARK_MAIN();

@@ -52,7 +52,7 @@ TEST(ShaderLibraryTest, everyEmbeddedShaderIsTheFileOfTheSources) {
 TEST(ShaderLibraryTest, leavesNoIncludeUnexpanded) {
     for (const EmbeddedShader& shader : embeddedShaders())
         EXPECT_EQ(shaderText(shader.name).find("\n#include"), std::string::npos) << shader.name;
-    EXPECT_NE(shaderText("bark.vert").find("vec4 dataTexel"), std::string::npos)
+    EXPECT_NE(shaderText("branchwise/bark.vert").find("vec4 dataTexel"), std::string::npos)
         << "from data.glsl, which tree.glsl includes";
 }
 
@@ -61,7 +61,8 @@ TEST(ShaderLibraryTest, aFileInTheFilePathTakesTheEmbeddedOnesPlace) {
     folder.write("light.glsl", "// mine\n");
     const FilePath path(folder.path());
     EXPECT_EQ(shaderText("light.glsl"), "// mine\n");
-    EXPECT_NE(shaderText("bark.vert").find("// mine\n"), std::string::npos) << "also where it is included";
+    EXPECT_NE(shaderText("branchwise/bark.vert").find("// mine\n"), std::string::npos)
+        << "also where it is included";
 }
 
 TEST(ShaderLibraryTest, aShaderThatIncludesItselfEnds) {
@@ -81,7 +82,7 @@ TEST(ShaderLibraryTest, anUnknownNameGivesNothingAndAWarning) {
 }
 
 TEST(ShaderLibraryTest, aProgramHasItsTwoShadersAndAName) {
-    osg::ref_ptr<osg::Program> program = createProgram("bark", "bark");
+    osg::ref_ptr<osg::Program> program = createProgram("branchwise/bark", "bark");
     ASSERT_EQ(program->getNumShaders(), 2u);
     EXPECT_EQ(program->getShader(0)->getType(), osg::Shader::VERTEX);
     EXPECT_EQ(program->getShader(1)->getType(), osg::Shader::FRAGMENT);

@@ -43,7 +43,7 @@ TEST(BranchTransformTest, turnsAboutItsBase) {
 
 TEST(BranchTransformTest, jointsStayConnectedUnderAnyAngles) {
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *forest->getTree(0);
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
     turnAllBranches(tree);
     for (unsigned unit = 1; unit < tree.getNumBranches(); ++unit) {
         const BranchUnit& rest = skeletonOf(tree).units[unit];
@@ -59,7 +59,7 @@ TEST(BranchTransformTest, jointsStayConnectedUnderAnyAngles) {
 
 TEST(BranchTransformTest, turningABranchLeavesItsSiblingsAlone) { // Fig 3.10
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *forest->getTree(0);
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
     turnAllBranches(tree);
     const std::vector<BranchUnit>& units = skeletonOf(tree).units;
     const unsigned turned = 2; // the first branch on the trunk
@@ -82,7 +82,7 @@ TEST(BranchTransformTest, turningABranchLeavesItsSiblingsAlone) { // Fig 3.10
 TEST(BranchTransformTest, hierarchyPosesTheBarkAsTheSimulationDoes) {
     osg::ref_ptr<Forest> forest = stretchedTree();
     updateFrames(*forest, 1, 60);
-    TreeNode& tree = *forest->getTree(0);
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
     const PosedTree& posed = *tree.getPosedTree();
     const osg::Matrix toTree = osg::Matrix::inverse(worldMatrix(tree));
     double furthest = 0.0, moved = 0.0;

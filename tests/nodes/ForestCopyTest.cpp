@@ -22,9 +22,9 @@ TEST_P(ForestCopyTest, hasTreesOfItsOwnAndTheUsersChildren) {
     ASSERT_EQ(copy->getNumChildren(), 2u);
     EXPECT_EQ(copy->getChild(1)->getName(), "house");
     for (unsigned i = 0; i < 3; ++i) {
-        EXPECT_NE(copy->getTree(i), forest->getTree(i));
-        EXPECT_EQ(copy->getTree(i)->getNumParents(), 1u);
-        EXPECT_EQ(forest->getTree(i)->getNumParents(), 1u);
+        EXPECT_NE(copy->getBranchwise()->getTree(i), forest->getBranchwise()->getTree(i));
+        EXPECT_EQ(copy->getBranchwise()->getTree(i)->getNumParents(), 1u);
+        EXPECT_EQ(forest->getBranchwise()->getTree(i)->getNumParents(), 1u);
     }
 }
 
@@ -47,11 +47,11 @@ TEST_P(ForestCopyTest, takesTheWindOfNowAndTheDrawing) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     const WindFieldPtr gale = std::make_shared<UniformWind>(glm::vec3(30.0f, 0.0f, 0.0f));
     forest->setWind(gale);
-    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     EXPECT_EQ(copy->getWind(), gale);
-    EXPECT_EQ(copy->getBranchDrawing(), Forest::BRANCH_DRAWING);
-    EXPECT_TRUE(copy->getTree(1)->getBranchwise());
+    EXPECT_EQ(copy->getBranchwise()->getBranchDrawing(), BranchwiseForest::BRANCH_DRAWING);
+    EXPECT_TRUE(copy->getBranchwise()->getTree(1)->getBranchwise());
 }
 
 TEST_P(ForestCopyTest, outlivesTheOriginal) {
@@ -82,7 +82,7 @@ TEST_P(ForestCopyTest, needsItsOwnUpdateOnly) {
 
 TEST_P(ForestCopyTest, drawablesOfATreeCanBeCopied) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
-    TreeNode& tree = *forest->getTree(0);
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
     for (unsigned i = 0; i < tree.getNumChildren(); ++i) {
         const osg::Drawable* const drawable = tree.getChild(i)->asDrawable();
         ASSERT_NE(drawable, nullptr);

@@ -69,7 +69,7 @@ TEST_F(ForestGlTest, framesAreAlikeWhilePaused) {
 
 TEST_F(ForestGlTest, branchByBranchDrawsTheSamePicture) { // the vertex shader and the scene graph agree
     osg::ref_ptr<Forest> whole = new Forest(smallForest(4)), branches = new Forest(smallForest(4));
-    branches->setBranchDrawing(Forest::BRANCH_DRAWING);
+    branches->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     osg::ref_ptr<osg::Image> a = picture(whole, 15), b = picture(branches, 15);
     EXPECT_LT(difference(*a, *b).mean, 1.0);
     EXPECT_LT(difference(*a, *b).outliers, 0.002);
@@ -79,9 +79,9 @@ TEST_F(ForestGlTest, changesItsDrawingBackAndForthWhileMoving) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4)), still = new Forest(smallForest(4));
     osg::ref_ptr<osg::Image> expected = picture(still, 12);
     picture(forest, 4);
-    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     later(4, 7);
-    forest->setBranchDrawing(Forest::TREE_DRAWING);
+    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::TREE_DRAWING);
     EXPECT_EQ(difference(*later(8, 11), *expected).mean, 0.0);
 }
 
@@ -156,7 +156,7 @@ TEST_P(OptimizedForestGlTest, givesTheSamePictureBranchByBranch) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4)), other = new Forest(smallForest(4));
     osg::ref_ptr<osg::Group> optimized = new osg::Group;
     optimized->addChild(forest);
-    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     osgUtil::Optimizer().optimize(optimized, GetParam());
     osg::ref_ptr<osg::Image> a = picture(other, 10), b = picture(optimized, 10);
     EXPECT_LT(difference(*a, *b).mean, 1.0);

@@ -105,7 +105,7 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
-    osg::ref_ptr<TreeNode> former = forest->getTree(0);
+    osg::ref_ptr<TreeNode> former = forest->getBranchwise()->getTree(0);
     forest->setDescription(smallForest(5));
     EXPECT_EQ(forest->getNumTrees(), 5u);
     EXPECT_EQ(former->getNumParents(), 0u);
@@ -214,6 +214,7 @@ TEST(ForestTest, farFromTheWorldsOriginNothingIsLost) {
     updateFrames(*here, 1, 20);
     updateFrames(*there, 1, 20);
     for (unsigned i = 0; i < 3; ++i)
-        EXPECT_EQ(there->getTree(i)->getPosition(), here->getTree(i)->getPosition());
+        EXPECT_EQ(there->getBranchwise()->getTree(i)->getPosition(),
+                  here->getBranchwise()->getTree(i)->getPosition());
     EXPECT_EQ(statesOf(*there), statesOf(*here));
 }

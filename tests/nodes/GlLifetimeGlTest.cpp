@@ -37,7 +37,7 @@ TEST_F(GlLifetimeGlTest, aForestMovesFromOneContextToAnother) {
 
 TEST_F(GlLifetimeGlTest, aForestIsReleasedForAllContextsAndDrawnAgain) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
-    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     osg::ref_ptr<osg::Image> first = render(forest, width, height, 1);
     forest->releaseGLObjects();
     frame(0.0);
@@ -70,7 +70,7 @@ TEST_F(GlLifetimeGlTest, releasingGivesEveryBufferAndTextureBack) {
 TEST_F(GlLifetimeGlTest, switchingTheDrawingLeavesNothingBehindOnRelease) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     render(forest, width, height, 1);
-    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
+    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     frame(0.04);
     viewer().setSceneData(new osg::Group);
     frame(0.08);
@@ -81,7 +81,7 @@ TEST_F(GlLifetimeGlTest, switchingTheDrawingLeavesNothingBehindOnRelease) {
 
 /// With every way to the angles.
 class ComingAndGoingGlTest : public GlLifetimeGlTest,
-                             public ::testing::WithParamInterface<Forest::AngleSource> {};
+                             public ::testing::WithParamInterface<BranchwiseForest::AngleSource> {};
 
 TEST_P(ComingAndGoingGlTest, aHundredTimesGrowsNothing) {
     open(width, height);
@@ -93,11 +93,11 @@ TEST_P(ComingAndGoingGlTest, aHundredTimesGrowsNothing) {
     std::size_t settledPool = 0, settledMemory = 0;
     for (int i = 0; i < 100; ++i) {
         osg::ref_ptr<Forest> forest = new Forest(description);
-        forest->setAngleSource(GetParam());
+        forest->getBranchwise()->setAngleSource(GetParam());
         scene->addChild(forest);
         for (int k = 0; k < 3; ++k)
             frame((4 * i + k) / 25.0);
-        EXPECT_EQ(forest->getAngleSource(), GetParam());
+        EXPECT_EQ(forest->getBranchwise()->getAngleSource(), GetParam());
         scene->removeChild(forest);
         forest = nullptr;
         frame((4 * i + 3) / 25.0);
@@ -111,4 +111,4 @@ TEST_P(ComingAndGoingGlTest, aHundredTimesGrowsNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(CpuAndGpu, ComingAndGoingGlTest,
-                         ::testing::Values(Forest::CPU_ANGLES, Forest::GPU_ANGLES));
+                         ::testing::Values(BranchwiseForest::CPU_ANGLES, BranchwiseForest::GPU_ANGLES));

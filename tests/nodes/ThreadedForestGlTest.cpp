@@ -11,10 +11,10 @@ namespace {
 class ThreadedForestGlTest : public GlTest,
                              public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {
 protected:
-    void start(Forest::BranchDrawing drawing, osgViewer::ViewerBase::ThreadingModel threading) {
+    void start(BranchwiseForest::BranchDrawing drawing, osgViewer::ViewerBase::ThreadingModel threading) {
         open(96, 72);
         osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
-        forest->setBranchDrawing(drawing);
+        forest->getBranchwise()->setBranchDrawing(drawing);
         viewer().setSceneData(forest);
         osg::Camera& camera = *viewer().getCamera();
         camera.setProjectionMatrixAsPerspective(40, 96.0 / 72.0, 1, 100);
@@ -30,7 +30,7 @@ protected:
         viewer().startThreading();
         return picture;
     }
-    void expectThePicturesOfASingleThread(Forest::BranchDrawing drawing) {
+    void expectThePicturesOfASingleThread(BranchwiseForest::BranchDrawing drawing) {
         start(drawing, osgViewer::ViewerBase::SingleThreaded);
         osg::ref_ptr<osg::Image> tenth = run(1, 10), sixtieth = run(11, 60);
         start(drawing, GetParam());
@@ -43,11 +43,11 @@ protected:
 } // namespace
 
 TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThread) {
-    expectThePicturesOfASingleThread(Forest::TREE_DRAWING);
+    expectThePicturesOfASingleThread(BranchwiseForest::TREE_DRAWING);
 }
 
 TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThreadBranchByBranch) {
-    expectThePicturesOfASingleThread(Forest::BRANCH_DRAWING);
+    expectThePicturesOfASingleThread(BranchwiseForest::BRANCH_DRAWING);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ThreadedForestGlTest,

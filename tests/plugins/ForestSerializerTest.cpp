@@ -84,13 +84,13 @@ TEST_P(ForestSerializerTest, keepsTheUsersChildren) {
 
 TEST_P(ForestSerializerTest, keepsHowItIsDrawn) {
     osg::ref_ptr<Forest> forest = example("thesis.treewind");
-    forest->setBranchDrawing(Forest::BRANCH_DRAWING);
-    forest->setLeafDrawing(Forest::LEAF_TRANSFORMS);
+    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
+    forest->getBranchwise()->setLeafDrawing(BranchwiseForest::LEAF_TRANSFORMS);
     osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
     const Forest* const back = dynamic_cast<const Forest*>(node.get());
     ASSERT_NE(back, nullptr);
-    EXPECT_EQ(back->getBranchDrawing(), Forest::BRANCH_DRAWING);
-    EXPECT_EQ(back->getLeafDrawing(), Forest::LEAF_TRANSFORMS);
+    EXPECT_EQ(back->getBranchwise()->getBranchDrawing(), BranchwiseForest::BRANCH_DRAWING);
+    EXPECT_EQ(back->getBranchwise()->getLeafDrawing(), BranchwiseForest::LEAF_TRANSFORMS);
 }
 
 TEST_P(ForestSerializerTest, aForestMadeByHandIsNotWrittenAndSaysSo) {

@@ -47,7 +47,7 @@ TEST_F(ReaderWriterTreewindTest, readsTheReferenceTree) {
     osg::ref_ptr<Forest> forest = readForestNode(exampleFile("thesis.treewind"));
     ASSERT_TRUE(forest);
     EXPECT_EQ(forest->getNumTrees(), 1u);
-    EXPECT_EQ(forest->getTree(0)->getNumBranches(), 122u);
+    EXPECT_EQ(forest->getBranchwise()->getTree(0)->getNumBranches(), 122u);
     EXPECT_EQ(said(), "");
 }
 

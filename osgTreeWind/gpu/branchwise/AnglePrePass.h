@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/gpu/branchwise/AnglePass.h>
+#include <osgTreeWind/gpu/branchwise/AngleReadback.h>
+#include <osgTreeWind/gpu/branchwise/OncePerFrame.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The thesis' division of work (§5.2, Fig 5.1) for a whole forest: the CPU samples the wind into a texture,
+/// two passes work out the angles of all branches and of all leaves, and the branches' come back for the
+/// transforms. Used in update only.
+class AnglePrePass {
+public:
+    /// Goes on from the states of `simulation`, whose law is one of a branch.
+    explicit AnglePrePass(const ForestSimulation& simulation);
+
+    /// To be put into the scene.
+    osg::Node* node() const { return _node.get(); }
+
+    /// Has the next frame take a step, in the wind that simulation.beginStep() sampled.
+    /// @param time, seconds as of that call.
+    void step(const ForestSimulation& simulation, double time, float seconds);
+    /// Has the next frame keep the angles.
+    void hold();
+
+    /// Hands the branch states of the frame drawn last to `simulation`, and those of leaves if `leavesToo`,
+    /// from the frame after the first such call on. @return whether there were new ones.
+    bool readBack(ForestSimulation& simulation, bool leavesToo);
+
+    /// Leaf angles, once the frame being prepared has drawn its passes.
+    osg::Texture2D* leafAngles() const { return _leaves.states(); }
+    /// Branch angles, likewise; and the wind they come from.
+    osg::Texture2D* branchAngles() const { return _branches.states(); }
+    osg::Texture2D* wind() const { return _wind.texture(); }
+
+private:
+    osg::ref_ptr<OncePerFrame> _node;
+    AnglePass _branches, _leaves;
+    DataTexture _wind, _branchParameters, _leafParameters, _species;
+    osg::ref_ptr<osg::Uniform> _seconds;
+    osg::ref_ptr<AngleReadback> _branchReadback, _leafReadback; ///< The second is null until it is asked for.
+    std::vector<glm::vec4> _states;                             ///< As read back.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/TreeGeometry.h>
+
+#include <osgTreeWind/gpu/DistinctArrays.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace osgTreeWind {
+namespace {
+
+osg::ref_ptr<osg::Geometry> emptyGeometry(const char* name) {
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setName(name);
+    geometry->setUseDisplayList(false);
+    geometry->setUseVertexBufferObjects(true);
+    return geometry;
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin) {
+    osg::ref_ptr<osg::Vec4Array> centres = new osg::Vec4Array;
+    osg::ref_ptr<osg::Vec3Array> outwards = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec3Array> coordinates = new osg::Vec3Array;
+    for (const SkinVertex& v : skin.vertices) {
+        centres->push_back({v.centre.x, v.centre.y, v.centre.z, v.radius});
+        outwards->push_back({v.outward.x, v.outward.y, v.outward.z});
+        coordinates->push_back({v.uv.x, v.uv.y, v.unit});
+    }
+    osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("bark");
+    geometry->setVertexArray(centres);
+    geometry->setNormalArray(outwards, osg::Array::BIND_PER_VERTEX);
+    geometry->setTexCoordArray(0, coordinates);
+    geometry->addPrimitiveSet(new osg::DrawElementsUInt(
+        GL_TRIANGLES, static_cast<unsigned>(skin.indices.size()), skin.indices.data()));
+    makeArraysDistinct(*geometry);
+    return geometry;
+}
+
+std::vector<glm::vec4> crownPlaces(const std::vector<LeafCluster>& leaves) {
+    glm::vec3 low(1e9f), high(-1e9f);
+    for (const LeafCluster& leaf : leaves) {
+        low = glm::min(low, leaf.anchor);
+        high = glm::max(high, leaf.anchor);
+    }
+    const glm::vec3 centre = 0.5f * (low + high), halfAxes = glm::max(0.5f * (high - low), glm::vec3(1e-3f));
+    std::vector<glm::vec4> places;
+    places.reserve(leaves.size());
+    for (const LeafCluster& leaf : leaves) {
+        const glm::vec3 inside = (leaf.anchor - centre) / halfAxes;
+        const glm::vec3 outward = glm::normalize(inside / halfAxes + glm::vec3(0, 0, 1e-3f));
+        places.emplace_back(outward, glm::min(glm::length(inside), 1.0f));
+    }
+    return places;
+}
+
+osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves,
+                                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
+                                             const std::vector<glm::vec4>& crown) {
+    osg::ref_ptr<osg::Vec4Array> anchors = new osg::Vec4Array, ids = new osg::Vec4Array,
+                                 orientations = new osg::Vec4Array, crowns = new osg::Vec4Array;
+    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, normals = new osg::Vec3Array;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const LeafCluster& leaf = leaves[i];
+        for (const LeafVertex& v : mesh) {
+            anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
+            corners->push_back(toOsg(v.corner));
+            ids->push_back({v.uv.x, v.uv.y, static_cast<float>(leaf.unit), static_cast<float>(i)});
+            orientations->push_back(toOsg(leaf.orientation).asVec4());
+            normals->push_back(toOsg(v.normal));
+            crowns->push_back({crown[i].x, crown[i].y, crown[i].z, crown[i].w});
+        }
+    }
+    const std::vector<unsigned> indices = leafIndices(leaves.size());
+    osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("leaves");
+    geometry->setVertexArray(anchors);
+    geometry->setNormalArray(corners, osg::Array::BIND_PER_VERTEX);
+    geometry->setTexCoordArray(0, ids);
+    geometry->setTexCoordArray(1, orientations);
+    geometry->setTexCoordArray(2, normals);
+    geometry->setTexCoordArray(3, crowns);
+    geometry->addPrimitiveSet(
+        new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(indices.size()), indices.data()));
+    makeArraysDistinct(*geometry);
+    return geometry;
+}
+
+std::vector<unsigned> leafIndices(std::size_t clusters) {
+    std::vector<unsigned> indices;
+    indices.reserve(clusters * quadsPerLeafCluster * 6);
+    for (unsigned quad = 0; quad < clusters * quadsPerLeafCluster; ++quad)
+        for (const unsigned corner : {0u, 1u, 2u, 0u, 2u, 3u})
+            indices.push_back(4 * quad + corner);
+    return indices;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeModel.h>
+
+#include <osg/Geometry>
+
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// Bark in vertex buffers, as shaders/branchwise/bark.vert describes them.
+osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin);
+
+/// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert describes them.
+/// @param crown crownPlaces(): it shades them.
+osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves,
+                                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
+                                             const std::vector<glm::vec4>& crown);
+
+/// Where each cluster stands in the ellipsoid that all of them fill: its outward direction there, and its
+/// depth (0 in the middle, 1 at the surface).
+std::vector<glm::vec4> crownPlaces(const std::vector<LeafCluster>& leaves);
+
+/// Triangles over `clusters` leaf clusters of four-cornered quads.
+std::vector<unsigned> leafIndices(std::size_t clusters);
+
+} // namespace osgTreeWind

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/branchwise/BranchwiseForest.h>
+
+#include <osgTreeWind/gpu/DataTexture.h>
+#include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
+#include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
+
+#include <osg/ApplicationUsage>
+#include <osg/Notify>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace osgTreeWind {
+namespace {
+
+// Unit 0 is for the textures of bark and leaves, the next ones are where shadow techniques put theirs.
+constexpr unsigned unitPosesTextureUnit = 4;
+constexpr unsigned leafAnglesTextureUnit = 5;
+
+osg::ApplicationUsageProxy
+    anglesUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_ANGLES <cpu|gpu>",
+                "Where new osgTreeWind forests work out the angles of branches and leaves.");
+
+BranchwiseForest::AngleSource environmentSource() {
+    const char* value = std::getenv("OSGTREEWIND_ANGLES");
+    return value && std::strcmp(value, "gpu") == 0 ? BranchwiseForest::GPU_ANGLES
+                                                   : BranchwiseForest::CPU_ANGLES;
+}
+
+} // namespace
+
+BranchwiseForest::BranchwiseForest()
+    : BranchwiseForest(std::make_shared<ForestSimulation>(ForestDescription())) {}
+
+BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given)
+    : _simulation(std::move(given)), _wantedSource(environmentSource()) {
+    const ForestSimulation& simulation = *_simulation;
+
+    const TreeStyles styles;
+    std::vector<TreeStyle> speciesStyles;
+    for (const Species& species : simulation.description().species)
+        speciesStyles.push_back(styles.style(species.appearance));
+    std::vector<osg::ref_ptr<TreeShape>> shapes;
+    for (const TreeModel& model : simulation.models())
+        shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
+
+    _stand = new osg::Group;
+    _stand->setName("trees");
+    _stand->setDataVariance(osg::Object::DYNAMIC);
+    for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
+        const PlacedTree& tree = simulation.trees()[i];
+        osg::ref_ptr<TreeNode> node =
+            new TreeNode(shapes[tree.model], speciesStyles[tree.species], tree.scale);
+        node->setPosition(toOsg(tree.position));
+        node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
+        node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
+        node->getPosedTree()->follow(_simulation, simulation.motion(i));
+        _stand->addChild(node);
+        _trees.push_back(node);
+    }
+    addChild(_stand);
+
+    _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * simulation.forest().units);
+    _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.forest().leaves);
+    osg::StateSet* state = _stand->getOrCreateStateSet();
+    state->setDataVariance(osg::Object::DYNAMIC);
+    bindData(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
+    bindData(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
+    uploadUnitPoses();
+    _leafAngles->fill(_simulation->leaves().states());
+}
+
+BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp&)
+    : BranchwiseForest(other._simulation) {
+    takeSettings(other);
+}
+
+BranchwiseForest::~BranchwiseForest() = default;
+
+void BranchwiseForest::takeSettings(const BranchwiseForest& other) {
+    setAngleSource(other._wantedSource);
+    setBranchDrawing(other._branchDrawing);
+    setLeafDrawing(other._leafDrawing);
+}
+
+void BranchwiseForest::setBranchDrawing(BranchDrawing drawing) {
+    _branchDrawing = drawing;
+    for (const osg::ref_ptr<TreeNode>& tree : _trees)
+        tree->setBranchwise(drawing == BRANCH_DRAWING);
+}
+
+void BranchwiseForest::setLeafDrawing(LeafDrawing drawing) {
+    _leafDrawing = drawing;
+    for (const osg::ref_ptr<TreeNode>& tree : _trees)
+        tree->setLeafwise(drawing == LEAF_TRANSFORMS);
+}
+
+void BranchwiseForest::setAngleSource(AngleSource source) {
+    _wantedSource = source;
+    if (source == CPU_ANGLES)
+        useCpuAngles();
+}
+
+void BranchwiseForest::useCpuAngles() {
+    removeChild(_probe);
+    _probe = nullptr;
+    if (!_prePass)
+        return;
+    removeChild(_prePass->node());
+    _prePass.reset();
+    bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
+}
+
+/// The passes start once a first frame has shown that the context can run them.
+void BranchwiseForest::chooseAngleSource() {
+    if (_wantedSource == CPU_ANGLES || _prePass || !_simulation->branches() ||
+        _simulation->forest().units == 0)
+        return;
+    if (!_probe) {
+        _probe = new FloatTargetProbe;
+        addChild(_probe);
+    } else if (_probe->answer() == FloatTargetProbe::SUPPORTED) {
+        removeChild(_probe);
+        _prePass = std::make_unique<AnglePrePass>(*_simulation);
+        addChild(_prePass->node());
+    } else if (_probe->answer() == FloatTargetProbe::MISSING) {
+        OSG_NOTICE << "osgTreeWind: no float render targets or vertex textures here; angles come from the CPU"
+                   << std::endl;
+        setAngleSource(CPU_ANGLES);
+    }
+}
+
+void BranchwiseForest::update(double time) {
+    chooseAngleSource();
+    if (!(_prePass ? stepOnGpu(time) : stepOnCpu(time)))
+        return;
+    uploadUnitPoses();
+    for (const osg::ref_ptr<TreeNode>& tree : _trees)
+        tree->updatePose();
+}
+
+bool BranchwiseForest::stepOnCpu(double time) {
+    if (!_simulation->advance(time))
+        return false;
+    _leafAngles->fill(_simulation->leaves().states());
+    return true;
+}
+
+bool BranchwiseForest::stepOnGpu(double time) {
+    const bool moved = _prePass->readBack(*_simulation, _leafDrawing == LEAF_TRANSFORMS);
+    if (const std::optional<float> seconds = _simulation->beginStep(time))
+        _prePass->step(*_simulation, time, *seconds);
+    else
+        _prePass->hold();
+    bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
+    return moved;
+}
+
+void BranchwiseForest::uploadUnitPoses() {
+    float* texel = _unitPoses->data();
+    for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
+        for (const UnitPose& pose : _simulation->motion(tree).poses) {
+            const float values[8] = {
+                pose.rotation.x,    pose.rotation.y,    pose.rotation.z,    pose.rotation.w,
+                pose.translation.x, pose.translation.y, pose.translation.z, 0.0f};
+            std::memcpy(texel, values, sizeof values);
+            texel += 8;
+        }
+    _unitPoses->dirty();
+}
+
+} // namespace osgTreeWind

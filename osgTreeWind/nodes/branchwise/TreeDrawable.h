@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/nodes/branchwise/PosedTree.h>
+
+#include <osg/Geometry>
+
+namespace osgTreeWind {
+
+/// A part of one tree, drawn from geometry that all trees of its shape share. Vertices are posed by shaders;
+/// for bounds, picking and statistics they are posed on the CPU.
+class TreeDrawable : public osg::Drawable {
+public:
+    /// @param geometry shared by trees; @param tree the one drawn here.
+    TreeDrawable(osg::Geometry* geometry, PosedTree* tree);
+    TreeDrawable(const TreeDrawable& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+
+    using osg::Drawable::accept;
+    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    /// Hands over the posed triangles, in the tree's frame.
+    void accept(osg::PrimitiveFunctor& functor) const override;
+
+    void drawImplementation(osg::RenderInfo& renderInfo) const override;
+    void compileGLObjects(osg::RenderInfo& renderInfo) const override;
+    void resizeGLObjectBuffers(unsigned maxSize) override;
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+
+protected:
+    TreeDrawable() = default;
+    ~TreeDrawable() override = default;
+
+    struct Triangles {
+        std::vector<osg::Vec3> vertices;
+        std::vector<unsigned> indices;
+    };
+    virtual Triangles posedTriangles() const = 0;
+
+    osg::ref_ptr<osg::Geometry> _geometry;
+    osg::ref_ptr<PosedTree> _tree;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/branchwise/TreeShape.h>
+
+#include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/nodes/TreeGeometry.h>
+
+namespace osgTreeWind {
+namespace {
+
+osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
+    osg::ref_ptr<osg::Geometry> cluster =
+        makeLeafGeometry({LeafCluster()}, model.leafMesh, {{0.0f, 0.0f, 1.0f, 1.0f}});
+    cluster->setName("leaf cluster");
+    // Its vertex array holds anchors, which are all the origin: bounds come from the corners.
+    osg::BoundingBox box;
+    for (const LeafVertex& vertex : model.leafMesh)
+        box.expandBy(toOsg(vertex.corner));
+    struct Box : osg::Drawable::ComputeBoundingBoxCallback {
+        explicit Box(const osg::BoundingBox& corners) : box(corners) {}
+        osg::BoundingBox computeBound(const osg::Drawable&) const override { return box; }
+        osg::BoundingBox box;
+    };
+    cluster->setComputeBoundingBoxCallback(new Box(box));
+    return cluster;
+}
+
+} // namespace
+
+TreeShape::TreeShape(std::shared_ptr<const TreeModel> model)
+    : _model(std::move(model)), _skin(makeSkinGeometry(_model->skin)),
+      _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, crownPlaces(_model->leaves))),
+      _leafCluster(clusterGeometry(*_model)), _unitSkins(_model->skeleton.units.size()) {}
+
+osg::Geometry* TreeShape::unitSkin(unsigned unit) {
+    if (!_unitSkins[unit]) {
+        const std::size_t count = _model->skin.indicesPerUnit;
+        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(*_skin);
+        geometry->setPrimitiveSet(0, new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(count),
+                                                               &_model->skin.indices[unit * count]));
+        _unitSkins[unit] = geometry;
+    }
+    return _unitSkins[unit].get();
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeModel.h>
+
+#include <osg/Geometry>
+
+#include <memory>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The drawn form of a model, shared by all trees of that shape: vertex buffers for bark and leaves as
+/// shaders/branchwise/bark.vert and shaders/branchwise/leaf.vert describe them.
+class TreeShape : public osg::Referenced {
+public:
+    explicit TreeShape(std::shared_ptr<const TreeModel> model);
+
+    const std::shared_ptr<const TreeModel>& model() const { return _model; }
+    osg::Geometry* skin() const { return _skin.get(); }
+    osg::Geometry* leaves() const { return _leaves.get(); }
+    /// One leaf cluster in the leaf frame, size 1: the thesis' display list (§2.4.1).
+    osg::Geometry* leafCluster() const { return _leafCluster.get(); }
+    /// The bark of one branch unit, over the same vertex buffer. Made on the first call; call it from one
+    /// thread.
+    osg::Geometry* unitSkin(unsigned unit);
+
+private:
+    std::shared_ptr<const TreeModel> _model;
+    osg::ref_ptr<osg::Geometry> _skin, _leaves, _leafCluster;
+    std::vector<osg::ref_ptr<osg::Geometry>> _unitSkins;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,23 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// Bark: a vertex lies `radius` outward of a point of the branch's centre line.
+// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, v, unit.
+
+#include "branchwise/tree.glsl"
+#include "light.glsl"
+
+out vec2 barkCoord;
+out vec3 barkLight;
+
+void main() {
+    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
+    vec3 rest = treeAxes * gl_Vertex.xyz + treeSizes.x * gl_Vertex.w * gl_Normal;
+    vec4 eyePosition = gl_ModelViewMatrix * vec4(turnVector(pose.rotation, rest) + pose.translation, 1.0);
+    vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, gl_Normal));
+
+    float facing = max(dot(eyeNormal, lightDirection(eyePosition.xyz)), 0.0);
+    barkLight = ambientLight(eyeNormal) + facing * gl_LightSource[0].diffuse.rgb;
+    barkCoord = gl_MultiTexCoord0.xy;
+    gl_ClipVertex = eyePosition;
+    gl_Position = gl_ProjectionMatrix * eyePosition;
+}

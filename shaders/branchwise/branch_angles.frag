@@ -1,0 +1,57 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The branch pass (thesis §5.2, appendix B): the next state of one branch unit from the one before, the wind
+// at its base and what it is made of. Texels are packed by osgTreeWind/gpu/branchwise/LawTexels.cpp.
+
+#include "data.glsl"
+#include "target.glsl"
+#include "real.glsl"
+#include "law/limits.glsl"
+#include "law/elementary.glsl"
+#include "law/noise.glsl"
+#include "law/rotation.glsl"
+#include "law/thesis_branch.glsl"
+#include "law/oscillator.glsl"
+#include "law/damped_branch.glsl"
+
+uniform sampler2D previousAngles;   // one texel a unit: its state
+uniform sampler2D wind;             // two texels a unit: at the start and the end of the step, m/s in the tree's
+                                    // own frame, Z up
+uniform sampler2D branchParameters; // three texels a unit
+uniform sampler2D speciesTexels;    // four texels a species; the first: noise time of branches
+uniform int motionLaw;              // MotionLaw
+uniform float seconds;              // of this step
+
+/// @param source species, seed (two halves), index in its tree.
+vec3 thesisNoise(vec4 source) {
+    vec4 time = dataTexel(speciesTexels, 4 * int(source.x + 0.5));
+    uint seed = wholeNumber(source.yz);
+    uint unit = uint(source.w + 0.5);
+    uint cell = wholeNumber(time.xy);
+    return vec3(motionNoise(noiseStream(seed, unit, 0u), cell, time.z, time.w),
+                motionNoise(noiseStream(seed, unit, 1u), cell, time.z, time.w),
+                motionNoise(noiseStream(seed, unit, 2u), cell, time.z, time.w));
+}
+
+void main() {
+    int unit = targetIndex(previousAngles);
+    vec4 state = dataTexel(previousAngles, unit);
+    vec3 air = dataTexel(wind, 2 * unit + 1).xyz;
+    vec4 a = dataTexel(branchParameters, 3 * unit);
+    vec4 b = dataTexel(branchParameters, 3 * unit + 1);
+    vec4 c = dataTexel(branchParameters, 3 * unit + 2);
+
+    // Constructors take the fields in their order, in which they are packed.
+    if (motionLaw == 2) {
+        DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.xyz, c.w);
+        vec3 airBefore = dataTexel(wind, 2 * unit).xyz;
+        gl_FragColor = dampedBranchStep(state, windAcross(airBefore, branch.direction),
+                                        windAcross(air, branch.direction), branch, seconds);
+        return;
+    }
+    ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);
+    vec3 thesisAir = vec3(air.x, air.z, -air.y);
+    vec3 noise = thesisNoise(c);
+    gl_FragColor = motionLaw == 0 ? thesisBranchStep(state, thesisAir, noise, branch)
+                                  : thesisSmoothBranchStep(state, thesisAir, noise, branch);
+}

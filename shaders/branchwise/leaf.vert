@@ -1,0 +1,45 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// A corner of a leaf cluster: turned by its own angles, then by its rest orientation, then with its branch.
+// gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
+// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame;
+// gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
+
+#include "branchwise/tree.glsl"
+#include "light.glsl"
+
+uniform sampler2D leafAngles; // a texel a leaf: motionAngleX, motionAngleZ, totalRotaAngle
+uniform int treeFirstLeaf;    // of this tree in leafAngles; negative: leaves stand at rest
+
+out vec2 leafCoord;
+out vec3 leafLight;
+
+void main() {
+    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
+    vec4 angles = vec4(0.0);
+    if (treeFirstLeaf >= 0)
+        angles = dataTexel(leafAngles, treeFirstLeaf + int(gl_MultiTexCoord0.w + 0.5));
+    vec4 flutter = leafRotation(angles.x, angles.y, angles.z);
+
+    vec3 corner = treeSizes.y * gl_Vertex.w * turnVector(gl_MultiTexCoord1, turnVector(flutter, gl_Normal));
+    vec3 rest = treeAxes * gl_Vertex.xyz + corner;
+    vec4 eyePosition = gl_ModelViewMatrix * vec4(turnVector(pose.rotation, rest) + pose.translation, 1.0);
+
+    // Foliage is lit as a crown more than as single blades, from both sides, and light shines through it.
+    vec3 blade = turnVector(gl_MultiTexCoord1, turnVector(flutter, gl_MultiTexCoord2.xyz));
+    vec3 crown = gl_MultiTexCoord3.xyz;
+    vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);
+    vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, normal));
+    vec3 toLight = lightDirection(eyePosition.xyz);
+    float facing = dot(eyeNormal, toLight);
+    float through = 0.25 * pow(max(dot(normalize(eyePosition.xyz), toLight), 0.0), 4.0);
+    float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
+    float own = 0.88 + 0.24 * fract(0.618034 * float(treeFirstUnit) + 0.754878 * gl_MultiTexCoord0.w);
+    leafLight = own * open *
+                (ambientLight(eyeNormal) +
+                 (max(0.5 * facing + 0.5, 0.0) + through) * gl_LightSource[0].diffuse.rgb);
+
+    leafCoord = gl_MultiTexCoord0.xy;
+    gl_ClipVertex = eyePosition;
+    gl_Position = gl_ProjectionMatrix * eyePosition;
+}

@@ -1,0 +1,32 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The leaf pass (thesis §5.2, appendix D): the next angles of one leaf cluster from the ones before.
+// Texels are packed by osgTreeWind/gpu/branchwise/LawTexels.cpp.
+
+#include "data.glsl"
+#include "target.glsl"
+#include "real.glsl"
+#include "law/limits.glsl"
+#include "law/noise.glsl"
+#include "law/thesis_leaf.glsl"
+
+uniform sampler2D previousAngles; // one texel a leaf cluster: its state
+uniform sampler2D leafParameters; // one texel a leaf cluster: species, seed (two halves), index in its tree
+uniform sampler2D speciesTexels;  // four texels a species; the second: noise time of leaves, then their motion
+
+void main() {
+    int leaf = targetIndex(previousAngles);
+    vec4 own = dataTexel(leafParameters, leaf);
+    int species = 4 * int(own.x + 0.5);
+    vec4 time = dataTexel(speciesTexels, species + 1);
+    vec4 a = dataTexel(speciesTexels, species + 2);
+    vec4 b = dataTexel(speciesTexels, species + 3);
+
+    uint seed = wholeNumber(own.yz);
+    uint index = uint(own.w + 0.5);
+    uint cell = wholeNumber(time.xy);
+    float x = motionNoise(noiseStream(seed, index, 3u), cell, time.z, time.w);
+    float z = motionNoise(noiseStream(seed, index, 4u), cell, time.z, time.w);
+    gl_FragColor = thesisLeafStep(dataTexel(previousAngles, leaf), x, z,
+                                  ThesisLeaf(a.x, a.y, a.z, a.w, b.x, b.y));
+}

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "../../gl/GlTest.h"
+
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/gpu/branchwise/AnglePass.h>
+#include <osgTreeWind/gpu/branchwise/AngleReadback.h>
+#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/DampedBranches.h>
+#include <osgTreeWind/motion/NoiseTime.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace osgTreeWind {
+namespace {
+
+using Texels = std::vector<glm::vec4>;
+using Inputs = std::vector<std::pair<std::string, Texels>>;
+
+/// One step of a law on the GPU, given all its inputs: the text of the passes' law files and nothing else of
+/// ours.
+class LawsGlTest : public GlTest {
+protected:
+    /// @param inputs name and one texel a state. @param body of the expression, which finds them by name.
+    Texels step(const Texels& states, const Inputs& inputs, const std::string& body) {
+        AnglePass pass("branchwise/branch_angles", states);
+        unsigned unit = 1;
+        std::string declared;
+        std::vector<DataTexture> textures;
+        for (const auto& [name, texels] : inputs) {
+            textures.emplace_back(name.c_str(), texels.size());
+            textures.back().fill(texels);
+            bindData(pass.inputs(), (name + "Texels").c_str(), unit++, textures.back().texture());
+            declared += "uniform sampler2D " + name + "Texels;\n#define " + name + " dataTexel(" + name +
+                        "Texels, targetIndex(previousAngles))\n";
+        }
+        pass.inputs().setAttributeAndModes(program(declared, body), osg::StateAttribute::ON |
+                                                                        osg::StateAttribute::OVERRIDE |
+                                                                        osg::StateAttribute::PROTECTED);
+        osg::ref_ptr<AngleReadback> readback = new AngleReadback;
+        pass.setPostDrawCallback(readback);
+        pass.step();
+        open(16, 16);
+        viewer().setSceneData(pass.node());
+        frame(0.0);
+        Texels result;
+        EXPECT_TRUE(readback->take(result));
+        result.resize(states.size());
+        return result;
+    }
+
+private:
+    static osg::ref_ptr<osg::Program> program(const std::string& declared, const std::string& body) {
+        std::string text = "#version 330 compatibility\n";
+        for (const char* file :
+             {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
+              "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
+              "law/flutter.glsl", "law/oscillator.glsl", "law/damped_branch.glsl", "law/modal.glsl"})
+            text += shaderText(file);
+        text += "uniform sampler2D previousAngles;\n" + declared +
+                "void main() {\n"
+                "    vec4 state = dataTexel(previousAngles, targetIndex(previousAngles));\n"
+                "    gl_FragColor = " +
+                body + ";\n}\n";
+        osg::ref_ptr<osg::Program> program = new osg::Program;
+        program->addShader(new osg::Shader(osg::Shader::VERTEX, shaderText("texels.vert")));
+        program->addShader(new osg::Shader(osg::Shader::FRAGMENT, text));
+        return program;
+    }
+};
+
+struct Sweep {
+    Texels states, winds, noises;
+
+    Inputs inputs() const { return {{"wind", winds}, {"noise", noises}}; }
+};
+
+/// Every wind with every noise, from a few states.
+Sweep sweep(const std::vector<float>& winds, const std::vector<float>& noises,
+            const std::vector<float>& angles) {
+    Sweep all;
+    for (const float angle : angles)
+        for (const float x : winds)
+            for (const float z : winds)
+                for (const float n1 : noises)
+                    for (const float n3 : noises) {
+                        all.states.emplace_back(angle, -0.5f * angle, 0.0f, 0.0f);
+                        all.winds.emplace_back(x, 0.5f * z, z, 0.0f);
+                        all.noises.emplace_back(n1, n3, n3, 0.0f);
+                    }
+    return all;
+}
+
+Sweep usual() {
+    return sweep({0.0f, 1e-6f, -1e-6f, 0.1f, -0.1f, 2.0f, -2.0f, 9.0f, -9.0f},
+                 {0.0f, 1e-6f, -1e-6f, 0.3f, -0.3f}, {0.0f, 0.2f, -0.45f});
+}
+
+float difference(const glm::vec4& a, const glm::vec4& b) {
+    return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z), std::abs(a.w - b.w)});
+}
+
+TEST_F(LawsGlTest, ThesisBranchAgreesWithTheCpu) {
+    const Sweep s = usual();
+    const Texels gpu =
+        step(s.states, s.inputs(),
+             "thesisBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.0))");
+    const Laws::ThesisBranch branch{40.0f, 1.5f, 0.5f, 8.0f, 0.0f};
+    for (std::size_t i = 0; i < gpu.size(); ++i)
+        ASSERT_LT(difference(gpu[i], Laws().thesisBranchStep(s.states[i], s.winds[i], s.noises[i], branch)),
+                  5e-4f)
+            << i;
+}
+
+TEST_F(LawsGlTest, FlutterAgreesWithTheCpu) {
+    Texels states, phases;
+    for (int i = 0; i < 500; ++i) {
+        states.emplace_back(0.05f * static_cast<float>(i), 0.002f * static_cast<float>(i),
+                            4.0f * static_cast<float>(i), 0.0f);
+        const float turns = 0.37f * static_cast<float>(i);
+        phases.emplace_back(glm::fract(turns), glm::fract(1.6f * turns), glm::fract(2.3f * turns), 0.0f);
+    }
+    const Texels gpu = step(states, {{"phases", phases}},
+                            "vec4(leafFlutter(flutterAmplitude(state.x), phases.xyz, state.y, state.z, "
+                            "vec4(0.4, 0.3, 0.6, 0.7)), 0.0)");
+    Laws laws;
+    for (std::size_t i = 0; i < gpu.size(); ++i) {
+        const glm::vec4& s = states[i];
+        const glm::vec3 cpu = laws.leafFlutter(laws.flutterAmplitude(s.x), glm::vec3(phases[i]), s.y, s.z,
+                                               {0.4f, 0.3f, 0.6f, 0.7f});
+        ASSERT_LT(difference(gpu[i], glm::vec4(cpu, 0.0f)), 1e-3f) << i;
+    }
+}
+
+TEST_F(LawsGlTest, AModeAgreesWithTheCpu) {
+    Texels states, numbers, air;
+    Laws laws;
+    for (const float force : {0.0f, -3.0f, 40.0f})
+        for (const float brake : {0.0f, 0.3f, 8.0f, 60.0f})
+            for (const float pace : {0.5f, 2.0f, 9.0f, 40.0f})
+                for (const float angle : {0.0f, -0.2f, 0.7f}) {
+                    states.emplace_back(angle, 1.0f - angle, 0.0f, 0.0f);
+                    numbers.emplace_back(force, brake, pace, 0.04f);
+                    air.emplace_back(2.0f * pace, 0.5f * brake, 3.0f + force * force, 5.0f * pace);
+                }
+    const std::string mode = "modeStep(Swing(state.x, state.y), n.x, n.y, n.z, n.w, 5.0, 0.0166667)";
+    std::string body = "vec4(" + mode + ".angle, " + mode +
+                       ".speed, airBrake(2.0, 7.0, air.x, air.y, air.z), streamlinedShare(0.8, 30.0, air.w))";
+    const Texels gpu = step(states, {{"n", numbers}, {"air", air}}, body);
+    for (std::size_t i = 0; i < gpu.size(); ++i) {
+        const glm::vec4 &n = numbers[i], &a = air[i];
+        const Laws::Swing swing =
+            laws.modeStep({states[i].x, states[i].y}, n.x, n.y, n.z, n.w, 5.0f, 0.0166667f);
+        const float brake = laws.airBrake(2.0f, 7.0f, a.x, a.y, a.z);
+        ASSERT_NEAR(gpu[i].x, swing.angle, 3e-5f) << i;
+        ASSERT_NEAR(gpu[i].y, swing.speed, 1e-4f) << i;
+        ASSERT_NEAR(gpu[i].z / brake, 1.0f, 1e-5f) << i;
+        ASSERT_NEAR(gpu[i].w, laws.streamlinedShare(0.8f, 30.0f, a.w), 1e-5f) << i;
+    }
+}
+
+TEST_F(LawsGlTest, ThesisSmoothBranchAgreesWithTheCpu) {
+    const Sweep s = usual();
+    const Texels gpu =
+        step(s.states, s.inputs(),
+             "thesisSmoothBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.2))");
+    const Laws::ThesisBranch branch{40.0f, 1.5f, 0.5f, 8.0f, 0.2f};
+    for (std::size_t i = 0; i < gpu.size(); ++i)
+        ASSERT_LT(
+            difference(gpu[i], Laws().thesisSmoothBranchStep(s.states[i], s.winds[i], s.noises[i], branch)),
+            5e-4f)
+            << i;
+}
+
+TEST_F(LawsGlTest, LeafAgreesWithTheCpu) {
+    const Sweep s = usual();
+    const Texels gpu =
+        step(s.states, s.inputs(),
+             "thesisLeafStep(state, noise.x, noise.y, ThesisLeaf(0.5, 0.2, 1.0, 4.0, 1.0, 0.7))");
+    const Laws::ThesisLeaf leaf{0.5f, 0.2f, 1.0f, 4.0f, 1.0f, 0.7f};
+    for (std::size_t i = 0; i < gpu.size(); ++i)
+        ASSERT_LT(difference(gpu[i], Laws().thesisLeafStep(s.states[i], s.noises[i].x, s.noises[i].y, leaf)),
+                  5e-4f)
+            << i;
+}
+
+TEST_F(LawsGlTest, DampedBranchesOfAllSpeciesAgreeWithTheCpu) {
+    // Every kind of branch there is, in winds of up to 30 m/s and the motion they may cause.
+    Random random(11);
+    Texels states, winds, first, second, third;
+    std::vector<Laws::DampedBranch> branches;
+    for (const BuiltInSpecies& built : builtInSpecies()) {
+        const TreeModel model = makeTreeModel(built.species.tree, 0);
+        for (const float height : {6.0f, 25.0f})
+            for (const Laws::DampedBranch& p :
+                 makeDampedBranches(model, fitTree(model, {height, 0.0f, 0.0f}), built.species)) {
+                branches.push_back(p);
+                first.emplace_back(p.stiffness, p.inertia, p.damping, p.drag);
+                second.emplace_back(p.lever, p.maxAngle, p.streamlining, p.streamlinedTo);
+                third.emplace_back(p.direction, p.windHeight);
+                const float pace = std::sqrt(p.stiffness / p.inertia);
+                states.emplace_back(0.3f * random.symmetric(), 0.3f * random.symmetric(),
+                                    0.3f * pace * random.symmetric(), 0.3f * pace * random.symmetric());
+                winds.emplace_back(30.0f * random.symmetric(), 30.0f * random.symmetric(),
+                                   30.0f * random.symmetric(), 30.0f * random.symmetric());
+            }
+    }
+    for (const float rate : {120.0f, 60.0f, 10.0f}) {
+        const Texels gpu = step(states, {{"wind", winds}, {"a", first}, {"b", second}, {"c", third}},
+                                "dampedBranchStep(state, wind.xy, wind.zw, "
+                                "DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.xyz, c.w), 1.0 / " +
+                                    std::to_string(rate) + ")");
+        float worstAngle = 0.0f, worstSpeed = 0.0f, moved = 0.0f;
+        for (std::size_t i = 0; i < gpu.size(); ++i) {
+            const glm::vec4 cpu = Laws().dampedBranchStep(states[i], {winds[i].x, winds[i].y},
+                                                          {winds[i].z, winds[i].w}, branches[i], 1.0f / rate);
+            const float pace = std::sqrt(branches[i].stiffness / branches[i].inertia);
+            const glm::vec4 off = glm::abs(gpu[i] - cpu);
+            worstAngle = std::max({worstAngle, off.x, off.y});
+            worstSpeed = std::max({worstSpeed, off.z / pace, off.w / pace});
+            moved = std::max(moved, difference(cpu, states[i]));
+        }
+        RecordProperty("anglesOffAt" + std::to_string(static_cast<int>(rate)) + "Hz",
+                       std::to_string(worstAngle));
+        EXPECT_GT(moved, 0.1f);
+        EXPECT_LT(worstAngle, 1e-5f) << rate << " Hz, " << gpu.size() << " branches";
+        EXPECT_LT(worstSpeed, 1e-5f) << rate << " Hz, over the pace of each branch";
+    }
+}
+
+TEST_F(LawsGlTest, NoiseAgreesWithTheCpu) {
+    Random random(3);
+    Texels times;
+    for (int i = 0; i < 5000; ++i)
+        times.emplace_back(std::floor(65536.0f * random.uniform()), random.uniform(), 0.0f, 0.0f);
+    for (const float gain : {0.0f, 0.5f, 1.0f, 1.4142136f}) {
+        const Texels gpu =
+            step(times, {},
+                 "vec4(motionNoise(noiseStream(7u, uint(state.x), 3u), uint(state.x), state.y, " +
+                     std::to_string(gain) + "))");
+        for (std::size_t i = 0; i < gpu.size(); ++i) {
+            const auto cell = static_cast<std::uint32_t>(times[i].x);
+            ASSERT_NEAR(gpu[i].x,
+                        Laws().motionNoise(Laws().noiseStream(7u, cell, 3u), cell, times[i].y, gain), 2e-5f)
+                << "gain " << gain;
+        }
+    }
+}
+
+TEST_F(LawsGlTest, HostileInputGivesFiniteAnglesWithinLimits) {
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<float> hostile = {inf, -inf, nan, 1e30f, -1e30f, 1e-42f, 0.0f};
+    const Sweep s = sweep(hostile, hostile, hostile);
+    const char* laws[] = {
+        "thesisBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.0))",
+        "thesisSmoothBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.2))",
+        "thesisLeafStep(state, noise.x, noise.y, ThesisLeaf(0.5, 0.5, 0.5, 4.0, 1.0, 0.7))",
+        "dampedBranchStep(state, wind.xy, noise.xy, DampedBranch(40.0, 2.0, 1.0, 1.2, 0.4, 0.5, 0.7, 25.0, "
+        "vec3(0.0, 0.0, 1.0), 0.0), 0.1)",
+        "dampedBranchStep(state, wind.xy, noise.xy, DampedBranch(wind.x, wind.y, noise.x, noise.y, wind.z, "
+        "0.5, "
+        "noise.z, wind.x, vec3(0.0, 0.0, 1.0), 0.0), noise.x)"};
+    for (const char* law : laws) {
+        for (const glm::vec4& angle : step(s.states, s.inputs(), law)) {
+            ASSERT_TRUE(std::isfinite(angle.x) && std::isfinite(angle.y) && std::isfinite(angle.z) &&
+                        std::isfinite(angle.w))
+                << law;
+            ASSERT_LE(std::max(std::abs(angle.x), std::abs(angle.y)), 0.5f) << law;
+        }
+    }
+}
+
+} // namespace
+} // namespace osgTreeWind
