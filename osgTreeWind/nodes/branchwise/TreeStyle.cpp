@@ -6,26 +6,12 @@
 #include <osgTreeWind/nodes/TreeTextures.h>
 
 namespace osgTreeWind {
-namespace {
-
-osg::ref_ptr<osg::Texture2D> createTexture(const char* name, osg::Image* image, osg::Texture::WrapMode wrap) {
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setName(name);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, wrap);
-    return texture;
-}
-
-} // namespace
-
 TreeStyles::TreeStyles()
     : _barkProgram(createProgram("branchwise/bark", "bark")),
       _leafProgram(createProgram("branchwise/leaf", "leaf")),
-      _bark(createTexture("bark", barkImage(), osg::Texture::REPEAT)),
-      _blades(createTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE)),
-      _needles(createTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)) {}
+      _bark(makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT)),
+      _blades(makeTreeTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE)),
+      _needles(makeTreeTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)) {}
 
 TreeStyle TreeStyles::style(const Appearance& appearance) const {
     TreeStyle style{new osg::StateSet, nullptr, new osg::StateSet, nullptr};

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/SpeciesLooks.h>
+
+#include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/StatelessFlutter.h>
+#include <osgTreeWind/nodes/TreeTextures.h>
+
+namespace osgTreeWind {
+
+SpeciesStyles::SpeciesStyles()
+    : _barkProgram(createProgram("instance_bark", "instance_bark")),
+      _leafProgram(createProgram("instance_leaf", "instance_leaf")),
+      _impostorProgram(createProgram("impostor", "impostor")),
+      _bark(makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT)),
+      _blades(makeTreeTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE)),
+      _needles(makeTreeTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)) {}
+
+SpeciesLooks SpeciesStyles::looks(const Species& species) const {
+    const Appearance& appearance = species.appearance;
+    SpeciesLooks looks{new osg::StateSet, new osg::StateSet, nullptr, nullptr};
+    looks.bark->setAttributeAndModes(_barkProgram);
+    looks.bark->setTextureAttribute(0, _bark);
+    looks.bark->addUniform(new osg::Uniform("barkTexture", 0));
+    looks.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
+    looks.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
+
+    const glm::vec4 limits = flutterLimits(species.leaf);
+    looks.leaves->setAttributeAndModes(_leafProgram);
+    looks.leaves->setTextureAttribute(0, appearance.needles ? _needles : _blades);
+    looks.leaves->addUniform(new osg::Uniform("leafTexture", 0));
+    looks.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
+    looks.leaves->addUniform(
+        new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
+    looks.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    return looks;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/StandShape.h>
+
+#include <osgTreeWind/model/TreeDetail.h>
+#include <osgTreeWind/nodes/TreeGeometry.h>
+
+namespace osgTreeWind {
+
+StandShape::StandShape(const TreeModel& model, PosePrograms* programs)
+    : _passes(new PosePass(model.skeleton, programs)), _state(new osg::StateSet) {
+    const std::vector<glm::vec4> crown = crownPlaces(model.leaves);
+    const TreeDetail details[tierCount - 1] = {TreeDetail::full(), TreeDetail::reducedOnce(),
+                                               TreeDetail::reducedTwice()};
+    for (int tier = 0; tier < tierCount - 1; ++tier) {
+        const bool whole = tier == static_cast<int>(Tier::Full);
+        _bark[tier] =
+            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin));
+        if (!model.leaves.empty())
+            _leaves[tier] = makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, details[tier]),
+                                             model.leafMesh, crown);
+    }
+    _state->addUniform(new osg::Uniform("unitWidth", _passes->unitWidth()));
+    _state->addUniform(new osg::Uniform("unitRows", _passes->unitRows()));
+}
+
+void StandShape::setGeometry(osg::Geometry* bark, osg::Geometry* leaves) {
+    for (int tier = 0; tier < tierCount - 1; ++tier) {
+        _bark[tier] = bark;
+        _leaves[tier] = leaves;
+    }
+}
+
+void StandShape::resizeGLObjectBuffers(unsigned maxSize) {
+    for (int tier = 0; tier < tierCount - 1; ++tier)
+        for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
+            if (geometry)
+                geometry->resizeGLObjectBuffers(maxSize);
+}
+
+void StandShape::releaseGLObjects(osg::State* state) const {
+    for (int tier = 0; tier < tierCount - 1; ++tier)
+        for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
+            if (geometry)
+                geometry->releaseGLObjects(state);
+    _passes->releaseGLObjects(state);
+}
+
+} // namespace osgTreeWind
