@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 namespace osgTreeWind {
 namespace {
@@ -79,8 +80,8 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
-    setDescription(other.getDescription());
-    setWind(other.getWind());
+    _wind = other.getWind();
+    show(other._simulation->restarted());
 }
 
 Forest::~Forest() = default;
@@ -102,12 +103,16 @@ void Forest::setDescription(ForestDescription description) {
         OSG_WARN << "osgTreeWind: " << problem << "; the forest is left empty" << std::endl;
         description = ForestDescription();
     }
+    SimulationOptions options;
+    options.placed = Patience(description.trees.size());
+    show(std::make_shared<ForestSimulation>(std::move(description), options));
+}
+
+void Forest::show(std::shared_ptr<ForestSimulation> shown) {
     useCpuAngles();
     removeChild(_stand);
     _trees.clear();
-    SimulationOptions options;
-    options.placed = Patience(description.trees.size());
-    _simulation = std::make_shared<ForestSimulation>(std::move(description), options);
+    _simulation = std::move(shown);
     const ForestSimulation& simulation = *_simulation;
 
     const TreeStyles styles;

@@ -96,6 +96,7 @@ protected:
     ~Forest() override;
 
 private:
+    void show(std::shared_ptr<ForestSimulation> simulation);
     void update(const osg::FrameStamp& stamp);
     void chooseAngleSource();
     bool stepOnCpu(double time);
