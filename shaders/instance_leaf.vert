@@ -5,8 +5,14 @@
 // gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame;
 // gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
 
+#include "real.glsl"
+#include "law/limits.glsl"
+#include "law/flutter.glsl"
 #include "instance.glsl"
 #include "light.glsl"
+
+uniform vec4 flutterLimits;
+uniform vec3 flutterPhases;
 
 out vec2 leafCoord;
 out vec3 leafLight;
@@ -14,7 +20,8 @@ out vec3 scenePosition;
 
 void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
-    vec4 turn = gl_MultiTexCoord1;
+    vec3 flutter = leafFlutter(flutterAmplitude(pose.wind), flutterPhases, treeState.z, gl_MultiTexCoord0.w, flutterLimits);
+    vec4 turn = turnAfter(gl_MultiTexCoord1, leafRotation(flutter.x, flutter.y, flutter.z));
     vec3 corner = treeSize.w * gl_Vertex.w * turnVector(turn, gl_Normal);
     vec4 eyePosition = eyePoint(pose, treeSize.xxy * gl_Vertex.xyz + corner);
 

@@ -3,6 +3,7 @@
 
 #include <osg/Referenced>
 
+#include <algorithm>
 #include <cstddef>
 #include <mutex>
 #include <vector>
@@ -21,6 +22,15 @@ struct PoseRequest {
     float patchSpeeds[mostPatches] = {};                 ///< Of the wind, m/s.
 };
 static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
+
+/// How the units of a tree lie in textures of poses.
+struct PoseLayout {
+    explicit PoseLayout(std::size_t units)
+        : width(static_cast<int>(std::clamp<std::size_t>(units, 1, 2048))),
+          rows(static_cast<int>((std::max<std::size_t>(units, 1) - 1) / static_cast<std::size_t>(width)) + 1) {}
+    int width; ///< Units in a row,
+    int rows;  ///< and rows of a tree.
+};
 
 /// Trees of one shape that are drawn in a frame, as many as fit into one texture of poses. Culls of several
 /// cameras fill it, under its lock; it is kept by those who draw from it.

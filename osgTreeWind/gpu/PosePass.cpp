@@ -13,7 +13,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr int mostSide = 16384; // of a texture that OpenGL 3.3 on any machine of today holds
-constexpr int matrixWidth = 2048, mostUnitWidth = 2048;
+constexpr int matrixWidth = 2048;
 constexpr std::size_t mostPageTrees = 4096;
 
 osg::ref_ptr<osg::Texture2D> floatTexture(const char* name, int width, int height) {
@@ -95,8 +95,8 @@ struct PosePass::Context {
 
 PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
     : _programs(programs), _units(static_cast<int>(skeleton.units.size())),
-      _width(std::clamp(_units, 1, mostUnitWidth)), _rows(rowsFor(skeleton.units.size(), _width)),
-      _pageTrees(std::clamp<std::size_t>(static_cast<std::size_t>(mostSide / _rows), 1, mostPageTrees)) {
+      _layout(skeleton.units.size()),
+      _pageTrees(std::clamp<std::size_t>(static_cast<std::size_t>(mostSide / _layout.rows), 1, mostPageTrees)) {
     for (const BranchUnit& unit : skeleton.units) {
         _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
         _unitTexels.emplace_back(unit.tip, 0.0f);
@@ -209,8 +209,8 @@ PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) c
         context.frame = frame;
         context.done = 0;
     }
-    if (trees * _rows > context.treeRows)
-        context.makeRoom(_width, roomFor(trees) * _rows);
+    if (trees * _layout.rows > context.treeRows)
+        context.makeRoom(_layout.width, roomFor(trees) * _layout.rows);
     const int first = context.done;
     if (first == trees)
         return context;
@@ -218,12 +218,12 @@ PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) c
     const PassState pass(state);
     upload(state, context, page);
     const auto begin = [&](osg::Program& program, osg::FrameBufferObject& target) {
-        pass.begin(program, target, first * _rows, _width, (trees - first) * _rows);
+        pass.begin(program, target, first * _layout.rows, _layout.width, (trees - first) * _layout.rows);
         pass.bind(0, "poseRequests", context.requests);
         pass.bind(1, "treeUnits", context.units);
         pass.set("unitCount", _units);
-        pass.set("unitWidth", _width);
-        pass.set("unitRows", _rows);
+        pass.set("unitWidth", _layout.width);
+        pass.set("unitRows", _layout.rows);
     };
     begin(*_programs->turns, *context.turnTarget);
     pass.bind(2, "modalMatrices", context.matrices);

@@ -54,10 +54,6 @@ public:
     /// The same, and binds them.
     void apply(osg::State& state, const PosePage& page) const;
 
-    /// Of the targets, for the shaders that read them.
-    int unitWidth() const { return _width; }
-    int unitRows() const { return _rows; }
-
     void releaseGLObjects(osg::State* state) const;
 
 protected:
@@ -76,7 +72,8 @@ private:
     void upload(osg::State& state, Context& context, const PosePage& page) const;
 
     osg::ref_ptr<PosePrograms> _programs;
-    int _units, _width, _rows;
+    int _units;
+    PoseLayout _layout;
     std::size_t _pageTrees; ///< The most on a page.
     std::vector<glm::vec4> _unitTexels;
 

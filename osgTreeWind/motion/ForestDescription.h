@@ -32,6 +32,7 @@ struct TreePlacement {
     float leaves = 1.0f;      ///< Share of its leaves that it bears, 0 (bare) to 1.
     std::uint32_t seed = 0;   ///< Picks one of the species' shapes, and the noise streams.
     bool openGrown = false;   ///< Stands by itself: such a crown is wider than in a forest.
+    std::string name{};       ///< An inventory's id; empty: none. Where two have one, it is the first's.
 };
 
 /// A whole forest as plain values: what a .treewind file says.

@@ -38,4 +38,14 @@ PoseStage* CullLists::stage() {
     return stage;
 }
 
+void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
+    for (std::size_t i = 0; i < _used; ++i)
+        trees[static_cast<std::size_t>(_lists[i].tier)] += _lists[i].trees->size();
+}
+
+void CullLists::releaseGLObjects(osg::State* state) const {
+    for (const List& list : _lists)
+        list.trees->values->getVertexBufferObject()->releaseGLObjects(state);
+}
+
 } // namespace osgTreeWind

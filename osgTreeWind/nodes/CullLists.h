@@ -5,6 +5,8 @@
 #include <osgTreeWind/nodes/PoseStage.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace osgTreeWind {
@@ -28,6 +30,9 @@ public:
     /// The list that trees of this shape and tier go to, and of this page if they have poses.
     InstanceList& list(std::size_t shape, Tier tier, const PosePass* passes, PosePage* page);
 
+    /// Trees that were seen from near, though they are followed from afar; for the next update.
+    std::vector<std::uint32_t>& awoken() { return _awoken; }
+
     /// Those of the cull at hand.
     std::size_t first() const { return _first; }
     std::size_t end() const { return _used; }
@@ -36,12 +41,17 @@ public:
     /// For the camera of the cull at hand.
     PoseStage* stage();
 
+    /// Adds the trees in all lists of the frame.
+    void countTrees(std::array<std::size_t, tierCount>& trees) const;
+    void releaseGLObjects(osg::State* state) const;
+
 private:
     unsigned _frame = ~0u;
     std::size_t _first = 0, _used = 0, _stagesUsed = 0;
     std::vector<List> _lists;
     std::vector<std::size_t> _open; ///< By shape and tier, the list that is filled now; 0: none, else one more.
     std::vector<osg::ref_ptr<PoseStage>> _stages;
+    std::vector<std::uint32_t> _awoken;
 };
 
 } // namespace osgTreeWind

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/InstancedDraw.h>
 
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
 #include <osg/GLExtensions>
 #include <osg/State>
 
@@ -37,13 +39,13 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     const auto* offset =
         reinterpret_cast<const char*>(instances->getOffset(_trees->values->getBufferIndex()));
     for (unsigned i = 0; i < 3; ++i) {
-        gl.glEnableVertexAttribArray(firstAttribute + i);
-        gl.glVertexAttribPointer(firstAttribute + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
+        gl.glEnableVertexAttribArray(firstInstanceAttribute + i);
+        gl.glVertexAttribPointer(firstInstanceAttribute + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
                                  offset + i * 4 * sizeof(float));
-        gl.glVertexAttribDivisor(firstAttribute + i, 1);
+        gl.glVertexAttribDivisor(firstInstanceAttribute + i, 1);
     }
 
-    const osg::DrawElements& triangles = *_geometry->getPrimitiveSet(0)->getDrawElements();
+    osg::DrawElements& triangles = *_geometry->getPrimitiveSet(0)->getDrawElements();
     osg::GLBufferObject* indices = triangles.getOrCreateGLBufferObject(state.getContextID());
     state.bindElementBufferObject(indices);
     gl.glDrawElementsInstanced(
@@ -52,8 +54,8 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
         static_cast<GLsizei>(_trees->size()));
 
     for (unsigned i = 0; i < 3; ++i) {
-        gl.glVertexAttribDivisor(firstAttribute + i, 0);
-        gl.glDisableVertexAttribArray(firstAttribute + i);
+        gl.glVertexAttribDivisor(firstInstanceAttribute + i, 0);
+        gl.glDisableVertexAttribArray(firstInstanceAttribute + i);
     }
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();

@@ -20,9 +20,6 @@ public:
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
 
-    /// Of `treePlace`, `treeSize`, `treeState` in programs (gpu/ShaderLibrary.h).
-    static constexpr unsigned firstAttribute = 12;
-
 protected:
     ~InstancedDraw() override = default;
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/StandShape.h>
 
+#include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
 namespace osgTreeWind {
 
-StandShape::StandShape(const TreeModel& model, PosePrograms* programs)
-    : _passes(new PosePass(model.skeleton, programs)), _state(new osg::StateSet) {
+StandShape::StandShape(const TreeModel& model, std::size_t species)
+    : _species(species), _state(new osg::StateSet) {
     const std::vector<glm::vec4> crown = crownPlaces(model.leaves);
     const TreeDetail details[tierCount - 1] = {TreeDetail::full(), TreeDetail::reducedOnce(),
                                                TreeDetail::reducedTwice()};
@@ -19,18 +20,20 @@ StandShape::StandShape(const TreeModel& model, PosePrograms* programs)
             _leaves[tier] = makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, details[tier]),
                                              model.leafMesh, crown);
     }
-    _state->addUniform(new osg::Uniform("unitWidth", _passes->unitWidth()));
-    _state->addUniform(new osg::Uniform("unitRows", _passes->unitRows()));
+    const PoseLayout layout(model.skeleton.units.size());
+    _state->addUniform(new osg::Uniform("unitWidth", layout.width));
+    _state->addUniform(new osg::Uniform("unitRows", layout.rows));
 }
 
-void StandShape::setGeometry(osg::Geometry* bark, osg::Geometry* leaves) {
+StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves)
+    : _species(other._species), _state(other._state) {
     for (int tier = 0; tier < tierCount - 1; ++tier) {
         _bark[tier] = bark;
         _leaves[tier] = leaves;
     }
 }
 
-void StandShape::resizeGLObjectBuffers(unsigned maxSize) {
+void StandShape::resizeGLObjectBuffers(unsigned maxSize) const {
     for (int tier = 0; tier < tierCount - 1; ++tier)
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
@@ -42,7 +45,6 @@ void StandShape::releaseGLObjects(osg::State* state) const {
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
                 geometry->releaseGLObjects(state);
-    _passes->releaseGLObjects(state);
 }
 
 } // namespace osgTreeWind

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/gpu/PosePass.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
 
@@ -10,26 +9,27 @@
 
 namespace osgTreeWind {
 
-/// What the trees of one model are drawn from, at each tier with branches; and the passes that pose them.
+/// What the trees of one model are drawn from, at each tier with branches. Immutable.
 class StandShape : public osg::Referenced {
 public:
-    StandShape(const TreeModel& model, PosePrograms* programs);
+    /// @param species that it is a shape of.
+    StandShape(const TreeModel& model, std::size_t species);
+    /// As another one, but drawn from these at every tier; null for none.
+    StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves);
 
+    /// Null where there is none, as the next one.
     osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
-    /// Null where there are none.
     osg::Geometry* leaves(Tier tier) const { return _leaves[static_cast<int>(tier)].get(); }
-    /// Instead of the model's own, at every tier with branches.
-    void setGeometry(osg::Geometry* bark, osg::Geometry* leaves);
-
+    std::size_t species() const { return _species; }
+    /// Where shaders find its poses.
     osg::StateSet* state() const { return _state.get(); }
-    PosePass* passes() const { return _passes.get(); }
 
-    void resizeGLObjectBuffers(unsigned maxSize);
+    void resizeGLObjectBuffers(unsigned maxSize) const;
     void releaseGLObjects(osg::State* state) const;
 
 private:
+    std::size_t _species;
     osg::ref_ptr<osg::Geometry> _bark[tierCount - 1], _leaves[tierCount - 1];
-    osg::ref_ptr<PosePass> _passes;
     osg::ref_ptr<osg::StateSet> _state;
 };
 

@@ -3,12 +3,11 @@
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/CullLists.h>
-#include <osgTreeWind/nodes/SceneShading.h>
-#include <osgTreeWind/nodes/SpeciesLooks.h>
-#include <osgTreeWind/nodes/StandShape.h>
+#include <osgTreeWind/nodes/StandDrawing.h>
 #include <osgTreeWind/nodes/TreeCells.h>
-#include <osgTreeWind/nodes/ViewFrustum.h>
+#include <osgTreeWind/nodes/TreeTiers.h>
 
+#include <array>
 #include <atomic>
 #include <map>
 #include <memory>
@@ -21,27 +20,40 @@ namespace osgTreeWind {
 /// Forest.
 ///
 /// Each cull chooses what its camera sees of them and how finely; the draws that it hands on are made of lists.
+/// osgUtil::IntersectionVisitor meets each tree that it may hit as a PickedTree.
 class TreeStand : public osg::Drawable {
 public:
-    TreeStand() = default;
+    /// No trees.
+    TreeStand();
     explicit TreeStand(std::shared_ptr<ForestSimulation> simulation);
-    /// Of the same trees, which the original's forest moves; shares what it is drawn from.
+    /// Drawn from the same shapes and state as another one of the same models and species.
+    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandDrawing& drawing);
+    /// Of the same trees, which the original's forest moves.
     TreeStand(const TreeStand& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
-    META_Node(osgTreeWind, TreeStand)
+    osg::Object* cloneType() const override { return new TreeStand; }
+    osg::Object* clone(const osg::CopyOp& copyop) const override { return new TreeStand(*this, copyop); }
+    bool isSameKindAs(const osg::Object* other) const override {
+        return dynamic_cast<const TreeStand*>(other) != nullptr;
+    }
+    const char* libraryName() const override { return "osgTreeWind"; }
+    const char* className() const override { return "TreeStand"; }
 
-        /// A tree was added, moved, changed or removed. In update.
+    /// A tree was added, moved, changed or removed. In update.
         void treeChanged(std::size_t tree);
     /// After each step: which trees are followed how closely. In update.
     void update(unsigned frame, double time);
 
-    SpeciesLooks& looks(std::size_t species) { return _looks[species]; }
-    StandShape& shape(std::size_t model) { return *_shapes[model]; }
-
-    /// Trees that some camera has seen with branches of late.
+    /// What its trees are drawn from. Changed between frames.
+    StandDrawing& drawing() { return _drawing; }
+    const StandDrawing& drawing() const { return _drawing; }
+    /// Trees that are followed closely, since a camera saw their branches of late.
     std::size_t nearTrees() const { return _near.size(); }
+    /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts twice.
+    std::array<std::size_t, tierCount> listedTrees() const;
 
+    using osg::Drawable::accept;
     void accept(osg::NodeVisitor& visitor) override;
-    osg::BoundingBox computeBoundingBox() const override;
+    osg::BoundingBox computeBoundingBox() const override { return _cells.bounds(); }
     void drawImplementation(osg::RenderInfo&) const override {}
     void resizeGLObjectBuffers(unsigned maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
@@ -50,28 +62,23 @@ protected:
     ~TreeStand() override = default;
 
 private:
-    using osg::Drawable::accept;
-    class Cull;
-    struct Camera;
-    Camera& cameraOf(osgUtil::CullVisitor& visitor);
+    void updateFlutter(double time);
     void cull(osgUtil::CullVisitor& visitor);
+    CullLists& listsOf(const osgUtil::CullVisitor& visitor);
 
     std::shared_ptr<ForestSimulation> _simulation;
-    std::vector<osg::ref_ptr<StandShape>> _shapes; ///< By model.
-    std::vector<SpeciesLooks> _looks;              ///< By species.
-    std::vector<osg::Vec3> _flutter;               ///< By species, phases of now.
-    osg::ref_ptr<osg::StateSet> _state;
-    osg::ref_ptr<osg::Program> _impostorProgram;
-    std::shared_ptr<TreeTiers> _tiers;
-    std::shared_ptr<SceneShading> _shading;
+    StandDrawing _drawing;
+    std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.
+    TreeTiers _tiers;
     mutable TreeCells _cells;
+    std::vector<osg::Vec3> _flutter; ///< By species, phases of now.
 
-    std::vector<std::uint8_t> _seen; ///< By tree, frame (its last bits) in which it last had branches; 0: never.
+    std::vector<std::uint8_t> _seen;  ///< By tree, last bits of the frame in which it last was drawn with branches.
     std::vector<std::uint32_t> _near; ///< Trees followed closely.
     std::atomic<unsigned> _culledFrame{~0u};
 
-    std::mutex _cameraMutex; ///< Guards the map; each camera is culled by one thread at a time.
-    std::map<const osgUtil::CullVisitor*, std::unique_ptr<Camera>> _cameras;
+    mutable std::mutex _listsMutex; ///< Guards the map; each cull visitor is at work in one thread at a time.
+    std::map<const osgUtil::CullVisitor*, std::unique_ptr<CullLists>> _lists;
 };
 
 } // namespace osgTreeWind

@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-TreeTiers::TreeTiers(const ForestDrawing& drawing) {
+TreeTiers::TreeTiers(const ForestDrawing& drawing) : _on(drawing.tiers) {
     const float heights[tierCount - 1] = {drawing.full, drawing.reduced, drawing.impostor};
     for (int tier = 0; tier < tierCount - 1; ++tier) {
         _from[tier] = drawing.tiers ? heights[tier] : 0.0f;

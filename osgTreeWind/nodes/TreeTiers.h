@@ -20,7 +20,7 @@ struct TierChoice {
 /// Tiers by height on the screen.
 class TreeTiers {
 public:
-    explicit TreeTiers(const ForestDrawing& drawing);
+    explicit TreeTiers(const ForestDrawing& drawing = {});
 
     TierChoice choose(float pixels) const {
         for (int tier = 0; tier < tierCount - 1; ++tier) {
@@ -31,10 +31,13 @@ public:
         }
         return {Tier::Impostor, 1.0f};
     }
-    /// Below this a tree is drawn as an impostor alone.
-    float impostorPixels() const { return _to[tierCount - 2]; }
+    /// Somewhat below the height at which branches are seen: a tree so high is to have its sway in full.
+    float wakingPixels() const { return 0.85f * _to[tierCount - 2]; }
+    /// Whether there are tiers at all.
+    bool on() const { return _on; }
 
 private:
+    bool _on;
     float _from[tierCount - 1], _to[tierCount - 1], _perPixel[tierCount - 1];
 };
 
