@@ -9,6 +9,7 @@
 #include "light.glsl"
 
 uniform sampler2D leafAngles; // a texel a leaf: motionAngleX, motionAngleZ, totalRotaAngle
+uniform float treeOwn;        // number of this tree, [0, 1): its shade
 uniform int treeFirstLeaf;    // of this tree in leafAngles; negative: leaves stand at rest
 
 out vec2 leafCoord;
@@ -34,7 +35,7 @@ void main() {
     float facing = dot(eyeNormal, toLight);
     float through = 0.25 * pow(max(dot(normalize(eyePosition.xyz), toLight), 0.0), 4.0);
     float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
-    float own = 0.88 + 0.24 * fract(0.618034 * float(treeFirstUnit) + 0.754878 * gl_MultiTexCoord0.w);
+    float own = 0.88 + 0.24 * fract(treeOwn + 0.754878 * gl_MultiTexCoord0.w);
     leafLight = own * open *
                 (ambientLight(eyeNormal) +
                  (max(0.5 * facing + 0.5, 0.0) + through) * gl_LightSource[0].diffuse.rgb);

@@ -6,13 +6,14 @@
 namespace osgTreeWind {
 
 AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
-    : _node(new OncePerFrame), _branches("branchwise/branch_angles", simulation.branches()->states()),
-      _leaves("branchwise/leaf_angles", simulation.leaves().states()),
+    : _node(new OncePerFrame), _branchReadback(new AngleReadback), _leafReadback(new AngleReadback),
+      _branches("branchwise/branch_angles", simulation.branches()->states(), _branchReadback),
+      _leaves("branchwise/leaf_angles", simulation.leaves().states(), _leafReadback),
       _wind("wind", 2 * simulation.forest().units),
       _branchParameters("branch parameters", 3 * simulation.forest().units),
       _leafParameters("leaf parameters", simulation.forest().leaves),
       _species("species", speciesTexels(simulation.description(), 0.0).size()),
-      _seconds(new osg::Uniform("seconds", 0.0f)), _branchReadback(new AngleReadback) {
+      _seconds(new osg::Uniform("seconds", 0.0f)) {
     _branchParameters.fill(branchTexels(simulation.forest(), *simulation.branches()));
     _leafParameters.fill(leafTexels(simulation.forest()));
 
@@ -22,7 +23,6 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
     _branches.inputs().addUniform(
         new osg::Uniform("motionLaw", static_cast<int>(simulation.description().law)));
     _branches.inputs().addUniform(_seconds);
-    _branches.setPostDrawCallback(_branchReadback);
     bindData(_leaves.inputs(), "leafParameters", 1, _leafParameters.texture());
     bindData(_leaves.inputs(), "speciesTexels", 2, _species.texture());
 
@@ -44,13 +44,11 @@ void AnglePrePass::hold() {
     _leaves.hold();
 }
 
-bool AnglePrePass::readBack(ForestSimulation& simulation, bool leavesToo) {
-    if (leavesToo != _leafReadback.valid()) {
-        _leafReadback = leavesToo ? new AngleReadback : nullptr;
-        _leaves.setPostDrawCallback(_leafReadback);
-    }
-    if (_leafReadback && _leafReadback->take(_states))
+bool AnglePrePass::readBack(ForestSimulation& simulation) {
+    if (_leafReadback->take(_states)) {
+        _leaves.startFrom(_states);
         simulation.leaves().setStates(_states.data());
+    }
     if (!_branchReadback->take(_states))
         return false;
     _branches.startFrom(_states);

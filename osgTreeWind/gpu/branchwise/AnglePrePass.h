@@ -11,14 +11,14 @@
 namespace osgTreeWind {
 
 /// The thesis' division of work (§5.2, Fig 5.1) for a whole forest: the CPU samples the wind into a texture,
-/// two passes work out the angles of all branches and of all leaves, and the branches' come back for the
-/// transforms. Used in update only.
+/// two passes work out the angles of all branches and of all leaves, and they come back for transforms and
+/// picking. Used in update only.
 class AnglePrePass {
 public:
     /// Goes on from the states of `simulation`, whose law is one of a branch.
     explicit AnglePrePass(const ForestSimulation& simulation);
 
-    /// To be put into the scene.
+    /// To be culled with the forest; no child of any node.
     osg::Node* node() const { return _node.get(); }
 
     /// Has the next frame take a step, in the wind that simulation.beginStep() sampled.
@@ -27,11 +27,10 @@ public:
     /// Has the next frame keep the angles.
     void hold();
 
-    /// Hands the branch states of the frame drawn last to `simulation`, and those of leaves if `leavesToo`,
-    /// from the frame after the first such call on. @return whether there were new ones.
-    bool readBack(ForestSimulation& simulation, bool leavesToo);
+    /// Hands the states of the frame drawn last to `simulation`. @return whether there were new ones.
+    bool readBack(ForestSimulation& simulation);
 
-    /// Leaf angles, once the frame being prepared has drawn its passes.
+    /// Leaf angles, as the frame draws them.
     osg::Texture2D* leafAngles() const { return _leaves.states(); }
     /// Branch angles, likewise; and the wind they come from.
     osg::Texture2D* branchAngles() const { return _branches.states(); }
@@ -39,11 +38,11 @@ public:
 
 private:
     osg::ref_ptr<OncePerFrame> _node;
+    osg::ref_ptr<AngleReadback> _branchReadback, _leafReadback;
     AnglePass _branches, _leaves;
     DataTexture _wind, _branchParameters, _leafParameters, _species;
     osg::ref_ptr<osg::Uniform> _seconds;
-    osg::ref_ptr<AngleReadback> _branchReadback, _leafReadback; ///< The second is null until it is asked for.
-    std::vector<glm::vec4> _states;                             ///< As read back.
+    std::vector<glm::vec4> _states; ///< As read back.
 };
 
 } // namespace osgTreeWind

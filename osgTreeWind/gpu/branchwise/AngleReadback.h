@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osg/Camera>
-#include <osg/Texture2D>
+#include <osg/Referenced>
+#include <osg/State>
 
 #include <glm/vec4.hpp>
 
@@ -11,13 +11,13 @@
 
 namespace osgTreeWind {
 
-/// Brings the states of a pass back to the CPU: as PostDrawCallback of the pass's cameras it copies the
-/// texture the camera drew into, in the draw thread; take() hands the newest copy over in update. Two buffers
-/// and a lock keep a copy whole; each is stamped with the frame that drew it, so that update of frame N gets
-/// frame N - 1.
-class AngleReadback : public osg::Camera::DrawCallback {
+/// Brings the states of a pass back to the CPU: the draw thread copies them when the pass is drawn; take()
+/// hands the newest copy over in update. Two buffers and a lock keep a copy whole; each is stamped with the
+/// frame that drew it, so that update of frame N gets frame N - 1.
+class AngleReadback : public osg::Referenced {
 public:
-    void operator()(osg::RenderInfo& renderInfo) const override;
+    /// Copies the texture of that many texels that is bound to the active texture unit. In the draw thread.
+    void read(const osg::State& state, int width, int height);
 
     /// The newest states, unless they were taken before.
     /// @param states becomes all texels of the texture, padding included.
@@ -25,12 +25,12 @@ public:
     bool take(std::vector<glm::vec4>& states);
 
 private:
-    mutable std::mutex _drawing; // one context at a time; guards _back
-    mutable std::vector<glm::vec4> _back;
-    mutable std::mutex _mutex; // guards all below
-    mutable std::vector<glm::vec4> _front;
-    mutable unsigned _frame = 0;
-    mutable bool _fresh = false;
+    std::mutex _drawing; // one context at a time; guards _back
+    std::vector<glm::vec4> _back;
+    std::mutex _mutex; // guards all below
+    std::vector<glm::vec4> _front;
+    unsigned _frame = 0;
+    bool _fresh = false;
 };
 
 } // namespace osgTreeWind

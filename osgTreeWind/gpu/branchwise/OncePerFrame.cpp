@@ -2,13 +2,10 @@
 #include <osgTreeWind/gpu/branchwise/OncePerFrame.h>
 
 #include <osgUtil/CullVisitor>
-#include <osgUtil/IntersectionVisitor>
 
 namespace osgTreeWind {
 
 void OncePerFrame::traverse(osg::NodeVisitor& visitor) {
-    if (dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor))
-        return;
     if (visitor.getVisitorType() != osg::NodeVisitor::CULL_VISITOR || firstOfFrame(visitor))
         osg::Group::traverse(visitor);
 }

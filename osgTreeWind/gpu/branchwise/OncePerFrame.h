@@ -9,7 +9,7 @@
 namespace osgTreeWind {
 
 /// Lets the first cull traversal of a frame in each context through, and no other: however many views, shadow
-/// passes and cameras see a scene, what is below is drawn once. Hidden from picking.
+/// passes and cameras see a scene, what is below is drawn once.
 class OncePerFrame : public osg::Group {
 public:
     OncePerFrame() = default;

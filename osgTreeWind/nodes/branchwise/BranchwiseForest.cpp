@@ -4,6 +4,7 @@
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
+#include <osgTreeWind/model/Random.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/Notify>
@@ -37,24 +38,22 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given)
     : _simulation(std::move(given)), _wantedSource(environmentSource()) {
     const ForestSimulation& simulation = *_simulation;
 
-    const TreeStyles styles;
-    std::vector<TreeStyle> speciesStyles;
+    TreeStyles styles;
     for (const Species& species : simulation.description().species)
-        speciesStyles.push_back(styles.style(species.appearance));
-    std::vector<osg::ref_ptr<TreeShape>> shapes;
+        _styles.push_back(styles.style(species.appearance));
     for (const TreeModel& model : simulation.models())
-        shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
+        _shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
 
     _stand = new osg::Group;
     _stand->setName("trees");
     _stand->setDataVariance(osg::Object::DYNAMIC);
     for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
         const PlacedTree& tree = simulation.trees()[i];
-        osg::ref_ptr<TreeNode> node =
-            new TreeNode(shapes[tree.model], speciesStyles[tree.species], tree.scale);
+        osg::ref_ptr<TreeNode> node = new TreeNode(_shapes[tree.model], _styles[tree.species], tree.scale);
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
+        node->setOwnNumber(Random(tree.seed).uniform());
         node->getPosedTree()->follow(_simulation, simulation.motion(i));
         _stand->addChild(node);
         _trees.push_back(node);
@@ -103,11 +102,9 @@ void BranchwiseForest::setAngleSource(AngleSource source) {
 }
 
 void BranchwiseForest::useCpuAngles() {
-    removeChild(_probe);
     _probe = nullptr;
     if (!_prePass)
         return;
-    removeChild(_prePass->node());
     _prePass.reset();
     bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
 }
@@ -117,18 +114,45 @@ void BranchwiseForest::chooseAngleSource() {
     if (_wantedSource == CPU_ANGLES || _prePass || !_simulation->branches() ||
         _simulation->forest().units == 0)
         return;
-    if (!_probe) {
+    if (!_probe)
         _probe = new FloatTargetProbe;
-        addChild(_probe);
-    } else if (_probe->answer() == FloatTargetProbe::SUPPORTED) {
-        removeChild(_probe);
+    else if (_probe->answer() == FloatTargetProbe::SUPPORTED) {
+        _probe = nullptr;
         _prePass = std::make_unique<AnglePrePass>(*_simulation);
-        addChild(_prePass->node());
+        bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
     } else if (_probe->answer() == FloatTargetProbe::MISSING) {
         OSG_NOTICE << "osgTreeWind: no float render targets or vertex textures here; angles come from the CPU"
                    << std::endl;
         setAngleSource(CPU_ANGLES);
     }
+}
+
+void BranchwiseForest::traverse(osg::NodeVisitor& visitor) {
+    if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR) {
+        if (_probe)
+            _probe->accept(visitor);
+        if (_prePass)
+            _prePass->node()->accept(visitor);
+    }
+    osg::Group::traverse(visitor);
+}
+
+void BranchwiseForest::resizeGLObjectBuffers(unsigned maxSize) {
+    osg::Group::resizeGLObjectBuffers(maxSize);
+    for (const osg::ref_ptr<TreeShape>& shape : _shapes)
+        shape->resizeGLObjectBuffers(maxSize);
+    if (_prePass)
+        _prePass->node()->resizeGLObjectBuffers(maxSize);
+}
+
+void BranchwiseForest::releaseGLObjects(osg::State* state) const {
+    osg::Group::releaseGLObjects(state);
+    for (const osg::ref_ptr<TreeShape>& shape : _shapes)
+        shape->releaseGLObjects(state);
+    for (const TreeStyle& style : _styles)
+        style.releaseGLObjects(state);
+    if (_prePass)
+        _prePass->node()->releaseGLObjects(state);
 }
 
 void BranchwiseForest::update(double time) {
@@ -148,12 +172,11 @@ bool BranchwiseForest::stepOnCpu(double time) {
 }
 
 bool BranchwiseForest::stepOnGpu(double time) {
-    const bool moved = _prePass->readBack(*_simulation, _leafDrawing == LEAF_TRANSFORMS);
+    const bool moved = _prePass->readBack(*_simulation);
     if (const std::optional<float> seconds = _simulation->beginStep(time))
         _prePass->step(*_simulation, time, *seconds);
     else
         _prePass->hold();
-    bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
     return moved;
 }
 

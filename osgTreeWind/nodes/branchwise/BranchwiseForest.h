@@ -73,6 +73,10 @@ public:
     /// traversal.
     void update(double time);
 
+    void traverse(osg::NodeVisitor& visitor) override;
+    void resizeGLObjectBuffers(unsigned maxSize) override;
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+
 protected:
     ~BranchwiseForest() override;
 
@@ -84,9 +88,12 @@ private:
     void useCpuAngles();
 
     std::shared_ptr<ForestSimulation> _simulation;
-    osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
+    std::vector<osg::ref_ptr<TreeShape>> _shapes; ///< By model.
+    std::vector<TreeStyle> _styles;               ///< By species.
+    osg::ref_ptr<osg::Group> _stand;              ///< The trees, and the textures they share.
     std::vector<osg::ref_ptr<TreeNode>> _trees;
     std::unique_ptr<DataTexture> _unitPoses, _leafAngles;
+    // No children: in a scene they would keep everything above them from being culled.
     std::unique_ptr<AnglePrePass> _prePass;
     osg::ref_ptr<FloatTargetProbe> _probe;
     AngleSource _wantedSource;

@@ -30,16 +30,4 @@ void TreeDrawable::compileGLObjects(osg::RenderInfo& renderInfo) const {
         _geometry->compileGLObjects(renderInfo);
 }
 
-void TreeDrawable::resizeGLObjectBuffers(unsigned maxSize) {
-    osg::Drawable::resizeGLObjectBuffers(maxSize);
-    if (_geometry)
-        _geometry->resizeGLObjectBuffers(maxSize);
-}
-
-void TreeDrawable::releaseGLObjects(osg::State* state) const {
-    osg::Drawable::releaseGLObjects(state);
-    if (_geometry)
-        _geometry->releaseGLObjects(state);
-}
-
 } // namespace osgTreeWind

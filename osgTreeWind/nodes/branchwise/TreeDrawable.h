@@ -7,7 +7,8 @@
 
 namespace osgTreeWind {
 
-/// A part of one tree, drawn from geometry that all trees of its shape share. Vertices are posed by shaders;
+/// A part of one tree, drawn from geometry that all trees of its shape share, and that is released by its
+/// TreeShape only. Vertices are posed by shaders;
 /// for bounds, picking and statistics they are posed on the CPU.
 class TreeDrawable : public osg::Drawable {
 public:
@@ -22,8 +23,6 @@ public:
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
     void compileGLObjects(osg::RenderInfo& renderInfo) const override;
-    void resizeGLObjectBuffers(unsigned maxSize) override;
-    void releaseGLObjects(osg::State* state = nullptr) const override;
 
 protected:
     TreeDrawable() = default;

@@ -131,6 +131,10 @@ void TreeNode::setTexels(int firstUnit, int firstLeaf) {
     state->getOrCreateUniform("treeFirstLeaf", osg::Uniform::INT)->set(firstLeaf);
 }
 
+void TreeNode::setOwnNumber(float number) {
+    getOrCreateStateSet()->getOrCreateUniform("treeOwn", osg::Uniform::FLOAT)->set(number);
+}
+
 void TreeNode::updatePose() {
     if (!_tree)
         return;

@@ -48,6 +48,9 @@ public:
     /// Where the shaders find this tree: first texels of its units and leaves. Negative: at rest.
     void setTexels(int firstUnit, int firstLeaf);
 
+    /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
+    void setOwnNumber(float number);
+
     /// Takes over the pose of getPosedTree() after it changed: bounds and branch transforms.
     void updatePose();
 

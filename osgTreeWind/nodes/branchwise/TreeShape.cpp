@@ -42,4 +42,22 @@ osg::Geometry* TreeShape::unitSkin(unsigned unit) {
     return _unitSkins[unit].get();
 }
 
+std::vector<osg::Geometry*> TreeShape::geometries() const {
+    std::vector<osg::Geometry*> all = {_skin, _leaves, _leafCluster};
+    for (const osg::ref_ptr<osg::Geometry>& unit : _unitSkins)
+        if (unit)
+            all.push_back(unit);
+    return all;
+}
+
+void TreeShape::resizeGLObjectBuffers(unsigned maxSize) {
+    for (osg::Geometry* geometry : geometries())
+        geometry->resizeGLObjectBuffers(maxSize);
+}
+
+void TreeShape::releaseGLObjects(osg::State* state) const {
+    for (const osg::Geometry* geometry : geometries())
+        geometry->releaseGLObjects(state);
+}
+
 } // namespace osgTreeWind

@@ -25,7 +25,12 @@ public:
     /// thread.
     osg::Geometry* unitSkin(unsigned unit);
 
+    void resizeGLObjectBuffers(unsigned maxSize);
+    void releaseGLObjects(osg::State* state) const;
+
 private:
+    std::vector<osg::Geometry*> geometries() const;
+
     std::shared_ptr<const TreeModel> _model;
     osg::ref_ptr<osg::Geometry> _skin, _leaves, _leafCluster;
     std::vector<osg::ref_ptr<osg::Geometry>> _unitSkins;

@@ -9,19 +9,31 @@
 
 namespace osgTreeWind {
 
-/// How the trees of a species look.
-struct TreeStyle {
-    osg::ref_ptr<osg::StateSet> bark;        ///< Of a whole tree, posed by the shader.
-    osg::ref_ptr<osg::StateSet> branchBark;  ///< Of one unit, posed by the BranchTransform above it.
-    osg::ref_ptr<osg::StateSet> leaves;      ///< Of a whole tree, posed by the shader.
-    osg::ref_ptr<osg::StateSet> leafCluster; ///< Of one cluster, posed by the transforms above it.
+/// State that many trees share: no tree that is released takes it along. Its owner calls releaseShared().
+class SharedStateSet : public osg::StateSet {
+public:
+    SharedStateSet() = default;
+    SharedStateSet(const SharedStateSet& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY)
+        : osg::StateSet(other, copyop) {}
+    void releaseGLObjects(osg::State*) const override {}
+    void releaseShared(osg::State* state) const { osg::StateSet::releaseGLObjects(state); }
 };
 
-/// Makes styles that share programs and textures.
+/// How the trees of a species look.
+struct TreeStyle {
+    osg::ref_ptr<SharedStateSet> bark;        ///< Of a whole tree, posed by the shader.
+    osg::ref_ptr<SharedStateSet> branchBark;  ///< Of one unit, posed by the BranchTransform above it.
+    osg::ref_ptr<SharedStateSet> leaves;      ///< Of a whole tree, posed by the shader.
+    osg::ref_ptr<SharedStateSet> leafCluster; ///< Of one cluster, posed by the transforms above it.
+
+    /// Of one context, or of all.
+    void releaseGLObjects(osg::State* state) const;
+};
+
+/// Makes styles that share programs and textures, which are painted when a style first needs them.
 class TreeStyles {
 public:
-    TreeStyles();
-    TreeStyle style(const Appearance& appearance) const;
+    TreeStyle style(const Appearance& appearance);
 
 private:
     osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;

@@ -26,7 +26,8 @@ class LawsGlTest : public GlTest {
 protected:
     /// @param inputs name and one texel a state. @param body of the expression, which finds them by name.
     Texels step(const Texels& states, const Inputs& inputs, const std::string& body) {
-        AnglePass pass("branchwise/branch_angles", states);
+        osg::ref_ptr<AngleReadback> readback = new AngleReadback;
+        AnglePass pass("branchwise/branch_angles", states, readback);
         unsigned unit = 1;
         std::string declared;
         std::vector<DataTexture> textures;
@@ -40,8 +41,6 @@ protected:
         pass.inputs().setAttributeAndModes(program(declared, body), osg::StateAttribute::ON |
                                                                         osg::StateAttribute::OVERRIDE |
                                                                         osg::StateAttribute::PROTECTED);
-        osg::ref_ptr<AngleReadback> readback = new AngleReadback;
-        pass.setPostDrawCallback(readback);
         pass.step();
         open(16, 16);
         viewer().setSceneData(pass.node());

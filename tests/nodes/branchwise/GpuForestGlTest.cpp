@@ -55,15 +55,22 @@ ForestDescription forestOf(const Species& species, std::size_t trees, MotionLaw 
     return forest;
 }
 
+/// Has a camera cull everything as seen, and draw it where no pixel is.
+void lookPast(osg::Camera& camera) {
+    camera.setViewMatrixAsLookAt({0, -1e5, 0}, {0, -2e5, 0}, osg::Z_AXIS);
+    camera.setCullingMode(osg::CullSettings::NO_CULLING);
+}
+
 class GpuForestGlTest : public GlTest {
 protected:
-    /// A forest with GPU angles, and its probe's frame behind it. The camera looks at nothing.
+    /// A forest with GPU angles, and its probe's frame behind it. It is culled as seen, and not drawn into
+    /// any pixel.
     osg::ref_ptr<Forest> start(ForestDescription description) {
         osg::ref_ptr<Forest> forest = new Forest(std::move(description));
         forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
         open(16, 16);
         viewer().setSceneData(forest);
-        viewer().getCamera()->setViewMatrixAsLookAt({0, -1e5, 0}, {0, -2e5, 0}, osg::Z_AXIS);
+        lookPast(*viewer().getCamera());
         frame(0.0);
         frame(0.0);
         EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
@@ -171,8 +178,7 @@ TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
         description.species[0].tree.leaves.clustersPerBranch = 4;
         description.noiseExponent = exponent;
         osg::ref_ptr<Forest> forest = start(description);
-        forest->getBranchwise()->setLeafDrawing(
-            BranchwiseForest::LEAF_TRANSFORMS); // has leaf states read back
+        forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES); // read back for picking
         ForestSimulation oracle(description);
         oracle.advance(0.0);
         for (int i = 1; i <= 30; ++i) {

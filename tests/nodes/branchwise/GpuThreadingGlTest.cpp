@@ -34,6 +34,7 @@ TEST_P(GpuThreadingGlTest, SixHundredFramesBringBackWholeStatesOneFrameOld) {
     open(16, 16);
     viewer().setSceneData(forest);
     viewer().getCamera()->setViewMatrixAsLookAt({0, -1e5, 0}, {0, -2e5, 0}, osg::Z_AXIS);
+    viewer().getCamera()->setCullingMode(osg::CullSettings::NO_CULLING);
     viewer().setThreadingModel(GetParam());
     const double step = 1.0 / 64.0; // exact in floats
     for (int i = 1; i <= 600; ++i) {
