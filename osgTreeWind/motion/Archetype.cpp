@@ -153,9 +153,10 @@ Archetype::Archetype(const SwayingTree& tree)
                                  tree.species->branch.maxAngle};
     const JointTree joints = jointsOf(tree);
     _shapes = makeModalShapes(joints, material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
-    const auto height = static_cast<double>(measureTree(*tree.model, tree.scale).height);
-    for (ModalShape& shape : _shapes)
-        shape.leans = modalLeans(joints, shape, height);
+    for (ModalShape& shape : _shapes) {
+        shape.height = measureTree(*tree.model, tree.scale).height;
+        shape.leans = modalLeans(*tree.model, tree.scale, joints, shape);
+    }
     addPowers(_shapes, tree);
     _other[0] = nearestPatches(_shapes[0], _shapes[1]);
     _other[1] = nearestPatches(_shapes[1], _shapes[0]);

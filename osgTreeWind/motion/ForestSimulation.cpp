@@ -28,7 +28,7 @@ Executor executorFor(const SimulationOptions& options, std::size_t trees) {
 } // namespace
 
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
-    : _forest(placed(std::move(description), options)),
+    : _forest(placed(std::move(description), options)), _level(options.level),
       _leaves(_forest, options.leaves && _forest.description().law != MotionLaw::Modal),
       _wind(_forest.description().wind) {
     if (this->description().law != MotionLaw::Modal) {
@@ -44,7 +44,8 @@ ForestSimulation::ForestSimulation(ForestDescription description, const Simulati
 }
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
-    : _forest(other._forest), _leaves(_forest, !other._leaves.states().empty()), _wind(other.wind()) {
+    : _forest(other._forest), _level(other._level), _leaves(_forest, !other._leaves.states().empty()),
+      _wind(other.wind()) {
     if (other._modal)
         _modal = other._modal->restarted();
     else
@@ -60,7 +61,8 @@ std::shared_ptr<ForestSimulation> ForestSimulation::restarted() const {
 ModalMotion::Tree ForestSimulation::swaying(const PlacedTree& tree) const {
     return {{&_forest.modelOf(tree), &_forest.speciesOf(tree), tree.scale, tree.leaves},
             tree.position,
-            tree.heading};
+            tree.heading,
+            _level};
 }
 
 TreeId ForestSimulation::addTree(const TreePlacement& placement) {

@@ -21,7 +21,10 @@ class BranchwiseMotion;
 /// How a ForestSimulation works.
 struct SimulationOptions {
     bool leaves = true; ///< Whether leaves flutter under the laws of a branch; `modal` keeps none of them.
-    Executor executor;  ///< A host's threads; none: for a large forest a thread for each processor.
+    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
+    /// memory of near ones, from the start.
+    ModalMotion::Level level = ModalMotion::Level::Near;
+    Executor executor;            ///< A host's threads; none: for a large forest a thread for each processor.
     std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
 };
 
@@ -117,6 +120,7 @@ private:
     TreeMotion branchwiseMotion(std::size_t tree) const;
 
     PlacedForest _forest;
+    ModalMotion::Level _level;                   ///< Of trees that are added.
     std::unique_ptr<BranchwiseMotion> _branches; ///< Either this one
     std::unique_ptr<ModalMotion> _modal;         ///< or that one.
     mutable std::mutex _valuesMutex;             // guards _values

@@ -73,13 +73,16 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
     _executor(forms.size(), [&](std::size_t i) { made[i] = std::make_shared<const Archetype>(forms[i]); });
     for (std::shared_ptr<const Archetype>& archetype : made)
         addGroups(std::move(archetype));
-    std::vector<std::size_t> sizes(_archetypes.size(), 0);
-    for (const std::uint32_t archetype : archetypes)
-        ++sizes[archetype];
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-        _groups[Archetype::levels * i].reserve(sizes[i]);
+    const auto groupOf = [&](std::size_t tree) {
+        return Archetype::levels * archetypes[tree] + static_cast<std::size_t>(trees[tree].level);
+    };
+    std::vector<std::size_t> sizes(_groups.size(), 0);
     for (std::size_t i = 0; i < trees.size(); ++i)
-        put(i, Archetype::levels * archetypes[i]);
+        ++sizes[groupOf(i)];
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+        _groups[i].reserve(sizes[i]);
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        put(i, groupOf(i));
     constexpr std::size_t batch = 256;
     _executor((trees.size() + batch - 1) / batch, [&](std::size_t job) {
         for (std::size_t i = job * batch; i < std::min(trees.size(), (job + 1) * batch); ++i)
@@ -126,7 +129,7 @@ std::size_t ModalMotion::add(const Tree& tree) {
         number = _free.back();
         _free.pop_back();
     }
-    put(number, Archetype::levels * archetypeOf(tree.form));
+    put(number, Archetype::levels * archetypeOf(tree.form) + static_cast<std::size_t>(tree.level));
     stand(number, tree);
     refreshLean(number);
     return number;

@@ -22,16 +22,17 @@ namespace osgTreeWind {
 /// they are kept with. Not thread-safe, but for the threads of its executor.
 class ModalMotion {
 public:
-    /// A tree and where it stands.
-    struct Tree {
-        SwayingTree form;
-        glm::vec3 foot{0.0f}; ///< Scene coordinates, metres.
-        float heading = 0.0f; ///< Radians, counter-clockwise from above.
-    };
     /// How closely a tree is followed.
     enum class Level : std::uint8_t {
         Near, ///< Up to 12 modes, 10 patches, every step.
         Far   ///< Up to 4 modes, 4 patches, one step in eight, or when longestWait is over, over all of it.
+    };
+    /// A tree and where it stands.
+    struct Tree {
+        SwayingTree form;
+        glm::vec3 foot{0.0f};      ///< Scene coordinates, metres.
+        float heading = 0.0f;      ///< Radians, counter-clockwise from above.
+        Level level = Level::Near; ///< At first.
     };
     static constexpr unsigned farInterval = 8;
     static constexpr float longestWait = 0.2f; ///< Seconds.
@@ -43,7 +44,7 @@ public:
     /// The same trees at the same levels, at rest in a calm. Shares the archetypes.
     std::unique_ptr<ModalMotion> restarted() const;
 
-    /// Puts up a tree at rest in a calm, near. Its model and species must outlive this. Takes microseconds,
+    /// Puts up a tree at rest in a calm. Its model and species must outlive this. Takes microseconds,
     /// whatever the number of trees; milliseconds if it is the first one on its rung, whose archetype then
     /// stays. @return its number: one that was removed, or else treeCount().
     std::size_t add(const Tree& tree);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ModalGroup.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -101,6 +103,7 @@ void ModalMotion::addPlaces(const Work& work, std::vector<WindPlace>& places) co
     }
 }
 
+/// The farther a tree bends the less its top moves: as that of an even arc.
 void ModalMotion::refreshLean(std::size_t tree) {
     const Group& group = groupOf(tree);
     const std::vector<glm::vec2>& leans = group.shape().leans;
@@ -108,7 +111,9 @@ void ModalMotion::refreshLean(std::size_t tree) {
     glm::vec2 lean(0.0f);
     for (std::size_t k = 0; k < leans.size(); ++k)
         lean += group.number(place, k) * leans[k];
-    lean *= group.number(place, factor + 2); // lengths
+    const float height = std::max(group.shape().height, 1.0e-6f);
+    lean *= group.number(place, factor + 2) / // lengths
+            std::sqrt(1.0f + glm::dot(lean, lean) / (height * height));
     const float cosine = group.number(place, factor), sine = group.number(place, factor + 1);
     _leans[tree] = {cosine * lean.x - sine * lean.y, sine * lean.x + cosine * lean.y};
 }
