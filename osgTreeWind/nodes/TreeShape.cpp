@@ -3,9 +3,7 @@
 
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <osgTreeWind/model/CrownEllipsoid.h>
 
 namespace osgTreeWind {
 namespace {
@@ -37,30 +35,10 @@ osg::ref_ptr<osg::Geometry> skinGeometry(const BranchSkin& skin) {
     return geometry;
 }
 
-/// The ellipsoid the leaves fill: outward directions and depths in it shade the crown.
-struct Crown {
-    explicit Crown(const std::vector<LeafCluster>& leaves) {
-        glm::vec3 low(1e9f), high(-1e9f);
-        for (const LeafCluster& leaf : leaves) {
-            low = glm::min(low, leaf.anchor);
-            high = glm::max(high, leaf.anchor);
-        }
-        centre = 0.5f * (low + high);
-        halfAxes = glm::max(0.5f * (high - low), glm::vec3(1e-3f));
-    }
-    osg::Vec4 at(const glm::vec3& point) const {
-        const glm::vec3 inside = (point - centre) / halfAxes;
-        const glm::vec3 gradient = inside / halfAxes + glm::vec3(0, 0, 1e-3f);
-        const glm::vec3 outward = glm::normalize(gradient);
-        return {outward.x, outward.y, outward.z, glm::min(glm::length(inside), 1.0f)};
-    }
-    glm::vec3 centre, halfAxes;
-};
-
 /// Vertex arrays of shaders/leaf.vert under construction.
 class LeafArrays {
 public:
-    void add(const LeafCluster& leaf, float index, const osg::Vec4& crown,
+    void add(const LeafCluster& leaf, float index, const glm::vec4& crown,
              const std::array<LeafVertex, verticesPerLeafCluster>& mesh) {
         for (const LeafVertex& v : mesh) {
             _anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
@@ -68,7 +46,7 @@ public:
             _ids->push_back({v.uv.x, v.uv.y, static_cast<float>(leaf.unit), index});
             _orientations->push_back(toOsg(leaf.orientation).asVec4());
             _normals->push_back(toOsg(v.normal));
-            _crowns->push_back(crown);
+            _crowns->push_back({crown.x, crown.y, crown.z, crown.w});
         }
     }
 
@@ -94,7 +72,7 @@ private:
 };
 
 osg::ref_ptr<osg::Geometry> leafGeometry(const TreeModel& model) {
-    const Crown crown(model.leaves);
+    const CrownEllipsoid crown(model.leaves);
     LeafArrays arrays;
     float index = 0.0f;
     for (const LeafCluster& leaf : model.leaves)
