@@ -48,7 +48,8 @@ vec3 barkShade(vec3 eyePosition, vec3 eyeNormal) {
     return light;
 }
 
-/// Light on foliage, which is lit from both sides and lets light through.
+/// Light on foliage, which is lit from both sides and lets light through. Linear in the normal, so that the mean of
+/// normals gives the mean of lights.
 vec3 leafShade(vec3 eyePosition, vec3 eyeNormal) {
 #ifdef UNLIT
     return vec3(1.0);

@@ -8,16 +8,17 @@
 
 namespace osgTreeWind {
 
-SpeciesStyles::SpeciesStyles()
-    : _barkProgram(createProgram("instance_bark", "instance_bark")),
-      _leafProgram(createProgram("instance_leaf", "instance_leaf")),
-      _impostorProgram(createProgram("impostor", "impostor")),
-      _bark(makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT)),
-      _blades(makeTreeTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE)),
-      _needles(makeTreeTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)) {}
-
-SpeciesLooks SpeciesStyles::looks(const Species& species) const {
+SpeciesLooks SpeciesStyles::looks(const Species& species) {
     const Appearance& appearance = species.appearance;
+    if (!_bark) {
+        _barkProgram = createProgram("instance_bark", "instance_bark");
+        _leafProgram = createProgram("instance_leaf", "instance_leaf");
+        _bark = makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT);
+    }
+    osg::ref_ptr<osg::Texture2D>& foliage = appearance.needles ? _needles : _blades;
+    if (!foliage)
+        foliage = makeTreeTexture("leaves", appearance.needles ? needleImage() : bladeImage(),
+                                  osg::Texture::CLAMP_TO_EDGE);
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, nullptr, nullptr};
     looks.bark->setAttributeAndModes(_barkProgram);
     looks.bark->setTextureAttribute(0, _bark);
@@ -27,7 +28,7 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) const {
 
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->setAttributeAndModes(_leafProgram);
-    looks.leaves->setTextureAttribute(0, appearance.needles ? _needles : _blades);
+    looks.leaves->setTextureAttribute(0, foliage);
     looks.leaves->addUniform(new osg::Uniform("leafTexture", 0));
     looks.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
     looks.leaves->addUniform(

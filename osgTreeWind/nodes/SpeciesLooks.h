@@ -16,15 +16,13 @@ struct SpeciesLooks {
     osg::ref_ptr<osg::StateSet> ownBark, ownLeaves;
 };
 
-/// Makes looks that share programs and textures.
+/// Makes looks that share programs and textures, which are made when first needed.
 class SpeciesStyles {
 public:
-    SpeciesStyles();
-    SpeciesLooks looks(const Species& species) const;
-    osg::Program* impostorProgram() const { return _impostorProgram.get(); }
+    SpeciesLooks looks(const Species& species);
 
 private:
-    osg::ref_ptr<osg::Program> _barkProgram, _leafProgram, _impostorProgram;
+    osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
     osg::ref_ptr<osg::Texture2D> _bark, _blades, _needles;
 };
 

@@ -8,14 +8,16 @@ namespace osgTreeWind {
 StandDrawing::StandDrawing(const PlacedForest& forest)
     : shapes(forest.models().size()), state(new osg::StateSet), programs(new PosePrograms),
       shading(std::make_shared<SceneShading>()) {
-    const SpeciesStyles styles;
+    SpeciesStyles styles;
     for (const Species& species : forest.description().species)
         looks.push_back(styles.looks(species));
+    state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
+    state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
+    if (shapes.empty()) // nor a pool of threads
+        return;
     ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
         shapes[model] = new StandShape(forest.models()[model], forest.speciesOfModel(model));
     });
-    state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
-    state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
 }
 
 void StandDrawing::resizeGLObjectBuffers(unsigned maxSize) const {

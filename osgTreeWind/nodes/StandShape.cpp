@@ -9,7 +9,7 @@ namespace osgTreeWind {
 
 StandShape::StandShape(const TreeModel& model, std::size_t species)
     : _species(species), _state(new osg::StateSet) {
-    const std::vector<glm::vec4> crown = crownPlaces(model.leaves);
+    const CrownEllipsoid crown(model.leaves);
     const TreeDetail details[tierCount - 1] = {TreeDetail::full(), TreeDetail::reducedOnce(),
                                                TreeDetail::reducedTwice()};
     for (int tier = 0; tier < tierCount - 1; ++tier) {

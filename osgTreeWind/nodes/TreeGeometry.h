@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/model/CrownEllipsoid.h>
 #include <osgTreeWind/model/TreeDetail.h>
 
 #include <osg/Geometry>
@@ -16,18 +17,14 @@ namespace osgTreeWind {
 osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin);
 
 /// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert and shaders/instance_leaf.vert describe them.
-/// @param crown crownPlaces() of all clusters of the tree: it shades them.
+/// @param crown of the tree, which shades them.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
-                                             const std::vector<glm::vec4>& crown);
+                                             const CrownEllipsoid& crown);
 /// The same of all of them.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
-                                             const std::vector<glm::vec4>& crown);
-
-/// Where each cluster stands in the ellipsoid that all of them fill: its outward direction there, and its
-/// depth (0 in the middle, 1 at the surface).
-std::vector<glm::vec4> crownPlaces(const std::vector<LeafCluster>& leaves);
+                                             const CrownEllipsoid& crown);
 
 /// Triangles over `clusters` leaf clusters of that many four-cornered quads.
 std::vector<unsigned> leafIndices(std::size_t clusters, int quads = quadsPerLeafCluster);

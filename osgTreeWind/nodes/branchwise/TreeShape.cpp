@@ -8,8 +8,11 @@ namespace osgTreeWind {
 namespace {
 
 osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
-    osg::ref_ptr<osg::Geometry> cluster =
-        makeLeafGeometry({LeafCluster()}, model.leafMesh, {{0.0f, 0.0f, 1.0f, 1.0f}});
+    const std::vector<LeafCluster> one(1);
+    CrownEllipsoid below(one); // at its very top
+    below.centre = {0.0f, 0.0f, -1.0f};
+    below.halfAxes = glm::vec3(1.0f);
+    osg::ref_ptr<osg::Geometry> cluster = makeLeafGeometry(one, model.leafMesh, below);
     cluster->setName("leaf cluster");
     // Its vertex array holds anchors, which are all the origin: bounds come from the corners.
     osg::BoundingBox box;
@@ -28,7 +31,7 @@ osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
 
 TreeShape::TreeShape(std::shared_ptr<const TreeModel> model)
     : _model(std::move(model)), _skin(makeSkinGeometry(_model->skin)),
-      _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, crownPlaces(_model->leaves))),
+      _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, CrownEllipsoid(_model->leaves))),
       _leafCluster(clusterGeometry(*_model)), _unitSkins(_model->skeleton.units.size()) {}
 
 osg::Geometry* TreeShape::unitSkin(unsigned unit) {
