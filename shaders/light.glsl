@@ -1,14 +1,66 @@
 // SPDX-License-Identifier: MIT
-// Light 0 of the scene, as OSG sets it up, and a sky that is brighter above than below.
+// The lights of the scene as OSG sets them up, and a sky that is brighter above than below. LIGHT_MASK: a bit for each
+// light that is on (osgTreeWind/nodes/SceneShading.h); light 0 where nobody says.
+#pragma import_defines(LIGHT_MASK, UNLIT)
 
-vec3 lightDirection(vec3 eyePosition) {
-    vec4 light = gl_LightSource[0].position;
-    return normalize(light.xyz - light.w * eyePosition);
-}
+#ifndef LIGHT_MASK
+#define LIGHT_MASK 1
+#endif
 
 vec3 ambientLight(vec3 eyeNormal) {
+    vec3 ambient = gl_LightModel.ambient.rgb;
+    for (int i = 0; i < 8; ++i)
+        if ((LIGHT_MASK >> i & 1) != 0)
+            ambient += gl_LightSource[i].ambient.rgb;
     vec3 eyeUp = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
     float sky = 0.5 + 0.5 * dot(eyeNormal, eyeUp);
-    vec3 ambient = gl_LightSource[0].ambient.rgb + gl_LightModel.ambient.rgb;
     return ambient * mix(vec3(0.75, 0.72, 0.62), vec3(1.1, 1.2, 1.35), sky);
+}
+
+/// Direction to a light, and what is left of it here.
+vec4 lightAt(int i, vec3 eyePosition) {
+    vec4 place = gl_LightSource[i].position;
+    if (place.w == 0.0)
+        return vec4(normalize(place.xyz), 1.0);
+    vec3 way = place.xyz / place.w - eyePosition;
+    float far = length(way);
+    vec3 toLight = way / max(far, 1.0e-6);
+    float left = 1.0 / (gl_LightSource[i].constantAttenuation +
+                        far * (gl_LightSource[i].linearAttenuation + far * gl_LightSource[i].quadraticAttenuation));
+    if (gl_LightSource[i].spotCutoff <= 90.0) {
+        float along = dot(-toLight, normalize(gl_LightSource[i].spotDirection));
+        left *= along < gl_LightSource[i].spotCosCutoff ? 0.0 : pow(max(along, 0.0), gl_LightSource[i].spotExponent);
+    }
+    return vec4(toLight, left);
+}
+
+/// Light on bark.
+vec3 barkShade(vec3 eyePosition, vec3 eyeNormal) {
+#ifdef UNLIT
+    return vec3(1.0);
+#endif
+    vec3 light = ambientLight(eyeNormal);
+    for (int i = 0; i < 8; ++i)
+        if ((LIGHT_MASK >> i & 1) != 0) {
+            vec4 at = lightAt(i, eyePosition);
+            light += at.w * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
+        }
+    return light;
+}
+
+/// Light on foliage, which is lit from both sides and lets light through. Linear in the normal, so that the mean of
+/// normals gives the mean of lights.
+vec3 leafShade(vec3 eyePosition, vec3 eyeNormal) {
+#ifdef UNLIT
+    return vec3(1.0);
+#endif
+    vec3 light = ambientLight(eyeNormal);
+    for (int i = 0; i < 8; ++i)
+        if ((LIGHT_MASK >> i & 1) != 0) {
+            vec4 at = lightAt(i, eyePosition);
+            float against = max(dot(normalize(eyePosition), at.xyz), 0.0);
+            float through = 0.25 * against * against * against * against;
+            light += at.w * (max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + through) * gl_LightSource[i].diffuse.rgb;
+        }
+    return light;
 }

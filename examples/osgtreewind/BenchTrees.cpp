@@ -121,7 +121,7 @@ TimedKernel modalPoses(const char* name, const WindFieldPtr& wind) {
 TimedKernel modalStep(InstructionSet set) {
     const PlacedForest forest(referenceTrees(MotionLaw::Modal, 1));
     const auto archetype = std::make_shared<const Archetype>(
-        SwayingTree{&forest.models.front(), &forest.description.species.front(), {}, 1.0f});
+        SwayingTree{&forest.models().front(), &forest.description().species.front(), {}, 1.0f});
     const ModalShape& shape = archetype->shape(0);
     const std::size_t floats = treeFloats(shape);
     float factors[sizeof(TreeFactors) / sizeof(float)];

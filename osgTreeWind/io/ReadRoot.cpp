@@ -99,6 +99,23 @@ void readMotion(TableReader& table, ForestReading& reading) {
         table.problem("noise_exponent", "expected noise = \"1/f\" with it");
 }
 
+void readDrawing(TableReader& table, ForestReading& reading) {
+    ForestDrawing& drawing = reading.forest.drawing;
+    table.read("tiers", drawing.tiers);
+    table.read("full", drawing.full, above(0, 100000));
+    table.read("reduced", drawing.reduced, above(0, 100000));
+    table.read("impostor", drawing.impostor, within(0, 100000));
+    table.read("blend", drawing.blend, within(0, 0.9));
+    if (!(drawing.reduced < drawing.full))
+        table.problem(table.has("reduced") ? "reduced" : "full", "expected reduced below full, found " +
+                                                                     numberText(drawing.reduced) + " and " +
+                                                                     numberText(drawing.full));
+    if (!(drawing.impostor < drawing.reduced))
+        table.problem(table.has("impostor") ? "impostor" : "reduced",
+                      "expected impostor below reduced, found " + numberText(drawing.impostor) + " and " +
+                          numberText(drawing.reduced));
+}
+
 /// A file without species has one, with every default.
 void ensureSpecies(TableReader& root, ForestReading& reading) {
     if (root.has("species"))
@@ -167,6 +184,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
 void readRoot(TableReader& root, ForestReading& reading) {
     readHead(root, reading);
     root.table("motion", [&](TableReader& table) { readMotion(table, reading); });
+    root.table("drawing", [&](TableReader& table) { readDrawing(table, reading); });
     ensureSpecies(root, reading);
     root.tables("species", [&](TableReader& table) { readSpecies(table, reading); });
     if (reading.forest.species.empty())

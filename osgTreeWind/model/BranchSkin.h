@@ -23,11 +23,17 @@ struct SkinVertex {
     glm::vec3 position() const { return centre + radius * outward; }
 };
 
-/// The surface of a tree's wood: rings of eight around every skeleton point (thesis §2.3).
-struct BranchSkin {
-    static constexpr int verticesPerRing = 8;
+/// How much of a skin is made.
+struct SkinDetail {
+    int rings = 1 << 30; ///< Of a unit, its two ends among them, >= 2; at most those of the skeleton.
+    int sides = 8;       ///< Vertices of a ring, >= 3.
+};
 
-    std::vector<SkinVertex> vertices;   ///< The thesis' `vertices`: eight per skeleton point.
+/// The surface of a tree's wood: rings of eight around every skeleton point (thesis §2.3), or fewer.
+struct BranchSkin {
+    static constexpr int verticesPerRing = SkinDetail().sides; ///< Of the whole skin.
+
+    std::vector<SkinVertex> vertices;   ///< The thesis' `vertices`: a ring per skeleton point.
     std::vector<std::uint32_t> indices; ///< Triangles, counter-clockwise seen from outside, unit after unit.
 
     /// Indices used by one unit.
@@ -37,6 +43,8 @@ struct BranchSkin {
     std::vector<SkinVertex> drawOrder() const;
 };
 
-BranchSkin makeBranchSkin(const Skeleton& skeleton);
+/// @param detail fewer sides stand farther out, so that a branch is as wide as ever in the mean over all
+/// directions it is seen from.
+BranchSkin makeBranchSkin(const Skeleton& skeleton, const SkinDetail& detail = {});
 
 } // namespace osgTreeWind

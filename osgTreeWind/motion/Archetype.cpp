@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/motion/GrowthLaws.h>
 #include <osgTreeWind/motion/JointTree.h>
+#include <osgTreeWind/motion/ModalLean.h>
 #include <osgTreeWind/motion/ScaledUnit.h>
 #include <osgTreeWind/motion/UnitLoads.h>
 
@@ -140,6 +141,7 @@ SwayingTree treeOn(const ArchetypeRung& rung) {
     tree.scale.radius = tree.scale.axes.z * std::exp(girthStep * static_cast<float>(rung.girth));
     tree.scale.axes.x = tree.scale.axes.y =
         tree.scale.axes.z * std::exp(widthStep * static_cast<float>(rung.width));
+    tree.scale.leaf = std::cbrt(tree.scale.axes.x * tree.scale.axes.y * tree.scale.axes.z);
     return tree;
 }
 
@@ -149,7 +151,12 @@ Archetype::Archetype(const SwayingTree& tree)
     const WoodParameters& wood = tree.species->wood;
     const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
                                  tree.species->branch.maxAngle};
-    _shapes = makeModalShapes(jointsOf(tree), material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
+    const JointTree joints = jointsOf(tree);
+    _shapes = makeModalShapes(joints, material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
+    for (ModalShape& shape : _shapes) {
+        shape.height = measureTree(*tree.model, tree.scale).height;
+        shape.leans = modalLeans(*tree.model, tree.scale, joints, shape);
+    }
     addPowers(_shapes, tree);
     _other[0] = nearestPatches(_shapes[0], _shapes[1]);
     _other[1] = nearestPatches(_shapes[1], _shapes[0]);

@@ -33,7 +33,7 @@ void BranchwiseMotion::addBranches(const PlacedTree& tree) {
     if (damped()) {
         for (const Laws::DampedBranch& branch : makeDampedBranches(model, tree.scale, species, tree.leaves)) {
             _windPlaces[_dampedBranches.size()].position.z = tree.position.z + branch.windHeight;
-            _dampedBranches.push_back(exaggerated(branch, _forest.description.gain));
+            _dampedBranches.push_back(exaggerated(branch, _forest.description().gain));
         }
     } else {
         for (const BranchUnit& unit : model.skeleton.units)
@@ -90,8 +90,8 @@ TreeMotion BranchwiseMotion::motionOf(const PlacedTree& tree) const {
 
 void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
     Laws laws;
-    const NoiseTime now =
-        NoiseTime::at(time, _forest.speciesOf(tree).branch.noiseFrequency, _forest.description.noiseExponent);
+    const NoiseTime now = NoiseTime::at(time, _forest.speciesOf(tree).branch.noiseFrequency,
+                                        _forest.description().noiseExponent);
     const auto units = static_cast<std::uint32_t>(_forest.unitsOf(tree));
     for (std::uint32_t unit = 0; unit < units; ++unit) {
         glm::vec3 noise;
@@ -100,7 +100,7 @@ void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
                 laws.motionNoise(laws.noiseStream(tree.seed, unit, axis), now.cell, now.fraction, now.gain);
         const std::size_t i = tree.firstUnit + unit;
         const glm::vec3 air = toThesis(glm::vec3(_windTexels[2 * i + 1]));
-        _states[i] = _forest.description.law == MotionLaw::Thesis
+        _states[i] = _forest.description().law == MotionLaw::Thesis
                          ? laws.thesisBranchStep(_states[i], air, noise, _thesisBranches[i])
                          : laws.thesisSmoothBranchStep(_states[i], air, noise, _thesisBranches[i]);
     }

@@ -46,7 +46,7 @@ public:
     const std::vector<Laws::DampedBranch>& dampedBranches() const { return _dampedBranches; }
 
 private:
-    bool damped() const { return _forest.description.law == MotionLaw::Damped; }
+    bool damped() const { return _forest.description().law == MotionLaw::Damped; }
     void addBranches(const PlacedTree& tree);
     void turn(const PlacedTree& tree, double time);
     void swing(const PlacedTree& tree, float seconds);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/ForestDrawing.h>
 #include <osgTreeWind/motion/Species.h>
 #include <osgTreeWind/wind/WindField.h>
 
@@ -31,6 +32,7 @@ struct TreePlacement {
     float leaves = 1.0f;      ///< Share of its leaves that it bears, 0 (bare) to 1.
     std::uint32_t seed = 0;   ///< Picks one of the species' shapes, and the noise streams.
     bool openGrown = false;   ///< Stands by itself: such a crown is wider than in a forest.
+    std::string name{};       ///< An inventory's id; empty: none. Where two have one, it is the first's.
 };
 
 /// A whole forest as plain values: what a .treewind file says.
@@ -44,6 +46,7 @@ struct ForestDescription {
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;
     WindFieldPtr wind; ///< In scene coordinates. Null: calm.
+    ForestDrawing drawing;
 
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.
     std::string source; ///< Text of the .treewind file it was read from; empty for one made by hand.

@@ -20,7 +20,7 @@ std::uint64_t unitBytes(MotionLaw law) {
     return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(Laws::DampedBranch) : sizeof(Laws::ThesisBranch));
 }
 /// Of a tree under `modal`: its state, and what a Forest asks of each of its units.
-constexpr std::uint64_t modalBytes = 300;
+constexpr std::uint64_t modalBytes = 310;
 constexpr std::uint64_t unitValueBytes =
     sizeof(glm::vec2) + sizeof(glm::vec3) + sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
 constexpr std::uint64_t leafBytes = sizeof(glm::vec4);

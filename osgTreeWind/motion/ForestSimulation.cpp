@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/BranchwiseMotion.h>
+#include <osgTreeWind/motion/StatelessFlutter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,36 +13,96 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t largeForest = 256; // trees; below it threads cost more than they give
+constexpr std::size_t largeForest = 256;   // trees; below it threads cost more than they give
+constexpr double longestPart = 0.1 + 1e-6; // seconds from one sample of the wind to the next
 
-std::unique_ptr<ModalMotion> makeModal(const PlacedForest& forest, const SimulationOptions& options) {
-    Executor executor = options.executor;
-    if (!executor && forest.trees.size() >= largeForest)
-        executor = ThreadPool::executor();
-    std::vector<ModalMotion::Tree> trees;
-    trees.reserve(forest.trees.size());
-    for (const PlacedTree& tree : forest.trees)
-        trees.push_back({{&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves},
-                         tree.position,
-                         tree.heading});
-    return std::make_unique<ModalMotion>(trees, forest.description.gain, std::move(executor));
+PlacedForest placed(ForestDescription&& description, const SimulationOptions& options) {
+    const bool last = description.law == MotionLaw::Modal; // laws of a branch have work to do on each tree
+    return PlacedForest(std::move(description), last ? options.placed : std::function<void()>());
+}
+
+Executor executorFor(const SimulationOptions& options, std::size_t trees) {
+    return !options.executor && trees >= largeForest ? ThreadPool::executor() : options.executor;
 }
 
 } // namespace
 
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
-    : _forest(std::move(description)), _leaves(_forest, options.leaves), _wind(_forest.description.wind) {
-    if (_forest.description.law != MotionLaw::Modal) {
+    : _forest(placed(std::move(description), options)), _level(options.level),
+      _leaves(_forest, options.leaves && _forest.description().law != MotionLaw::Modal),
+      _wind(_forest.description().wind) {
+    if (this->description().law != MotionLaw::Modal) {
         _branches = std::make_unique<BranchwiseMotion>(_forest, options.placed);
         return;
     }
-    _modal = makeModal(_forest, options);
-    _values.resize(_forest.trees.size());
-    for (std::size_t i = 0; options.placed && i < _forest.trees.size(); ++i)
-        options.placed();
+    std::vector<ModalMotion::Tree> trees;
+    trees.reserve(_forest.trees.size());
+    for (const PlacedTree& tree : _forest.trees)
+        trees.push_back(swaying(tree));
+    _modal =
+        std::make_unique<ModalMotion>(trees, this->description().gain, executorFor(options, trees.size()));
+}
+
+ForestSimulation::ForestSimulation(const ForestSimulation& other)
+    : _forest(other._forest), _level(other._level), _leaves(_forest, !other._leaves.states().empty()),
+      _wind(other.wind()) {
+    if (other._modal)
+        _modal = other._modal->restarted();
+    else
+        _branches = std::make_unique<BranchwiseMotion>(_forest);
 }
 
 ForestSimulation::~ForestSimulation() = default;
+
+std::shared_ptr<ForestSimulation> ForestSimulation::restarted() const {
+    return std::shared_ptr<ForestSimulation>(new ForestSimulation(*this));
+}
+
+ModalMotion::Tree ForestSimulation::swaying(const PlacedTree& tree) const {
+    return {{&_forest.modelOf(tree), &_forest.speciesOf(tree), tree.scale, tree.leaves},
+            tree.position,
+            tree.heading,
+            _level};
+}
+
+TreeId ForestSimulation::addTree(const TreePlacement& placement) {
+    const std::optional<PlacedTree> tree = _modal ? _forest.fitted(placement) : std::nullopt;
+    if (!tree)
+        return noTree;
+    const std::size_t slot = _modal->add(swaying(*tree));
+    _forest.put(slot, *tree, placement.name);
+    return idOf(slot);
+}
+
+bool ForestSimulation::removeTree(TreeId tree) {
+    if (!_modal || !holds(tree))
+        return false;
+    _modal->remove(slotOf(tree));
+    _forest.remove(slotOf(tree));
+    _values.erase(slotOf(tree));
+    return true;
+}
+
+bool ForestSimulation::changeTree(TreeId tree, const TreePlacement& placement) {
+    if (!_modal || !holds(tree))
+        return false;
+    const std::size_t slot = slotOf(tree);
+    const std::optional<PlacedTree> other = _forest.fitted(placement, &trees()[slot]);
+    if (!other)
+        return false;
+    _modal->replace(slot, swaying(*other));
+    _forest.put(slot, *other, placement.name);
+    return true;
+}
+
+std::optional<TreeId> ForestSimulation::findTree(const std::string& name) const {
+    const std::optional<std::uint32_t> slot = _forest.names.find(name);
+    return slot ? std::optional(idOf(*slot)) : std::nullopt;
+}
+
+std::string ForestSimulation::nameOf(TreeId tree) const {
+    return holds(tree) ? _forest.names.of(static_cast<std::uint32_t>(slotOf(tree))) : std::string();
+}
 
 void ForestSimulation::reset() {
     if (_modal)
@@ -53,7 +114,7 @@ void ForestSimulation::reset() {
 }
 
 void ForestSimulation::setLevel(std::size_t tree, ModalMotion::Level level) {
-    if (_modal)
+    if (_modal && _modal->holds(tree))
         _modal->setLevel(tree, level);
 }
 
@@ -87,43 +148,65 @@ std::optional<float> ForestSimulation::beginStep(double time) {
     return static_cast<float>(elapsed);
 }
 
+void ForestSimulation::stepModal(double time, double elapsed) {
+    const WindFieldPtr wind = this->wind();
+    const int parts = static_cast<int>(std::ceil(elapsed / longestPart));
+    for (int part = parts - 1; part >= 0; --part)
+        _modal->step(wind.get(), time - elapsed * part / parts, static_cast<float>(elapsed / parts));
+}
+
 bool ForestSimulation::advance(double time) {
     const std::optional<float> elapsed = beginStep(time);
     if (!elapsed)
         return false;
     if (_modal)
-        _modal->step(wind().get(), time, *elapsed);
+        stepModal(time, static_cast<double>(*elapsed));
     else
         _branches->step(time, *elapsed);
     _leaves.step(time);
     return true;
 }
 
+UnitValues& ForestSimulation::valuesOf(std::size_t tree) const {
+    const std::lock_guard<std::mutex> lock(_valuesMutex);
+    return _values[tree];
+}
+
 TreeMotion ForestSimulation::motion(std::size_t tree) const {
     if (!_modal)
         return branchwiseMotion(tree);
-    if (!_values[tree])
-        _values[tree] = std::make_unique<UnitValues>();
-    return motion(tree, *_values[tree]);
+    if (!_modal->holds(tree))
+        return {};
+    return motion(tree, valuesOf(tree));
 }
 
 TreeMotion ForestSimulation::motion(std::size_t index, UnitValues& values) const {
     if (!_modal)
         return branchwiseMotion(index);
+    if (!_modal->holds(index))
+        return {};
     const PlacedTree& tree = _forest.trees[index];
     const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
     const std::size_t units = skeleton.units.size();
-    values.resize(units);
+    const std::vector<LeafCluster>& leaves = _forest.modelOf(tree).leaves;
+    values.resize(units, leaves.size());
     _modal->angles(index, values.angles.data());
     _modal->winds(index, values.winds.data());
     for (std::size_t i = 0; i < units; ++i)
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
     swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
+    const LeafMotion& leaf = _forest.speciesOf(tree).leaf;
+    StatelessFlutter{{leaves.data(), leaves.size()},
+                     {values.winds.data(), units},
+                     flutterPhases(_time.value_or(0.0), leaf),
+                     flutterLimits(leaf),
+                     ownNumber(tree.seed)}
+        .run(values.leaves.data());
     return {{values.poses.data(), units},
             {values.rotations.data(), units},
             {values.states.data(), units},
             {values.winds.data(), units},
-            _leaves.statesOf(tree)};
+            {values.leaves.data(), leaves.size()}};
 }
 
 TreeMotion ForestSimulation::branchwiseMotion(std::size_t tree) const {

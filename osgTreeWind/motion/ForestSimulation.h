@@ -11,6 +11,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <unordered_map>
 
 namespace osgTreeWind {
 
@@ -18,8 +20,11 @@ class BranchwiseMotion;
 
 /// How a ForestSimulation works.
 struct SimulationOptions {
-    bool leaves = true; ///< Whether leaves flutter; without them a tree under `modal` takes 300 bytes.
-    Executor executor;  ///< A host's threads; none: for a large forest a thread for each processor.
+    bool leaves = true; ///< Whether leaves flutter under the laws of a branch; `modal` keeps none of them.
+    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
+    /// memory of near ones, from the start.
+    ModalMotion::Level level = ModalMotion::Level::Near;
+    Executor executor;            ///< A host's threads; none: for a large forest a thread for each processor.
     std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
 };
 
@@ -31,14 +36,37 @@ public:
     /// Grows the shapes and places the trees at rest. Trees of a species that is not there are left out.
     explicit ForestSimulation(ForestDescription description, const SimulationOptions& options = {});
     ~ForestSimulation();
+    /// The same trees as they are by now, at rest, in the same wind. Shares what does not change.
+    std::shared_ptr<ForestSimulation> restarted() const;
 
-    /// As given, but for trees left out; its wind is the first one, whatever setWind() did.
-    const ForestDescription& description() const { return _forest.description; }
-    const std::vector<TreeModel>& models() const { return _forest.models; }
-    /// In the order of the description.
+    /// As given, but without its trees, which are trees(); its wind is the first one, whatever setWind() did.
+    const ForestDescription& description() const { return _forest.description(); }
+    const std::vector<TreeModel>& models() const { return _forest.models(); }
+    /// By slot: in the order of the description, then as they were added. Not all of them are alive.
     const std::vector<PlacedTree>& trees() const { return _forest.trees; }
     /// All of it.
     const PlacedForest& forest() const { return _forest; }
+
+    // Trees that come and go, under `modal` only: elsewhere nothing is changed, and the answer is noTree or
+    // false. It takes as long in a forest of any size (ModalMotion::add()).
+
+    /// Puts up a tree at rest. @return noTree also where there is no such species.
+    TreeId addTree(const TreePlacement& placement);
+    /// @return whether there was such a tree, as below.
+    bool removeTree(TreeId tree);
+    /// Moves it, or makes it another one, in full sway (ModalMotion::replace()).
+    bool changeTree(TreeId tree, const TreePlacement& placement);
+
+    bool holds(TreeId tree) const { return _forest.holds(tree); }
+    /// Where a tree stands in trees().
+    std::size_t slotOf(TreeId tree) const { return slotOfTree(tree); }
+    /// Of the tree in a slot; the description's have their numbers, 0 and up.
+    TreeId idOf(std::size_t slot) const { return _forest.idOf(slot); }
+    std::optional<TreeId> findTree(const std::string& name) const;
+    /// Empty for none.
+    std::string nameOf(TreeId tree) const;
+    /// What would put that tree up again, with all of its sizes, in world coordinates.
+    TreePlacement placementOf(TreeId tree) const { return _forest.placementOf(slotOf(tree)); }
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
     void setWind(WindFieldPtr wind);
@@ -47,17 +75,18 @@ public:
     /// Moves on to `time` (seconds): samples the wind, takes one step of the law, flutters the leaves,
     /// composes the poses. The first call, and a call with an unchanged or earlier time, keeps the state (a
     /// pause holds), and a time that is not finite is ignored. The laws of the thesis take one step however
-    /// much time has passed; for the others a jump of more than maxStep counts as maxStep, and the wind goes
-    /// evenly from the sample before to this one.
+    /// much time has passed. For the others a jump of more than maxStep seconds counts as maxStep; the wind
+    /// goes evenly from the sample before to this one, under `modal` with samples between them in a step of
+    /// more than a tenth of a second.
     /// Does not allocate in steady state.
     /// @return whether a step was taken.
     bool advance(double time);
-    static constexpr double maxStep = 0.1;
+    static constexpr double maxStep = 1.0;
 
     /// Back to rest.
     void reset();
 
-    /// One tree as it stands now. Its values stay where they are as long as the simulation lives, and are
+    /// One tree as it stands now. Its values stay where they are as long as it lives, and are
     /// those of the last step taken before the call; under `modal` they are worked out by the call, which
     /// different threads may make for different trees.
     TreeMotion motion(std::size_t tree) const;
@@ -83,13 +112,19 @@ public:
     const LeafFlutter& leaves() const { return _leaves; }
 
 private:
-    const PlacedForest _forest;
+    ForestSimulation(const ForestSimulation& other);
+    ModalMotion::Tree swaying(const PlacedTree& tree) const;
     void meetWind(double time);
+    void stepModal(double time, double elapsed);
+    UnitValues& valuesOf(std::size_t tree) const;
     TreeMotion branchwiseMotion(std::size_t tree) const;
 
+    PlacedForest _forest;
+    ModalMotion::Level _level;                   ///< Of trees that are added.
     std::unique_ptr<BranchwiseMotion> _branches; ///< Either this one
     std::unique_ptr<ModalMotion> _modal;         ///< or that one.
-    mutable std::vector<std::unique_ptr<UnitValues>>
+    mutable std::mutex _valuesMutex;             // guards _values
+    mutable std::unordered_map<std::size_t, UnitValues>
         _values; ///< Of trees that were asked for, under `modal`.
     LeafFlutter _leaves;
     std::optional<double> _time;

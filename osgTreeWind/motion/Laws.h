@@ -32,6 +32,8 @@ struct Laws {
 
 #include <shaders/law/thesis_leaf.glsl>
 
+#include <shaders/law/flutter.glsl>
+
 #include <shaders/law/rotation.glsl>
 
 #include <shaders/law/oscillator.glsl>

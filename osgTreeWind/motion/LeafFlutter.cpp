@@ -22,7 +22,7 @@ void LeafFlutter::step(double time) {
     for (const PlacedTree& tree : _forest.trees) {
         const LeafMotion& motion = _forest.speciesOf(tree).leaf;
         const Laws::ThesisLeaf leaf = makeThesisLeaf(motion);
-        const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency, _forest.description.noiseExponent);
+        const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency, _forest.description().noiseExponent);
         const auto leaves = static_cast<std::uint32_t>(_forest.leavesOf(tree));
         for (std::uint32_t i = 0; i < leaves; ++i) {
             const float x =

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -21,27 +22,45 @@ namespace osgTreeWind {
 /// they are kept with. Not thread-safe, but for the threads of its executor.
 class ModalMotion {
 public:
-    /// A tree and where it stands.
-    struct Tree {
-        SwayingTree form;
-        glm::vec3 foot{0.0f}; ///< Scene coordinates, metres.
-        float heading = 0.0f; ///< Radians, counter-clockwise from above.
-    };
     /// How closely a tree is followed.
     enum class Level : std::uint8_t {
         Near, ///< Up to 12 modes, 10 patches, every step.
-        Far   ///< Up to 4 modes, 4 patches, one step in eight over the time of all of them.
+        Far   ///< Up to 4 modes, 4 patches, one step in eight, or when longestWait is over, over all of it.
+    };
+    /// A tree and where it stands.
+    struct Tree {
+        SwayingTree form;
+        glm::vec3 foot{0.0f};      ///< Scene coordinates, metres.
+        float heading = 0.0f;      ///< Radians, counter-clockwise from above.
+        Level level = Level::Near; ///< At first.
     };
     static constexpr unsigned farInterval = 8;
+    static constexpr float longestWait = 0.2f; ///< Seconds.
 
     /// @param gain [0, 100], on the answer to the wind. @param exact gives each tree an archetype of its own
     /// instead of that of the nearest rung, which takes milliseconds and tens of kB a tree.
     ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact = false);
     ~ModalMotion();
+    /// The same trees at the same levels, at rest in a calm. Shares the archetypes.
+    std::unique_ptr<ModalMotion> restarted() const;
 
-    std::size_t treeCount() const { return _slots.size(); }
+    /// Puts up a tree at rest in a calm. Its model and species must outlive this. Takes microseconds,
+    /// whatever the number of trees; milliseconds if it is the first one on its rung, whose archetype then
+    /// stays. @return its number: one that was removed, or else treeCount().
+    std::size_t add(const Tree& tree);
+    /// Its number then is no tree's until add() gives it out again.
+    void remove(std::size_t tree);
+    /// Makes it another one, at its level. Keeps its sway: all of it on the same rung, else as nearly as the
+    /// patches of its crown can move alike.
+    void replace(std::size_t tree, const Tree& other);
+    bool holds(std::size_t tree) const;
+
+    /// Numbers given out, those of removed trees too.
+    std::size_t treeCount() const { return _leans.size(); }
     std::size_t archetypeCount() const { return _archetypes.size(); }
     const Archetype& archetype(std::size_t tree) const;
+    /// Its archetype's at its present level.
+    const ModalShape& shape(std::size_t tree) const;
     /// Sizes of this tree over its archetype's.
     TreeFactors factors(std::size_t tree) const;
 
@@ -56,10 +75,17 @@ public:
     /// Back to rest, in a calm.
     void reset();
 
+    /// What the pose is a matrix times: amplitudes of the modes, then forces of the air on the patches.
+    /// @param vector shape(tree).columns() elements.
+    void poseVector(std::size_t tree, float* vector) const;
     /// Angles of each unit about its two axes as the tree stands (those of `damped`), held within the
     /// species' largest. @param angles one per unit.
     void angles(std::size_t tree, glm::vec2* angles) const;
-
+    /// Speed of the wind that each patch met last, m/s. @param speeds shape(tree).patches.size() elements.
+    void patchSpeeds(std::size_t tree, float* speeds) const;
+    /// How far its modes have moved the top of the tree, metres, scene axes; height z has moved by
+    /// (z / height)^leanPower of that (ModalLean.h).
+    glm::vec2 lean(std::size_t tree) const { return _leans[tree]; }
     /// Per unit: the wind that its patch met last, m/s, scene axes.
     void winds(std::size_t tree, glm::vec3* winds) const;
 
@@ -73,34 +99,37 @@ public:
 
 private:
     struct Group;
-    struct Slot {
-        std::uint32_t group = 0, index = 0;
-    };
-    struct Place {
-        glm::vec3 foot;
-        float width; ///< Lengths across over its archetype's.
-    };
+    struct Slot;
+    struct Place;
+    struct Work;
 
+    ModalMotion(const ModalMotion& other);
+    std::uint32_t archetypeOf(const SwayingTree& form);
+    void addGroups(std::shared_ptr<const Archetype> archetype);
+    void put(std::size_t tree, std::size_t group);
+    void take(std::size_t tree);
+    void stand(std::size_t tree, const Tree& given);
+    void setWinds(std::size_t tree, const float* winds, const std::vector<std::size_t>& patches);
+    const Group& groupOf(std::size_t tree) const;
     float& number(std::size_t tree, std::size_t index);
     float number(std::size_t tree, std::size_t index) const;
-    void put(std::size_t tree, std::uint32_t group);
-    void take(std::size_t tree);
-    struct Work {
-        std::uint32_t group, block;
-        float seconds;
-    };
+    std::vector<float> numbersOf(std::size_t tree) const;
     void advance(const WindField* wind, double time);
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
-    void poseVector(std::size_t tree, float* vector) const;
+    void refreshLean(std::size_t tree);
 
     Executor _executor;
     float _gain;
     InstructionSet _instructions = bestInstructionSet();
-    std::vector<std::unique_ptr<const Archetype>> _archetypes;
-    std::vector<Group> _groups; ///< Two for each archetype, one a level.
-    std::vector<Slot> _slots;   ///< Per tree.
-    std::vector<Place> _places; ///< Per tree.
-    std::vector<Work> _work;    ///< Of the step at hand.
+    bool _exact;
+    std::map<ArchetypeRung, std::uint32_t> _rungs; ///< To an index of `_archetypes`.
+    std::vector<std::shared_ptr<const Archetype>> _archetypes;
+    std::vector<Group> _groups;       ///< Two for each archetype, one a level.
+    std::vector<Slot> _slots;         ///< Per tree.
+    std::vector<Place> _places;       ///< Per tree.
+    std::vector<glm::vec2> _leans;    ///< Per tree.
+    std::vector<std::uint32_t> _free; ///< Numbers of removed trees.
+    std::vector<Work> _work;          ///< Of the step at hand.
     unsigned _turn = 0;
 };
 

@@ -56,9 +56,11 @@ struct ModalShape {
     std::vector<float> brakes; ///< Per patch and mode, what its brake adds to the mode's own.
     std::vector<float>
         poses; ///< [Phi R]: per joint, by amplitude of each mode and then by patch force (x, y, z).
-    float dampingRatio = 0.0f;   ///< Of wood.
-    float streamlinedTo = 25.0f; ///< m/s
-    float maxAngle = 1.5f;       ///< Of a joint, radians.
+    std::vector<glm::vec2> leans; ///< Per mode, modalLeans(), and
+    float height = 1.0f;          ///< of the whole tree, metres; of an Archetype's shapes.
+    float dampingRatio = 0.0f;    ///< Of wood.
+    float streamlinedTo = 25.0f;  ///< m/s
+    float maxAngle = 1.5f;        ///< Of a joint, radians.
 
     std::size_t columns() const { return modes.size() + 3 * patches.size(); }
 };

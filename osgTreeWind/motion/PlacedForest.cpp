@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/PlacedForest.h>
 
+#include <osgTreeWind/base/RoomFor.h>
 #include <osgTreeWind/motion/GrowthLaws.h>
 
 #include <algorithm>
@@ -10,43 +11,98 @@ namespace osgTreeWind {
 
 namespace {
 
-std::size_t shapeCount(const Species& species) {
-    return static_cast<std::size_t>(std::clamp(species.shapes, 1, 64));
+std::uint32_t shapeCount(const Species& species) {
+    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, 64));
+}
+
+bool same(const TreeSize& a, const TreeSize& b) {
+    return a.height == b.height && a.trunkDiameter == b.trunkDiameter && a.crownWidth == b.crownWidth;
 }
 
 } // namespace
 
-PlacedForest::PlacedForest(ForestDescription given) : description(std::move(given)) {
-    auto& placements = description.trees;
-    placements.erase(std::remove_if(placements.begin(), placements.end(),
-                                    [&](const TreePlacement& placement) {
-                                        return placement.species >= description.species.size();
-                                    }),
-                     placements.end());
-
-    std::vector<std::size_t> firstModel;
-    for (const Species& species : description.species) {
-        firstModel.push_back(models.size());
-        for (std::size_t shape = 0; shape < shapeCount(species); ++shape)
-            models.push_back(makeTreeModel(species.tree, static_cast<std::uint32_t>(shape)));
+PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed) {
+    const std::vector<TreePlacement> placements = std::exchange(given.trees, {});
+    std::vector<TreeModel> models;
+    for (const Species& species : given.species) {
+        _firstModels.push_back(static_cast<std::uint32_t>(models.size()));
+        for (std::uint32_t shape = 0; shape < shapeCount(species); ++shape)
+            models.push_back(makeTreeModel(species.tree, shape));
     }
+    _description = std::make_shared<const ForestDescription>(std::move(given));
+    _models = std::make_shared<const std::vector<TreeModel>>(std::move(models));
+
     trees.reserve(placements.size());
     for (const TreePlacement& placement : placements) {
-        PlacedTree tree;
-        tree.species = placement.species;
-        tree.model = firstModel[tree.species] + placement.seed % shapeCount(speciesOf(tree));
-        tree.scale =
-            fitTree(modelOf(tree), withCrown(placement.size, speciesOf(tree).crown, placement.openGrown));
-        tree.position = glm::vec3(placement.position - description.origin);
-        tree.heading = placement.heading;
-        tree.leaves = placement.leaves;
-        tree.seed = placement.seed;
-        tree.firstUnit = units;
-        tree.firstLeaf = leaves;
-        units += unitsOf(tree);
-        leaves += leavesOf(tree);
-        trees.push_back(tree);
+        if (std::optional<PlacedTree> tree = fitted(placement)) {
+            tree->firstUnit = static_cast<std::uint32_t>(units);
+            tree->firstLeaf = static_cast<std::uint32_t>(leaves);
+            units += unitsOf(*tree);
+            leaves += leavesOf(*tree);
+            put(trees.size(), *tree, placement.name);
+        }
+        if (placed)
+            placed();
     }
+}
+
+std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
+                                               const PlacedTree* before) const {
+    if (placement.species >= description().species.size())
+        return {};
+    PlacedTree tree;
+    tree.species = static_cast<std::uint32_t>(placement.species);
+    const Species& species = speciesOf(tree);
+    tree.model = _firstModels[tree.species] + placement.seed % shapeCount(species);
+    tree.scale = before && before->model == tree.model && same(placement.size, measured(*before))
+                     ? before->scale
+                     : fitTree(modelOf(tree), withCrown(placement.size, species.crown, placement.openGrown));
+    tree.position = glm::vec3(placement.position - description().origin);
+    tree.heading = placement.heading;
+    tree.leaves = placement.leaves;
+    tree.seed = placement.seed;
+    return tree;
+}
+
+TreePlacement PlacedForest::placementOf(std::size_t slot) const {
+    const PlacedTree& tree = trees[slot];
+    TreePlacement placement;
+    placement.species = tree.species;
+    placement.position = glm::dvec3(tree.position) + description().origin;
+    placement.heading = tree.heading;
+    placement.size = measured(tree);
+    placement.leaves = tree.leaves;
+    placement.seed = tree.seed;
+    placement.name = names.of(static_cast<std::uint32_t>(slot));
+    return placement;
+}
+
+void PlacedForest::put(std::size_t slot, PlacedTree tree, const std::string& name) {
+    if (slot == trees.size()) {
+        makeRoomFor(trees, slot + 1);
+        trees.emplace_back();
+    }
+    PlacedTree& old = trees[slot];
+    tree.generation = old.generation;
+    tree.alive = true;
+    old = tree;
+    names.set(static_cast<std::uint32_t>(slot), name);
+}
+
+void PlacedForest::remove(std::size_t slot) {
+    trees[slot].alive = false;
+    ++trees[slot].generation;
+    names.set(static_cast<std::uint32_t>(slot), {});
+}
+
+bool PlacedForest::holds(TreeId id) const {
+    const std::size_t slot = slotOfTree(id);
+    return slot < trees.size() && trees[slot].alive && idOf(slot) == id;
+}
+
+std::size_t PlacedForest::speciesOfModel(std::size_t model) const {
+    const auto after = std::upper_bound(_firstModels.begin(), _firstModels.end(), model);
+    return static_cast<std::size_t>(after - _firstModels.begin()) - 1;
 }
 
 glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine) {

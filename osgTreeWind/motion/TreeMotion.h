@@ -32,13 +32,15 @@ struct UnitValues {
     std::vector<glm::quat> rotations;
     std::vector<glm::vec4> states;
     std::vector<glm::vec3> winds;
+    std::vector<glm::vec4> leaves;
 
-    void resize(std::size_t units) {
+    void resize(std::size_t units, std::size_t clusters) {
         angles.resize(units);
         poses.resize(units);
         rotations.resize(units);
         states.resize(units);
         winds.resize(units);
+        leaves.resize(clusters);
     }
 };
 

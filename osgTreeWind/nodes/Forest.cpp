@@ -4,10 +4,15 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <osg/ApplicationUsage>
+#include <osg/LOD>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
+#include <osg/Switch>
+#include <osg/Transform>
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace osgTreeWind {
 namespace {
@@ -46,6 +51,8 @@ private:
     bool _said = false;
 };
 
+constexpr unsigned framesUnseen = 2; // below a LOD: until it counts as hidden
+
 } // namespace
 
 Forest::Forest() : Forest(ForestDescription()) {}
@@ -60,9 +67,10 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop) : osg::Group(othe
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
-    setDescription(other.getDescription());
-    setWind(other.getWind());
-    _branchwise->takeSettings(*other._branchwise);
+    _wind = other.getWind();
+    show(other._simulation->restarted(), other._stand ? &other._stand->drawing() : nullptr);
+    if (_branchwise)
+        _branchwise->takeSettings(*other._branchwise);
 }
 
 Forest::~Forest() = default;
@@ -86,17 +94,89 @@ void Forest::setDescription(ForestDescription description) {
     }
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
-    _simulation = std::make_shared<ForestSimulation>(std::move(description), options);
-    osg::ref_ptr<BranchwiseForest> branchwise = new BranchwiseForest(_simulation);
-    if (_branchwise)
-        branchwise->takeSettings(*_branchwise);
-    removeChild(_branchwise);
-    _branchwise = branchwise;
-    insertChild(0, _branchwise);
+    show(std::make_shared<ForestSimulation>(std::move(description), options));
+}
+
+void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandDrawing* drawing) {
+    const osg::ref_ptr<BranchwiseForest> former = _branchwise;
+    for (osg::Node* node : {static_cast<osg::Node*>(_stand), static_cast<osg::Node*>(_branchwise),
+                            static_cast<osg::Node*>(_followed)})
+        removeChild(node);
+    _stand = nullptr;
+    _branchwise = nullptr;
+    _followed = nullptr;
+    _simulation = std::move(simulation);
+    _treeCount = static_cast<std::size_t>(
+        std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
+                      [](const PlacedTree& tree) { return tree.alive; }));
+    if (_simulation->modal()) {
+        _stand = drawing ? new TreeStand(_simulation, *drawing) : new TreeStand(_simulation);
+        _followed = new FollowedBranches;
+        insertChild(0, _stand);
+        insertChild(1, _followed);
+    } else {
+        _branchwise = new BranchwiseForest(_simulation);
+        if (former)
+            _branchwise->takeSettings(*former);
+        insertChild(0, _branchwise);
+    }
+}
+
+TreeId Forest::addTree(const TreePlacement& placement) {
+    const TreeId tree = _simulation->addTree(placement);
+    if (tree != noTree) {
+        ++_treeCount;
+        _stand->treeChanged(_simulation->slotOf(tree));
+    }
+    return tree;
+}
+
+bool Forest::removeTree(TreeId tree) {
+    if (!_simulation->removeTree(tree))
+        return false;
+    --_treeCount;
+    _stand->treeChanged(_simulation->slotOf(tree));
+    return true;
+}
+
+bool Forest::changeTree(TreeId tree, const TreePlacement& placement) {
+    if (!_simulation->changeTree(tree, placement))
+        return false;
+    _stand->treeChanged(_simulation->slotOf(tree));
+    return true;
+}
+
+TreeId Forest::findTree(const std::string& name) const {
+    return _simulation->findTree(name).value_or(noTree);
+}
+
+BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
+    if (_followed)
+        return _followed->follow(*_simulation, tree, unit);
+    if (!_simulation->holds(tree))
+        return nullptr;
+    return _branchwise->getTree(static_cast<unsigned>(_simulation->slotOf(tree)))->getBranch(unit);
+}
+
+void Forest::setBarkState(std::size_t species, osg::StateSet* state) {
+    if (_stand && species < getDescription().species.size())
+        _stand->drawing().looks[species].ownBark = state;
+}
+
+void Forest::setLeafState(std::size_t species, osg::StateSet* state) {
+    if (_stand && species < getDescription().species.size())
+        _stand->drawing().looks[species].ownLeaves = state;
+}
+
+void Forest::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves) {
+    if (_stand && model < _simulation->models().size()) {
+        osg::ref_ptr<StandShape>& shape = _stand->drawing().shapes[model];
+        shape = new StandShape(*shape, bark, leaves);
+    }
 }
 
 bool Forest::isOwnChild(const osg::Node* child) const {
-    return child == _branchwise;
+    return child == _stand || child == _branchwise || child == _followed;
 }
 
 osg::Vec3d Forest::getOrigin() const {
@@ -105,17 +185,53 @@ osg::Vec3d Forest::getOrigin() const {
 }
 
 void Forest::traverse(osg::NodeVisitor& visitor) {
-    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && visitor.getFrameStamp())
-        update(*visitor.getFrameStamp());
+    const osg::FrameStamp* stamp = visitor.getFrameStamp();
+    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && stamp)
+        update(visitor);
+    if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && stamp)
+        _culledFrame = stamp->getFrameNumber();
     osg::Group::traverse(visitor);
 }
 
-void Forest::update(const osg::FrameStamp& stamp) {
-    if (stamp.getFrameNumber() == _lastFrame)
+/// Update visitors enter what a Switch or LOD hides, too.
+bool Forest::isHidden(const osg::NodePath& path, unsigned frame) const {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        if (auto* choice = dynamic_cast<osg::Switch*>(path[i]))
+            if (!choice->getChildValue(path[i + 1]))
+                return true;
+        if (dynamic_cast<osg::LOD*>(path[i]) && _culledFrame != ~0u && frame > _culledFrame + framesUnseen)
+            return true;
+    }
+    return false;
+}
+
+WindFieldPtr Forest::windAt(const osg::NodePath& path) {
+    _place = osg::computeLocalToWorld(path);
+    return getWind();
+}
+
+void Forest::update(osg::NodeVisitor& visitor) {
+    const osg::FrameStamp& stamp = *visitor.getFrameStamp();
+    const osg::NodePath& path = visitor.getNodePath();
+    if (isHidden(path, stamp.getFrameNumber()))
         return;
+    if (stamp.getFrameNumber() == _lastFrame) {
+        if (!_twoPlaces && getNumParents() > 0 && osg::computeLocalToWorld(path) != _place) {
+            _twoPlaces = true;
+            OSG_WARN << "osgTreeWind: forest \"" << getName() << "\" stands in two places of the scene; both show it "
+                     << "in the wind of the first. A copy (osg::clone) would have its own" << std::endl;
+        }
+        return;
+    }
     _lastFrame = stamp.getFrameNumber();
-    _simulation->setWind(getWind());
-    _branchwise->update(stamp.getSimulationTime());
+    _simulation->setWind(windAt(path));
+    if (_branchwise) {
+        _branchwise->update(stamp.getSimulationTime());
+        return;
+    }
+    _simulation->advance(stamp.getSimulationTime());
+    _stand->update(stamp.getFrameNumber(), stamp.getSimulationTime());
+    _followed->update(*_simulation);
 }
 
 } // namespace osgTreeWind

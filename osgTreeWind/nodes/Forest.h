@@ -2,9 +2,10 @@
 #pragma once
 
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/nodes/FollowedBranches.h>
+#include <osgTreeWind/nodes/TreeStand.h>
 #include <osgTreeWind/nodes/branchwise/BranchwiseForest.h>
 
-#include <osg/FrameStamp>
 #include <osg/Group>
 
 #include <memory>
@@ -15,12 +16,16 @@ namespace osgTreeWind {
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 ///
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's
-/// simulation time; a paused time holds the trees. Other nodes may be its children too.
+/// simulation time; a paused time holds the trees, and one below a Switch that is off rests. Under the law `modal`
+/// trees are instances (TreeStand); a law of a branch has them drawn the thesis' way (BranchwiseForest). Other nodes
+/// may be its children too. Below a transform it gets the wind of where it really stands; with two parents, that of
+/// the first one.
 class Forest : public osg::Group {
 public:
     Forest();
     explicit Forest(ForestDescription description);
-    /// A forest of the same description at rest, in the wind `other` has now. Other children go by `copyop`.
+    /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other children
+    /// go by `copyop`; branches that are followed are not copied.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
 
@@ -28,11 +33,11 @@ public:
         /// on. A forest for which there is not the memory (problemOfMemory()) is left empty, with a warning.
         /// Not during a traversal.
         void setDescription(ForestDescription description);
-    /// Its wind is the one it came with, whatever setWind() did since.
+    /// As given, but without its trees; its wind is the one it came with, whatever setWind() did since.
     const ForestDescription& getDescription() const { return _simulation->description(); }
 
-    /// The wind from the next frame on; null for calm. Any thread, any time, also while a description is set:
-    /// whichever of the two comes last counts.
+    /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any time, also
+    /// while a description is set: whichever of the two comes last counts.
     void setWind(WindFieldPtr wind);
     WindFieldPtr getWind() const;
 
@@ -40,11 +45,40 @@ public:
     /// far from the world's origin.
     osg::Vec3d getOrigin() const;
 
+    // Trees that come and go, in update or between frames, at a cost that does not depend on how many there are
+    // (ForestSimulation says more). Under the law `modal` only; elsewhere nothing happens, and the answer is noTree or
+    // false.
+
+    /// @param placement in world coordinates. @return an id that lasts.
+    TreeId addTree(const TreePlacement& placement);
+    bool removeTree(TreeId tree);
+    /// Moves it, or makes it one of another size or species, in full sway.
+    bool changeTree(TreeId tree, const TreePlacement& placement);
+    /// By the name it has in an inventory; noTree for none.
+    TreeId findTree(const std::string& name) const;
+    /// Trees there are now.
+    std::size_t getNumTrees() const { return _treeCount; }
+
+    /// A transform that goes where a branch goes, in the same frame: what is below it stands in the coordinates of
+    /// its tree at rest, in metres. The same one for the same branch; null where there is none. It stays where it was
+    /// when its tree is removed. In update or between frames.
+    BranchTransform* branch(TreeId tree, unsigned unit);
+
+    /// Puts state after that of a species' bark or leaves (index into the description's); null takes it away. One
+    /// with a program of its own replaces ours. Under `modal`; not during a traversal.
+    void setBarkState(std::size_t species, osg::StateSet* state);
+    void setLeafState(std::size_t species, osg::StateSet* state);
+    /// Draws the trees of a model (index into getSimulation().models()) from these, at every tier with branches, null
+    /// for none: indexed triangles in buffer objects with the arrays of shaders/instance_bark.vert and
+    /// instance_leaf.vert, the index of the unit that moves a vertex among them. Under `modal`; not during a traversal.
+    void setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
+
     /// Whether a child is a part of the forest; all others are yours.
     bool isOwnChild(const osg::Node* child) const;
 
-    unsigned getNumTrees() const { return static_cast<unsigned>(_simulation->trees().size()); }
-    /// The trees drawn branch by branch: a node a tree, its transforms and passes.
+    /// The trees as instances; null under a law of a branch.
+    TreeStand* getStand() const { return _stand.get(); }
+    /// The trees drawn branch by branch: a node a tree, its transforms and passes; null under `modal`.
     BranchwiseForest* getBranchwise() const { return _branchwise.get(); }
 
     /// Wind, angles and poses behind the picture. Read it between frames.
@@ -56,13 +90,23 @@ protected:
     ~Forest() override;
 
 private:
-    void update(const osg::FrameStamp& stamp);
+    /// @param drawing to share; null: its own.
+    void show(std::shared_ptr<ForestSimulation> simulation, const StandDrawing* drawing = nullptr);
+    void update(osg::NodeVisitor& visitor);
+    bool isHidden(const osg::NodePath& path, unsigned frame) const;
+    WindFieldPtr windAt(const osg::NodePath& path);
 
     mutable std::mutex _windMutex; ///< Guards _wind.
     WindFieldPtr _wind;
     std::shared_ptr<ForestSimulation> _simulation;
+    osg::ref_ptr<TreeStand> _stand;
     osg::ref_ptr<BranchwiseForest> _branchwise;
+    osg::ref_ptr<FollowedBranches> _followed;
+    std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
+    std::atomic<unsigned> _culledFrame{~0u};
+    osg::Matrix _place; ///< To the world, in the last update.
+    bool _twoPlaces = false;
 };
 
 } // namespace osgTreeWind

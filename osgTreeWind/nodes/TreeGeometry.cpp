@@ -4,9 +4,6 @@
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 namespace osgTreeWind {
 namespace {
 
@@ -39,41 +36,34 @@ osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin) {
     return geometry;
 }
 
-std::vector<glm::vec4> crownPlaces(const std::vector<LeafCluster>& leaves) {
-    glm::vec3 low(1e9f), high(-1e9f);
-    for (const LeafCluster& leaf : leaves) {
-        low = glm::min(low, leaf.anchor);
-        high = glm::max(high, leaf.anchor);
-    }
-    const glm::vec3 centre = 0.5f * (low + high), halfAxes = glm::max(0.5f * (high - low), glm::vec3(1e-3f));
-    std::vector<glm::vec4> places;
-    places.reserve(leaves.size());
-    for (const LeafCluster& leaf : leaves) {
-        const glm::vec3 inside = (leaf.anchor - centre) / halfAxes;
-        const glm::vec3 outward = glm::normalize(inside / halfAxes + glm::vec3(0, 0, 1e-3f));
-        places.emplace_back(outward, glm::min(glm::length(inside), 1.0f));
-    }
-    return places;
-}
-
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
-                                             const std::vector<glm::vec4>& crown) {
+                                             const CrownEllipsoid& crown) {
+    return makeLeafGeometry(thinnedLeaves(leaves, mesh, TreeDetail::full()), mesh, crown);
+}
+
+osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
+                                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
+                                             const CrownEllipsoid& crown) {
+    const auto cornerCount = static_cast<std::size_t>(4 * leaves.quads);
     osg::ref_ptr<osg::Vec4Array> anchors = new osg::Vec4Array, ids = new osg::Vec4Array,
                                  orientations = new osg::Vec4Array, crowns = new osg::Vec4Array;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, normals = new osg::Vec3Array;
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-        const LeafCluster& leaf = leaves[i];
-        for (const LeafVertex& v : mesh) {
+    for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
+        const LeafCluster& leaf = leaves.clusters[i];
+        const std::uint32_t index = leaves.indices[i];
+        const glm::vec4 place = crown.at(leaf.anchor);
+        for (std::size_t corner = 0; corner < cornerCount; ++corner) {
+            const LeafVertex& v = mesh[corner];
             anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
             corners->push_back(toOsg(v.corner));
-            ids->push_back({v.uv.x, v.uv.y, static_cast<float>(leaf.unit), static_cast<float>(i)});
+            ids->push_back({v.uv.x, v.uv.y, static_cast<float>(leaf.unit), static_cast<float>(index)});
             orientations->push_back(toOsg(leaf.orientation).asVec4());
             normals->push_back(toOsg(v.normal));
-            crowns->push_back({crown[i].x, crown[i].y, crown[i].z, crown[i].w});
+            crowns->push_back({place.x, place.y, place.z, place.w});
         }
     }
-    const std::vector<unsigned> indices = leafIndices(leaves.size());
+    const std::vector<unsigned> indices = leafIndices(leaves.clusters.size(), leaves.quads);
     osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("leaves");
     geometry->setVertexArray(anchors);
     geometry->setNormalArray(corners, osg::Array::BIND_PER_VERTEX);
@@ -87,10 +77,11 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& lea
     return geometry;
 }
 
-std::vector<unsigned> leafIndices(std::size_t clusters) {
+std::vector<unsigned> leafIndices(std::size_t clusters, int quads) {
+    const std::size_t all = clusters * static_cast<std::size_t>(quads);
     std::vector<unsigned> indices;
-    indices.reserve(clusters * quadsPerLeafCluster * 6);
-    for (unsigned quad = 0; quad < clusters * quadsPerLeafCluster; ++quad)
+    indices.reserve(all * 6);
+    for (unsigned quad = 0; quad < all; ++quad)
         for (const unsigned corner : {0u, 1u, 2u, 0u, 2u, 3u})
             indices.push_back(4 * quad + corner);
     return indices;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/model/CrownEllipsoid.h>
+#include <osgTreeWind/model/TreeDetail.h>
 
 #include <osg/Geometry>
 
@@ -12,20 +13,20 @@
 
 namespace osgTreeWind {
 
-/// Bark in vertex buffers, as shaders/branchwise/bark.vert describes them.
+/// Bark in vertex buffers, as shaders/branchwise/bark.vert and shaders/instance_bark.vert describe them.
 osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin);
 
-/// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert describes them.
-/// @param crown crownPlaces(): it shades them.
+/// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert and shaders/instance_leaf.vert describe them.
+/// @param crown of the tree, which shades them.
+osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
+                                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
+                                             const CrownEllipsoid& crown);
+/// The same of all of them.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
-                                             const std::vector<glm::vec4>& crown);
+                                             const CrownEllipsoid& crown);
 
-/// Where each cluster stands in the ellipsoid that all of them fill: its outward direction there, and its
-/// depth (0 in the middle, 1 at the surface).
-std::vector<glm::vec4> crownPlaces(const std::vector<LeafCluster>& leaves);
-
-/// Triangles over `clusters` leaf clusters of four-cornered quads.
-std::vector<unsigned> leafIndices(std::size_t clusters);
+/// Triangles over `clusters` leaf clusters of that many four-cornered quads.
+std::vector<unsigned> leafIndices(std::size_t clusters, int quads = quadsPerLeafCluster);
 
 } // namespace osgTreeWind

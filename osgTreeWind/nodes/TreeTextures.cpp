@@ -240,4 +240,14 @@ osg::ref_ptr<osg::Image> barkImage() {
     return image;
 }
 
+osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image, osg::Texture::WrapMode along) {
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setName(name);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, along);
+    return texture;
+}
+
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osg/Image>
+#include <osg/Texture2D>
 
 namespace osgTreeWind {
 
@@ -15,5 +16,8 @@ osg::ref_ptr<osg::Image> bladeImage();
 osg::ref_ptr<osg::Image> needleImage();
 /// Furrowed bark, grey, to be repeated along the branch and mirrored around it.
 osg::ref_ptr<osg::Image> barkImage();
+
+/// One of them as a texture with mipmaps. @param along how it goes on along the branch.
+osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image, osg::Texture::WrapMode along);
 
 } // namespace osgTreeWind

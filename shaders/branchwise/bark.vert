@@ -15,8 +15,7 @@ void main() {
     vec4 eyePosition = gl_ModelViewMatrix * vec4(turnVector(pose.rotation, rest) + pose.translation, 1.0);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, gl_Normal));
 
-    float facing = max(dot(eyeNormal, lightDirection(eyePosition.xyz)), 0.0);
-    barkLight = ambientLight(eyeNormal) + facing * gl_LightSource[0].diffuse.rgb;
+    barkLight = barkShade(eyePosition.xyz, eyeNormal);
     barkCoord = gl_MultiTexCoord0.xy;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;

@@ -31,14 +31,9 @@ void main() {
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, normal));
-    vec3 toLight = lightDirection(eyePosition.xyz);
-    float facing = dot(eyeNormal, toLight);
-    float through = 0.25 * pow(max(dot(normalize(eyePosition.xyz), toLight), 0.0), 4.0);
     float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
     float own = 0.88 + 0.24 * fract(treeOwn + 0.754878 * gl_MultiTexCoord0.w);
-    leafLight = own * open *
-                (ambientLight(eyeNormal) +
-                 (max(0.5 * facing + 0.5, 0.0) + through) * gl_LightSource[0].diffuse.rgb);
+    leafLight = own * open * leafShade(eyePosition.xyz, eyeNormal);
 
     leafCoord = gl_MultiTexCoord0.xy;
     gl_ClipVertex = eyePosition;

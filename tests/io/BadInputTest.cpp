@@ -109,6 +109,22 @@ const BadInput badInputs[] = {
      "expected noise = \"1/f\" with it"},
     {"MotionNotATable", head + "motion = @\"thesis\"\n" + tree, "motion", "expected a table, found the text"},
 
+    // [drawing]
+    {"TiersAsText", head + tree + "[drawing]\ntiers = @\"off\"\n", "drawing.tiers",
+     "expected true or false, found the text \"off\""},
+    {"NoPixelsInFull", head + tree + "[drawing]\nfull = @0\n", "drawing.full", "in (0, 100000], found 0"},
+    {"ImpostorNegative", head + tree + "[drawing]\nimpostor = @-1\n", "drawing.impostor",
+     "in [0, 100000], found -1"},
+    {"ReducedAboveFull", head + tree + "[drawing]\nfull = 200\nreduced = @200\n", "drawing.reduced",
+     "expected reduced below full, found 200 and 200"},
+    {"FullBelowReduced", head + tree + "[drawing]\nfull = @60\n", "drawing.full",
+     "expected reduced below full, found 120 and 60"},
+    {"ImpostorAboveReduced", head + tree + "[drawing]\nimpostor = @150\n", "drawing.impostor",
+     "expected impostor below reduced, found 150 and 120"},
+    {"ReducedBelowImpostor", head + tree + "[drawing]\nreduced = @20\n", "drawing.reduced",
+     "expected impostor below reduced, found 50 and 20"},
+    {"BlendTooWide", head + tree + "[drawing]\nblend = @1\n", "drawing.blend", "in [0, 0.9], found 1"},
+
     // [[species]]
     {"SpeciesEmpty", head + "species = @[]\n" + tree, "species", "at least one"},
     {"SpeciesNameless", head + tree + "@[[species]]\nshapes = 2\n", "species.name", "missing"},

@@ -43,7 +43,7 @@ std::set<std::string> knownKeys() {
     const TemporaryFolder folder;
     folder.write("a.csv", "t\n1\n");
     const std::string everySection =
-        "version = 1\n[motion]\n[[tree]]\n[scatter]\nheight = 1\n[inventory]\nfile = "
+        "version = 1\n[motion]\n[drawing]\n[[tree]]\n[scatter]\nheight = 1\n[inventory]\nfile = "
         "\"a.csv\"\n[inventory.columns]\n"
         "[inventory.units]\n[[species]]\n[species.tree]\n[species.leaves]\n[species.wood]\n[species.branch]\n"
         "[species.leaf]\n[species.appearance]\n[wind]\n";
@@ -110,6 +110,28 @@ TEST(DocumentedKeys, DefaultsOfASpeciesAreTrue) {
         ++checked;
     }
     EXPECT_GT(checked, 30);
+}
+
+TEST(DocumentedKeys, DefaultsOfDrawingAreTrue) {
+    const ForestDrawing usual;
+    int checked = 0;
+    std::istringstream lines(manual());
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("| `drawing.", 0) != 0)
+            continue;
+        const std::vector<std::string> cells = cellsOf(line);
+        std::istringstream document("version = 1\n[[tree]]\nposition = [0, 0]\n[drawing]\n" +
+                                    cells[0].substr(8) + " = " + cells[3] + '\n');
+        const auto forest = readForest(document);
+        ASSERT_TRUE(forest.ok()) << forest.problems().front().text();
+        const ForestDrawing& drawing = forest.value().drawing;
+        EXPECT_TRUE(drawing.tiers == usual.tiers && drawing.full == usual.full &&
+                    drawing.reduced == usual.reduced && drawing.impostor == usual.impostor &&
+                    drawing.blend == usual.blend)
+            << line;
+        ++checked;
+    }
+    EXPECT_EQ(checked, 5);
 }
 
 TEST(DocumentedKeys, EveryKeyOfTheReaderIsInTheManual) {

@@ -162,6 +162,18 @@ TEST(ForestFile, AnglesAreDegrees) {
     EXPECT_FLOAT_EQ(forest.species[0].tree.wood.inclination, 0.5235988f);
 }
 
+TEST(ForestFile, DrawingIsReadAndKeepsWhatIsNotGiven) {
+    const ForestDrawing drawing =
+        forestOf(
+            "[[tree]]\nposition = [0, 0]\n[drawing]\ntiers = false\nfull = 500\nimpostor = 0\nblend = 0.5\n")
+            .drawing;
+    EXPECT_FALSE(drawing.tiers);
+    EXPECT_EQ(drawing.full, 500.0f);
+    EXPECT_EQ(drawing.reduced, ForestDrawing().reduced);
+    EXPECT_EQ(drawing.impostor, 0.0f);
+    EXPECT_EQ(drawing.blend, 0.5f);
+}
+
 TEST(ForestFile, FindsFilesBesideTheDocumentThenInSearch) {
     const TemporaryFolder folder, other;
     other.write("a.csv", "x,y\n1,2\n");

@@ -5,8 +5,22 @@
 
 namespace osgTreeWind {
 
+namespace {
+
+osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
+    const std::vector<LeafCluster> one(1);
+    CrownEllipsoid below(one); // at its very top
+    below.centre = {0.0f, 0.0f, -1.0f};
+    below.halfAxes = glm::vec3(1.0f);
+    osg::ref_ptr<osg::Geometry> cluster = makeLeafGeometry(one, model.leafMesh, below);
+    cluster->setName("leaf cluster");
+    return cluster;
+}
+
+} // namespace
+
 LeafClusterDrawable::LeafClusterDrawable(const TreeModel& model)
-    : TreeDrawable(makeLeafGeometry({LeafCluster()}, model.leafMesh, {{0.0f, 0.0f, 1.0f, 1.0f}}), nullptr) {
+    : TreeDrawable(clusterGeometry(model), nullptr) {
     for (const LeafVertex& vertex : model.leafMesh)
         _corners.push_back(toOsg(vertex.corner));
 }

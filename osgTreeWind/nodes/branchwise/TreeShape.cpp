@@ -21,7 +21,7 @@ std::vector<unsigned> unitsWithoutLeaves(const TreeModel& model) {
 
 TreeShape::TreeShape(std::shared_ptr<const TreeModel> model)
     : _model(std::move(model)), _skin(makeSkinGeometry(_model->skin)),
-      _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, crownPlaces(_model->leaves))),
+      _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, CrownEllipsoid(_model->leaves))),
       _leafCluster(new LeafClusterDrawable(*_model)), _unitSkins(_model->skeleton.units.size()) {
     _bareSkin = skinOf(unitsWithoutLeaves(*_model));
 }

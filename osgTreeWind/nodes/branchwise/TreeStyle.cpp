@@ -6,30 +6,17 @@
 #include <osgTreeWind/nodes/TreeTextures.h>
 
 namespace osgTreeWind {
-namespace {
-
-osg::ref_ptr<osg::Texture2D> createTexture(const char* name, osg::Image* image, osg::Texture::WrapMode wrap) {
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setName(name);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, wrap);
-    return texture;
-}
-
-} // namespace
 
 TreeStyle TreeStyles::style(const Appearance& appearance) {
     if (!_bark) {
         _barkProgram = createProgram("branchwise/bark", "bark");
         _leafProgram = createProgram("branchwise/leaf", "leaf");
-        _bark = createTexture("bark", barkImage(), osg::Texture::REPEAT);
+        _bark = makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT);
     }
     osg::ref_ptr<osg::Texture2D>& foliage = appearance.needles ? _needles : _blades;
     if (!foliage)
-        foliage = appearance.needles ? createTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)
-                                     : createTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE);
+        foliage = appearance.needles ? makeTreeTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)
+                                     : makeTreeTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE);
 
     TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr};
     style.bark->setAttributeAndModes(_barkProgram);

@@ -57,7 +57,7 @@ private:
         for (const char* file :
              {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
               "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
-              "law/oscillator.glsl", "law/damped_branch.glsl", "law/modal.glsl"})
+              "law/flutter.glsl", "law/oscillator.glsl", "law/damped_branch.glsl", "law/modal.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
                 "void main() {\n"
@@ -112,6 +112,26 @@ TEST_F(LawsGlTest, ThesisBranchAgreesWithTheCpu) {
         ASSERT_LT(difference(gpu[i], Laws().thesisBranchStep(s.states[i], s.winds[i], s.noises[i], branch)),
                   5e-4f)
             << i;
+}
+
+TEST_F(LawsGlTest, FlutterAgreesWithTheCpu) {
+    Texels states, phases;
+    for (int i = 0; i < 500; ++i) {
+        states.emplace_back(0.05f * static_cast<float>(i), 0.002f * static_cast<float>(i),
+                            4.0f * static_cast<float>(i), 0.0f);
+        const float turns = 0.37f * static_cast<float>(i);
+        phases.emplace_back(glm::fract(turns), glm::fract(1.6f * turns), glm::fract(2.3f * turns), 0.0f);
+    }
+    const Texels gpu = step(states, {{"phases", phases}},
+                            "vec4(leafFlutter(flutterAmplitude(state.x), phases.xyz, state.y, state.z, "
+                            "vec4(0.4, 0.3, 0.6, 0.7)), 0.0)");
+    Laws laws;
+    for (std::size_t i = 0; i < gpu.size(); ++i) {
+        const glm::vec4& s = states[i];
+        const glm::vec3 cpu = laws.leafFlutter(laws.flutterAmplitude(s.x), glm::vec3(phases[i]), s.y, s.z,
+                                               {0.4f, 0.3f, 0.6f, 0.7f});
+        ASSERT_LT(difference(gpu[i], glm::vec4(cpu, 0.0f)), 1e-3f) << i;
+    }
 }
 
 TEST_F(LawsGlTest, AModeAgreesWithTheCpu) {

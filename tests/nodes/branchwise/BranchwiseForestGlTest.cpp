@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../../gl/GlTest.h"
+#include "../../plugins/PluginPath.h"
 #include "../ForestFixtures.h"
 #include "../Pictures.h"
 
@@ -53,7 +54,8 @@ ForestDescription dampedForest(int trees) {
 } // namespace
 
 TEST_F(BranchwiseForestGlTest, theExampleOfTheThesisDoesThePublishedWay) {
-    osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(OSGTREEWIND_SOURCE_DIR "/examples/thesis.treewind");
+    usePluginsOfThisBuild();
+    osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(exampleFile("thesis.treewind"));
     forest = dynamic_cast<Forest*>(read.get());
     ASSERT_TRUE(forest);
     open(96, 72);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/Referenced>
+
+#include <algorithm>
+#include <cstddef>
+#include <mutex>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What the passes need of one tree: a row of the texture `poseRequests` (shaders/pose_request.glsl).
+struct PoseRequest {
+    static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 16;
+
+    float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::matrix() gives it; negative: at rest.
+    float rowTexels = 0.0f;   ///< Of a row of that matrix.
+    float maxAngle = 0.0f, unused = 0.0f;
+    float across = 1.0f, upward = 1.0f, unused2[2] = {}; ///< TreeScale::axes
+    float vector[mostColumns] = {};                      ///< Amplitudes, then forces on patches; the rest 0.
+    float patchSpeeds[mostPatches] = {};                 ///< Of the wind, m/s.
+};
+static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
+
+/// How the units of a tree lie in textures of poses.
+struct PoseLayout {
+    explicit PoseLayout(std::size_t units)
+        : width(static_cast<int>(std::clamp<std::size_t>(units, 1, 2048))),
+          rows(static_cast<int>((std::max<std::size_t>(units, 1) - 1) / static_cast<std::size_t>(width)) + 1) {}
+    int width; ///< Units in a row,
+    int rows;  ///< and rows of a tree.
+};
+
+/// Trees of one shape that are drawn in a frame, as many as fit into one texture of poses. Culls of several
+/// cameras fill it, under its lock; it is kept by those who draw from it.
+class PosePage : public osg::Referenced {
+public:
+    std::mutex& mutex() const { return _mutex; }
+    std::vector<PoseRequest> requests; ///< By row.
+
+private:
+    mutable std::mutex _mutex;
+};
+
+} // namespace osgTreeWind

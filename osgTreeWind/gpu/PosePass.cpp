@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/gpu/PosePass.h>
+
+#include <osgTreeWind/gpu/PassState.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
+#include <osg/FrameBufferObject>
+#include <osg/Notify>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr int mostSide = 16384; // of a texture that OpenGL 3.3 on any machine of today holds
+constexpr int matrixWidth = 2048;
+constexpr std::size_t mostPageTrees = 4096;
+
+osg::ref_ptr<osg::Texture2D> floatTexture(const char* name, int width, int height) {
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setName(name);
+    texture->setTextureSize(width, height);
+    texture->setInternalFormat(GL_RGBA32F_ARB);
+    texture->setSourceFormat(GL_RGBA);
+    texture->setSourceType(GL_FLOAT);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
+}
+
+osg::ref_ptr<osg::FrameBufferObject> target(osg::Texture2D* first, osg::Texture2D* second) {
+    osg::ref_ptr<osg::FrameBufferObject> frameBuffer = new osg::FrameBufferObject;
+    frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(first));
+    frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER1, osg::FrameBufferAttachment(second));
+    return frameBuffer;
+}
+
+/// Rows of texels into a texture that is bound to the active unit.
+void uploadRows(const void* texels, int width, int firstRow, int rows) {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, firstRow, width, rows, GL_RGBA, GL_FLOAT, texels);
+}
+
+int rowsFor(std::size_t texels, int width) {
+    const auto across = static_cast<std::size_t>(width);
+    return static_cast<int>(std::max<std::size_t>((texels + across - 1) / across, 1));
+}
+
+/// The next power of two, so that what grows is seldom made anew.
+int roomFor(int rows) {
+    int room = 16;
+    while (room < rows)
+        room *= 2;
+    return room;
+}
+
+} // namespace
+
+PosePrograms::PosePrograms()
+    : turns(createProgram("texels", "unit_turns")), poses(createProgram("texels", "unit_poses")) {}
+
+/// What one context has of a PosePass.
+struct PosePass::Context {
+    osg::ref_ptr<osg::Texture2D> units, matrices, requests, turns, speeds, rotations, translations;
+    osg::ref_ptr<osg::FrameBufferObject> turnTarget, poseTarget;
+    int matrixRows = 0, treeRows = 0;  ///< Room there is.
+    std::size_t matrixTexels = 0;      ///< Uploaded so far.
+    const PosePage* page = nullptr;    ///< Whose poses these are,
+    unsigned frame = 0;                ///< of this frame,
+    int done = 0;                      ///< so many of them.
+
+    void makeRoom(int width, int rows) {
+        treeRows = rows;
+        done = 0;
+        turns = floatTexture("unit turns", width, rows);
+        speeds = floatTexture("unit speeds", width, rows);
+        rotations = floatTexture("pose rotations", width, rows);
+        translations = floatTexture("pose translations", width, rows);
+        turnTarget = target(turns, speeds);
+        poseTarget = target(rotations, translations);
+    }
+
+    void release(osg::State* state) const {
+        for (const osg::ref_ptr<osg::Texture2D>& texture :
+             {units, matrices, requests, turns, speeds, rotations, translations})
+            if (texture)
+                texture->releaseGLObjects(state);
+        for (const osg::ref_ptr<osg::FrameBufferObject>& frameBuffer : {turnTarget, poseTarget})
+            if (frameBuffer)
+                frameBuffer->releaseGLObjects(state);
+    }
+};
+
+PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
+    : _programs(programs), _units(static_cast<int>(skeleton.units.size())),
+      _layout(skeleton.units.size()),
+      _pageTrees(std::clamp<std::size_t>(static_cast<std::size_t>(mostSide / _layout.rows), 1, mostPageTrees)) {
+    for (const BranchUnit& unit : skeleton.units) {
+        _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
+        _unitTexels.emplace_back(unit.tip, 0.0f);
+    }
+    _unitTexels.resize(static_cast<std::size_t>(rowsFor(_unitTexels.size(), matrixWidth)) * matrixWidth);
+}
+
+PosePass::~PosePass() = default;
+
+void PosePass::refer(const ModalShape& shape, PoseRequest& request) {
+    const std::size_t columns = shape.columns(), texels = (columns + 3) / 4;
+    request.rowTexels = static_cast<float>(texels);
+    request.maxAngle = shape.maxAngle;
+    const std::lock_guard<std::mutex> lock(_mutex);
+    const auto [found, isNew] = _firstTexels.emplace(&shape, static_cast<int>(_matrices.size()));
+    request.firstTexel = static_cast<float>(found->second);
+    if (!isNew)
+        return;
+    const std::size_t size = shape.joints / 2 * (2 * texels + 1);
+    if (columns > PoseRequest::mostColumns || shape.patches.size() > PoseRequest::mostPatches ||
+        _matrices.size() + size > std::size_t(matrixWidth) * 8192) { // numbers of texels stay exact as floats
+        OSG_WARN << "osgTreeWind: a texture has no room for more archetypes of one shape; trees of the ones beyond "
+                    "it stand still"
+                 << std::endl;
+        found->second = -1;
+        request.firstTexel = -1.0f;
+        return;
+    }
+    const float* row = shape.poses.data();
+    for (std::size_t joint = 0; joint < shape.joints; ++joint, row += columns) {
+        const std::size_t first = _matrices.size();
+        _matrices.resize(first + texels, glm::vec4(0.0f));
+        std::copy_n(row, columns, &_matrices[first].x);
+        if (joint % 2 == 1)
+            _matrices.emplace_back(static_cast<float>(shape.patchOfLink[joint / 2]), 0.0f, 0.0f, 0.0f);
+    }
+}
+
+/// The entry of a tree in this frame, or the one to take for it.
+PosePass::Entry& PosePass::entry(std::uint32_t tree) {
+    if (_entries.size() < 2 * (_asked + 1)) {
+        std::vector<Entry> before(std::max<std::size_t>(2 * _entries.size(), 64));
+        before.swap(_entries);
+        for (const Entry& kept : before)
+            if (kept.frame == _frame)
+                entry(kept.tree) = kept;
+    }
+    const std::size_t mask = _entries.size() - 1;
+    std::size_t at = (tree * 2654435761u >> 7u) & mask;
+    while (_entries[at].frame == _frame && _entries[at].tree != tree)
+        at = (at + 1) & mask;
+    return _entries[at];
+}
+
+PosePage* PosePass::freshPage() {
+    for (osg::ref_ptr<PosePage>& page : _spare)
+        if (page->referenceCount() == 1) { // nobody draws from it any more
+            page->requests.clear();
+            std::swap(page, _spare.back());
+            _pages.push_back(_spare.back());
+            _spare.pop_back();
+            return _pages.back();
+        }
+    _pages.push_back(new PosePage);
+    return _pages.back();
+}
+
+PosePass::Row PosePass::row(unsigned frame, std::uint32_t tree, const std::function<void(PoseRequest&)>& fill) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    if (frame != _frame) {
+        _frame = frame;
+        _asked = 0;
+        _spare.insert(_spare.end(), _pages.begin(), _pages.end());
+        _pages.clear();
+    }
+    Entry& known = entry(tree);
+    if (known.frame != frame) {
+        known.tree = tree;
+        known.frame = frame;
+        known.place = _asked++;
+        PosePage* page = known.place % _pageTrees == 0 ? freshPage() : _pages.back().get();
+        const std::lock_guard<std::mutex> pageLock(page->mutex());
+        page->requests.emplace_back();
+        fill(page->requests.back());
+    }
+    return {_pages[known.place / _pageTrees], static_cast<int>(known.place % _pageTrees)};
+}
+
+void PosePass::apply(osg::State& state, const PosePage& page) const {
+    const Context& context = prepared(state, page);
+    state.applyTextureAttribute(rotationsUnit, context.rotations);
+    state.applyTextureAttribute(translationsUnit, context.translations);
+}
+
+PosePass::Context& PosePass::contextOf(osg::State& state) const {
+    const std::lock_guard<std::mutex> lock(_contextMutex);
+    std::unique_ptr<Context>& context = _contexts[state.getContextID()];
+    if (!context)
+        context = std::make_unique<Context>();
+    return *context;
+}
+
+PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) const {
+    Context& context = contextOf(state);
+    const std::lock_guard<std::mutex> pageLock(page.mutex());
+    const unsigned frame = state.getFrameStamp() ? state.getFrameStamp()->getFrameNumber() : 0;
+    const auto trees = static_cast<int>(page.requests.size());
+    if (context.page != &page || context.frame != frame) {
+        context.page = &page;
+        context.frame = frame;
+        context.done = 0;
+    }
+    if (trees * _layout.rows > context.treeRows)
+        context.makeRoom(_layout.width, roomFor(trees) * _layout.rows);
+    const int first = context.done;
+    if (first == trees)
+        return context;
+
+    const PassState pass(state);
+    upload(state, context, page);
+    const auto begin = [&](osg::Program& program, osg::FrameBufferObject& target) {
+        pass.begin(program, target, first * _layout.rows, _layout.width, (trees - first) * _layout.rows);
+        pass.bind(0, "poseRequests", context.requests);
+        pass.bind(1, "treeUnits", context.units);
+        pass.set("unitCount", _units);
+        pass.set("unitWidth", _layout.width);
+        pass.set("unitRows", _layout.rows);
+    };
+    begin(*_programs->turns, *context.turnTarget);
+    pass.bind(2, "modalMatrices", context.matrices);
+    pass.draw();
+    begin(*_programs->poses, *context.poseTarget);
+    pass.bind(2, "unitTurns", context.turns);
+    pass.bind(3, "unitSpeeds", context.speeds);
+    pass.draw();
+    context.done = trees;
+    return context;
+}
+
+/// Whatever the passes read and this context does not have yet.
+void PosePass::upload(osg::State& state, Context& context, const PosePage& page) const {
+    if (!context.units) {
+        context.units = floatTexture("tree units", matrixWidth, rowsFor(_unitTexels.size(), matrixWidth));
+        context.units->apply(state);
+        uploadRows(_unitTexels.data(), matrixWidth, 0, context.units->getTextureHeight());
+    }
+    const auto trees = static_cast<int>(page.requests.size());
+    constexpr auto requestWidth = static_cast<int>(PoseRequest::texels);
+    if (!context.requests || context.requests->getTextureHeight() < trees)
+        context.requests = floatTexture("pose requests", requestWidth, roomFor(trees));
+    context.requests->apply(state);
+    uploadRows(page.requests.data(), requestWidth, 0, trees);
+
+    const std::lock_guard<std::mutex> lock(_mutex);
+    const int rows = rowsFor(_matrices.size(), matrixWidth);
+    if (rows > context.matrixRows) {
+        context.matrixRows = roomFor(rows);
+        context.matrices = floatTexture("modal matrices", matrixWidth, context.matrixRows);
+        context.matrixTexels = 0;
+    }
+    if (_matrices.size() > context.matrixTexels) {
+        context.matrices->apply(state);
+        const std::size_t firstRow = context.matrixTexels / matrixWidth;
+        std::vector<glm::vec4> texels(_matrices.begin() + static_cast<std::ptrdiff_t>(firstRow * matrixWidth),
+                                      _matrices.end());
+        texels.resize((static_cast<std::size_t>(rows) - firstRow) * matrixWidth);
+        uploadRows(texels.data(), matrixWidth, static_cast<int>(firstRow), rows - static_cast<int>(firstRow));
+        context.matrixTexels = _matrices.size();
+    }
+}
+
+void PosePass::releaseGLObjects(osg::State* state) const {
+    const std::lock_guard<std::mutex> lock(_contextMutex);
+    if (!state) {
+        for (const auto& context : _contexts)
+            context.second->release(nullptr);
+        _contexts.clear();
+        return;
+    }
+    const auto found = _contexts.find(state->getContextID());
+    if (found == _contexts.end())
+        return;
+    found->second->release(state);
+    _contexts.erase(found);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/nodes/BranchTransform.h>
+
+#include <osg/Group>
+
+#include <map>
+
+namespace osgTreeWind {
+
+/// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A part of a
+/// Forest.
+class FollowedBranches : public osg::Group {
+public:
+    FollowedBranches();
+
+    /// The one of that branch; null where there is none.
+    BranchTransform* follow(ForestSimulation& simulation, TreeId tree, unsigned unit);
+    /// Sets them where their branches are now. Those of trees that are gone stay.
+    void update(const ForestSimulation& simulation);
+
+    bool follows(TreeId tree) const { return _branches.count(tree) > 0; }
+
+protected:
+    ~FollowedBranches() override = default;
+
+private:
+    void place(const ForestSimulation& simulation, TreeId tree);
+
+    std::map<TreeId, std::map<unsigned, osg::ref_ptr<BranchTransform>>> _branches;
+    UnitValues _values;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/gpu/PosePass.h>
+
+#include <osg/Array>
+#include <osg/Vec3>
+
+namespace osgTreeWind {
+
+/// A tree in an instanced draw: its vertex attributes (shaders/instance.glsl, shaders/impostor.vert).
+struct TreeInstance {
+    float place[4]; ///< Foot in the forest's frame; tangent of half its heading (impostors: the heading).
+    float size[4];  ///< Scale of lengths across and upward, of radii, of leaf clusters.
+    float state[4]; ///< Row of its poses, fade, its own number, share of its leaves (impostors: lean x, lean y, fade,
+                    ///< its own number).
+};
+
+/// Trees of one shape and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at a time.
+struct InstanceList : osg::Referenced {
+    InstanceList();
+    void add(const TreeInstance& tree);
+    std::size_t size() const { return values->size() * sizeof(float) / sizeof(TreeInstance); }
+    void clear();
+
+    osg::ref_ptr<osg::FloatArray> values;
+    osg::ref_ptr<const PosePass> passes; ///< None for impostors.
+    osg::ref_ptr<PosePage> page;
+    osg::Vec3 flutter; ///< Phases of the leaves' waves.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/InstancedDraw.h>
+
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
+#include <osg/GLExtensions>
+#include <osg/State>
+
+namespace osgTreeWind {
+
+InstancedDraw::InstancedDraw() {
+    setSupportsDisplayList(false);
+    setCullingActive(false);
+}
+
+InstancedDraw::InstancedDraw(const InstancedDraw& other, const osg::CopyOp& copyop)
+    : osg::Drawable(other, copyop), _geometry(other._geometry), _trees(other._trees) {}
+
+void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees) {
+    _geometry = geometry;
+    _trees = trees;
+}
+
+void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
+    osg::State& state = *renderInfo.getState();
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    if (_trees->page)
+        _trees->passes->apply(state, *_trees->page);
+    if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
+        static const unsigned name = osg::Uniform::getNameID("flutterPhases");
+        const GLint location = program->getUniformLocation(name);
+        if (location >= 0)
+            gl.glUniform3fv(location, 1, _trees->flutter.ptr());
+    }
+
+    _geometry->drawVertexArraysImplementation(renderInfo);
+    osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
+    state.bindVertexBufferObject(instances);
+    const auto* offset =
+        reinterpret_cast<const char*>(instances->getOffset(_trees->values->getBufferIndex()));
+    for (unsigned i = 0; i < 3; ++i) {
+        gl.glEnableVertexAttribArray(firstInstanceAttribute + i);
+        gl.glVertexAttribPointer(firstInstanceAttribute + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
+                                 offset + i * 4 * sizeof(float));
+        gl.glVertexAttribDivisor(firstInstanceAttribute + i, 1);
+    }
+
+    osg::DrawElements& triangles = *_geometry->getPrimitiveSet(0)->getDrawElements();
+    osg::GLBufferObject* indices = triangles.getOrCreateGLBufferObject(state.getContextID());
+    state.bindElementBufferObject(indices);
+    gl.glDrawElementsInstanced(
+        triangles.getMode(), static_cast<GLsizei>(triangles.getNumIndices()), triangles.getDataType(),
+        reinterpret_cast<const void*>(indices->getOffset(triangles.getBufferIndex())),
+        static_cast<GLsizei>(_trees->size()));
+
+    for (unsigned i = 0; i < 3; ++i) {
+        gl.glVertexAttribDivisor(firstInstanceAttribute + i, 0);
+        gl.glDisableVertexAttribArray(firstInstanceAttribute + i);
+    }
+    state.unbindVertexBufferObject();
+    state.unbindElementBufferObject();
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <osg/Drawable>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// A tree as an intersection visitor met it: posed as it stood then, in the forest's frame. The `drawable` of a hit
+/// on a tree of a TreeStand:
+///
+///     if (auto* tree = dynamic_cast<const PickedTree*>(hit.drawable.get()))
+///         use(tree->getTree(), tree->getUnit(hit.primitiveIndex));
+class PickedTree : public osg::Drawable {
+public:
+    PickedTree() = default;
+    PickedTree(const ForestSimulation& simulation, std::size_t slot);
+    PickedTree(const PickedTree& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgTreeWind, PickedTree)
+
+        /// Which tree of its forest it is.
+        TreeId getTree() const {
+        return _tree;
+    }
+    /// The unit (access order) that a triangle is part of, or whose leaf it is. @param primitive of a hit.
+    unsigned getUnit(unsigned primitive) const;
+    /// Whether a triangle is a leaf's.
+    bool isLeaf(unsigned primitive) const { return primitive >= _barkTriangles; }
+
+    using osg::Drawable::accept;
+    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    /// Hands over bark, then leaves.
+    void accept(osg::PrimitiveFunctor& functor) const override;
+    osg::BoundingBox computeBoundingBox() const override;
+    void drawImplementation(osg::RenderInfo&) const override {}
+
+protected:
+    ~PickedTree() override = default;
+
+private:
+    TreeId _tree = noTree;
+    unsigned _barkTriangles = 0, _trianglesPerUnit = 1;
+    std::vector<osg::Vec3> _vertices;
+    std::vector<unsigned> _indices;
+    std::vector<int> _leafUnits; ///< By cluster.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/Species.h>
+
+#include <osg/Program>
+#include <osg/StateSet>
+#include <osg/Texture2D>
+
+namespace osgTreeWind {
+
+/// What the trees of a species are drawn with under the law `modal`.
+struct SpeciesLooks {
+    osg::ref_ptr<osg::StateSet> bark, leaves;
+    /// A person's own, applied after these; null: none. One with a program of its own replaces ours.
+    osg::ref_ptr<osg::StateSet> ownBark, ownLeaves;
+};
+
+/// Makes looks that share programs and textures, which are made when first needed.
+class SpeciesStyles {
+public:
+    SpeciesLooks looks(const Species& species);
+
+private:
+    osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
+    osg::ref_ptr<osg::Texture2D> _bark, _blades, _needles;
+};
+
+} // namespace osgTreeWind

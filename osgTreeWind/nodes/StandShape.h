@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/nodes/TreeTiers.h>
+
+#include <osg/Geometry>
+#include <osg/StateSet>
+
+namespace osgTreeWind {
+
+/// What the trees of one model are drawn from, at each tier with branches. Immutable.
+class StandShape : public osg::Referenced {
+public:
+    /// @param species that it is a shape of.
+    StandShape(const TreeModel& model, std::size_t species);
+    /// As another one, but drawn from these at every tier; null for none.
+    StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves);
+
+    /// Null where there is none, as the next one.
+    osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
+    osg::Geometry* leaves(Tier tier) const { return _leaves[static_cast<int>(tier)].get(); }
+    std::size_t species() const { return _species; }
+    /// Where shaders find its poses.
+    osg::StateSet* state() const { return _state.get(); }
+
+    void resizeGLObjectBuffers(unsigned maxSize) const;
+    void releaseGLObjects(osg::State* state) const;
+
+private:
+    std::size_t _species;
+    osg::ref_ptr<osg::Geometry> _bark[tierCount - 1], _leaves[tierCount - 1];
+    osg::ref_ptr<osg::StateSet> _state;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/TreeStandCull.h>
+
+#include <osgTreeWind/motion/StatelessFlutter.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+void TreeStandCull::run() {
+    lists.begin(frame, drawing.shapes.size());
+    const ViewFrustum view(visitor);
+    const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
+    const osg::Vec3 eye = visitor.getViewPointLocal();
+    for (const TreeCells::Cell& cell : cells.cells()) {
+        if (cell.trees.empty())
+            continue;
+        const ViewFrustum::Side side = view.sideOf(cell.box);
+        if (side == ViewFrustum::Outside)
+            continue;
+        seeCell(view, cell, side);
+        if (!nearFar)
+            continue;
+        if (!cell.box.contains(eye)) {
+            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), cell.box);
+            continue;
+        }
+        for (const TreeCells::Tree& tree : cell.trees) // not as near as the cell, which is all about the eye
+            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::boxOf(tree));
+    }
+    handOver();
+}
+
+void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side) {
+    for (const TreeCells::Tree& tree : cell.trees) {
+        const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, 0.5f * tree.height);
+        if (side == ViewFrustum::Across) {
+            const glm::vec2 lean = simulation.modal()->lean(tree.number);
+            const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
+            if (!view.sees(middle, std::hypot(tree.reach, 0.5f * tree.height) + sway))
+                continue;
+        }
+        seeTree(tree, view.pixels(middle, tree.height));
+    }
+}
+
+void TreeStandCull::seeTree(const TreeCells::Tree& seenTree, float pixels) {
+    const PlacedTree& tree = simulation.trees()[seenTree.number];
+    const TierChoice choice = tiers.choose(pixels);
+    addTree(tree, seenTree.number, choice.tier, choice.fade);
+    if (choice.fade < 1.0f)
+        addTree(tree, seenTree.number, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
+    if (choice.tier != Tier::Impostor || pixels > tiers.wakingPixels()) {
+        seen[seenTree.number] = static_cast<std::uint8_t>(frame);
+        if (simulation.modal()->level(seenTree.number) == ModalMotion::Level::Far)
+            lists.awoken().push_back(seenTree.number);
+    }
+}
+
+void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade) {
+    const float own = ownNumber(tree.seed);
+    const glm::vec3& foot = tree.position;
+    if (tier == Tier::Impostor) {
+        const glm::vec2 lean = simulation.modal()->lean(number);
+        lists.list(tree.model, tier, nullptr, nullptr)
+            .add({{foot.x, foot.y, foot.z, tree.heading},
+                  {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
+                  {lean.x, lean.y, fade, own}});
+        return;
+    }
+    const PosePass::Row row =
+        passes[tree.model]->row(frame, number, [&](PoseRequest& request) { ask(tree, number, request); });
+    InstanceList& list = lists.list(tree.model, tier, passes[tree.model], row.page);
+    list.flutter = flutter[tree.species];
+    const float half = std::clamp(std::remainder(0.5f * tree.heading, 3.14159265f), -1.5707f, 1.5707f);
+    list.add({{foot.x, foot.y, foot.z, std::tan(half)},
+              {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
+              {static_cast<float>(row.row), fade, own, tree.leaves}});
+}
+
+void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const {
+    const ModalMotion& modal = *simulation.modal();
+    passes[tree.model]->refer(modal.shape(number), request);
+    request.across = tree.scale.axes.x;
+    request.upward = tree.scale.axes.z;
+    if (request.firstTexel < 0.0f)
+        return;
+    modal.poseVector(number, request.vector);
+    modal.patchSpeeds(number, request.patchSpeeds);
+}
+
+/// Draws and passes, to the camera's render stage.
+void TreeStandCull::handOver() {
+    if (lists.first() == lists.end())
+        return;
+    osg::ref_ptr<osg::StateSet> shading = drawing.shading->stateFor(visitor);
+    visitor.pushStateSet(drawing.state);
+    visitor.pushStateSet(shading);
+    PoseStage* stage = lists.stage();
+    const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
+    const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
+                          std::initializer_list<osg::StateSet*> states) {
+        if (!geometry)
+            return;
+        part.set(geometry, &trees);
+        int pushed = 0;
+        for (osg::StateSet* state : states)
+            if (state) {
+                visitor.pushStateSet(state);
+                ++pushed;
+            }
+        visitor.addDrawableAndDepth(&part, visitor.getModelViewMatrix(), depth);
+        for (; pushed > 0; --pushed)
+            visitor.popStateSet();
+    };
+    for (std::size_t i = lists.first(); i < lists.end(); ++i) {
+        CullLists::List& list = lists[i];
+        list.trees->values->dirty();
+        const StandShape& shape = *drawing.shapes[list.shape];
+        const SpeciesLooks& looks = drawing.looks[shape.species()];
+        if (list.tier == Tier::Impostor)
+            continue;
+        stage->add(list.trees->passes, list.trees->page);
+        draw(shape.bark(list.tier), *list.bark, *list.trees, {looks.bark, shape.state(), looks.ownBark});
+        draw(shape.leaves(list.tier), *list.leaves, *list.trees, {looks.leaves, shape.state(), looks.ownLeaves});
+    }
+    visitor.popStateSet();
+    visitor.popStateSet();
+    visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(stage);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/ForestDrawing.h>
+
+namespace osgTreeWind {
+
+/// How finely a tree is drawn, finest first.
+enum class Tier { Full, Reduced, ReducedTwice, Impostor };
+constexpr int tierCount = 4;
+
+/// The tiers of a tree at its size on the screen: one, or two across a change-over.
+struct TierChoice {
+    Tier tier = Tier::Full;
+    /// Shaders/dither.glsl: 1 where it is drawn alone, else the share of pixels it is drawn on; the next coarser tier
+    /// then has the others, with -fade.
+    float fade = 1.0f;
+};
+
+/// Tiers by height on the screen.
+class TreeTiers {
+public:
+    explicit TreeTiers(const ForestDrawing& drawing = {});
+
+    TierChoice choose(float pixels) const {
+        for (int tier = 0; tier < tierCount - 1; ++tier) {
+            if (pixels >= _from[tier])
+                return {static_cast<Tier>(tier), 1.0f};
+            if (pixels > _to[tier])
+                return {static_cast<Tier>(tier), (pixels - _to[tier]) * _perPixel[tier]};
+        }
+        return {Tier::Impostor, 1.0f};
+    }
+    /// Somewhat below the height at which branches are seen: a tree so high is to have its sway in full.
+    float wakingPixels() const { return 0.85f * _to[tierCount - 2]; }
+    /// Whether there are tiers at all.
+    bool on() const { return _on; }
+
+private:
+    bool _on;
+    float _from[tierCount - 1], _to[tierCount - 1], _perPixel[tierCount - 1];
+};
+
+} // namespace osgTreeWind

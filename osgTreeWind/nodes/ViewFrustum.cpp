@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/ViewFrustum.h>
+
+namespace osgTreeWind {
+
+ViewFrustum::ViewFrustum(osgUtil::CullVisitor& visitor) {
+    osg::CullingSet& culling = visitor.getCurrentCullingSet();
+    // OSG's gives a diameter for a radius.
+    _pixelSize = culling.getPixelSizeVector() * (2.0f * std::max(visitor.getLODScale(), 1.0e-6f));
+    if (!(visitor.getCullingMode() & osg::CullSettings::VIEW_FRUSTUM_SIDES_CULLING))
+        return;
+    unsigned bit = 1;
+    for (const osg::Plane& plane : culling.getFrustum().getPlaneList()) {
+        const osg::Vec4 p(plane.asVec4());
+        const float length = osg::Vec3(p.x(), p.y(), p.z()).length();
+        if ((culling.getFrustum().getCurrentMask() & bit) && length > 0.0f)
+            _planes.push_back(p / length);
+        bit <<= 1;
+    }
+}
+
+ViewFrustum::Side ViewFrustum::sideOf(const osg::BoundingBox& box) const {
+    const osg::Vec3 centre = box.center(), half = (box._max - box._min) * 0.5f;
+    Side side = Inside;
+    for (const osg::Vec4& p : _planes) {
+        const float distance = p.x() * centre.x() + p.y() * centre.y() + p.z() * centre.z() + p.w();
+        const float reach = std::abs(p.x()) * half.x() + std::abs(p.y()) * half.y() + std::abs(p.z()) * half.z();
+        if (distance < -reach)
+            return Outside;
+        if (distance < reach)
+            side = Across;
+    }
+    return side;
+}
+
+} // namespace osgTreeWind

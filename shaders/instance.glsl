@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A tree of an instanced draw: where it stands, how large it is, and how its units stand (unit_poses.frag).
+
+#include "law/rotation.glsl"
+
+in vec4 treePlace; // foot; tangent of half its heading
+in vec4 treeSize;  // scale of lengths across and upward, of radii, of leaf clusters
+in vec4 treeState; // row of its poses, fade (dither.glsl), its own number in [0, 1), share of its leaves
+
+uniform sampler2D poseRotations;    // quaternions
+uniform sampler2D poseTranslations; // metres; speed of the wind at the unit, m/s
+uniform int unitWidth;
+uniform int unitRows;
+
+flat out float treeFade;
+
+struct UnitPose {
+    vec4 rotation;
+    vec3 translation;
+    float wind;
+};
+
+UnitPose unitPose(int unit) {
+    ivec2 texel = ivec2(unit % unitWidth, int(treeState.x) * unitRows + unit / unitWidth);
+    vec4 moved = texelFetch(poseTranslations, texel, 0);
+    return UnitPose(texelFetch(poseRotations, texel, 0), moved.xyz, moved.w);
+}
+
+/// From the tree's own axes to the forest's.
+vec3 turnedByHeading(vec3 v) {
+    float tangent = treePlace.w;
+    float part = 2.0 / (1.0 + tangent * tangent);
+    float cosine = part - 1.0;
+    float sine = part * tangent;
+    return vec3(cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z);
+}
+
+/// In eye space: a point of the tree's rest frame, scaled, that moves with a unit.
+vec4 eyePoint(UnitPose pose, vec3 rest) {
+    vec3 inTree = turnVector(pose.rotation, rest) + pose.translation;
+    return gl_ModelViewMatrix * vec4(turnedByHeading(inTree) + treePlace.xyz, 1.0);
+}
+
+vec3 eyeDirection(UnitPose pose, vec3 rest) {
+    return normalize(gl_NormalMatrix * turnedByHeading(turnVector(pose.rotation, rest)));
+}

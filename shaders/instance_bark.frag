@@ -1,0 +1,21 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+
+#include "dither.glsl"
+#include "scene.glsl"
+
+uniform sampler2D barkTexture; // grey
+uniform vec3 barkColor;
+
+in vec2 barkCoord;
+in vec3 barkLight;
+in vec3 scenePosition;
+flat in float treeFade;
+
+void main() {
+    if (dithered(treeFade))
+        discard;
+    float shade = texture(barkTexture, barkCoord).r;
+    float inside = gl_FrontFacing ? 1.0 : 0.4;
+    gl_FragColor = vec4(sceneColor(inside * shade * barkColor * barkLight, scenePosition), 1.0);
+}

@@ -1,0 +1,40 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// A corner of a leaf cluster in an instanced draw: turned by its flutter, then by its rest orientation, then with its
+// branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
+// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame;
+// gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
+
+#include "real.glsl"
+#include "law/limits.glsl"
+#include "law/flutter.glsl"
+#include "instance.glsl"
+#include "light.glsl"
+
+uniform vec4 flutterLimits;
+uniform vec3 flutterPhases;
+
+out vec2 leafCoord;
+out vec3 leafLight;
+out vec3 scenePosition;
+
+void main() {
+    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
+    vec3 flutter = leafFlutter(flutterAmplitude(pose.wind), flutterPhases, treeState.z, gl_MultiTexCoord0.w, flutterLimits);
+    vec4 turn = turnAfter(gl_MultiTexCoord1, leafRotation(flutter.x, flutter.y, flutter.z));
+    vec3 corner = treeSize.w * gl_Vertex.w * turnVector(turn, gl_Normal);
+    vec4 eyePosition = eyePoint(pose, treeSize.xxy * gl_Vertex.xyz + corner);
+
+    // Foliage is lit as a crown more than as single blades.
+    vec3 blade = turnVector(turn, gl_MultiTexCoord2.xyz);
+    vec3 crown = gl_MultiTexCoord3.xyz;
+    vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
+    float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
+    float own = 0.88 + 0.24 * fract(treeState.z + 0.754878 * gl_MultiTexCoord0.w);
+    leafLight = own * open * leafShade(eyePosition.xyz, eyeDirection(pose, normal));
+    leafCoord = gl_MultiTexCoord0.xy;
+    treeFade = treeState.y;
+    scenePosition = eyePosition.xyz;
+    gl_ClipVertex = eyePosition;
+    gl_Position = gl_ProjectionMatrix * eyePosition;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What the passes of the law `modal` know of the trees they pose; packed by osgTreeWind/gpu/PosePass.cpp.
+
+uniform sampler2D poseRequests; // a row a tree, see below
+uniform sampler2D treeUnits;    // two texels a unit of the shape: base, parent; tip
+uniform int unitCount;
+uniform int unitWidth; // units in a row of the target; a tree takes as many rows as it needs
+uniform int unitRows;
+
+vec4 request(int tree, int texel) { return texelFetch(poseRequests, ivec2(texel, tree), 0); }
+
+/// First texel of the tree's matrix, texels of one of its rows, largest angle.
+vec3 matrixOf(int tree) { return request(tree, 0).xyz; }
+vec3 axesOf(int tree) { return request(tree, 1).xxy; }
+vec4 shortVector(int tree, int texel) { return request(tree, 2 + texel); }
+float patchSpeed(int tree, int patchIndex) { return request(tree, 13 + patchIndex / 4)[patchIndex % 4]; }
+
+/// Tree and unit that a fragment stands for; unit >= unitCount: none.
+ivec2 treeAndUnit() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    return ivec2(at.y / unitRows, at.y % unitRows * unitWidth + at.x);
+}
+
+ivec2 texelOfUnit(int tree, int unit) {
+    return ivec2(unit % unitWidth, tree * unitRows + unit / unitWidth);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What the scene does to a fragment: shadows that fall on it, and fog (osgTreeWind/nodes/SceneShading.h says which).
+// SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
+#pragma import_defines(FOG_MODE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
+
+#ifdef SHADOW_MAP
+uniform sampler2DShadow osgShadow_shadowTexture;
+uniform vec2 osgShadow_ambientBias;
+#endif
+#ifdef SHADOW_MAPS
+uniform sampler2DShadow shadowTexture0;
+#if SHADOW_MAPS > 1
+uniform sampler2DShadow shadowTexture1;
+#endif
+#endif
+
+/// In a shadow texture, from the planes that OSG sets up in eye space for a texture unit.
+vec4 shadowPlace(int unit, vec4 eye) {
+    return vec4(dot(gl_EyePlaneS[unit], eye), dot(gl_EyePlaneT[unit], eye), dot(gl_EyePlaneR[unit], eye),
+                dot(gl_EyePlaneQ[unit], eye));
+}
+
+float lightLeft(vec3 eyePosition) {
+    vec4 eye = vec4(eyePosition, 1.0);
+    float left = 1.0;
+#ifdef SHADOW_MAP
+    left = osgShadow_ambientBias.x + osgShadow_ambientBias.y * shadow2DProj(osgShadow_shadowTexture, shadowPlace(SHADOW_MAP, eye)).r;
+#endif
+#ifdef SHADOW_MAPS
+    left = shadow2DProj(shadowTexture0, shadowPlace(SHADOW_MAP_UNIT0, eye)).r;
+#if SHADOW_MAPS > 1
+    left *= shadow2DProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye)).r;
+#endif
+    left = 0.45 + 0.55 * left; // the sky lights shadows
+#endif
+    return left;
+}
+
+float fogLeft(vec3 eyePosition) {
+#ifdef FOG_MODE
+    float far = abs(eyePosition.z);
+#if FOG_MODE == 1
+    return clamp((gl_Fog.end - far) * gl_Fog.scale, 0.0, 1.0);
+#elif FOG_MODE == 2
+    return clamp(exp(-gl_Fog.density * far), 0.0, 1.0);
+#else
+    return clamp(exp(-gl_Fog.density * far * gl_Fog.density * far), 0.0, 1.0);
+#endif
+#else
+    return 1.0;
+#endif
+}
+
+/// The colour of a fragment as it is seen.
+vec3 sceneColor(vec3 color, vec3 eyePosition) {
+    vec3 lit = color * lightLeft(eyePosition);
+#ifdef FOG_MODE
+    lit = mix(gl_Fog.color.rgb, lit, fogLeft(eyePosition));
+#endif
+    return lit;
+}

@@ -1,0 +1,34 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The angle pass of the law `modal`: the turn of a unit about its base from the tree's short vector, [Phi R] (q, F').
+
+#include "data.glsl"
+#include "pose_request.glsl"
+#include "real.glsl"
+#include "law/limits.glsl"
+#include "law/elementary.glsl"
+#include "law/oscillator.glsl"
+#include "law/rotation.glsl"
+#include "law/damped_branch.glsl"
+
+uniform sampler2D modalMatrices; // of all archetypes: a unit takes the rows of its two axes and a texel for its patch
+
+void main() {
+    ivec2 at = treeAndUnit();
+    if (at.y >= unitCount)
+        discard;
+    vec3 matrix = matrixOf(at.x);
+    int length = int(matrix.y);
+    int texel = int(matrix.x) + at.y * (2 * length + 1);
+    vec2 angles = vec2(0.0);
+    for (int i = 0; i < length; ++i) {
+        vec4 part = shortVector(at.x, i);
+        angles += vec2(dot(dataTexel(modalMatrices, texel + i), part),
+                       dot(dataTexel(modalMatrices, texel + length + i), part));
+    }
+    vec3 span = axesOf(at.x) * (dataTexel(treeUnits, 2 * at.y + 1).xyz - dataTexel(treeUnits, 2 * at.y).xyz);
+    vec3 direction = dot(span, span) > 0.0 ? normalize(span) : vec3(0.0, 0.0, 1.0);
+    gl_FragData[0] = dampedRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
+    int patchIndex = int(dataTexel(modalMatrices, texel + 2 * length).x);
+    gl_FragData[1] = vec4(patchSpeed(at.x, patchIndex));
+}

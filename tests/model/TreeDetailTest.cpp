@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/model/TreeDetail.h>
+
+#include <osgTreeWind/model/TreeModel.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace osgTreeWind {
+namespace {
+
+const TreeModel& reference() {
+    static const TreeModel tree = makeTreeModel({});
+    return tree;
+}
+
+ThinnedLeaves thinned(const TreeDetail& detail) {
+    return thinnedLeaves(reference().leaves, reference().leafMesh, detail);
+}
+
+std::size_t verticesOf(const TreeDetail& detail) {
+    const ThinnedLeaves leaves = thinned(detail);
+    return makeBranchSkin(reference().skeleton, detail.skin).vertices.size() +
+           leaves.clusters.size() * static_cast<std::size_t>(leaves.quads) * 4;
+}
+
+/// Of the cluster's quads.
+glm::vec3 middleOf(const LeafCluster& leaf, int quads) {
+    glm::vec3 sum(0.0f);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(4 * quads); ++i)
+        sum += leaf.anchor + leaf.size * (leaf.orientation * reference().leafMesh[i].corner);
+    return sum / static_cast<float>(4 * quads);
+}
+
+double areaOf(const std::vector<LeafCluster>& leaves, int quads) {
+    double area = 0.0;
+    for (const LeafCluster& leaf : leaves)
+        area += quads * static_cast<double>(leaf.size) * static_cast<double>(leaf.size);
+    return area;
+}
+
+TEST(TreeDetail, ReducedOnceIsAFifthAndTwiceATwentieth) {
+    const double all = static_cast<double>(reference().skin.vertices.size() + 12 * reference().leaves.size());
+    EXPECT_EQ(verticesOf(TreeDetail::full()), 38656u);
+    EXPECT_NEAR(static_cast<double>(verticesOf(TreeDetail::reducedOnce())) / all, 0.2, 0.02);
+    EXPECT_NEAR(static_cast<double>(verticesOf(TreeDetail::reducedTwice())) / all, 0.05, 0.005);
+}
+
+TEST(TreeDetail, FullIsTheTreeToTheBit) {
+    const ThinnedLeaves leaves = thinned(TreeDetail::full());
+    ASSERT_EQ(leaves.clusters.size(), reference().leaves.size());
+    for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
+        const LeafCluster &kept = leaves.clusters[i], &leaf = reference().leaves[i];
+        ASSERT_TRUE(kept.anchor == leaf.anchor && kept.orientation == leaf.orientation &&
+                    kept.size == leaf.size && kept.unit == leaf.unit && leaves.indices[i] == i);
+    }
+}
+
+TEST(TreeDetail, FewerRingsKeepBothEndsOfEveryUnit) {
+    for (int rings = 2; rings < 16; ++rings) {
+        const Skeleton& skeleton = reference().skeleton;
+        const BranchSkin skin = makeBranchSkin(skeleton, {rings, 3});
+        const std::size_t perUnit = static_cast<std::size_t>(3 * rings);
+        ASSERT_EQ(skin.vertices.size(), skeleton.units.size() * perUnit);
+        for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
+            ASSERT_EQ(skin.vertices[unit * perUnit].centre, skeleton.point(unit, 0));
+            ASSERT_EQ(skin.vertices[(unit + 1) * perUnit - 1].centre, skeleton.point(unit, 15));
+            ASSERT_EQ(skin.vertices[unit * perUnit].unit, static_cast<float>(unit));
+        }
+    }
+}
+
+TEST(TreeDetail, MoreRingsThanTheSkeletonHasAreAllOfThem) {
+    EXPECT_EQ(makeBranchSkin(reference().skeleton, {99, 8}).vertices.size(), 15616u);
+    EXPECT_EQ(makeBranchSkin(reference().skeleton, {-1, -1}).vertices.size(), 122u * 2 * 3);
+}
+
+TEST(TreeDetail, ABranchOfFewSidesIsAsWideInTheMeanOfAllDirections) {
+    const auto meanWidth = [](int sides) { // of the trunk's first ring
+        const BranchSkin skin = makeBranchSkin(reference().skeleton, {2, sides});
+        double sum = 0.0;
+        for (int step = 0; step < 360; ++step) {
+            const float angle = glm::radians(static_cast<float>(step));
+            const glm::vec3 across{std::cos(angle), std::sin(angle), 0.0f};
+            float low = 1e9f, high = -1e9f;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(sides); ++i) {
+                const float at = glm::dot(skin.vertices[i].radius * skin.vertices[i].outward, across);
+                low = std::min(low, at);
+                high = std::max(high, at);
+            }
+            sum += static_cast<double>(high - low) / 360.0;
+        }
+        return sum;
+    };
+    const double full = meanWidth(8);
+    for (const int sides : {3, 4, 5, 6})
+        EXPECT_NEAR(meanWidth(sides) / full, 1.0, 0.01) << sides;
+}
+
+TEST(TreeDetail, FewerSidesStillFaceOutward) {
+    const BranchSkin skin = makeBranchSkin(reference().skeleton, {2, 3});
+    for (std::size_t i = 0; i < skin.indices.size(); i += 3) {
+        const SkinVertex &a = skin.vertices[skin.indices[i]], &b = skin.vertices[skin.indices[i + 1]],
+                         &c = skin.vertices[skin.indices[i + 2]];
+        const glm::vec3 normal = glm::cross(b.position() - a.position(), c.position() - a.position());
+        ASSERT_GT(glm::dot(normal, a.outward + b.outward + c.outward), 0.0f) << i;
+    }
+}
+
+TEST(TreeDetail, KeptClustersSpreadEvenlyOverUnits) {
+    for (const float share : {0.5f, 0.23f, 0.1f}) {
+        TreeDetail detail;
+        detail.leafShare = share;
+        std::vector<int> perUnit(reference().skeleton.units.size(), 0);
+        for (const LeafCluster& leaf : thinned(detail).clusters)
+            ++perUnit[static_cast<std::size_t>(leaf.unit)];
+        for (std::size_t unit = 2; unit < perUnit.size(); ++unit) // the trunk bears none
+            EXPECT_NEAR(static_cast<float>(perUnit[unit]), 16.0f * share, 1.0f) << unit << ", " << share;
+    }
+}
+
+TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirMiddlesAndTheirNames) {
+    for (const int quads : {1, 2, 3}) {
+        TreeDetail detail;
+        detail.leafShare = 0.2f;
+        detail.quads = quads;
+        detail.leafArea = 0.9f;
+        const ThinnedLeaves leaves = thinned(detail);
+        EXPECT_NEAR(areaOf(leaves.clusters, quads) / areaOf(reference().leaves, 3), 0.9, 1e-4);
+        for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
+            const LeafCluster& original = reference().leaves[leaves.indices[i]];
+            ASSERT_EQ(leaves.clusters[i].unit, original.unit);
+            ASSERT_EQ(leaves.clusters[i].orientation, original.orientation);
+            ASSERT_LT(glm::distance(middleOf(leaves.clusters[i], quads), middleOf(original, 3)), 1e-4f);
+        }
+    }
+}
+
+TEST(TreeDetail, ABareOrAbsentCrownHasNoClusters) {
+    TreeDetail detail;
+    detail.leafShare = 0.0f;
+    EXPECT_TRUE(thinned(detail).clusters.empty());
+    EXPECT_TRUE(thinnedLeaves({}, reference().leafMesh, TreeDetail::reducedOnce()).clusters.empty());
+}
+
+} // namespace
+} // namespace osgTreeWind

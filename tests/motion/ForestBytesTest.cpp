@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What a tree costs, by what the allocator has given out.
+#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include <malloc.h>
+
+namespace osgTreeWind {
+namespace {
+
+#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
+
+std::size_t bytesInUse() {
+    const struct mallinfo2 info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+}
+
+bool allocatorTells() {
+    const std::size_t before = bytesInUse();
+    const std::vector<char> block(1 << 20);
+    return bytesInUse() >= before + block.size();
+}
+
+std::unique_ptr<ForestSimulation> wood(std::size_t count) {
+    ForestDescription forest;
+    forest.species = {*findBuiltInSpecies("oak"), *findBuiltInSpecies("Norway spruce")};
+    forest.wind = std::make_shared<UniformWind>(glm::vec3(7, 0, 0));
+    Random random(1);
+    for (std::size_t i = 0; i < count; ++i) {
+        TreePlacement tree;
+        tree.species = random.next() % 2;
+        tree.position = {3000.0f * random.uniform(), 3000.0f * random.uniform(), 0.0f};
+        tree.size.height = 8.0f + 18.0f * random.uniform();
+        tree.seed = static_cast<std::uint32_t>(i);
+        forest.trees.push_back(tree);
+    }
+    SimulationOptions options;
+    options.level = ModalMotion::Level::Far;
+    return std::make_unique<ForestSimulation>(std::move(forest), options);
+}
+
+TEST(ForestBytes, AFarTreeTakesAtMost250) {
+    if (!allocatorTells())
+        GTEST_SKIP() << "the allocator does not say what it gave out";
+    std::size_t taken[2];
+    for (const std::size_t count : {10000u, 100000u}) {
+        const std::size_t before = bytesInUse();
+        const std::unique_ptr<ForestSimulation> simulation = wood(count);
+        for (std::size_t i = 0; i < count; i += 50)
+            simulation->setLevel(i, ModalMotion::Level::Near);
+        for (int i = 0; i < 20; ++i)
+            simulation->advance(i / 60.0);
+        taken[count == 100000u] = bytesInUse() - before;
+    }
+    const std::size_t bytes = (taken[1] - taken[0]) / 90000;
+    EXPECT_LE(bytes, 250u);
+    EXPECT_GE(bytes, 150u) << "too little to be true";
+    RecordProperty("bytes", std::to_string(bytes));
+}
+
+TEST(ForestBytes, SteppingTakesNone) {
+    if (!allocatorTells())
+        GTEST_SKIP() << "the allocator does not say what it gave out";
+    const std::unique_ptr<ForestSimulation> simulation = wood(200);
+    const auto run = [&](int from, int to) {
+        for (int i = from; i < to; ++i)
+            simulation->advance(i / 60.0);
+    };
+    run(0, 20);
+    const std::size_t before = bytesInUse();
+    run(20, 200);
+    EXPECT_EQ(bytesInUse(), before);
+}
+
+TEST(ForestBytes, TreesThatComeAndGoLeaveNone) {
+    if (!allocatorTells())
+        GTEST_SKIP() << "the allocator does not say what it gave out";
+    const std::unique_ptr<ForestSimulation> simulation = wood(2000);
+    const TreePlacement tree = simulation->placementOf(0);
+    const auto churn = [&] {
+        std::vector<TreeId> ids;
+        ids.reserve(1000);
+        for (int i = 0; i < 1000; ++i)
+            ids.push_back(simulation->addTree(tree));
+        for (const TreeId id : ids)
+            simulation->removeTree(id);
+    };
+    churn();
+    const std::size_t before = bytesInUse();
+    for (int i = 0; i < 20; ++i)
+        churn();
+    EXPECT_LE(bytesInUse(), before + 100000u);
+}
+
+#endif
+
+} // namespace
+} // namespace osgTreeWind

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Trees put up, taken down and changed while a forest runs.
+#include "Sapling.h"
+
+#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <chrono>
+#include <map>
+
+namespace osgTreeWind {
+namespace {
+
+TreePlacement treeAt(double x, float height = 5.0f, std::size_t species = 0, std::string name = {}) {
+    TreePlacement tree;
+    tree.species = species;
+    tree.position = {x, 2.0 * x, 10.0};
+    tree.size.height = height;
+    tree.seed = static_cast<std::uint32_t>(x);
+    tree.name = std::move(name);
+    return tree;
+}
+
+ForestDescription saplings(std::size_t count) {
+    ForestDescription forest;
+    forest.species = {sapling(), sapling()};
+    forest.species[1].name = "stiff";
+    forest.species[1].wood.elasticModulus *= 10.0f;
+    forest.origin = {448262.0, 4413000.0, 1600.0};
+    forest.wind = std::make_shared<UniformWind>(glm::vec3(5, 1, 0));
+    for (std::size_t i = 0; i < count; ++i) {
+        forest.trees.push_back(treeAt(static_cast<double>(i)));
+        forest.trees.back().position += forest.origin;
+    }
+    return forest;
+}
+
+TreePlacement inWorld(const ForestSimulation& simulation, TreePlacement tree) {
+    tree.position += simulation.description().origin;
+    return tree;
+}
+
+void run(ForestSimulation& simulation, int frames, double start = 0.0) {
+    for (int i = 0; i <= frames; ++i)
+        simulation.advance(start + i / 60.0);
+}
+
+TEST(ForestChanges, TheDescriptionsTreesHaveTheirNumbersAsIds) {
+    const ForestSimulation simulation(saplings(4));
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(simulation.idOf(i), TreeId(i));
+        EXPECT_TRUE(simulation.holds(TreeId(i)));
+    }
+    EXPECT_FALSE(simulation.holds(4));
+    EXPECT_FALSE(simulation.holds(noTree));
+}
+
+TEST(ForestChanges, AnAddedTreeStandsAndSways) {
+    ForestSimulation simulation(saplings(2));
+    run(simulation, 30);
+    const TreeId tree = simulation.addTree(inWorld(simulation, treeAt(77.0, 8.0f)));
+    ASSERT_TRUE(simulation.holds(tree));
+    const PlacedTree& placed = simulation.trees()[simulation.slotOf(tree)];
+    EXPECT_TRUE(placed.alive);
+    EXPECT_EQ(placed.position, glm::vec3(77, 154, 10));
+    run(simulation, 60, 1.0);
+    EXPECT_GT(glm::length(simulation.modal()->lean(simulation.slotOf(tree))), 0.001f);
+    EXPECT_GT(simulation.motion(simulation.slotOf(tree)).poses.size, 0u);
+}
+
+TEST(ForestChanges, AnIdLastsAndNamesNoOtherTree) {
+    ForestSimulation simulation(saplings(3));
+    EXPECT_TRUE(simulation.removeTree(1));
+    EXPECT_FALSE(simulation.trees()[1].alive);
+    EXPECT_FALSE(simulation.removeTree(1));
+    EXPECT_EQ(simulation.motion(1).poses.size, 0u) << "nothing stands there";
+    const TreeId next = simulation.addTree(inWorld(simulation, treeAt(5.0)));
+    EXPECT_EQ(simulation.slotOf(next), 1u) << "its slot is used again";
+    EXPECT_FALSE(simulation.holds(1));
+    EXPECT_FALSE(simulation.changeTree(1, treeAt(3.0)));
+    EXPECT_TRUE(simulation.holds(next));
+    EXPECT_TRUE(simulation.holds(2));
+}
+
+TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
+    ForestSimulation simulation(saplings(1));
+    TreePlacement given = inWorld(simulation, treeAt(12.25, 7.0f, 1, "T-9"));
+    given.heading = 0.4f;
+    given.leaves = 0.5f;
+    given.size = {7.0f, 0.2f, 3.0f};
+    const TreeId tree = simulation.addTree(given);
+    const TreePlacement back = simulation.placementOf(tree);
+    EXPECT_EQ(back.species, 1u);
+    EXPECT_EQ(back.position, given.position);
+    EXPECT_EQ(back.heading, 0.4f);
+    EXPECT_EQ(back.leaves, 0.5f);
+    EXPECT_EQ(back.seed, given.seed);
+    EXPECT_EQ(back.name, "T-9");
+    EXPECT_NEAR(back.size.height, 7.0f, 0.03f);
+    EXPECT_NEAR(back.size.trunkDiameter, 0.2f, 0.001f);
+    EXPECT_NEAR(back.size.crownWidth, 3.0f, 0.02f);
+}
+
+TEST(ForestChanges, ATreeMovedByItsPlacementKeepsSizeAndSwayToTheBit) {
+    ForestSimulation simulation(saplings(2));
+    run(simulation, 40);
+    const TreeScale scale = simulation.trees()[1].scale;
+    const std::vector<float> amplitudes = simulation.modal()->amplitudes(1);
+    TreePlacement moved = simulation.placementOf(1);
+    moved.position.x += 30.0;
+    ASSERT_TRUE(simulation.changeTree(1, moved));
+    EXPECT_EQ(simulation.trees()[1].scale.axes, scale.axes);
+    EXPECT_EQ(simulation.trees()[1].scale.radius, scale.radius);
+    EXPECT_EQ(simulation.trees()[1].position.x, 31.0f);
+    EXPECT_EQ(simulation.modal()->amplitudes(1), amplitudes);
+    EXPECT_TRUE(simulation.holds(1)) << "under the same id";
+}
+
+TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
+    ForestDescription expected = saplings(2);
+    expected.wind = std::make_shared<UniformWind>(glm::vec3(1.5f, 0.3f, 0));
+    ForestSimulation simulation(expected);
+    run(simulation, 20);
+    ASSERT_TRUE(simulation.changeTree(0, inWorld(simulation, treeAt(0.0, 9.0f, 1))));
+    EXPECT_EQ(simulation.trees()[0].species, 1u);
+    EXPECT_NEAR(simulation.placementOf(0).size.height, 9.0f, 0.05f);
+    run(simulation, 6000, 1.0);
+    expected.trees[0].species = 1;
+    expected.trees[0].size.height = 9.0f;
+    ForestSimulation fresh(expected);
+    run(fresh, 6020);
+    EXPECT_NEAR(simulation.modal()->lean(0).x, fresh.modal()->lean(0).x, 0.02f * fresh.modal()->lean(0).x);
+}
+
+TEST(ForestChanges, OnlyWhatCanBeIsDone) {
+    ForestDescription damped = saplings(1);
+    damped.law = MotionLaw::Damped;
+    ForestSimulation branchwise(damped), modal(saplings(1));
+    EXPECT_EQ(branchwise.addTree(treeAt(1.0)), noTree);
+    EXPECT_FALSE(branchwise.removeTree(0));
+    EXPECT_FALSE(branchwise.changeTree(0, treeAt(1.0)));
+    EXPECT_TRUE(branchwise.holds(0));
+    EXPECT_EQ(modal.addTree(treeAt(1.0, 5.0f, 7)), noTree) << "no such species";
+    EXPECT_FALSE(modal.changeTree(0, treeAt(1.0, 5.0f, 7)));
+    EXPECT_EQ(modal.trees().size(), 1u);
+}
+
+TEST(ForestChanges, NamesAreFoundAgain) {
+    ForestDescription forest = saplings(4);
+    forest.trees[1].name = "oak 7";
+    forest.trees[2].name = "oak 8";
+    forest.trees[3].name = "oak 7"; // the first one has it
+    ForestSimulation simulation(forest);
+    EXPECT_EQ(simulation.findTree("oak 7"), TreeId(1));
+    EXPECT_EQ(simulation.nameOf(2), "oak 8");
+    EXPECT_EQ(simulation.nameOf(3), "");
+    EXPECT_EQ(simulation.nameOf(0), "");
+    EXPECT_FALSE(simulation.findTree("oak 9"));
+    EXPECT_FALSE(simulation.findTree(""));
+
+    simulation.removeTree(1);
+    EXPECT_FALSE(simulation.findTree("oak 7"));
+    const TreeId other = simulation.addTree(inWorld(simulation, treeAt(1.0, 5.0f, 0, "oak 7")));
+    EXPECT_EQ(simulation.findTree("oak 7"), other);
+    TreePlacement renamed = simulation.placementOf(2);
+    renamed.name = "elm";
+    simulation.changeTree(2, renamed);
+    EXPECT_EQ(simulation.findTree("elm"), TreeId(2));
+    EXPECT_FALSE(simulation.findTree("oak 8"));
+    const std::shared_ptr<ForestSimulation> copy = simulation.restarted();
+    simulation.removeTree(other);
+    EXPECT_EQ(copy->findTree("oak 7"), other);
+    EXPECT_EQ(copy->nameOf(2), "elm");
+}
+
+TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
+    ForestSimulation simulation(saplings(3));
+    simulation.removeTree(0);
+    const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f)));
+    run(simulation, 50);
+    std::shared_ptr<ForestSimulation> again = simulation.restarted();
+    EXPECT_EQ(&again->models(), &simulation.models());
+    EXPECT_EQ(&again->modal()->archetype(1), &simulation.modal()->archetype(1));
+    EXPECT_TRUE(again->holds(added));
+    EXPECT_FALSE(again->holds(0));
+    EXPECT_EQ(again->modal()->lean(1), glm::vec2(0.0f));
+    simulation.removeTree(1);
+    EXPECT_TRUE(again->holds(1)) << "they go their own ways";
+    again->addTree(inWorld(*again, treeAt(2.0)));
+    EXPECT_EQ(again->modal()->archetypeCount(), simulation.modal()->archetypeCount());
+    run(*again, 50);
+    EXPECT_EQ(again->modal()->lean(2), simulation.modal()->lean(2)) << "in the same wind";
+}
+
+TEST(ForestChanges, UnderALawOfABranchARestartIsAtRestToo) {
+    ForestDescription damped = saplings(2);
+    damped.law = MotionLaw::Damped;
+    ForestSimulation simulation(damped);
+    run(simulation, 20);
+    const std::shared_ptr<ForestSimulation> again = simulation.restarted();
+    EXPECT_EQ(again->motion(1).states[3], glm::vec4(0.0f));
+    run(*again, 20);
+    EXPECT_EQ(again->motion(1).states[3], simulation.motion(1).states[3]);
+    EXPECT_EQ(again->motion(1).leaves[0], simulation.motion(1).leaves[0]);
+}
+
+TEST(ForestChanges, ARestartTakesAFractionOfTheTime) {
+    using Clock = std::chrono::steady_clock;
+    ForestDescription forest = saplings(2000);
+    Random random(4);
+    for (TreePlacement& tree : forest.trees)
+        tree.size = {4.0f + 10.0f * random.uniform(), 0.05f + 0.2f * random.uniform(), 0};
+    const auto start = Clock::now();
+    const ForestSimulation simulation(std::move(forest));
+    const auto made = Clock::now();
+    const std::shared_ptr<ForestSimulation> again = simulation.restarted();
+    const auto restarted = Clock::now();
+    EXPECT_LT(restarted - made, (made - start) / 5);
+}
+
+TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
+    ForestSimulation simulation(saplings(10));
+    Random random(2);
+    std::map<TreeId, glm::vec3> there;
+    for (std::size_t i = 0; i < 10; ++i)
+        there[simulation.idOf(i)] = simulation.trees()[i].position;
+    for (int i = 0; i < 2000; ++i) {
+        const double x = 100.0 * static_cast<double>(random.uniform());
+        const TreePlacement tree =
+            inWorld(simulation, treeAt(x, 3.0f + 5.0f * random.uniform(), random.next() % 2));
+        const auto any = std::next(there.begin(), static_cast<std::ptrdiff_t>(random.next() % there.size()));
+        if (random.next() % 2 && there.size() > 2) {
+            ASSERT_TRUE(simulation.removeTree(any->first));
+            ASSERT_FALSE(simulation.holds(any->first));
+            there.erase(any);
+        } else {
+            const TreeId id = simulation.addTree(tree);
+            ASSERT_EQ(there.count(id), 0u) << "an id is given once";
+            there[id] = simulation.trees()[simulation.slotOf(id)].position;
+        }
+        simulation.advance(i / 60.0);
+    }
+    std::size_t alive = 0;
+    for (const PlacedTree& tree : simulation.trees())
+        alive += tree.alive;
+    EXPECT_EQ(alive, there.size());
+    for (const auto& [id, position] : there) {
+        ASSERT_TRUE(simulation.holds(id));
+        EXPECT_EQ(simulation.trees()[simulation.slotOf(id)].position, position);
+    }
+}
+
+} // namespace
+} // namespace osgTreeWind
