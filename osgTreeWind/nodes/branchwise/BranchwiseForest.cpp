@@ -8,6 +8,7 @@
 
 #include <osg/Notify>
 
+#include <algorithm>
 #include <cstring>
 
 namespace osgTreeWind {
@@ -18,6 +19,30 @@ constexpr unsigned unitPosesTextureUnit = 4;
 constexpr unsigned leafAnglesTextureUnit = 5;
 
 } // namespace
+
+std::string BranchwiseForest::problemOf(const ForestDescription& description) {
+    if (description.law == MotionLaw::Modal)
+        return {};
+    std::vector<std::size_t> units, leaves;
+    for (const Species& species : description.species) {
+        const TreeCounts counts = countTree(species.tree);
+        units.push_back(counts.units);
+        leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
+    }
+    std::size_t branchTexels = 0, leafTexels = 0;
+    for (const TreePlacement& tree : description.trees)
+        if (tree.species < units.size()) {
+            branchTexels += 3 * units[tree.species]; // branch parameters are the largest
+            leafTexels += leaves[tree.species];
+        }
+    if (std::max(branchTexels, leafTexels) <= DataTexture::mostTexels)
+        return {};
+    const bool branches = branchTexels > leafTexels;
+    return std::to_string(description.trees.size()) + " trees under a law of a branch need " +
+           std::to_string(std::max(branchTexels, leafTexels)) + " texels of " +
+           (branches ? "branch parameters" : "leaf angles") + "; a texture holds " +
+           std::to_string(DataTexture::mostTexels) + ". The law modal has no such limit";
+}
 
 BranchwiseForest::BranchwiseForest()
     : BranchwiseForest(std::make_shared<ForestSimulation>(ForestDescription())) {}

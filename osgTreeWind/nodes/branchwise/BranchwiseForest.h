@@ -7,6 +7,7 @@
 #include <osg/Group>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace osgTreeWind {
@@ -36,6 +37,10 @@ public:
         TREE_LEAVES,    ///< All of a tree in one draw, whose vertex shader fetches each cluster's angles.
         LEAF_TRANSFORMS ///< Every cluster below a transform of its own (as published, §2.4.1).
     };
+
+    /// Why a forest of the description has no room in textures, which nothing may rescale; empty where it
+    /// has.
+    static std::string problemOf(const ForestDescription& description);
 
     /// No trees.
     BranchwiseForest();

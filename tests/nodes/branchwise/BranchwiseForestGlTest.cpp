@@ -112,10 +112,11 @@ TEST_F(BranchwiseForestGlTest, outOfSightItKeepsItsStatesAndGoesOnFromThem) {
 }
 
 TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
-    start(dampedForest(1));
+    const ForestDescription description = dampedForest(1);
+    start(description);
     forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
     frames(30);
-    ForestSimulation oracle(forest->getDescription());
+    ForestSimulation oracle(description);
     for (int i = 2; i <= now - 1; ++i) // passes begin in the second frame; what came back is a frame old
         oracle.advance(i / 25.0);
     const auto& leaves = forest->getSimulation().leaves().states();
