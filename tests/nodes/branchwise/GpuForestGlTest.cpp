@@ -97,7 +97,8 @@ TEST_F(GpuForestGlTest, EveryWindValueArrivesAtItsOwnBranch) {
                                TexelCase{"64 reference trees", bareSpecies(4, 3, 2), 64, 122 * 64},
                                TexelCase{"300,000 units", bareSpecies(8, 3, 2), 31, 9842 * 31}}) {
         osg::ref_ptr<Forest> forest = start(forestOf(c.species, c.trees));
-        ForestSimulation oracle(forest->getDescription());
+        const auto restarted = forest->getSimulation().restarted();
+        ForestSimulation& oracle = *restarted;
         ASSERT_EQ(oracle.branches()->states().size(), c.units) << c.name;
         oracle.advance(0.0);
         for (int i = 1; i <= 3; ++i) {
@@ -140,7 +141,8 @@ TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
 TEST_F(GpuForestGlTest, SixHundredFramesStayWithTheCpu) {
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped}) {
         osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(4, 3, 2), 4, law));
-        ForestSimulation oracle(forest->getDescription());
+        const auto restarted = forest->getSimulation().restarted();
+        ForestSimulation& oracle = *restarted;
         oracle.advance(0.0);
         for (int i = 1; i <= 600; ++i) {
             frame(i / 60.0);
@@ -239,7 +241,8 @@ TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
         composite.addView(view);
     }
     composite.realize();
-    ForestSimulation oracle(forest->getDescription());
+    const auto restarted = forest->getSimulation().restarted();
+    ForestSimulation& oracle = *restarted;
     oracle.advance(0.0);
     composite.frame(0.0);
     composite.frame(0.0);
