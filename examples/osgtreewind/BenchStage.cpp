@@ -8,6 +8,7 @@
 #include <osg/Geometry>
 
 #include <cmath>
+#include <limits>
 
 using namespace osgTreeWind;
 
@@ -67,13 +68,17 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
         lines.push_back(unitLines(skeleton, unit, 1, buffered));
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
         TreeNode& tree = *forest.getBranchwise()->getTree(i);
-        for (unsigned child = 0; child < tree.getNumChildren(); ++child)
-            if (dynamic_cast<SkinDrawable*>(tree.getChild(child)))
-                tree.getChild(child)->setNodeMask(0);
+        osg::Group& full = *tree.getLod()->level(TreeLod::FULL);
+        for (unsigned child = 0; child < full.getNumChildren(); ++child)
+            if (dynamic_cast<SkinDrawable*>(full.getChild(child)))
+                full.getChild(child)->setNodeMask(0);
         for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit)
             tree.getBranch(unit)->addChild(lines[unit]);
     }
 }
+
+constexpr float always = std::numeric_limits<float>::infinity();
+constexpr TreeLodRanges alwaysFull{always, always};
 
 osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const Forest& forest) {
     const auto model = std::make_shared<const TreeModel>(forest.getSimulation().models().front());
@@ -91,7 +96,9 @@ osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const Forest& fores
             node = new osg::PositionAttitudeTransform;
             node->addChild(lines);
         } else {
-            node = new TreeNode(shape, style, tree.scale);
+            osg::ref_ptr<TreeNode> still = new TreeNode(shape, style, tree.scale);
+            still->getLod()->setRanges(alwaysFull);
+            node = still;
         }
         node->setPosition(toOsg(tree.position));
         group->addChild(node);
@@ -168,12 +175,13 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     scene.moving = new Forest(benchForest(trees, stage.geometry == BenchStage::BARK_AND_LEAVES));
     scene.still = stillTrees(stage, *scene.moving);
     scene.moving->getBranchwise()->setAngleSource(stage.angles);
+    scene.moving->getBranchwise()->setLodRanges(alwaysFull);
+    scene.moving->getBranchwise()->setBranchDrawing(
+        stage.geometry <= BenchStage::BUFFERED_LINES ? BranchwiseForest::TREE_DRAWING : stage.branches);
+    scene.moving->getBranchwise()->setLeafDrawing(stage.leaves);
     if (stage.geometry <= BenchStage::BUFFERED_LINES)
         drawLinesInsteadOfBark(*scene.moving, scene.moving->getSimulation().models().front().skeleton,
                                stage.geometry == BenchStage::BUFFERED_LINES);
-    else
-        scene.moving->getBranchwise()->setBranchDrawing(stage.branches);
-    scene.moving->getBranchwise()->setLeafDrawing(stage.leaves);
     return scene;
 }
 

@@ -46,6 +46,13 @@ std::string framePath(const std::string& pattern, int frame) {
     return match.prefix().str() + number + match.suffix().str();
 }
 
+void choosePose(BranchwiseForest& forest, const std::string& pose) {
+    const bool transforms = pose == "scenegraph";
+    forest.setAngleSource(pose == "cpu" ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
+    forest.setBranchDrawing(transforms ? BranchwiseForest::BRANCH_DRAWING : BranchwiseForest::TREE_DRAWING);
+    forest.setLeafDrawing(transforms ? BranchwiseForest::LEAF_TRANSFORMS : BranchwiseForest::TREE_LEAVES);
+}
+
 /// Looks at the whole forest from the south-west, from above its crowns if it is wide.
 void placeCamera(osg::Camera& camera, const RenderOptions& options, const osg::BoundingSphere& bound) {
     const double aspect = static_cast<double>(options.width) / options.height;
@@ -141,10 +148,7 @@ ExitCode render(RenderOptions options) {
     image->allocateImage(options.width, options.height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     placeCamera(*viewer.getCamera(), options, forest->getBound());
-    if (options.pose != "cpu")
-        forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
-    if (options.pose == "scenegraph")
-        forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
+    choosePose(*forest->getBranchwise(), options.pose);
     viewer.setSceneData(scene);
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);

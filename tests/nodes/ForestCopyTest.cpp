@@ -83,8 +83,9 @@ TEST_P(ForestCopyTest, needsItsOwnUpdateOnly) {
 TEST_P(ForestCopyTest, drawablesOfATreeCanBeCopied) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     TreeNode& tree = *forest->getBranchwise()->getTree(0);
-    for (unsigned i = 0; i < tree.getNumChildren(); ++i) {
-        const osg::Drawable* const drawable = tree.getChild(i)->asDrawable();
+    const osg::Group& drawn = *tree.getLod()->level(TreeLod::STAND_IN);
+    for (unsigned i = 0; i < drawn.getNumChildren(); ++i) {
+        const osg::Drawable* const drawable = drawn.getChild(i)->asDrawable();
         ASSERT_NE(drawable, nullptr);
         osg::ref_ptr<osg::Drawable> copy = osg::clone(drawable, osg::CopyOp(GetParam()));
         EXPECT_STREQ(copy->className(), drawable->className());

@@ -77,6 +77,10 @@ TEST_F(ForestGlTest, branchByBranchDrawsTheSamePicture) { // the vertex shader a
 
 TEST_F(ForestGlTest, changesItsDrawingBackAndForthWhileMoving) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4)), still = new Forest(smallForest(4));
+    for (Forest* either : {forest.get(), still.get()}) {
+        either->getBranchwise()->setBranchDrawing(BranchwiseForest::TREE_DRAWING);
+        either->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
+    }
     osg::ref_ptr<osg::Image> expected = picture(still, 12);
     picture(forest, 4);
     forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);

@@ -38,17 +38,17 @@ TEST_F(GlLifetimeGlTest, aForestMovesFromOneContextToAnother) {
 TEST_F(GlLifetimeGlTest, aForestIsReleasedForAllContextsAndDrawnAgain) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
-    osg::ref_ptr<osg::Image> first = render(forest, width, height, 1);
+    osg::ref_ptr<osg::Image> first = render(forest, width, height, 3);
     forest->releaseGLObjects();
-    frame(0.0);
+    frame(2 / 25.0);
     EXPECT_EQ(difference(*first, image()).mean, 0.0);
 }
 
 TEST_F(GlLifetimeGlTest, buffersAreMadeRoomForBeforeMoreContexts) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
-    osg::ref_ptr<osg::Image> first = render(forest, width, height, 1);
+    osg::ref_ptr<osg::Image> first = render(forest, width, height, 3);
     forest->resizeGLObjectBuffers(64);
-    frame(0.0);
+    frame(2 / 25.0);
     EXPECT_EQ(difference(*first, image()).mean, 0.0);
 }
 

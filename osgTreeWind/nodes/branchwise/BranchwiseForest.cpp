@@ -6,10 +6,8 @@
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/model/Random.h>
 
-#include <osg/ApplicationUsage>
 #include <osg/Notify>
 
-#include <cstdlib>
 #include <cstring>
 
 namespace osgTreeWind {
@@ -19,23 +17,12 @@ namespace {
 constexpr unsigned unitPosesTextureUnit = 4;
 constexpr unsigned leafAnglesTextureUnit = 5;
 
-osg::ApplicationUsageProxy
-    anglesUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_ANGLES <cpu|gpu>",
-                "Where new osgTreeWind forests work out the angles of branches and leaves.");
-
-BranchwiseForest::AngleSource environmentSource() {
-    const char* value = std::getenv("OSGTREEWIND_ANGLES");
-    return value && std::strcmp(value, "gpu") == 0 ? BranchwiseForest::GPU_ANGLES
-                                                   : BranchwiseForest::CPU_ANGLES;
-}
-
 } // namespace
 
 BranchwiseForest::BranchwiseForest()
     : BranchwiseForest(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
-BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given)
-    : _simulation(std::move(given)), _wantedSource(environmentSource()) {
+BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _simulation(std::move(given)) {
     const ForestSimulation& simulation = *_simulation;
 
     TreeStyles styles;
@@ -55,6 +42,8 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given)
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
         node->setOwnNumber(Random(tree.seed).uniform());
         node->getPosedTree()->follow(_simulation, simulation.motion(i));
+        node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
+        node->setLeafwise(_leafDrawing == LEAF_TRANSFORMS);
         _stand->addChild(node);
         _trees.push_back(node);
     }
@@ -81,6 +70,7 @@ void BranchwiseForest::takeSettings(const BranchwiseForest& other) {
     setAngleSource(other._wantedSource);
     setBranchDrawing(other._branchDrawing);
     setLeafDrawing(other._leafDrawing);
+    setLodRanges(other._lodRanges);
 }
 
 void BranchwiseForest::setBranchDrawing(BranchDrawing drawing) {
@@ -93,6 +83,12 @@ void BranchwiseForest::setLeafDrawing(LeafDrawing drawing) {
     _leafDrawing = drawing;
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
         tree->setLeafwise(drawing == LEAF_TRANSFORMS);
+}
+
+void BranchwiseForest::setLodRanges(const TreeLodRanges& ranges) {
+    _lodRanges = ranges;
+    for (const osg::ref_ptr<TreeNode>& tree : _trees)
+        tree->getLod()->setRanges(ranges);
 }
 
 void BranchwiseForest::setAngleSource(AngleSource source) {
@@ -157,11 +153,11 @@ void BranchwiseForest::releaseGLObjects(osg::State* state) const {
 
 void BranchwiseForest::update(double time) {
     chooseAngleSource();
-    if (!(_prePass ? stepOnGpu(time) : stepOnCpu(time)))
-        return;
-    uploadUnitPoses();
+    const bool moved = _prePass ? stepOnGpu(time) : stepOnCpu(time);
+    if (moved)
+        uploadUnitPoses();
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
-        tree->updatePose();
+        tree->updatePose(moved);
 }
 
 bool BranchwiseForest::stepOnCpu(double time) {

@@ -24,8 +24,7 @@ public:
         CPU_ANGLES, ///< In the update traversal: the frame shows the wind of the same frame.
         GPU_ANGLES  ///< In fragment shaders before the frame is drawn (thesis §5.2). Branch angles are read
                     ///< back and move the branches one frame later; leaves show them at once. Falls back to
-                    ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing; and
-                    ///< for the law `modal`, which has no state for each branch.
+                    ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
     };
     /// How branches are drawn.
     enum BranchDrawing {
@@ -59,6 +58,10 @@ public:
     /// Not during a traversal.
     void setLeafDrawing(LeafDrawing drawing);
     LeafDrawing getLeafDrawing() const { return _leafDrawing; }
+
+    /// Of all trees. Not during a traversal.
+    void setLodRanges(const TreeLodRanges& ranges);
+    const TreeLodRanges& getLodRanges() const { return _lodRanges; }
 
     /// Has it drawn and moved in the same ways as another one.
     void takeSettings(const BranchwiseForest& other);
@@ -96,9 +99,10 @@ private:
     // No children: in a scene they would keep everything above them from being culled.
     std::unique_ptr<AnglePrePass> _prePass;
     osg::ref_ptr<FloatTargetProbe> _probe;
-    AngleSource _wantedSource;
-    BranchDrawing _branchDrawing = TREE_DRAWING;
-    LeafDrawing _leafDrawing = TREE_LEAVES;
+    AngleSource _wantedSource = GPU_ANGLES;
+    BranchDrawing _branchDrawing = BRANCH_DRAWING;
+    LeafDrawing _leafDrawing = LEAF_TRANSFORMS;
+    TreeLodRanges _lodRanges;
 };
 
 } // namespace osgTreeWind

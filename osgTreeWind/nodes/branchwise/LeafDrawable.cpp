@@ -7,6 +7,8 @@ namespace osgTreeWind {
 
 TreeDrawable::Triangles LeafDrawable::posedTriangles() const {
     Triangles triangles;
+    if (!_tree)
+        return triangles;
     const std::size_t leaves = _tree->model().leaves.size();
     triangles.vertices.reserve(leaves * verticesPerLeafCluster);
     glm::vec3 corners[verticesPerLeafCluster];

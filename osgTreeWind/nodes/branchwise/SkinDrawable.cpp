@@ -19,6 +19,8 @@ osg::BoundingBox SkinDrawable::computeBoundingBox() const {
 }
 
 TreeDrawable::Triangles SkinDrawable::posedTriangles() const {
+    if (!_tree)
+        return {};
     const BranchSkin& skin = _tree->model().skin;
     const std::size_t units = _tree->model().skeleton.units.size();
     const std::size_t perUnit = skin.vertices.size() / units;

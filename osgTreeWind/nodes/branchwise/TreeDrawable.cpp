@@ -12,9 +12,9 @@ TreeDrawable::TreeDrawable(const TreeDrawable& other, const osg::CopyOp& copyop)
     : osg::Drawable(other, copyop), _geometry(other._geometry), _tree(other._tree) {}
 
 void TreeDrawable::accept(osg::PrimitiveFunctor& functor) const {
-    if (!_tree)
-        return;
     const Triangles triangles = posedTriangles();
+    if (triangles.indices.empty())
+        return;
     functor.setVertexArray(static_cast<unsigned>(triangles.vertices.size()), triangles.vertices.data());
     functor.drawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles.indices.size()),
                          triangles.indices.data());

@@ -12,7 +12,7 @@ namespace osgTreeWind {
 /// for bounds, picking and statistics they are posed on the CPU.
 class TreeDrawable : public osg::Drawable {
 public:
-    /// @param geometry shared by trees; @param tree the one drawn here.
+    /// @param geometry shared by trees; @param tree the one drawn here; null for what is the same in all.
     TreeDrawable(osg::Geometry* geometry, PosedTree* tree);
     TreeDrawable(const TreeDrawable& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
 
@@ -20,6 +20,9 @@ public:
     bool supports(const osg::PrimitiveFunctor&) const override { return true; }
     /// Hands over the posed triangles, in the tree's frame.
     void accept(osg::PrimitiveFunctor& functor) const override;
+
+    const osg::Geometry* geometry() const { return _geometry.get(); }
+    osg::Geometry* geometry() { return _geometry.get(); }
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
     void compileGLObjects(osg::RenderInfo& renderInfo) const override;

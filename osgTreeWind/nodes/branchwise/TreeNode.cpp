@@ -4,6 +4,8 @@
 #include <osgTreeWind/nodes/branchwise/LeafDrawable.h>
 #include <osgTreeWind/nodes/branchwise/SkinDrawable.h>
 
+#include <osgUtil/IntersectionVisitor>
+
 namespace osgTreeWind {
 namespace {
 
@@ -28,12 +30,13 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
     : osg::PositionAttitudeTransform(other, copyop) {
     setDataVariance(osg::Object::DYNAMIC);
     for (unsigned i = getNumChildren(); i-- > 0;)
-        if (dynamic_cast<TreeDrawable*>(getChild(i)) || dynamic_cast<BranchTransform*>(getChild(i)))
+        if (dynamic_cast<TreeLod*>(getChild(i)))
             removeChild(i);
     if (getStateSet()) // texels and sizes are the copy's own
         setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
     if (other._tree) {
         build(other._shape, other._style, other._tree->scale());
+        _lod->setRanges(other._lod->getRanges());
         setBranchwise(other._branchwise);
         setLeafwise(other._leafwise);
     }
@@ -46,8 +49,14 @@ void TreeNode::build(TreeShape* shape, const TreeStyle& style, const TreeScale& 
     _branches.resize(getNumBranches());
     _skin = styled(new SkinDrawable(shape->skin(), _tree), style.bark);
     _leaves = styled(new LeafDrawable(shape->leaves(), _tree), style.leaves);
-    addChild(_skin);
-    addChild(_leaves);
+    _bareSkin = styled(new SkinDrawable(shape->bareSkin(), _tree), style.bark);
+    _lod = new TreeLod(measureTree(shape->model()->extents, scale).height);
+    for (osg::Drawable* drawable : {_skin.get(), _leaves.get()})
+        _lod->level(TreeLod::STAND_IN)->addChild(drawable);
+    for (osg::Drawable* drawable : {_bareSkin.get(), _leaves.get()})
+        _lod->level(TreeLod::LEAVES)->addChild(drawable);
+    addChild(_lod);
+    fillFullLevel();
 
     osg::StateSet* state = getOrCreateStateSet();
     state->addUniform(new osg::Uniform("treeAxes", toOsg(scale.axes)));
@@ -62,57 +71,89 @@ unsigned TreeNode::getNumBranches() const {
 BranchTransform* TreeNode::getBranch(unsigned unit) {
     if (unit >= getNumBranches())
         return nullptr;
-    if (!_branches[unit]) {
+    if (const int parent = _tree->model().skeleton.units[unit].parent; parent >= 0)
+        getBranch(static_cast<unsigned>(parent));
+    BranchTransform* const transform = branch(unit);
+    if (!_branches[unit].followed)
+        transform->setRotation(toOsg(_tree->rotation(unit)));
+    _branches[unit].followed = true;
+    return transform;
+}
+
+BranchTransform* TreeNode::branch(unsigned unit) {
+    osg::ref_ptr<BranchTransform>& transform = _branches[unit].transform;
+    if (!transform) {
         const BranchUnit& rest = _tree->model().skeleton.units[unit];
-        _branches[unit] = new BranchTransform(unit, toOsg(_tree->scale().axes * rest.base));
-        _branches[unit]->setRotation(toOsg(_tree->rotation(unit)));
-        osg::Group* parent = this;
-        if (rest.parent >= 0)
-            parent = getBranch(static_cast<unsigned>(rest.parent));
-        parent->addChild(_branches[unit]);
+        transform = new BranchTransform(unit, toOsg(_tree->scale().axes * rest.base));
+        osg::Group* const parent =
+            rest.parent >= 0 ? branch(static_cast<unsigned>(rest.parent)) : _lod->level(TreeLod::FULL);
+        parent->addChild(transform);
     }
-    return _branches[unit].get();
+    return transform.get();
 }
 
 void TreeNode::setBranchwise(bool branchwise) {
     if (branchwise == _branchwise || !_tree)
         return;
+    clearFullLevel();
     _branchwise = branchwise;
-    if (branchwise) {
-        removeChild(_skin);
-        for (unsigned unit = 0; unit < getNumBranches(); ++unit)
-            getBranch(unit)->addChild(styled(
-                new SkinDrawable(_shape->unitSkin(unit), _tree, static_cast<int>(unit)), _style.branchBark));
-    } else {
-        addChild(_skin);
-        for (const osg::ref_ptr<BranchTransform>& branch : _branches)
-            for (unsigned i = branch->getNumChildren(); i-- > 0;)
-                if (dynamic_cast<SkinDrawable*>(branch->getChild(i)))
-                    branch->removeChild(i);
-    }
+    fillFullLevel();
 }
 
 void TreeNode::setLeafwise(bool leafwise) {
     if (leafwise == _leafwise || !_tree)
         return;
+    clearFullLevel();
     _leafwise = leafwise;
-    if (!leafwise) {
-        addChild(_leaves);
-        for (const osg::ref_ptr<osg::MatrixTransform>& leaf : _leafTransforms)
-            leaf->getParent(0)->removeChild(leaf);
-        _leafTransforms.clear();
+    fillFullLevel();
+}
+
+/// What needs no transforms; they come when they are looked at.
+void TreeNode::fillFullLevel() {
+    if (!_branchwise)
+        _lod->level(TreeLod::FULL)->addChild(_skin);
+    if (!_leafwise)
+        _lod->level(TreeLod::FULL)->addChild(_leaves);
+    _lod->setReady(!hasTransforms());
+    _full = false;
+}
+
+/// Nodes hung on branches stay.
+void TreeNode::clearFullLevel() {
+    _lod->level(TreeLod::FULL)->removeChild(_skin);
+    _lod->level(TreeLod::FULL)->removeChild(_leaves);
+    for (const Branch& branch : _branches)
+        for (unsigned i = branch.transform ? branch.transform->getNumChildren() : 0; i-- > 0;)
+            if (dynamic_cast<SkinDrawable*>(branch.transform->getChild(i)))
+                branch.transform->removeChild(i);
+    for (const osg::ref_ptr<osg::MatrixTransform>& leaf : _leafTransforms)
+        leaf->getParent(0)->removeChild(leaf);
+    _leafTransforms.clear();
+}
+
+void TreeNode::makeTransforms() {
+    if (_full)
         return;
-    }
-    removeChild(_leaves);
+    _full = true;
+    for (unsigned unit = 0; _branchwise && unit < getNumBranches(); ++unit)
+        branch(unit)->addChild(styled(new SkinDrawable(_shape->unitSkin(unit), _tree, static_cast<int>(unit)),
+                                      _style.branchBark));
+    if (!_leafwise)
+        return;
     for (const LeafCluster& cluster : _tree->model().leaves) {
         osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
         leaf->setDataVariance(osg::Object::DYNAMIC);
         leaf->setStateSet(_style.leafCluster);
         leaf->addChild(_shape->leafCluster());
-        getBranch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
+        branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
         _leafTransforms.push_back(leaf);
     }
-    turnLeaves();
+}
+
+void TreeNode::turnBranches(bool all) {
+    for (const Branch& branch : _branches)
+        if (branch.transform && (all || branch.followed))
+            branch.transform->setRotation(toOsg(_tree->rotation(branch.transform->getUnit())));
 }
 
 void TreeNode::turnLeaves() {
@@ -125,6 +166,14 @@ void TreeNode::turnLeaves() {
     }
 }
 
+/// The level FULL as the tree stands now.
+void TreeNode::bringUpToDate() {
+    makeTransforms();
+    turnBranches(true);
+    turnLeaves();
+    _lod->setReady(true);
+}
+
 void TreeNode::setTexels(int firstUnit, int firstLeaf) {
     osg::StateSet* state = getOrCreateStateSet();
     state->getOrCreateUniform("treeFirstUnit", osg::Uniform::INT)->set(firstUnit);
@@ -135,17 +184,25 @@ void TreeNode::setOwnNumber(float number) {
     getOrCreateStateSet()->getOrCreateUniform("treeOwn", osg::Uniform::FLOAT)->set(number);
 }
 
-void TreeNode::updatePose() {
+void TreeNode::updatePose(bool moved) {
     if (!_tree)
         return;
-    if (_tree->growBounds()) {
-        _skin->dirtyBound();
-        _leaves->dirtyBound();
+    if (moved && _tree->growBounds())
+        for (const osg::ref_ptr<osg::Drawable>& drawable : {_skin, _leaves, _bareSkin})
+            drawable->dirtyBound();
+    const bool wanted = _lod->takeWanted();
+    if (wanted && hasTransforms() && (moved || !_lod->getReady())) {
+        bringUpToDate();
+    } else if (moved) {
+        turnBranches(false);
+        _lod->setReady(!hasTransforms());
     }
-    for (const osg::ref_ptr<BranchTransform>& branch : _branches)
-        if (branch)
-            branch->setRotation(toOsg(_tree->rotation(branch->getUnit())));
-    turnLeaves();
+}
+
+void TreeNode::traverse(osg::NodeVisitor& visitor) {
+    if (_tree && !_lod->getReady() && dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor))
+        bringUpToDate();
+    osg::PositionAttitudeTransform::traverse(visitor);
 }
 
 } // namespace osgTreeWind

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/nodes/BranchTransform.h>
 #include <osgTreeWind/nodes/branchwise/PosedTree.h>
+#include <osgTreeWind/nodes/branchwise/TreeLod.h>
 #include <osgTreeWind/nodes/branchwise/TreeShape.h>
 #include <osgTreeWind/nodes/branchwise/TreeStyle.h>
 
@@ -14,8 +15,9 @@ namespace osgTreeWind {
 
 /// One tree: placed by its position and attitude, drawn from a shared shape, moved by its forest.
 ///
-/// Any branch can be had as a BranchTransform to hang nodes on. They are made when first asked for, with the
-/// branches below them, so that a forest of still branches costs nothing.
+/// Any branch can be had as a BranchTransform to hang nodes on. Transforms are made when first asked for, or
+/// first looked at, and turned for cameras and picking that look: a tree far away, or out of sight, costs
+/// none of that.
 class TreeNode : public osg::PositionAttitudeTransform {
 public:
     /// Draws nothing.
@@ -29,8 +31,8 @@ public:
         /// Units of this tree; 0 for an empty one.
         unsigned getNumBranches() const;
     /// The transform of a unit (access order), in the current pose; null beyond getNumBranches(). It follows
-    /// the tree from then on. Call it where the scene may be changed (update or event traversal, between
-    /// frames).
+    /// the tree from then on, seen or not; what hangs on it is drawn with the level FULL. Call it where the
+    /// scene may be changed (update or event traversal, between frames).
     BranchTransform* getBranch(unsigned unit);
 
     /// Draws the bark branch by branch below BranchTransforms (the thesis' way) instead of in one draw.
@@ -42,6 +44,9 @@ public:
     void setLeafwise(bool leafwise);
     bool getLeafwise() const { return _leafwise; }
 
+    /// Levels of detail; null for an empty one.
+    TreeLod* getLod() const { return _lod.get(); }
+
     /// The tree as it stands; null for an empty one.
     PosedTree* getPosedTree() const { return _tree.get(); }
 
@@ -51,23 +56,39 @@ public:
     /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
     void setOwnNumber(float number);
 
-    /// Takes over the pose of getPosedTree() after it changed: bounds and branch transforms.
-    void updatePose();
+    /// Takes over the pose of getPosedTree(): bounds if it `moved`, and transforms that are looked at or were
+    /// asked for. In update.
+    void updatePose(bool moved = true);
+
+    void traverse(osg::NodeVisitor& visitor) override;
 
 protected:
     ~TreeNode() override = default;
 
 private:
-    void turnLeaves();
+    struct Branch {
+        osg::ref_ptr<BranchTransform> transform;
+        bool followed = false; ///< Asked for, by getBranch().
+    };
     void build(TreeShape* shape, const TreeStyle& style, const TreeScale& scale);
+    BranchTransform* branch(unsigned unit);
+    void fillFullLevel();
+    void clearFullLevel();
+    void makeTransforms();
+    void turnBranches(bool all);
+    void turnLeaves();
+    void bringUpToDate();
+    bool hasTransforms() const { return _branchwise || _leafwise; }
 
     osg::ref_ptr<TreeShape> _shape;
     TreeStyle _style;
     osg::ref_ptr<PosedTree> _tree;
-    osg::ref_ptr<osg::Drawable> _skin, _leaves;
-    std::vector<osg::ref_ptr<BranchTransform>> _branches; // those asked for, by unit
-    std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms;
+    osg::ref_ptr<TreeLod> _lod;
+    osg::ref_ptr<osg::Drawable> _skin, _leaves, _bareSkin;
+    std::vector<Branch> _branches;                                   ///< By unit; null those not needed yet.
+    std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms; ///< Empty until they are looked at.
     bool _branchwise = false, _leafwise = false;
+    bool _full = false; ///< Whether the transforms of FULL are there.
 };
 
 } // namespace osgTreeWind

@@ -1,30 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/branchwise/TreeShape.h>
 
-#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
 namespace osgTreeWind {
 namespace {
 
-osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
-    const std::vector<LeafCluster> one(1);
-    CrownEllipsoid below(one); // at its very top
-    below.centre = {0.0f, 0.0f, -1.0f};
-    below.halfAxes = glm::vec3(1.0f);
-    osg::ref_ptr<osg::Geometry> cluster = makeLeafGeometry(one, model.leafMesh, below);
-    cluster->setName("leaf cluster");
-    // Its vertex array holds anchors, which are all the origin: bounds come from the corners.
-    osg::BoundingBox box;
-    for (const LeafVertex& vertex : model.leafMesh)
-        box.expandBy(toOsg(vertex.corner));
-    struct Box : osg::Drawable::ComputeBoundingBoxCallback {
-        explicit Box(const osg::BoundingBox& corners) : box(corners) {}
-        osg::BoundingBox computeBound(const osg::Drawable&) const override { return box; }
-        osg::BoundingBox box;
-    };
-    cluster->setComputeBoundingBoxCallback(new Box(box));
-    return cluster;
+std::vector<unsigned> unitsWithoutLeaves(const TreeModel& model) {
+    std::vector<bool> leafy(model.skeleton.units.size(), false);
+    for (const LeafCluster& leaf : model.leaves)
+        leafy[static_cast<std::size_t>(leaf.unit)] = true;
+    std::vector<unsigned> units;
+    for (unsigned unit = 0; unit < leafy.size(); ++unit)
+        if (!leafy[unit])
+            units.push_back(unit);
+    return units;
 }
 
 } // namespace
@@ -32,21 +22,30 @@ osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
 TreeShape::TreeShape(std::shared_ptr<const TreeModel> model)
     : _model(std::move(model)), _skin(makeSkinGeometry(_model->skin)),
       _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, CrownEllipsoid(_model->leaves))),
-      _leafCluster(clusterGeometry(*_model)), _unitSkins(_model->skeleton.units.size()) {}
+      _leafCluster(new LeafClusterDrawable(*_model)), _unitSkins(_model->skeleton.units.size()) {
+    _bareSkin = skinOf(unitsWithoutLeaves(*_model));
+}
+
+osg::ref_ptr<osg::Geometry> TreeShape::skinOf(const std::vector<unsigned>& units) const {
+    const std::size_t count = _model->skin.indicesPerUnit;
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    for (const unsigned unit : units) {
+        const auto first = _model->skin.indices.begin() + static_cast<std::ptrdiff_t>(unit * count);
+        triangles->insert(triangles->end(), first, first + static_cast<std::ptrdiff_t>(count));
+    }
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(*_skin);
+    geometry->setPrimitiveSet(0, triangles);
+    return geometry;
+}
 
 osg::Geometry* TreeShape::unitSkin(unsigned unit) {
-    if (!_unitSkins[unit]) {
-        const std::size_t count = _model->skin.indicesPerUnit;
-        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(*_skin);
-        geometry->setPrimitiveSet(0, new osg::DrawElementsUInt(GL_TRIANGLES, static_cast<unsigned>(count),
-                                                               &_model->skin.indices[unit * count]));
-        _unitSkins[unit] = geometry;
-    }
+    if (!_unitSkins[unit])
+        _unitSkins[unit] = skinOf({unit});
     return _unitSkins[unit].get();
 }
 
 std::vector<osg::Geometry*> TreeShape::geometries() const {
-    std::vector<osg::Geometry*> all = {_skin, _leaves, _leafCluster};
+    std::vector<osg::Geometry*> all = {_skin, _bareSkin, _leaves, _leafCluster->geometry()};
     for (const osg::ref_ptr<osg::Geometry>& unit : _unitSkins)
         if (unit)
             all.push_back(unit);

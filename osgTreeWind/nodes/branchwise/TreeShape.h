@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/TreeModel.h>
-
-#include <osg/Geometry>
+#include <osgTreeWind/nodes/branchwise/LeafClusterDrawable.h>
 
 #include <memory>
 #include <vector>
@@ -19,8 +17,9 @@ public:
     const std::shared_ptr<const TreeModel>& model() const { return _model; }
     osg::Geometry* skin() const { return _skin.get(); }
     osg::Geometry* leaves() const { return _leaves.get(); }
-    /// One leaf cluster in the leaf frame, size 1: the thesis' display list (§2.4.1).
-    osg::Geometry* leafCluster() const { return _leafCluster.get(); }
+    /// The bark of the units that bear no leaves, over the same vertex buffer.
+    osg::Geometry* bareSkin() const { return _bareSkin.get(); }
+    LeafClusterDrawable* leafCluster() const { return _leafCluster.get(); }
     /// The bark of one branch unit, over the same vertex buffer. Made on the first call; call it from one
     /// thread.
     osg::Geometry* unitSkin(unsigned unit);
@@ -29,10 +28,12 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
+    osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units) const;
     std::vector<osg::Geometry*> geometries() const;
 
     std::shared_ptr<const TreeModel> _model;
-    osg::ref_ptr<osg::Geometry> _skin, _leaves, _leafCluster;
+    osg::ref_ptr<osg::Geometry> _skin, _bareSkin, _leaves;
+    osg::ref_ptr<LeafClusterDrawable> _leafCluster;
     std::vector<osg::ref_ptr<osg::Geometry>> _unitSkins;
 };
 

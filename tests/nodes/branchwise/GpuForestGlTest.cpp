@@ -285,6 +285,7 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
 
 TEST_F(GpuForestGlTest, WithoutFloatTargetsTheCpuTakesOverWithOneNotice) {
     osg::ref_ptr<Forest> forest = new Forest(forestOf(bareSpecies(2, 3, 1), 1));
+    forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
     open(16, 16);
     viewer().setSceneData(forest);
     frame(0.0);
@@ -306,7 +307,8 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
     Species species;
     species.tree.wood.levels = 2;
     osg::ref_ptr<Forest> forest = start(forestOf(species, 1));
-    forest->getBranchwise()->setLeafDrawing(BranchwiseForest::LEAF_TRANSFORMS);
+    const float always = std::numeric_limits<float>::infinity();
+    forest->getBranchwise()->setLodRanges({always, always});
     for (int i = 1; i <= 6; ++i)
         frame(i / 30.0);
     struct Leaves : osg::NodeVisitor {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../ForestFixtures.h"
+#include "Onlooker.h"
 
 #include <osgTreeWind/nodes/branchwise/LeafDrawable.h>
 #include <osgTreeWind/nodes/branchwise/SkinDrawable.h>
@@ -69,8 +70,11 @@ TEST_P(PickingTest, doesNotHitABranchWhereItWas) {
 INSTANTIATE_TEST_SUITE_P(TreeAndBranch, PickingTest,
                          ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING));
 
-TEST(LeafPickingTest, hitsALeafWhereItIs) {
+class LeafPickingTest : public ::testing::TestWithParam<BranchwiseForest::LeafDrawing> {};
+
+TEST_P(LeafPickingTest, hitsALeafWhereItIs) {
     osg::ref_ptr<Forest> forest = new Forest(oneTree(smallSpecies()));
+    forest->getBranchwise()->setLeafDrawing(GetParam());
     updateFrames(*forest, 1, 20);
     glm::vec3 corners[verticesPerLeafCluster];
     forest->getBranchwise()->getTree(0)->getPosedTree()->leafPoints(20, corners);
@@ -78,8 +82,12 @@ TEST(LeafPickingTest, hitsALeafWhereItIs) {
     const glm::vec3 across = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     const auto hits = pick(*forest, toOsg(inside + 0.05f * across), toOsg(inside - 0.05f * across));
     ASSERT_FALSE(hits.empty());
-    EXPECT_NE(dynamic_cast<LeafDrawable*>(hits.begin()->drawable.get()), nullptr);
+    const std::string hit = hits.begin()->drawable->className();
+    EXPECT_EQ(hit, GetParam() == BranchwiseForest::TREE_LEAVES ? "LeafDrawable" : "LeafClusterDrawable");
 }
+
+INSTANTIATE_TEST_SUITE_P(TreeAndCluster, LeafPickingTest,
+                         ::testing::Values(BranchwiseForest::TREE_LEAVES, BranchwiseForest::LEAF_TRANSFORMS));
 
 TEST(BoundsTest, holdEveryPosedPointInAStorm) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 45.0f));
@@ -109,9 +117,10 @@ TEST(BoundsTest, ofTheSceneGrowWithTheTrees) {
     const osg::BoundingSphere rest = forest->getBound();
     updateFrames(*forest, 1, 100);
     TreeNode& tree = *forest->getBranchwise()->getTree(0);
-    for (unsigned i = 0; i < tree.getNumChildren(); ++i)
+    const osg::Group& drawn = *tree.getLod()->level(TreeLod::STAND_IN);
+    for (unsigned i = 0; i < drawn.getNumChildren(); ++i)
         EXPECT_TRUE(
-            tree.getChild(i)->asDrawable()->getBoundingBox().contains(tree.getPosedTree()->bounds()._max));
+            drawn.getChild(i)->asDrawable()->getBoundingBox().contains(tree.getPosedTree()->bounds()._max));
     EXPECT_GT(forest->getBound().center().x() + forest->getBound().radius(),
               rest.center().x() + rest.radius());
 }
@@ -130,7 +139,12 @@ class StatisticsTest : public ::testing::TestWithParam<BranchwiseForest::BranchD
 TEST_P(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
     osg::ref_ptr<Forest> forest = new Forest(oneTree(Species()));
     forest->getBranchwise()->setBranchDrawing(GetParam());
+    forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
+    Onlooker onlooker(1.0f);
+    forest->accept(onlooker);
+    updateFrames(*forest, 1, 1);
     osgUtil::StatsVisitor statistics;
+    statistics.setTraversalMode(osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN);
     forest->accept(statistics);
     statistics.totalUpStats();
     EXPECT_EQ(statistics._uniqueStats._vertexCount, 38656u);

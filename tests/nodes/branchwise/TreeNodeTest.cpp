@@ -96,7 +96,7 @@ TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
     EXPECT_EQ(copy->getPosition(), tree.getPosition());
     EXPECT_EQ(copy->getAttitude(), tree.getAttitude());
     EXPECT_EQ(copy->getNumBranches(), tree.getNumBranches());
-    EXPECT_EQ(copy->getNumChildren(), 3u) << "bark, leaves, and the user's group";
+    EXPECT_EQ(copy->getNumChildren(), 2u) << "its levels of detail, and the user's group";
     EXPECT_NE(copy->getPosedTree(), tree.getPosedTree());
     EXPECT_NE(copy->getBranch(3), tree.getBranch(3));
     EXPECT_TRUE(copy->getBranch(3)->getRotation().zeroRotation()) << "at rest";
