@@ -161,7 +161,7 @@ private:
 
     /// Empty where it has none of its own.
     std::string rowName(const CsvTable::Row& row) {
-        const std::string name = _id ? row.cells[*_id] : std::string();
+        std::string name = _id ? row.cells[*_id] : std::string();
         if (name.empty() || _reading.treeNames.insert(name).second)
             return name;
         ++_repeated[name];
@@ -180,7 +180,7 @@ private:
                 names.push_back(printable(name));
         }
         if (_repeated.size() > mostNamed)
-            names.push_back("...");
+            names.emplace_back("...");
         _reading.forest.notes.push_back(_csv.file + ": of trees with the same id the first one has it, " +
                                         std::to_string(trees) + " go without: " + joined(names));
     }

@@ -14,7 +14,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t lanes = TreeLanes::count;
 constexpr std::uint32_t nowhere = ~0u;
 
 } // namespace
