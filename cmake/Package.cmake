@@ -32,7 +32,7 @@ endif()
 foreach(floor base model wind windfiles motion gpu nodes offscreen)
     install(DIRECTORY osgTreeWind/${floor} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
         FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "LawTexels.h" EXCLUDE
-        PATTERN "Lanes.h" EXCLUDE PATTERN "ModalLanes.h" EXCLUDE
+        PATTERN "Lanes.h" EXCLUDE PATTERN "ModalLanes.h" EXCLUDE PATTERN "ModalGroup.h" EXCLUDE
         PATTERN "ThesisParts.h" EXCLUDE PATTERN "DampedBranches.h" EXCLUDE PATTERN "BranchwiseMotion.h" EXCLUDE
         PATTERN "NetCdf*.h" EXCLUDE)
 endforeach()

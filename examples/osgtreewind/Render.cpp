@@ -23,7 +23,7 @@ using namespace osgTreeWind;
 
 struct RenderOptions {
     std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(),
-                      pose = "cpu";
+                      pose, tiers;
     int frames = 1, samples = 4, width = 0, height = 0;
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
@@ -130,6 +130,8 @@ ExitCode render(RenderOptions options) {
     auto description = loadForest(options.file, true);
     if (!description)
         return BadInput;
+    if (!options.tiers.empty())
+        description->drawing.tiers = options.tiers == "on";
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
     osg::ref_ptr<osg::Group> scene = createSetting(*forest);
 
@@ -148,7 +150,14 @@ ExitCode render(RenderOptions options) {
     image->allocateImage(options.width, options.height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
     viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     placeCamera(*viewer.getCamera(), options, forest->getBound());
-    choosePose(*forest->getBranchwise(), options.pose);
+    if (BranchwiseForest* branchwise = forest->getBranchwise()) {
+        if (!options.pose.empty())
+            choosePose(*branchwise, options.pose);
+    } else if (!options.pose.empty()) {
+        std::cerr << "--pose " << options.pose << ": for a law of a branch, not \"modal\"\n";
+        return BadInput;
+    }
+    viewer.getCamera()->setLODScale(static_cast<float>(factor)); // pixels are those of the picture, not samples
     viewer.setSceneData(scene);
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);
@@ -211,9 +220,13 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--backend", options->backend, "Where OpenGL comes from")
         ->check(CLI::IsMember({"osmesa", "egl"}))
         ->capture_default_str();
-    command->add_option("--pose", options->pose, "How poses reach the picture")
-        ->check(CLI::IsMember({"cpu", "gpu", "scenegraph"}))
-        ->capture_default_str();
+    command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")
+        ->check(CLI::IsMember({"on", "off"}));
+    command
+        ->add_option("--pose", options->pose,
+                     "Under a law of a branch: where angles come from, and whether transforms move branches;\n"
+                     "all as published when not given")
+        ->check(CLI::IsMember({"cpu", "gpu", "scenegraph"}));
     command->footer(
         "The same file and arguments give the same pixels.\n"
         "Example: osgtreewind render forest.treewind -o clip.mp4 --size 1920x1080 --frames 300 --fps 30");

@@ -110,7 +110,7 @@ void PosePass::refer(const ModalShape& shape, PoseRequest& request) {
     const std::size_t columns = shape.columns(), texels = (columns + 3) / 4;
     request.rowTexels = static_cast<float>(texels);
     request.maxAngle = shape.maxAngle;
-    const std::lock_guard<std::mutex> lock(_mutex);
+    const std::lock_guard<std::mutex> lock(_matrixMutex);
     const auto [found, isNew] = _firstTexels.emplace(&shape, static_cast<int>(_matrices.size()));
     request.firstTexel = static_cast<float>(found->second);
     if (!isNew)
@@ -165,7 +165,7 @@ PosePage* PosePass::freshPage() {
 }
 
 PosePass::Row PosePass::row(unsigned frame, std::uint32_t tree, const std::function<void(PoseRequest&)>& fill) {
-    const std::lock_guard<std::mutex> lock(_mutex);
+    const std::lock_guard<std::mutex> lock(_rowMutex);
     if (frame != _frame) {
         _frame = frame;
         _asked = 0;
@@ -250,7 +250,7 @@ void PosePass::upload(osg::State& state, Context& context, const PosePage& page)
     context.requests->apply(state);
     uploadRows(page.requests.data(), requestWidth, 0, trees);
 
-    const std::lock_guard<std::mutex> lock(_mutex);
+    const std::lock_guard<std::mutex> lock(_matrixMutex);
     const int rows = rowsFor(_matrices.size(), matrixWidth);
     if (rows > context.matrixRows) {
         context.matrixRows = roomFor(rows);

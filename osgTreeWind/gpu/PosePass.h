@@ -77,9 +77,12 @@ private:
     std::size_t _pageTrees; ///< The most on a page.
     std::vector<glm::vec4> _unitTexels;
 
-    mutable std::mutex _mutex; ///< Guards all below.
+    // Locked in this order: rows, a page, matrices.
+    mutable std::mutex _matrixMutex; ///< Guards the next two.
     std::unordered_map<const ModalShape*, int> _firstTexels;
     std::vector<glm::vec4> _matrices;
+
+    std::mutex _rowMutex; ///< Guards all up to contexts.
     unsigned _frame = ~0u;
     std::uint32_t _asked = 0;
     std::vector<Entry> _entries; ///< A hash table, a power of two long.

@@ -88,9 +88,9 @@ std::string shaderText(const std::string& name) {
 osg::ref_ptr<osg::Program> createProgram(const std::string& vertex, const std::string& fragment) {
     osg::ref_ptr<OverridableProgram> program = new OverridableProgram;
     program->setName("osgTreeWind " + fragment);
-    const char* ofInstances[] = {"treePlace", "treeSize", "treeState"};
-    for (unsigned i = 0; i < 3; ++i)
-        program->addBindAttribLocation(ofInstances[i], firstInstanceAttribute + i);
+    program->addBindAttribLocation("treePlace", treePlaceLocation);
+    program->addBindAttribLocation("treeSize", treeSizeLocation);
+    program->addBindAttribLocation("treeState", treeStateLocation);
     program->add(osg::Shader::VERTEX, vertex + ".vert");
     program->add(osg::Shader::FRAGMENT, fragment + ".frag");
     return program;

@@ -12,8 +12,8 @@ namespace osgTreeWind {
 /// an OSG_WARN. Thread-safe.
 std::string shaderText(const std::string& name);
 
-/// Location of `treePlace`; `treeSize` and `treeState` follow it (shaders/instance.glsl).
-constexpr unsigned firstInstanceAttribute = 12;
+/// Where the vertex attributes of an instance are: above those that stand for gl_Vertex and the like.
+constexpr unsigned treePlaceLocation = 12, treeSizeLocation = 13, treeStateLocation = 14;
 
 /// A program of the shaders `vertex`.vert and `fragment`.frag. Where a file of OSG_FILE_PATH keeps it from
 /// compiling or linking, OSG prints the driver's log, and the embedded texts take over after one OSG_WARN.

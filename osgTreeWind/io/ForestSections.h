@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ForestReading {
     ForestDescription forest;
     std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
+    std::set<std::string> treeNames;                  ///< Of all trees so far.
 
     static constexpr std::size_t mostTrees = 1000000;
     static constexpr std::uint64_t mostVertices = 50000000; ///< Of all distinct shapes.

@@ -44,6 +44,7 @@ public:
         for (const CsvTable::Row& row : _csv.rows)
             readRow(row, random);
         noteUnmatched();
+        noteRepeated();
     }
 
 private:
@@ -82,6 +83,7 @@ private:
         _table.table("columns", [&](TableReader& columns) {
             for (Measure* measure : _measures)
                 measure->column = readColumn(columns, measure->key);
+            _id = readColumn(columns, "id");
             _species = readColumn(columns, "species");
             for (const Measure* needed : {&_x, &_y})
                 if (!needed->column)
@@ -124,6 +126,7 @@ private:
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
+        tree.name = rowName(row);
         _reading.forest.trees.push_back(tree);
     }
 
@@ -156,6 +159,32 @@ private:
         return _default.value_or(0);
     }
 
+    /// Empty where it has none of its own.
+    std::string rowName(const CsvTable::Row& row) {
+        std::string name = _id ? row.cells[*_id] : std::string();
+        if (name.empty() || _reading.treeNames.insert(name).second)
+            return name;
+        ++_repeated[name];
+        return {};
+    }
+
+    void noteRepeated() {
+        if (_repeated.empty())
+            return;
+        constexpr std::size_t mostNamed = 10;
+        std::vector<std::string> names;
+        std::size_t trees = 0;
+        for (const auto& [name, rows] : _repeated) {
+            trees += rows;
+            if (names.size() < mostNamed)
+                names.push_back(printable(name));
+        }
+        if (_repeated.size() > mostNamed)
+            names.emplace_back("...");
+        _reading.forest.notes.push_back(_csv.file + ": of trees with the same id the first one has it, " +
+                                        std::to_string(trees) + " go without: " + joined(names));
+    }
+
     void noteUnmatched() {
         if (_unmatched.empty())
             return;
@@ -182,10 +211,11 @@ private:
     Measure _trunkDiameter{"trunk_diameter", trunkDiameters};
     Measure _crownWidth{"crown_width", crownWidths};
     Measure* const _measures[6] = {&_x, &_y, &_z, &_height, &_trunkDiameter, &_crownWidth};
-    std::optional<std::size_t> _species;
+    std::optional<std::size_t> _id, _species;
     std::string _defaultName;
     std::optional<std::size_t> _default;
     std::map<std::string, std::size_t> _unmatched; ///< Name to number of rows.
+    std::map<std::string, std::size_t> _repeated;  ///< Id to number of rows that go without.
 };
 
 } // namespace

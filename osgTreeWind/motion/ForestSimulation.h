@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/motion/LeafFlutter.h>
 #include <osgTreeWind/motion/ModalMotion.h>
 #include <osgTreeWind/motion/PlacedForest.h>
+#include <osgTreeWind/motion/SimulationOptions.h>
 #include <osgTreeWind/motion/TreeMotion.h>
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,16 +16,6 @@
 namespace osgTreeWind {
 
 class BranchwiseMotion;
-
-/// How a ForestSimulation works.
-struct SimulationOptions {
-    bool leaves = true; ///< Whether leaves flutter under the laws of a branch; `modal` keeps none of them.
-    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
-    /// memory of near ones, from the start.
-    ModalMotion::Level level = ModalMotion::Level::Near;
-    Executor executor;            ///< A host's threads; none: for a large forest a thread for each processor.
-    std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
-};
 
 /// A forest in motion, without graphics: the `cpu` way to the pose (design, "The frame").
 ///
@@ -39,20 +28,19 @@ public:
     /// The same trees as they are by now, at rest, in the same wind. Shares what does not change.
     std::shared_ptr<ForestSimulation> restarted() const;
 
-    /// As given, but without its trees, which are trees(); its wind is the first one, whatever setWind() did.
+    /// As given, but without its trees, which are trees(), and with its first wind, whatever setWind() did.
     const ForestDescription& description() const { return _forest.description(); }
     const std::vector<TreeModel>& models() const { return _forest.models(); }
     /// By slot: in the order of the description, then as they were added. Not all of them are alive.
     const std::vector<PlacedTree>& trees() const { return _forest.trees; }
-    /// All of it.
     const PlacedForest& forest() const { return _forest; }
 
-    // Trees that come and go, under `modal` only: elsewhere nothing is changed, and the answer is noTree or
-    // false. It takes as long in a forest of any size (ModalMotion::add()).
+    // Trees come and go in a time that does not depend on the forest (ModalMotion::add()), under `modal`
+    // only: else nothing is changed, and the answer is noTree or false, as for a tree or species that is not
+    // there.
 
-    /// Puts up a tree at rest. @return noTree also where there is no such species.
+    /// Puts up a tree at rest.
     TreeId addTree(const TreePlacement& placement);
-    /// @return whether there was such a tree, as below.
     bool removeTree(TreeId tree);
     /// Moves it, or makes it another one, in full sway (ModalMotion::replace()).
     bool changeTree(TreeId tree, const TreePlacement& placement);
@@ -63,9 +51,8 @@ public:
     /// Of the tree in a slot; the description's have their numbers, 0 and up.
     TreeId idOf(std::size_t slot) const { return _forest.idOf(slot); }
     std::optional<TreeId> findTree(const std::string& name) const;
-    /// Empty for none.
-    std::string nameOf(TreeId tree) const;
-    /// What would put that tree up again, with all of its sizes, in world coordinates.
+    std::string nameOf(TreeId tree) const; ///< Empty for none.
+    /// What would put that tree up again, with all of its sizes, in world coordinates. Only of one it holds.
     TreePlacement placementOf(TreeId tree) const { return _forest.placementOf(slotOf(tree)); }
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
@@ -76,19 +63,17 @@ public:
     /// composes the poses. The first call, and a call with an unchanged or earlier time, keeps the state (a
     /// pause holds), and a time that is not finite is ignored. The laws of the thesis take one step however
     /// much time has passed. For the others a jump of more than maxStep seconds counts as maxStep; the wind
-    /// goes evenly from the sample before to this one, under `modal` with samples between them in a step of
-    /// more than a tenth of a second.
-    /// Does not allocate in steady state.
-    /// @return whether a step was taken.
+    /// goes evenly from the sample before to this one, under `modal` with one every tenth of a second on its
+    /// way. Does not allocate in steady state. @return whether a step was taken.
     bool advance(double time);
     static constexpr double maxStep = 1.0;
 
     /// Back to rest.
     void reset();
 
-    /// One tree as it stands now. Its values stay where they are as long as it lives, and are
-    /// those of the last step taken before the call; under `modal` they are worked out by the call, which
-    /// different threads may make for different trees.
+    /// One tree as it stands now; nothing where none stands. Its values stay where they are until it is
+    /// changed or removed, and are those of the last step before the call; under `modal` they are worked out
+    /// by the call, which different threads may make for different trees.
     TreeMotion motion(std::size_t tree) const;
     /// The same, under `modal` worked out into `values` instead of memory of the simulation's own: they stay
     /// until `values` is used again.
@@ -120,12 +105,11 @@ private:
     TreeMotion branchwiseMotion(std::size_t tree) const;
 
     PlacedForest _forest;
-    ModalMotion::Level _level;                   ///< Of trees that are added.
-    std::unique_ptr<BranchwiseMotion> _branches; ///< Either this one
-    std::unique_ptr<ModalMotion> _modal;         ///< or that one.
-    mutable std::mutex _valuesMutex;             // guards _values
-    mutable std::unordered_map<std::size_t, UnitValues>
-        _values; ///< Of trees that were asked for, under `modal`.
+    ModalMotion::Level _level;                                   ///< Of trees that are added.
+    std::unique_ptr<BranchwiseMotion> _branches;                 ///< Either this one
+    std::unique_ptr<ModalMotion> _modal;                         ///< or that one.
+    mutable std::mutex _valuesMutex;                             // guards _values
+    mutable std::unordered_map<std::size_t, UnitValues> _values; ///< Under `modal`, of trees asked for.
     LeafFlutter _leaves;
     std::optional<double> _time;
     mutable std::mutex _windMutex; // guards _wind

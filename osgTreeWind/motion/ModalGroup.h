@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/RoomFor.h>
 #include <osgTreeWind/motion/ModalMotion.h>
 
+#include <array>
 #include <cstring>
 
 namespace osgTreeWind {
@@ -50,6 +51,12 @@ struct ModalMotion::Group {
     float number(std::size_t place, std::size_t index) const {
         return block(place / lanes)[index].tree[place % lanes];
     }
+
+    /// All of a tree but its factors; what it does not have is 0.
+    using Numbers = std::array<float, 2 * ModalDetail::maxModes + 3 * ModalDetail::maxPatches>;
+    Numbers numbersOf(std::size_t place) const;
+    /// The winds at its patches from those at other ones: `patches` says which.
+    void setWinds(std::size_t place, const float* winds, const std::vector<std::size_t>& patches);
 
     TreeFactors factors(std::size_t place) const {
         float values[factorCount];

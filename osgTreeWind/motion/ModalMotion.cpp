@@ -14,10 +14,24 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t lanes = TreeLanes::count;
 constexpr std::uint32_t nowhere = ~0u;
 
 } // namespace
+
+ModalMotion::Group::Numbers ModalMotion::Group::numbersOf(std::size_t place) const {
+    Numbers values{};
+    for (std::size_t n = 0; n < firstFactor(); ++n)
+        values[n] = number(place, n);
+    return values;
+}
+
+void ModalMotion::Group::setWinds(std::size_t place, const float* winds,
+                                  const std::vector<std::size_t>& patches) {
+    const std::size_t first = 2 * shape().modes.size();
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        for (std::size_t c = 0; c < 3; ++c)
+            number(place, first + 3 * p + c) = winds[3 * patches[p] + c];
+}
 
 void ModalMotion::Group::reserve(std::size_t count) {
     const std::size_t blocks = (count + lanes - 1) / lanes;
@@ -157,7 +171,7 @@ void ModalMotion::replace(std::size_t tree, const Tree& other) {
         refreshLean(tree);
         return;
     }
-    const std::vector<float> numbers = numbersOf(tree);
+    const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
     const ModalShape& from = _groups[before].shape();
     const ModalShape& to = _groups[after].shape();
     const float length = factors(tree).length;
@@ -170,7 +184,7 @@ void ModalMotion::replace(std::size_t tree, const Tree& other) {
         for (std::size_t k = 0; k < carried.size(); ++k)
             number(tree, part * carried.size() + k) = carried[k];
     }
-    setWinds(tree, numbers.data() + 2 * from.modes.size(), sway.patches());
+    _groups[after].setWinds(_slots[tree].place, numbers.data() + 2 * from.modes.size(), sway.patches());
     refreshLean(tree);
 }
 
@@ -184,22 +198,6 @@ float& ModalMotion::number(std::size_t tree, std::size_t index) {
 
 float ModalMotion::number(std::size_t tree, std::size_t index) const {
     return groupOf(tree).number(_slots[tree].place, index);
-}
-
-/// All of a tree but its factors.
-std::vector<float> ModalMotion::numbersOf(std::size_t tree) const {
-    std::vector<float> numbers(groupOf(tree).firstFactor());
-    for (std::size_t n = 0; n < numbers.size(); ++n)
-        numbers[n] = number(tree, n);
-    return numbers;
-}
-
-/// The winds at its patches from those at other ones.
-void ModalMotion::setWinds(std::size_t tree, const float* winds, const std::vector<std::size_t>& patches) {
-    const std::size_t first = 2 * shape(tree).modes.size();
-    for (std::size_t p = 0; p < patches.size(); ++p)
-        for (std::size_t c = 0; c < 3; ++c)
-            number(tree, first + 3 * p + c) = winds[3 * patches[p] + c];
 }
 
 void ModalMotion::put(std::size_t tree, std::size_t group) {
@@ -228,7 +226,7 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     const std::uint32_t before = _slots[tree].group, after = before ^ 1u;
     const ModalShape& from = _groups[before].shape();
     const ModalShape& to = _groups[after].shape();
-    const std::vector<float> numbers = numbersOf(tree);
+    const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
     const TreeFactors factors = this->factors(tree);
     take(tree);
     put(tree, after);
@@ -238,8 +236,8 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
         number(tree, k) = numbers[k];
         number(tree, to.modes.size() + k) = numbers[from.modes.size() + k];
     }
-    setWinds(tree, numbers.data() + 2 * from.modes.size(),
-             _groups[after].archetype->otherPatches(_groups[after].level));
+    _groups[after].setWinds(_slots[tree].place, numbers.data() + 2 * from.modes.size(),
+                            _groups[after].archetype->otherPatches(_groups[after].level));
     if (modes < to.modes.size()) {
         float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
         poseVector(tree, vector);

@@ -3,11 +3,11 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/motion/Archetype.h>
+#include <osgTreeWind/motion/ModalTree.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <glm/vec2.hpp>
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
@@ -22,20 +22,10 @@ namespace osgTreeWind {
 /// they are kept with. Not thread-safe, but for the threads of its executor.
 class ModalMotion {
 public:
-    /// How closely a tree is followed.
-    enum class Level : std::uint8_t {
-        Near, ///< Up to 12 modes, 10 patches, every step.
-        Far   ///< Up to 4 modes, 4 patches, one step in eight, or when longestWait is over, over all of it.
-    };
-    /// A tree and where it stands.
-    struct Tree {
-        SwayingTree form;
-        glm::vec3 foot{0.0f};      ///< Scene coordinates, metres.
-        float heading = 0.0f;      ///< Radians, counter-clockwise from above.
-        Level level = Level::Near; ///< At first.
-    };
-    static constexpr unsigned farInterval = 8;
-    static constexpr float longestWait = 0.2f; ///< Seconds.
+    using Tree = ModalTree;
+    using Level = ModalLevel;
+    static constexpr unsigned farInterval = 8; ///< Steps from one of a far tree to the next,
+    static constexpr float longestWait = 0.2f; ///< or seconds.
 
     /// @param gain [0, 100], on the answer to the wind. @param exact gives each tree an archetype of its own
     /// instead of that of the nearest rung, which takes milliseconds and tens of kB a tree.
@@ -44,9 +34,9 @@ public:
     /// The same trees at the same levels, at rest in a calm. Shares the archetypes.
     std::unique_ptr<ModalMotion> restarted() const;
 
-    /// Puts up a tree at rest in a calm. Its model and species must outlive this. Takes microseconds,
-    /// whatever the number of trees; milliseconds if it is the first one on its rung, whose archetype then
-    /// stays. @return its number: one that was removed, or else treeCount().
+    /// Puts up a tree at rest in a calm, in microseconds whatever the number of trees; the first one on its
+    /// rung takes milliseconds, and its archetype stays. Its model and species must outlive this.
+    /// @return its number: one that was removed, or else treeCount().
     std::size_t add(const Tree& tree);
     /// Its number then is no tree's until add() gives it out again.
     void remove(std::size_t tree);
@@ -59,10 +49,8 @@ public:
     std::size_t treeCount() const { return _leans.size(); }
     std::size_t archetypeCount() const { return _archetypes.size(); }
     const Archetype& archetype(std::size_t tree) const;
-    /// Its archetype's at its present level.
-    const ModalShape& shape(std::size_t tree) const;
-    /// Sizes of this tree over its archetype's.
-    TreeFactors factors(std::size_t tree) const;
+    const ModalShape& shape(std::size_t tree) const; ///< Its archetype's, at its present level.
+    TreeFactors factors(std::size_t tree) const;     ///< Its sizes over its archetype's.
 
     /// From the next step on. What modes and patches have in common is kept.
     void setLevel(std::size_t tree, Level level);
@@ -93,8 +81,7 @@ public:
     void setAmplitudes(std::size_t tree, const std::vector<float>& amplitudes);
     std::vector<float> amplitudes(std::size_t tree) const;
 
-    /// All bytes kept for the state of trees, and for archetypes.
-    std::size_t stateBytes() const;
+    std::size_t stateBytes() const; ///< Of all trees.
     std::size_t archetypeBytes() const;
 
 private:
@@ -109,11 +96,9 @@ private:
     void put(std::size_t tree, std::size_t group);
     void take(std::size_t tree);
     void stand(std::size_t tree, const Tree& given);
-    void setWinds(std::size_t tree, const float* winds, const std::vector<std::size_t>& patches);
     const Group& groupOf(std::size_t tree) const;
     float& number(std::size_t tree, std::size_t index);
     float number(std::size_t tree, std::size_t index) const;
-    std::vector<float> numbersOf(std::size_t tree) const;
     void advance(const WindField* wind, double time);
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
     void refreshLean(std::size_t tree);

@@ -2,6 +2,7 @@
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/wind/MovedWind.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>
@@ -9,6 +10,8 @@
 #include <osg/Notify>
 #include <osg/Switch>
 #include <osg/Transform>
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -51,6 +54,7 @@ private:
     bool _said = false;
 };
 
+constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
 constexpr unsigned framesUnseen = 2; // below a LOD: until it counts as hidden
 
 } // namespace
@@ -97,6 +101,8 @@ void Forest::setDescription(ForestDescription description) {
     }
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
+    if (description.drawing.tiers && description.trees.size() > smallStand)
+        options.level = ModalLevel::Far; // until someone sees them
     show(std::make_shared<ForestSimulation>(std::move(description), options));
 }
 
@@ -210,7 +216,19 @@ bool Forest::isHidden(const osg::NodePath& path, unsigned frame) const {
 
 WindFieldPtr Forest::windAt(const osg::NodePath& path) {
     _place = osg::computeLocalToWorld(path);
-    return getWind();
+    const WindFieldPtr wind = getWind();
+    osg::Matrix toScene = _place;
+    const osg::Vec3d stands = _place.getTrans();
+    if ((stands - getOrigin()).length2() < stands.length2()) // the scene is in world coordinates
+        toScene.postMultTranslate(-getOrigin());
+    if (!wind || toScene.isIdentity())
+        return wind;
+    if (wind != _worldWind || toScene != _worldPlace) {
+        _worldWind = wind;
+        _worldPlace = toScene;
+        _windHere = std::make_shared<MovedWind>(wind, glm::make_mat4(toScene.ptr()));
+    }
+    return _windHere;
 }
 
 void Forest::update(osg::NodeVisitor& visitor) {

@@ -105,7 +105,9 @@ private:
     std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};
-    osg::Matrix _place; ///< To the world, in the last update.
+    osg::Matrix _place;                 ///< To the scene's root, in the last update.
+    WindFieldPtr _worldWind, _windHere; ///< The wind, and as it is met here
+    osg::Matrix _worldPlace;            ///< with this way to where it is given.
     bool _twoPlaces = false;
 };
 

@@ -39,10 +39,10 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     const auto* offset =
         reinterpret_cast<const char*>(instances->getOffset(_trees->values->getBufferIndex()));
     for (unsigned i = 0; i < 3; ++i) {
-        gl.glEnableVertexAttribArray(firstInstanceAttribute + i);
-        gl.glVertexAttribPointer(firstInstanceAttribute + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
+        gl.glEnableVertexAttribArray(treePlaceLocation + i);
+        gl.glVertexAttribPointer(treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
                                  offset + i * 4 * sizeof(float));
-        gl.glVertexAttribDivisor(firstInstanceAttribute + i, 1);
+        gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
     }
 
     osg::DrawElements& triangles = *_geometry->getPrimitiveSet(0)->getDrawElements();
@@ -54,8 +54,8 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
         static_cast<GLsizei>(_trees->size()));
 
     for (unsigned i = 0; i < 3; ++i) {
-        gl.glVertexAttribDivisor(firstInstanceAttribute + i, 0);
-        gl.glDisableVertexAttribArray(firstInstanceAttribute + i);
+        gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
+        gl.glDisableVertexAttribArray(treePlaceLocation + i);
     }
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();

@@ -2,6 +2,8 @@
 #include <osgTreeWind/nodes/StandDrawing.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/ModalLean.h>
 
 namespace osgTreeWind {
 
@@ -12,11 +14,16 @@ StandDrawing::StandDrawing(const PlacedForest& forest)
     for (const Species& species : forest.description().species)
         looks.push_back(styles.looks(species));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
+    state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
     if (shapes.empty()) // nor a pool of threads
         return;
+    const osg::ref_ptr<osg::Program> impostorProgram = createProgram("impostor", "impostor");
     ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
-        shapes[model] = new StandShape(forest.models()[model], forest.speciesOfModel(model));
+        const std::size_t species = forest.speciesOfModel(model);
+        shapes[model] = new StandShape(forest.models()[model], species,
+                                       forest.description().species[species].appearance,
+                                       forest.description().drawing, impostorProgram);
     });
 }
 

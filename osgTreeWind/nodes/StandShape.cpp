@@ -7,7 +7,8 @@
 
 namespace osgTreeWind {
 
-StandShape::StandShape(const TreeModel& model, std::size_t species)
+StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance,
+                       const ForestDrawing& drawing, osg::Program* impostorProgram)
     : _species(species), _state(new osg::StateSet) {
     const CrownEllipsoid crown(model.leaves);
     const TreeDetail details[tierCount - 1] = {TreeDetail::full(), TreeDetail::reducedOnce(),
@@ -20,13 +21,18 @@ StandShape::StandShape(const TreeModel& model, std::size_t species)
             _leaves[tier] = makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, details[tier]),
                                              model.leafMesh, crown);
     }
+    if (drawing.tiers && drawing.impostor > 0.0f) {
+        ImpostorSettings settings;
+        settings.height = drawing.impostor;
+        _impostor = new ImpostorShape(paintImpostor(model, appearance, settings), impostorProgram);
+    }
     const PoseLayout layout(model.skeleton.units.size());
     _state->addUniform(new osg::Uniform("unitWidth", layout.width));
     _state->addUniform(new osg::Uniform("unitRows", layout.rows));
 }
 
 StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves)
-    : _species(other._species), _state(other._state) {
+    : _species(other._species), _impostor(other._impostor), _state(other._state) {
     for (int tier = 0; tier < tierCount - 1; ++tier) {
         _bark[tier] = bark;
         _leaves[tier] = leaves;
@@ -38,6 +44,10 @@ void StandShape::resizeGLObjectBuffers(unsigned maxSize) const {
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
                 geometry->resizeGLObjectBuffers(maxSize);
+    if (_impostor) {
+        _impostor->geometry()->resizeGLObjectBuffers(maxSize);
+        _impostor->stateSet()->resizeGLObjectBuffers(maxSize);
+    }
 }
 
 void StandShape::releaseGLObjects(osg::State* state) const {
@@ -45,6 +55,10 @@ void StandShape::releaseGLObjects(osg::State* state) const {
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
                 geometry->releaseGLObjects(state);
+    if (_impostor) {
+        _impostor->geometry()->releaseGLObjects(state);
+        _impostor->stateSet()->releaseGLObjects(state);
+    }
 }
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/nodes/ImpostorShape.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
 
 #include <osg/Geometry>
@@ -9,17 +10,21 @@
 
 namespace osgTreeWind {
 
-/// What the trees of one model are drawn from, at each tier with branches. Immutable.
+/// What the trees of one model are drawn from, at each tier. Immutable.
 class StandShape : public osg::Referenced {
 public:
     /// @param species that it is a shape of.
-    StandShape(const TreeModel& model, std::size_t species);
+    StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance, const ForestDrawing& drawing,
+               osg::Program* impostorProgram);
     /// As another one, but drawn from these at every tier; null for none.
     StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves);
 
     /// Null where there is none, as the next one.
     osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
     osg::Geometry* leaves(Tier tier) const { return _leaves[static_cast<int>(tier)].get(); }
+    /// Null where tiers are off.
+    const ImpostorShape* impostor() const { return _impostor.get(); }
+
     std::size_t species() const { return _species; }
     /// Where shaders find its poses.
     osg::StateSet* state() const { return _state.get(); }
@@ -30,6 +35,7 @@ public:
 private:
     std::size_t _species;
     osg::ref_ptr<osg::Geometry> _bark[tierCount - 1], _leaves[tierCount - 1];
+    osg::ref_ptr<ImpostorShape> _impostor;
     osg::ref_ptr<osg::StateSet> _state;
 };
 

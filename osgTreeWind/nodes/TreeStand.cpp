@@ -14,7 +14,6 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::size_t smallStand = 500; // trees; one so small is followed closely from the start
 constexpr unsigned framesNear = 60;     // for which a tree is followed closely after it was last seen so
 
 } // namespace
@@ -31,12 +30,9 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandDr
     setSupportsDisplayList(false);
     for (const TreeModel& model : _simulation->models())
         _passes.push_back(new PosePass(model.skeleton, _drawing.programs));
-    if (_tiers.on() && _simulation->trees().size() > smallStand)
-        for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
-            if (_simulation->trees()[tree].alive)
-                _simulation->setLevel(tree, ModalMotion::Level::Far);
     for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
-        treeChanged(tree);
+        if (_simulation->trees()[tree].alive)
+            treeChanged(tree);
     updateFlutter(0.0);
 }
 

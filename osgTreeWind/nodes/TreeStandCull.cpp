@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TreeStandCull.h>
 
+
 #include <osgTreeWind/motion/StatelessFlutter.h>
 
 #include <algorithm>
@@ -119,8 +120,10 @@ void TreeStandCull::handOver() {
         list.trees->values->dirty();
         const StandShape& shape = *drawing.shapes[list.shape];
         const SpeciesLooks& looks = drawing.looks[shape.species()];
-        if (list.tier == Tier::Impostor)
+        if (list.tier == Tier::Impostor) {
+            draw(shape.impostor()->geometry(), *list.bark, *list.trees, {shape.impostor()->stateSet()});
             continue;
+        }
         stage->add(list.trees->passes, list.trees->page);
         draw(shape.bark(list.tier), *list.bark, *list.trees, {looks.bark, shape.state(), looks.ownBark});
         draw(shape.leaves(list.tier), *list.leaves, *list.trees, {looks.leaves, shape.state(), looks.ownLeaves});

@@ -55,13 +55,13 @@ vec2 dampedAxisStep(vec2 motion, float wind, DampedBranch branch, float h) {
     return vec2(angle, speed);
 }
 
-/// `seconds` of motion, in substeps of at most 1/120 s, at most 16; none for 0 or less. The wind goes evenly
+/// `seconds` of motion, at most 1, in substeps of at most 1/120 s; none for 0 or less. The wind goes evenly
 /// from what it was at the start to what it is at the end.
 /// State: angles about both axes, rad, then their speeds, rad/s. Winds: along both, m/s.
 vec4 dampedBranchStep(vec4 state, vec2 windBefore, vec2 windNow, DampedBranch given, float seconds) {
     DampedBranch branch = soundBranch(given);
     DampedBranch streamlined = branch;
-    float time = max(bounded(seconds, 16.0f / 120.0f), 0.0f);
+    float time = max(bounded(seconds, 1.0f), 0.0f);
     int steps = int(ceil(time * 120.0f - 0.001f));
     vec2 start = vec2(bounded(windBefore.x, 1.0e3f), bounded(windBefore.y, 1.0e3f));
     vec2 end = vec2(bounded(windNow.x, 1.0e3f), bounded(windNow.y, 1.0e3f));

@@ -133,6 +133,34 @@ TEST(ForestFile, ReadsPlotInventoryWithUnits) {
     EXPECT_EQ(forest.origin, glm::dvec3(0.0)); // plot coordinates need no other origin
 }
 
+TEST(ForestFile, InventoriesKeepTheirIds) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,tag\n1,2,T 7\n3,4,\n5,6,0012\n7,8,T 7\n");
+    folder.write("b.csv", "x,y,tag\n1,2,T 8\n3,4,0012\n");
+    const std::string columns = "columns = { id = \"tag\", x = \"x\", y = \"y\" }\n";
+    const ForestDescription forest = forestOf("[[inventory]]\nfile = \"a.csv\"\n" + columns +
+                                                  "[[inventory]]\nfile = \"b.csv\"\n" + columns,
+                                              folder.path());
+    std::vector<std::string> names;
+    for (const TreePlacement& tree : forest.trees)
+        names.push_back(tree.name);
+    EXPECT_EQ(names, std::vector<std::string>({"T 7", "", "0012", "", "T 8", ""}));
+    ASSERT_EQ(forest.notes.size(), 2u);
+    EXPECT_NE(
+        forest.notes[0].find("a.csv: of trees with the same id the first one has it, 1 go without: T 7"),
+        std::string::npos)
+        << forest.notes[0];
+    EXPECT_NE(forest.notes[1].find("0012"), std::string::npos);
+}
+
+TEST(ForestFile, TagsOfAPlotAreFoundAgain) {
+    REQUIRE_REAL_DATA(csv, "scbi/scbi_joined_xy_height_dbh.csv");
+    const ForestDescription forest =
+        forestOf("[inventory]\nfile = \"" + csv + "\"\ncolumns = { id = \"tag\", x = \"px\", y = \"py\" }\n");
+    EXPECT_EQ(forest.trees[0].name, "90684");
+    EXPECT_EQ(forest.trees[1].name, "111182");
+}
+
 TEST(ForestFile, EmptyCellsAreSizesNotGiven) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n1,2,\n3,4,30\n");

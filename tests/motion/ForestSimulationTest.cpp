@@ -507,6 +507,61 @@ TEST(ForestSimulation, GustsAreFollowedAtAnyFrameRate) {
     }
 }
 
+TEST(ForestSimulation, BelowTenFramesASecondTreesKeepTheirTime) {
+    const auto path = [](MotionLaw law, int rate) { // of the outermost tip, second by second
+        ForestDescription forest = oneTree(law);
+        forest.species[0].wood.elasticModulus = 2.0e8f;
+        forest.trees[0].size = {9.0f, 0.1f, 0.0f};
+        forest.wind = std::make_shared<TestWind>([](const glm::vec3&, double t) {
+            return glm::vec3(6.0 + 2.0 * std::sin(1.1 * t) + std::sin(2.7 * t + 1.0), std::sin(1.7 * t), 0.0);
+        });
+        ForestSimulation simulation(forest);
+        std::vector<glm::vec3> places;
+        for (int i = 0; i <= 20 * rate; ++i) {
+            simulation.advance(static_cast<double>(i) / rate);
+            if (i % rate == 0)
+                places.push_back(tip(simulation, 13));
+        }
+        return places;
+    };
+    for (const MotionLaw law : {MotionLaw::Damped, MotionLaw::Modal}) {
+        const std::vector<glm::vec3> reference = path(law, 60);
+        float peak = 0.0f;
+        for (const glm::vec3& place : reference)
+            peak = std::max(peak, glm::length(place - reference.front()));
+        EXPECT_GT(peak, 0.05f);
+        for (const auto& [rate, share] : {std::pair(5, 0.04f), std::pair(2, 0.2f)}) {
+            const std::vector<glm::vec3> slow = path(law, rate);
+            for (std::size_t i = 0; i < slow.size(); ++i)
+                EXPECT_LT(glm::length(slow[i] - reference[i]), share * peak)
+                    << (law == MotionLaw::Damped ? "damped, " : "modal, ") << rate << " Hz, second " << i;
+        }
+    }
+}
+
+TEST(ForestSimulation, UnderModalALongStepMeetsTheWindOnItsWay) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    std::vector<double> times;
+    forest.wind = std::make_shared<TestWind>([&](const glm::vec3&, double t) {
+        if (times.empty() || times.back() != t)
+            times.push_back(t);
+        return glm::vec3(3, 0, 0);
+    });
+    ForestSimulation simulation(forest);
+    simulation.advance(2.0);
+    times.clear();
+    simulation.advance(2.05);
+    EXPECT_EQ(times, std::vector<double>({2.05}));
+    simulation.advance(2.45);
+    ASSERT_EQ(times.size(), 5u);
+    EXPECT_NEAR(times[1], 2.15, 1e-6);
+    EXPECT_EQ(times[4], 2.45);
+    times.clear();
+    simulation.advance(1000.0);
+    ASSERT_EQ(times.size(), 10u) << "a jump counts as a second";
+    EXPECT_NEAR(times[0], 999.1, 1e-6);
+}
+
 TEST(ForestSimulation, AWindThatIsReplacedIsReachedWithinTheStep) {
     // From calm to 8 m/s within a long step: half of what the whole step in 8 m/s would give, roughly.
     ForestDescription forest = oneTree(MotionLaw::Damped);

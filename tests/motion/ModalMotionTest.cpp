@@ -205,6 +205,25 @@ TEST(ModalMotion, FarTreesStepOnceInEight) {
         EXPECT_EQ(moved[tree], 3) << "tree " << tree;
 }
 
+TEST(ModalMotion, FarTreesWaitNoLongerThanAFifthOfASecond) {
+    const Forest forest(40, {"oak"});
+    const WindFieldPtr wind = gustsOf(8);
+    ModalMotion motion(forest.trees, 1.0f, runInTurn);
+    for (std::size_t tree = 0; tree < 40; ++tree)
+        motion.setLevel(tree, Level::Far);
+    std::vector<int> moved(40, 0);
+    for (int i = 1; i <= 50; ++i) {
+        std::vector<std::vector<float>> before;
+        for (std::size_t tree = 0; tree < 40; ++tree)
+            before.push_back(motion.amplitudes(tree));
+        motion.step(wind.get(), 0.1 * i, 0.1f);
+        for (std::size_t tree = 0; tree < 40; ++tree)
+            moved[tree] += motion.amplitudes(tree) != before[tree];
+    }
+    for (std::size_t tree = 0; tree < 40; ++tree)
+        EXPECT_GE(moved[tree], 25) << "tree " << tree;
+}
+
 /// How far the foot of the trunk and any unit jump as a tree changes its level again and again, over the
 /// largest angle of either.
 struct Jumps {

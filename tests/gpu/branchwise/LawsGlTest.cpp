@@ -207,7 +207,7 @@ TEST_F(LawsGlTest, DampedBranchesOfAllSpeciesAgreeWithTheCpu) {
                                    30.0f * random.symmetric(), 30.0f * random.symmetric());
             }
     }
-    for (const float rate : {120.0f, 60.0f, 10.0f}) {
+    for (const float rate : {120.0f, 60.0f, 10.0f, 1.0f}) {
         const Texels gpu = step(states, {{"wind", winds}, {"a", first}, {"b", second}, {"c", third}},
                                 "dampedBranchStep(state, wind.xy, wind.zw, "
                                 "DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.xyz, c.w), 1.0 / " +

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Executor.h>
+#include <osgTreeWind/motion/ModalTree.h>
+
+namespace osgTreeWind {
+
+/// How a ForestSimulation works.
+struct SimulationOptions {
+    bool leaves = true; ///< Whether leaves flutter under the laws of a branch; `modal` keeps none of them.
+    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
+    /// memory of near ones, from the start.
+    ModalLevel level = ModalLevel::Near;
+    Executor executor;            ///< A host's threads; none: for a large forest a thread for each processor.
+    std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/MovedWind.h>
+
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr std::size_t placesAtOnce = 64;
+
+/// The matrix without scale and shear; the identity where that has no answer.
+glm::dmat3 rotationOf(const glm::dmat4& matrix) {
+    const glm::dvec3 z(matrix[2]), x = glm::dvec3(matrix[0]);
+    const glm::dvec3 y = glm::cross(z, x);
+    if (!(glm::length(y) > 0.0))
+        return glm::dmat3(1.0);
+    const glm::dvec3 up = glm::normalize(z), north = glm::normalize(y);
+    return {glm::cross(north, up), north, up};
+}
+
+} // namespace
+
+MovedWind::MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld)
+    : _world(world ? std::move(world) : std::make_shared<UniformWind>(glm::vec3(0.0f))),
+      _frameToWorld(frameToWorld), _turnBack(glm::transpose(rotationOf(frameToWorld))) {}
+
+WindPlace MovedWind::inWorld(const WindPlace& place) const {
+    const glm::dvec3 at(place.position);
+    const glm::dvec3 position(_frameToWorld * glm::dvec4(at, 1.0));
+    const glm::dvec3 foot(_frameToWorld * glm::dvec4(at.x, at.y, static_cast<double>(place.ground), 1.0));
+    return {glm::vec3(position), static_cast<float>(foot.z)};
+}
+
+glm::vec3 MovedWind::velocity(const WindPlace& place, double time) const {
+    return glm::vec3(_turnBack * glm::dvec3(_world->velocity(inWorld(place), time)));
+}
+
+void MovedWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    WindPlace moved[placesAtOnce];
+    for (std::size_t first = 0; first < count; first += placesAtOnce) {
+        const std::size_t some = std::min(placesAtOnce, count - first);
+        std::transform(places + first, places + first + some, moved,
+                       [&](const WindPlace& place) { return inWorld(place); });
+        _world->sample(moved, some, time, out + first);
+        std::transform(out + first, out + first + some, out + first,
+                       [&](const glm::vec3& v) { return glm::vec3(_turnBack * glm::dvec3(v)); });
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/WindField.h>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace osgTreeWind {
+
+/// A wind of the world as it is met in a frame that stands elsewhere in it, turned and perhaps scaled: places
+/// are taken to the world, velocities turned back. The frame's own motion makes no wind.
+class MovedWind final : public WindField {
+public:
+    /// @param world null is calm. @param frameToWorld takes places of the frame to the world.
+    MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld);
+
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+
+private:
+    WindPlace inWorld(const WindPlace& place) const;
+
+    WindFieldPtr _world;
+    glm::dmat4 _frameToWorld;
+    glm::dmat3 _turnBack; ///< Of velocities, from the world to the frame.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,50 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// One of the four nearest pictures for each pixel, as often as it is near, and each pixel as often as it is covered:
+// nothing is blended, so that the order in which trees are drawn does not matter.
+
+#include "light.glsl"
+#include "dither.glsl"
+#include "scene.glsl"
+
+uniform sampler2D impostorColors;  // times coverage, which is alpha
+uniform sampler2D impostorNormals; // times coverage; alpha: 1 leaf, 0 bark
+uniform vec4 impostorSize;
+
+flat in vec4 pictureViews;
+flat in vec3 pictureParts;
+flat in vec2 treeTurn;
+in vec2 pictureCoord;
+in vec3 pictureEye;
+
+/// Whether `chance` is below `share`; what is left of it is even in [0, 1) again.
+bool drawn(inout float chance, float share) {
+    bool below = chance < share;
+    chance = below ? chance / share : (chance - share) / (1.0 - share);
+    return below;
+}
+
+void main() {
+    vec2 texels = pictureCoord * (vec2(textureSize(impostorColors, 0)) / impostorSize.zw);
+    vec2 dx = dFdx(texels);
+    vec2 dy = dFdy(texels);
+    if (dithered(pictureParts.z))
+        discard;
+
+    float chance = evenNoise();
+    float column = drawn(chance, pictureParts.x) ? pictureViews.y : pictureViews.x;
+    float row = drawn(chance, pictureParts.y) ? pictureViews.w : pictureViews.z;
+    vec2 coord = (vec2(column, row) + pictureCoord) / impostorSize.zw;
+    float coarsest = log2(float(textureSize(impostorColors, 0).x) / impostorSize.z) - 3.0; // keeps pictures apart
+    float lod = clamp(0.5 * log2(max(dot(dx, dx), dot(dy, dy))), 0.0, coarsest);
+    vec4 color = textureLod(impostorColors, coord, lod);
+    if (color.a <= chance)
+        discard;
+
+    vec4 surface = textureLod(impostorNormals, coord, lod) / color.a;
+    vec3 normal = 2.0 * surface.xyz - 1.0;
+    normal.xy = mat2(treeTurn, -treeTurn.y, treeTurn.x) * normal.xy;
+    vec3 direction = normalize(gl_NormalMatrix * normal);
+    vec3 light = mix(barkShade(pictureEye, direction), leafShade(pictureEye, length(normal) * direction), surface.a);
+    gl_FragColor = vec4(sceneColor(color.rgb / color.a * light, pictureEye), 1.0);
+}

@@ -1,0 +1,64 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// A tree as a picture that faces the eye and leans with the tree.
+// gl_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
+
+in vec4 treePlace; // foot, heading
+in vec4 treeSize;  // scale across and along the trunk, of radii, of leaves
+in vec4 treeState; // lean of the top (x, y), fade, own number
+
+uniform vec4 impostorSize;       // half width and height of the tree unscaled; azimuths, elevations of its pictures
+uniform vec2 impostorExtents[8]; // lowest and highest on the pictures of an elevation, from the foot
+uniform float leanPower;         // of the height that a lean follows
+
+flat out vec4 pictureViews; // columns and rows of the nearest pictures
+flat out vec3 pictureParts; // share of the second column, of the second row; fade
+flat out vec2 treeTurn;     // cosine and sine of the heading
+out vec2 pictureCoord;
+out vec3 pictureEye;
+
+const float margin = 1.0 / 16.0; // ImpostorPictures::margin
+const float quarter = 1.57079633;
+
+/// Towards the eye from a point, in the forest's frame.
+vec3 towardEye(vec3 point) {
+    bool parallel = gl_ProjectionMatrix[3][3] > 0.5;
+    vec3 eye = parallel ? vec3(0.0, 0.0, 1.0) : -vec3(gl_ModelViewMatrix * vec4(point, 1.0));
+    return normalize(eye * gl_NormalMatrix); // by the inverse of the model-view matrix
+}
+
+void main() {
+    vec2 scale = treeSize.xy;
+    float height = impostorSize.y * scale.y;
+    vec3 toEye = towardEye(treePlace.xyz + vec3(0.5 * treeState.xy, 0.5 * height));
+    float level = length(toEye.xy);
+    vec2 ahead = level > 1e-4 ? toEye.xy / level : vec2(1.0, 0.0);
+    vec3 up = vec3(-ahead * toEye.z, level);
+
+    // The pictures on both sides, as seen by the unscaled tree.
+    float column = (atan(ahead.y, ahead.x) - treePlace.w) / (4.0 * quarter) * impostorSize.z;
+    float rows = impostorSize.w - 1.0;
+    float row = clamp(atan(scale.x * toEye.z, scale.y * level) / quarter * rows, 0.0, rows);
+    float low = min(floor(row), rows - 1.0);
+    vec2 columns = mod(vec2(floor(column), floor(column) + 1.0), impostorSize.z);
+    pictureViews = vec4(columns, low, low + 1.0);
+    pictureParts = vec3(fract(column), row - low, treeState.z);
+
+    // What lies on a circle about the trunk goes up and down the picture as a sine of the elevation.
+    vec2 weights = sin(quarter / rows * vec2(low + 1.0 - row, row - low)) / sin(quarter / rows);
+    vec2 extent = mat2(impostorExtents[int(low)], impostorExtents[int(low) + 1]) * weights;
+    float rise = mix(extent.x, extent.y, gl_Vertex.y) * length(vec2(scale.y * level, scale.x * toEye.z));
+    float across = gl_Vertex.x * impostorSize.x * scale.x;
+
+    // The plane of the picture holds the middle of the tree.
+    vec3 point = treePlace.xyz + across * vec3(-ahead.y, ahead.x, 0.0) + rise * up + 0.5 * height * toEye.z * toEye;
+    float share = clamp(mix(rise / height, 0.75, toEye.z * toEye.z), 0.0, 1.0);
+    point.xy += treeState.xy * pow(share, leanPower);
+
+    vec4 eyePosition = gl_ModelViewMatrix * vec4(point, 1.0);
+    pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * gl_Vertex.x, gl_Vertex.y));
+    pictureEye = eyePosition.xyz;
+    treeTurn = vec2(cos(treePlace.w), sin(treePlace.w));
+    gl_ClipVertex = eyePosition;
+    gl_Position = gl_ProjectionMatrix * eyePosition;
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/MovedWind.h>
+
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr double quarter = 1.5707963267948966;
+
+/// Says where it was asked: east and north of the place, and its height above the ground.
+class WhereWind : public WindField {
+public:
+    glm::vec3 velocity(const WindPlace& place, double) const override {
+        return {place.position.x, place.position.y, place.height()};
+    }
+};
+
+glm::dmat4 moved(const glm::dvec3& by) {
+    return glm::translate(glm::dmat4(1.0), by);
+}
+glm::dmat4 turned(double angle, const glm::dvec3& about = {0, 0, 1}) {
+    return glm::rotate(glm::dmat4(1.0), angle, about);
+}
+
+WindFieldPtr gusts() {
+    GustWind::Parameters parameters;
+    parameters.mean = {7.0f, 2.0f, 0.0f};
+    parameters.profile = LogProfile{10.0, 0.1};
+    return GustWind::create(parameters).value();
+}
+
+TEST(MovedWind, WithoutAMoveItIsTheSameToTheBit) {
+    const WindFieldPtr world = gusts();
+    const MovedWind same(world, glm::dmat4(1.0));
+    for (int i = 1; i < 50; ++i) {
+        const float x = 13.37f * static_cast<float>(i);
+        const WindPlace place({x, -2.0f * x, 0.1f * x}, 0.02f * x);
+        EXPECT_EQ(same.velocity(place, 0.3 * i), world->velocity(place, 0.3 * i));
+    }
+}
+
+TEST(MovedWind, AsksWhereTheFrameReallyStands) {
+    const MovedWind wind(std::make_shared<WhereWind>(), moved({100, 20, 5}) * turned(quarter));
+    // 3 m along the frame's x is 3 m north of where it stands; what is met blows to the frame's own axes.
+    const glm::vec3 v = wind.velocity({{3, 0, 9}, 2}, 0.0);
+    EXPECT_NEAR(v.x, 23.0f, 1e-4f) << "the world's north is the frame's x";
+    EXPECT_NEAR(v.y, -100.0f, 1e-4f) << "and its east the frame's -y";
+    EXPECT_NEAR(v.z, 7.0f, 1e-5f) << "heights above the ground stay";
+}
+
+TEST(MovedWind, VelocitiesAreTurnedAndNotScaled) {
+    const WindFieldPtr world = std::make_shared<UniformWind>(glm::vec3(6, 0, 0));
+    const MovedWind wind(world,
+                         moved({5, 5, 5}) * turned(quarter) * glm::scale(glm::dmat4(1.0), {2.0, 2.0, 4.0}));
+    EXPECT_LT(glm::distance(wind.velocity({1, 2, 3}, 0.0), glm::vec3(0, -6, 0)), 1e-5f);
+    const MovedWind tilted(world, turned(quarter, {0, 1, 0}));
+    EXPECT_LT(glm::distance(tilted.velocity({1, 2, 3}, 0.0), glm::vec3(0, 0, 6)), 1e-5f);
+}
+
+TEST(MovedWind, ScaledPlacesAreScaledHeightsToo) {
+    const MovedWind wind(std::make_shared<WhereWind>(), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
+    EXPECT_EQ(wind.velocity({{3, 4, 9}, 2}, 0.0), glm::vec3(6, 8, 14));
+}
+
+TEST(MovedWind, ManyPlacesAreThoseOfEach) {
+    const MovedWind wind(gusts(), moved({300, -50, 12}) * turned(0.7));
+    std::vector<WindPlace> places;
+    for (int i = 0; i < 150; ++i)
+        places.emplace_back(glm::vec3(i, 2 * i, 5 + i % 7), 1.0f);
+    std::vector<glm::vec3> out(places.size());
+    wind.sample(places.data(), places.size(), 4.5, out.data());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        EXPECT_EQ(out[i], wind.velocity(places[i], 4.5)) << i;
+}
+
+TEST(MovedWind, FarAwayItKeepsWhatPlacesCanSay) {
+    const MovedWind wind(std::make_shared<WhereWind>(), moved({1.0e6, -1.0e6, 0}));
+    const glm::vec3 v = wind.velocity({{12.3f, 4.5f, 30.25f}, 0.0f}, 0.0);
+    EXPECT_NEAR(v.x, 1.0e6f + 12.3f, 0.04f) << "floats are 0.06 m apart there";
+    EXPECT_NEAR(v.y, -1.0e6f + 4.5f, 0.04f);
+    EXPECT_EQ(v.z, 30.25f);
+}
+
+TEST(MovedWind, AMatrixOfNothingTurnsNothing) {
+    const MovedWind wind(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)), glm::dmat4(0.0));
+    EXPECT_EQ(wind.velocity({4, 5, 6}, 0.0), glm::vec3(1, 2, 3));
+    EXPECT_EQ(MovedWind(nullptr, glm::dmat4(1.0)).velocity({1, 2, 3}, 0.0), glm::vec3(0.0f));
+}
+
+TEST(MovedWind, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
+    const glm::dmat4 frame = moved({40, 70, 3}) * turned(quarter);
+    ForestDescription upright;
+    upright.species = {defaultSpecies()};
+    upright.trees.resize(3);
+    for (std::size_t i = 0; i < 3; ++i)
+        upright.trees[i].position = {10.0 * static_cast<double>(i), 4.0, 0.5 * static_cast<double>(i)};
+    ForestDescription world = upright;
+    for (TreePlacement& tree : world.trees) {
+        tree.position = frame * glm::dvec4(tree.position, 1.0);
+        tree.heading = static_cast<float>(quarter);
+    }
+    world.wind = gusts();
+    upright.wind = std::make_shared<MovedWind>(world.wind, frame);
+    ForestSimulation inFrame(upright), inWorld(world);
+    for (int i = 0; i < 300; ++i)
+        for (ForestSimulation* simulation : {&inFrame, &inWorld})
+            simulation->advance(i / 60.0);
+    for (std::size_t tree = 0; tree < 3; ++tree) {
+        const glm::vec2 a = inFrame.modal()->lean(tree), b = inWorld.modal()->lean(tree);
+        EXPECT_LT(glm::distance(glm::vec2(-a.y, a.x), b), 1e-3f * glm::length(b)) << tree;
+    }
+}
+
+} // namespace
+} // namespace osgTreeWind
