@@ -23,7 +23,6 @@ StandShape::StandShape(const TreeModel& model, std::size_t species, const Appear
     }
     if (drawing.tiers && drawing.impostor > 0.0f) {
         ImpostorSettings settings;
-        settings.height = drawing.impostor;
         _impostor = new ImpostorShape(paintImpostor(model, appearance, settings), impostorProgram);
     }
     const PoseLayout layout(model.skeleton.units.size());
