@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/nodes/ImpostorShape.h>
 #include <osgTreeWind/nodes/branchwise/TreeNode.h>
 
 #include <osg/Group>
@@ -89,6 +90,11 @@ protected:
     ~BranchwiseForest() override;
 
 private:
+    struct Pictures {
+        osg::ref_ptr<ImpostorShape> shape;
+        osg::ref_ptr<SharedStateSet> state;
+    };
+    osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed, float own);
     void chooseAngleSource();
     bool stepOnCpu(double time);
     bool stepOnGpu(double time);
@@ -97,8 +103,10 @@ private:
 
     std::shared_ptr<ForestSimulation> _simulation;
     std::vector<osg::ref_ptr<TreeShape>> _shapes; ///< By model.
-    std::vector<TreeStyle> _styles;               ///< By species.
-    osg::ref_ptr<osg::Group> _stand;              ///< The trees, and the textures they share.
+    std::vector<Pictures> _pictures;              ///< By model.
+    osg::ref_ptr<osg::Program> _pictureProgram;
+    std::vector<TreeStyle> _styles;  ///< By species.
+    osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
     std::vector<osg::ref_ptr<TreeNode>> _trees;
     std::unique_ptr<DataTexture> _unitPoses, _leafAngles;
     // No children: in a scene they would keep everything above them from being culled.

@@ -12,8 +12,8 @@
 #include <osg/ContextData>
 #include <osg/Texture>
 #include <osgDB/ReadFile>
-#include <osgUtil/IntersectionVisitor>
-#include <osgUtil/LineSegmentIntersector>
+
+#include <limits>
 
 using namespace osgTreeWind;
 
@@ -146,6 +146,22 @@ TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
         EXPECT_EQ(textures->getNumberActiveTextureObjects(), texturesBefore);
         frames(1);
     }
+}
+
+TEST_F(BranchwiseForestGlTest, billboardsLookLikeTheTrees) {
+    ForestDescription calm = dampedForest(3);
+    calm.wind = nullptr;
+    double seen[2] = {};
+    for (const bool pictures : {false, true}) {
+        start(calm);
+        const float always = std::numeric_limits<float>::infinity();
+        forest->getBranchwise()->setLodRanges(pictures ? TreeLodRanges{0.0f, 0.0f}
+                                                       : TreeLodRanges{always, always});
+        frames(3);
+        seen[pictures] = covered(image());
+    }
+    EXPECT_GT(seen[0], 0.02);
+    EXPECT_NEAR(seen[1], seen[0], 0.25 * seen[0]);
 }
 
 TEST_F(BranchwiseForestGlTest, leavesKeepTheirShadeWhenATreeIsAdded) {
