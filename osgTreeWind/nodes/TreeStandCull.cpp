@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TreeStandCull.h>
 
-
 #include <osgTreeWind/motion/StatelessFlutter.h>
 
 #include <algorithm>
@@ -52,11 +51,8 @@ void TreeStandCull::seeTree(const TreeCells::Tree& seenTree, float pixels) {
     addTree(tree, seenTree.number, choice.tier, choice.fade);
     if (choice.fade < 1.0f)
         addTree(tree, seenTree.number, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
-    if (choice.tier != Tier::Impostor || pixels > tiers.wakingPixels()) {
-        seen[seenTree.number] = static_cast<std::uint8_t>(frame);
-        if (simulation.modal()->level(seenTree.number) == ModalMotion::Level::Far)
-            lists.awoken().push_back(seenTree.number);
-    }
+    if (choice.tier != Tier::Impostor || pixels > tiers.wakingPixels())
+        lists.near().push_back(seenTree.number);
 }
 
 void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade) {
@@ -93,12 +89,11 @@ void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseReques
 
 /// Draws and passes, to the camera's render stage.
 void TreeStandCull::handOver() {
-    if (lists.first() == lists.end())
+    if (lists.size() == 0)
         return;
     osg::ref_ptr<osg::StateSet> shading = drawing.shading->stateFor(visitor);
     visitor.pushStateSet(drawing.state);
     visitor.pushStateSet(shading);
-    PoseStage* stage = lists.stage();
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
     const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
                           std::initializer_list<osg::StateSet*> states) {
@@ -115,7 +110,7 @@ void TreeStandCull::handOver() {
         for (; pushed > 0; --pushed)
             visitor.popStateSet();
     };
-    for (std::size_t i = lists.first(); i < lists.end(); ++i) {
+    for (std::size_t i = 0; i < lists.size(); ++i) {
         CullLists::List& list = lists[i];
         list.trees->values->dirty();
         const StandShape& shape = *drawing.shapes[list.shape];
@@ -124,13 +119,13 @@ void TreeStandCull::handOver() {
             draw(shape.impostor()->geometry(), *list.bark, *list.trees, {shape.impostor()->stateSet()});
             continue;
         }
-        stage->add(list.trees->passes, list.trees->page);
         draw(shape.bark(list.tier), *list.bark, *list.trees, {looks.bark, shape.state(), looks.ownBark});
-        draw(shape.leaves(list.tier), *list.leaves, *list.trees, {looks.leaves, shape.state(), looks.ownLeaves});
+        draw(shape.leaves(list.tier), *list.leaves, *list.trees,
+             {looks.leaves, shape.state(), looks.ownLeaves});
     }
     visitor.popStateSet();
     visitor.popStateSet();
-    visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(stage);
+    visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
 }
 
 } // namespace osgTreeWind
