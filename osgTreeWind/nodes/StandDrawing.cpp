@@ -18,7 +18,7 @@ StandDrawing::StandDrawing(const PlacedForest& forest)
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
     if (shapes.empty()) // nor a pool of threads
         return;
-    const osg::ref_ptr<osg::Program> impostorProgram = createProgram("impostor", "impostor");
+    impostorProgram = createProgram("impostor", "impostor");
     ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
         const std::size_t species = forest.speciesOfModel(model);
         shapes[model] =

@@ -51,7 +51,7 @@ void TreeStandCull::seeTree(const TreeCells::Tree& seenTree, float pixels) {
     addTree(tree, seenTree.number, choice.tier, choice.fade);
     if (choice.fade < 1.0f)
         addTree(tree, seenTree.number, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
-    if (choice.tier != Tier::Impostor || pixels > tiers.wakingPixels())
+    if (choice.tier < Tier::Impostor || pixels > tiers.wakingPixels())
         lists.near().push_back(seenTree.number);
 }
 
@@ -59,8 +59,9 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;
     if (tier == Tier::Impostor) {
+        const Tier kind = tree.leaves < 0.5f ? Tier::BareImpostor : Tier::Impostor;
         const glm::vec2 lean = simulation.modal()->lean(number);
-        lists.list(tree.model, tier, nullptr, nullptr)
+        lists.list(tree.model, kind, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
                   {lean.x, lean.y, fade, own}});
@@ -115,13 +116,15 @@ void TreeStandCull::handOver() {
         list.trees->values->dirty();
         const StandShape& shape = *drawing.shapes[list.shape];
         const SpeciesLooks& looks = drawing.looks[shape.species()];
-        if (list.tier == Tier::Impostor) {
-            draw(shape.impostor()->geometry(), *list.bark, *list.trees, {shape.impostor()->stateSet()});
+        if (list.tier >= Tier::Impostor) {
+            const ImpostorShape& impostor = *shape.impostor(list.tier);
+            draw(impostor.geometry(), *list.bark, *list.trees, {impostor.stateSet()});
             continue;
         }
-        draw(shape.bark(list.tier), *list.bark, *list.trees, {looks.bark, shape.state(), looks.ownBark});
+        draw(shape.bark(list.tier), *list.bark, *list.trees,
+             {looks.bark, shape.state(list.tier), looks.ownBark});
         draw(shape.leaves(list.tier), *list.leaves, *list.trees,
-             {looks.leaves, shape.state(), looks.ownLeaves});
+             {looks.leaves, shape.state(list.tier), looks.ownLeaves});
     }
     visitor.popStateSet();
     visitor.popStateSet();
