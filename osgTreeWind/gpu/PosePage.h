@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <vector>
 
@@ -38,6 +39,7 @@ class PosePage : public osg::Referenced {
 public:
     std::mutex& mutex() const { return _mutex; }
     std::vector<PoseRequest> requests; ///< By row.
+    std::uint64_t filling = 0;         ///< Another one each time it is filled anew.
 
 private:
     mutable std::mutex _mutex;

@@ -67,8 +67,7 @@ struct PosePass::Context {
     osg::ref_ptr<osg::FrameBufferObject> turnTarget, poseTarget;
     int matrixRows = 0, treeRows = 0;  ///< Room there is.
     std::size_t matrixTexels = 0;      ///< Uploaded so far.
-    const PosePage* page = nullptr;    ///< Whose poses these are,
-    unsigned frame = 0;                ///< of this frame,
+    std::uint64_t filling = 0;         ///< Of the page whose poses these are,
     int done = 0;                      ///< so many of them.
 
     void makeRoom(int width, int rows) {
@@ -152,15 +151,17 @@ PosePass::Entry& PosePass::entry(std::uint32_t tree) {
 }
 
 PosePage* PosePass::freshPage() {
-    for (osg::ref_ptr<PosePage>& page : _spare)
-        if (page->referenceCount() == 1) { // nobody draws from it any more
-            page->requests.clear();
-            std::swap(page, _spare.back());
-            _pages.push_back(_spare.back());
-            _spare.pop_back();
-            return _pages.back();
-        }
-    _pages.push_back(new PosePage);
+    const auto free = std::find_if(_spare.begin(), _spare.end(), [](const osg::ref_ptr<PosePage>& page) {
+        return page->referenceCount() == 1; // nobody draws from it any more
+    });
+    if (free == _spare.end()) {
+        _pages.push_back(new PosePage);
+    } else {
+        _pages.push_back(*free);
+        _spare.erase(free);
+        _pages.back()->requests.clear();
+    }
+    _pages.back()->filling = ++_fillings;
     return _pages.back();
 }
 
@@ -202,11 +203,9 @@ PosePass::Context& PosePass::contextOf(osg::State& state) const {
 PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) const {
     Context& context = contextOf(state);
     const std::lock_guard<std::mutex> pageLock(page.mutex());
-    const unsigned frame = state.getFrameStamp() ? state.getFrameStamp()->getFrameNumber() : 0;
     const auto trees = static_cast<int>(page.requests.size());
-    if (context.page != &page || context.frame != frame) {
-        context.page = &page;
-        context.frame = frame;
+    if (context.filling != page.filling) {
+        context.filling = page.filling;
         context.done = 0;
     }
     if (trees * _layout.rows > context.treeRows)

@@ -30,11 +30,11 @@ InstanceList& CullLists::list(std::size_t shape, Tier tier, const PosePass* pass
     return *list.trees;
 }
 
-PoseStage* CullLists::stage() {
+PoseStage* CullLists::stage(osgUtil::StateGraph* place) {
     if (_stagesUsed == _stages.size())
         _stages.push_back(new PoseStage);
     PoseStage* stage = _stages[_stagesUsed++].get();
-    stage->reset();
+    stage->begin(place);
     return stage;
 }
 
@@ -44,8 +44,11 @@ void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
 }
 
 void CullLists::releaseGLObjects(osg::State* state) const {
-    for (const List& list : _lists)
+    for (const List& list : _lists) {
         list.trees->values->getVertexBufferObject()->releaseGLObjects(state);
+        list.bark->releaseGLObjects(state);
+        list.leaves->releaseGLObjects(state);
+    }
 }
 
 } // namespace osgTreeWind

@@ -38,8 +38,8 @@ public:
     std::size_t end() const { return _used; }
     List& operator[](std::size_t index) { return _lists[index]; }
 
-    /// For the camera of the cull at hand.
-    PoseStage* stage();
+    /// For the camera of the cull at hand. @param place PoseStage::begin().
+    PoseStage* stage(osgUtil::StateGraph* place);
 
     /// Adds the trees in all lists of the frame.
     void countTrees(std::array<std::size_t, tierCount>& trees) const;

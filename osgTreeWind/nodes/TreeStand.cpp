@@ -45,6 +45,8 @@ void TreeStand::treeChanged(std::size_t tree) {
         _seen.resize(tree + 1);
     if (!placed.alive) {
         _cells.take(number);
+        _near.remove(number);
+        _keptNear.remove(number);
     } else {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
@@ -53,10 +55,16 @@ void TreeStand::treeChanged(std::size_t tree) {
             _drawing.shapes[placed.model]->paintBare(_simulation->forest().modelOf(placed),
                                                      _simulation->forest().speciesOf(placed).appearance,
                                                      _drawing.impostorProgram);
-        if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
-            _near.push_back(number);
+        if (_simulation->modal()->level(tree) == ModalMotion::Level::Near && !_keptNear.has(number))
+            _near.add(number);
     }
     dirtyBound();
+}
+
+void TreeStand::keepNear(std::size_t tree) {
+    _simulation->setLevel(tree, ModalMotion::Level::Near);
+    _near.remove(static_cast<std::uint32_t>(tree));
+    _keptNear.add(static_cast<std::uint32_t>(tree));
 }
 
 void TreeStand::update(unsigned frame, double time) {
@@ -71,7 +79,7 @@ void TreeStand::update(unsigned frame, double time) {
                 if (_simulation->trees()[tree].alive &&
                     _simulation->modal()->level(tree) == ModalMotion::Level::Far) {
                     _simulation->setLevel(tree, ModalMotion::Level::Near);
-                    _near.push_back(tree);
+                    _near.add(tree);
                 }
             lists.awoken().clear();
             const bool gone = frame > lists.frame() + framesNear; // its cull visitor is no more
@@ -80,17 +88,12 @@ void TreeStand::update(unsigned frame, double time) {
     }
     if (frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear) // without a viewer all stay
         return;
-    _near.erase(std::remove_if(_near.begin(), _near.end(),
-                               [&](std::uint32_t tree) {
-                                   if (!_simulation->trees()[tree].alive ||
-                                       _simulation->modal()->level(tree) == ModalMotion::Level::Far)
-                                       return true;
-                                   if (static_cast<std::uint8_t>(frame - _seen[tree]) < framesNear)
-                                       return false;
-                                   _simulation->setLevel(tree, ModalMotion::Level::Far);
-                                   return true;
-                               }),
-                _near.end());
+    _near.removeIf([&](std::uint32_t tree) {
+        const bool unseen = static_cast<std::uint8_t>(frame - _seen[tree]) >= framesNear;
+        if (unseen)
+            _simulation->setLevel(tree, ModalMotion::Level::Far);
+        return unseen;
+    });
 }
 
 void TreeStand::updateFlutter(double time) {

@@ -5,6 +5,7 @@
 #include <osgTreeWind/nodes/CullLists.h>
 #include <osgTreeWind/nodes/StandDrawing.h>
 #include <osgTreeWind/nodes/TreeCells.h>
+#include <osgTreeWind/nodes/TreeSet.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
 
 #include <array>
@@ -39,7 +40,9 @@ public:
     const char* className() const override { return "TreeStand"; }
 
     /// A tree was added, moved, changed or removed. In update.
-        void treeChanged(std::size_t tree);
+    void treeChanged(std::size_t tree);
+    /// Has a tree followed closely from now on, whoever sees it. In update.
+    void keepNear(std::size_t tree);
     /// After each step: which trees are followed how closely. In update.
     void update(unsigned frame, double time);
 
@@ -47,7 +50,7 @@ public:
     StandDrawing& drawing() { return _drawing; }
     const StandDrawing& drawing() const { return _drawing; }
     /// Trees that are followed closely, since a camera saw their branches of late.
-    std::size_t nearTrees() const { return _near.size(); }
+    std::size_t nearTrees() const { return _near.size() + _keptNear.size(); }
     /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts twice.
     std::array<std::size_t, tierCount> listedTrees() const;
 
@@ -74,7 +77,8 @@ private:
     std::vector<osg::Vec3> _flutter; ///< By species, phases of now.
 
     std::vector<std::uint8_t> _seen;  ///< By tree, last bits of the frame in which it last was drawn with branches.
-    std::vector<std::uint32_t> _near; ///< Trees followed closely.
+    TreeSet _near;     ///< Followed closely while someone sees them,
+    TreeSet _keptNear; ///< or anyway.
     std::atomic<unsigned> _culledFrame{~0u};
 
     mutable std::mutex _listsMutex; ///< Guards the map; each cull visitor is at work in one thread at a time.
