@@ -89,7 +89,8 @@ ordered_json resultJson(const BenchResult& result) {
                          {"title", result.stage.title},
                          {"trees", result.trees},
                          {"frames", result.moving.frame.size()},
-                         {"angles", result.gpuAngles ? "gpu" : "cpu"}};
+                         {"law", result.stage.law() == osgTreeWind::MotionLaw::Thesis ? "thesis" : "modal"},
+                         {"angles", result.angles}};
     json["moving"] = timesJson(result.moving);
     json["static"] = timesJson(result.still);
     json["ratioToStatic"] = spread(ratios(result.moving.frame, result.still.frame));
@@ -167,7 +168,7 @@ ordered_json benchReport(const BenchConditions& conditions, const std::vector<Be
                       {"version", conditions.driver.version}};
     json["settings"] = {{"width", settings.size.width},  {"height", settings.size.height},
                         {"framePairs", settings.frames}, {"warmUpPairs", settings.warmUp},
-                        {"stepSeconds", settings.step},  {"law", "thesis"},
+                        {"stepSeconds", settings.step},
                         {"threading", "SingleThreaded"}};
     json["results"] = ordered_json::array();
     for (const BenchResult& result : results)
