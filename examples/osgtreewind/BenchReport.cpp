@@ -33,6 +33,7 @@ ordered_json timesJson(const BenchTimes& times) {
     return {{"seconds", std::accumulate(times.frame.begin(), times.frame.end(), 0.0) / 1000.0},
             {"fps", number(framesPerSecond(times))},
             {"frameMs", spread(times.frame)},
+            {"processorMs", spread(times.processor)},
             {"updateMs", spread(times.update)},
             {"cullMs", spread(times.cull)},
             {"drawMs", spread(times.draw)},
@@ -94,6 +95,7 @@ ordered_json resultJson(const BenchResult& result) {
     json["moving"] = timesJson(result.moving);
     json["static"] = timesJson(result.still);
     json["ratioToStatic"] = spread(ratios(result.moving.frame, result.still.frame));
+    json["processorRatioToStatic"] = spread(ratios(result.moving.processor, result.still.processor));
     json["counts"] = {{"units", counts.units},         {"vertices", counts.vertices},
                       {"triangles", counts.triangles}, {"lines", counts.lines},
                       {"nodes", counts.nodes},         {"transforms", counts.transforms},

@@ -96,7 +96,7 @@ std::string boneName(std::size_t unit) {
     return "unit " + std::to_string(unit);
 }
 
-/// A vertex of the rest pose: gl_MultiTexCoord0: u, v, unit; gl_MultiTexCoord1: shade of its own.
+/// Vertices of the rest pose: gl_MultiTexCoord0: u, v, a shade of its own.
 class RestGeometry {
 public:
     void add(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv, int unit, float shade) {
@@ -161,9 +161,12 @@ RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
 }
 
 osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, std::size_t bones) {
-    const std::string place = hardware ? "mat4 bone = matrixPalette[int(boneWeight0.x)];\n"
-                                         "vec4 at = boneWeight0.y * (bone * gl_Vertex);\n"
-                                         "vec3 normal = boneWeight0.y * (mat3(bone) * gl_Normal);\n"
+    // As osgAnimation's own skinning.vert: two bones an attribute.
+    const std::string place = hardware ? "vec4 at = vec4(0.0), bones = boneWeight0;\nvec3 normal = vec3(0.0);\n"
+                                         "for (int i = 0; i < 2; ++i, bones = bones.zwxy) {\n"
+                                         "mat4 bone = matrixPalette[int(bones.x)];\n"
+                                         "at += bones.y * (bone * gl_Vertex);\n"
+                                         "normal += bones.y * (mat3(bone) * gl_Normal);\n}\n"
                                        : "vec4 at = gl_Vertex;\nvec3 normal = gl_Normal;\n";
     const std::string palette =
         "uniform mat4 matrixPalette[" + std::to_string(bones) + "];\nin vec4 boneWeight0;\n";

@@ -8,6 +8,7 @@
 #include <osg/Stats>
 
 #include <chrono>
+#include <ctime>
 
 namespace {
 
@@ -67,17 +68,20 @@ BenchViewer::BenchViewer(const PictureSize& size, osg::GraphicsContext& context,
     _viewer.realize();
 }
 
-double BenchViewer::draw(std::size_t variant, double time) {
+void BenchViewer::draw(std::size_t variant, double time) {
     for (std::size_t i = 0; i < _variants.size(); ++i)
         _variants[i].node->setNodeMask(i == variant ? ~0u : 0u);
     _viewer.getCamera()->setViewMatrix(_variants[variant].view);
-    const auto start = std::chrono::steady_clock::now();
     _viewer.frame(time);
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 void BenchViewer::measure(std::size_t variant, double time) {
-    _times[variant].frame.push_back(draw(variant, time));
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t before = std::clock();
+    draw(variant, time);
+    _times[variant].processor.push_back(1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+    _times[variant].frame.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     _frames[variant].push_back(_viewer.getFrameStamp()->getFrameNumber());
 }
 

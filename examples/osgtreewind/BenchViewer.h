@@ -12,6 +12,7 @@
 /// How a frame spent its time; a number a frame, milliseconds.
 struct BenchTimes {
     std::vector<double> frame;              ///< Whole frames, up to the end of the driver's work (glFinish).
+    std::vector<double> processor;          ///< Of all threads of the process in that time.
     std::vector<double> update, cull, draw; ///< What osgViewer measured; draw includes the glFinish.
     std::vector<double> gpu;                ///< Likewise; empty where there are no timer queries.
 };
@@ -34,9 +35,9 @@ public:
     BenchViewer(const PictureSize& size, osg::GraphicsContext& context, BenchDriver& driver,
                 std::vector<BenchVariant> variants, int frames);
 
-    /// Draws a variant while all others are hidden. @return milliseconds.
-    double draw(std::size_t variant, double time);
-    /// The same, kept for times().
+    /// Draws a variant while all others are hidden.
+    void draw(std::size_t variant, double time);
+    /// The same, timed for times().
     void measure(std::size_t variant, double time);
     /// Of the frames measured, by variant. Draws some more, as timer queries answer late.
     std::vector<BenchTimes> times(double time);
