@@ -98,6 +98,7 @@ private:
     unsigned _frame = ~0u;
     std::uint64_t _fillings = 0;
     std::uint32_t _asked = 0;
+    std::uint64_t _fillings = 0; ///< Of pages.
     std::vector<Entry> _entries; ///< A hash table, a power of two long.
     std::vector<osg::ref_ptr<PosePage>> _pages, _spare;
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/CullLists.h>
 
+#include <osgTreeWind/nodes/SceneShading.h>
+
 namespace osgTreeWind {
 
-void CullLists::begin(unsigned frame, std::size_t shapes) {
+void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place) {
     _frame = frame;
+    _place = place;
     _used = 0;
     _near.clear();
     _open.assign(shapes * tierCount, 0);
@@ -32,14 +35,18 @@ void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
+    setSceneDefines(*_shading, _place);
     for (std::size_t i = 0; i < _used; ++i)
         if (const InstanceList& trees = *_lists[i].trees; trees.page)
             trees.passes->prepare(*renderInfo.getState(), *trees.page);
 }
 
 void CullLists::releaseGLObjects(osg::State* state) const {
-    for (const List& list : _lists)
+    for (const List& list : _lists) {
         list.trees->values->getVertexBufferObject()->releaseGLObjects(state);
+        list.bark->releaseGLObjects(state);
+        list.leaves->releaseGLObjects(state);
+    }
 }
 
 } // namespace osgTreeWind

@@ -13,8 +13,8 @@
 namespace osgTreeWind {
 
 /// What one cull of a stand by one camera has seen: lists of trees, and the draws that they take. As a stage
-/// before those draws it works out the poses they need; others that draw the same trees in the same frame and
-/// context find them done.
+/// before those draws it works out the poses they need, which others that draw the same trees in the same frame
+/// and context find done, and puts what the scene says of light into their state.
 ///
 /// Whoever may still draw of it refers to it as a stage; then it may be filled again, and nothing is
 /// allocated once it is large enough.
@@ -28,8 +28,8 @@ public:
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
     };
 
-    /// A cull begins, of a stand of so many shapes.
-    void begin(unsigned frame, std::size_t shapes);
+    /// A cull begins, of a stand of so many shapes. @param place of the trees in the scene's state.
+    void begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place);
     unsigned frame() const { return _frame; }
 
     /// The list that trees of this shape and tier go to, and of this page if they have poses.
@@ -41,6 +41,9 @@ public:
     std::size_t size() const { return _used; }
     List& operator[](std::size_t index) { return _lists[index]; }
 
+    /// State of the trees, filled in before they are drawn.
+    osg::StateSet* shading() const { return _shading.get(); }
+
     /// Adds the trees in all lists.
     void countTrees(std::array<std::size_t, tierCount>& trees) const;
 
@@ -51,6 +54,8 @@ public:
 private:
     unsigned _frame = ~0u;
     std::size_t _used = 0;
+    osg::ref_ptr<osgUtil::StateGraph> _place;
+    osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::vector<List> _lists;
     std::vector<std::size_t>
         _open; ///< By shape and tier, the list that is filled now; 0: none, else one more.

@@ -160,10 +160,14 @@ TreeId Forest::findTree(const std::string& name) const {
 }
 
 BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
-    if (_followed)
-        return _followed->follow(*_simulation, tree, unit);
     if (!_simulation->holds(tree))
         return nullptr;
+    if (_followed) {
+        BranchTransform* branch = _followed->follow(*_simulation, tree, unit);
+        if (branch)
+            _stand->keepNear(_simulation->slotOf(tree));
+        return branch;
+    }
     return _branchwise->getTree(static_cast<unsigned>(_simulation->slotOf(tree)))->getBranch(unit);
 }
 

@@ -4,120 +4,104 @@
 #include <osg/Fog>
 #include <osg/Uniform>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 namespace {
 
 constexpr unsigned firm = osg::StateAttribute::OVERRIDE, guarded = osg::StateAttribute::PROTECTED;
 
-/// The state sets above a place, nearest first.
+/// The state sets above a place, that of the scene's root first.
 class Above {
 public:
-    explicit Above(const osgUtil::StateGraph* place) : _place(place) {}
+    explicit Above(const osgUtil::StateGraph* place) {
+        for (; place; place = place->_parent)
+            if (place->getStateSet())
+                _sets.push_back(place->getStateSet());
+        std::reverse(_sets.begin(), _sets.end());
+    }
 
-    /// A mode as OSG would apply it; nothing where nobody says.
+    /// A mode as OSG applies it; nothing where nobody says.
     osg::StateAttribute::GLModeValue mode(osg::StateAttribute::GLMode mode) const {
         osg::StateAttribute::GLModeValue result = osg::StateAttribute::INHERIT;
-        any([&](const osg::StateSet& set) {
-            const auto value = set.getMode(mode);
-            if (value != osg::StateAttribute::INHERIT && !(result & guarded) &&
-                (result == osg::StateAttribute::INHERIT || (value & firm)))
-                result = value;
-            return false;
-        });
+        for (const osg::StateSet* set : _sets)
+            take(result, set->getMode(mode));
         return result;
     }
 
     const osg::Fog* fog() const {
-        const osg::Fog* fog = nullptr;
-        any([&](const osg::StateSet& set) {
-            fog = dynamic_cast<const osg::Fog*>(set.getAttribute(osg::StateAttribute::FOG));
-            return fog != nullptr;
-        });
-        return fog;
+        const osg::StateAttribute* result = nullptr;
+        osg::StateAttribute::OverrideValue former = 0;
+        for (const osg::StateSet* set : _sets)
+            if (const auto* fog = set->getAttributePair(osg::StateAttribute::FOG))
+                if (take(former, fog->second))
+                    result = fog->first;
+        return static_cast<const osg::Fog*>(result);
     }
 
-    /// The value of an integer uniform or sampler; negative where there is none.
-    int number(const std::string& name) const {
-        int value = -1;
-        any([&](const osg::StateSet& set) {
-            const osg::Uniform* uniform = set.getUniform(name);
-            if (uniform)
-                uniform->get(value);
-            return uniform != nullptr;
-        });
-        return value;
+    /// The value of an integer uniform or sampler as text; empty where there is none.
+    std::string number(const char* name) const {
+        int value = 0;
+        for (auto set = _sets.rbegin(); set != _sets.rend(); ++set)
+            if (const osg::Uniform* uniform = (*set)->getUniform(name))
+                return uniform->get(value) ? std::to_string(value) : std::string();
+        return {};
     }
 
 private:
-    /// Asks one after another until one says true.
-    template <typename Question>
-    void any(const Question& question) const {
-        for (const osgUtil::StateGraph* place = _place; place; place = place->_parent)
-            if (place->getStateSet() && question(*place->getStateSet()))
-                return;
+    /// Whether the value of a state set further down comes through.
+    static bool take(unsigned& above, unsigned below) {
+        const bool through = below != osg::StateAttribute::INHERIT && (!(above & firm) || (below & guarded));
+        if (through)
+            above = below;
+        return through;
     }
 
-    const osgUtil::StateGraph* _place;
+    std::vector<const osg::StateSet*> _sets;
 };
 
 bool isOn(osg::StateAttribute::GLModeValue value) {
     return value != osg::StateAttribute::INHERIT && (value & osg::StateAttribute::ON);
 }
 
-int fogMode(const osg::Fog* fog) {
+std::string fogMode(const osg::Fog* fog) {
     if (!fog)
-        return 2; // OpenGL's default is exponential
-    return fog->getMode() == osg::Fog::LINEAR ? 1 : fog->getMode() == osg::Fog::EXP ? 2 : 3;
-}
-
-const std::string oneMap = "osgShadow_shadowTexture", firstMap = "shadowTexture0",
-                  secondMap = "shadowTexture1";
-
-enum { Lights, Unlit, Fog, OneMap, FirstMap, SecondMap };
-
-osg::ref_ptr<osg::StateSet> stateOf(const std::array<int, 6>& scene) {
-    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    const auto define = [&](const char* name, int value) { state->setDefine(name, std::to_string(value)); };
-    if (scene[Lights] != 0)
-        define("LIGHT_MASK", scene[Lights]);
-    if (scene[Unlit] != 0)
-        define("UNLIT", 1);
-    if (scene[Fog] != 0)
-        define("FOG_MODE", scene[Fog]);
-    if (scene[OneMap] >= 0)
-        define("SHADOW_MAP", scene[OneMap]);
-    if (scene[FirstMap] >= 0) {
-        define("SHADOW_MAPS", scene[SecondMap] < 0 ? 1 : 2);
-        define("SHADOW_MAP_UNIT0", scene[FirstMap]);
-        if (scene[SecondMap] >= 0)
-            define("SHADOW_MAP_UNIT1", scene[SecondMap]);
-    }
-    return state;
+        return "2"; // OpenGL's default is exponential
+    return fog->getMode() == osg::Fog::LINEAR ? "1" : fog->getMode() == osg::Fog::EXP ? "2" : "3";
 }
 
 } // namespace
 
-osg::ref_ptr<osg::StateSet> SceneShading::stateFor(const osgUtil::CullVisitor& visitor) {
-    const Above above(const_cast<osgUtil::CullVisitor&>(visitor).getCurrentStateGraph());
-    std::array<int, 6> scene{};
-    for (int i = 0; i < 8; ++i)
-        if (isOn(above.mode(GL_LIGHT0 + static_cast<unsigned>(i))))
-            scene[Lights] |= 1 << i;
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place) {
+    const Above above(place);
+    osg::StateSet::DefineList defines;
+    const auto define = [&](const char* name, const std::string& value) {
+        defines[name] = {value, osg::StateAttribute::ON};
+    };
+    unsigned lights = 0;
+    for (unsigned i = 0; i < 8; ++i)
+        if (isOn(above.mode(GL_LIGHT0 + i)))
+            lights |= 1u << i;
+    if (lights != 0)
+        define("LIGHT_MASK", std::to_string(lights));
     const auto lighting = above.mode(GL_LIGHTING);
-    scene[Unlit] = lighting != osg::StateAttribute::INHERIT && !isOn(lighting);
+    if (lighting != osg::StateAttribute::INHERIT && !isOn(lighting))
+        define("UNLIT", "1");
     if (isOn(above.mode(GL_FOG)))
-        scene[Fog] = fogMode(above.fog());
-    scene[OneMap] = above.number(oneMap);
-    scene[FirstMap] = above.number(firstMap);
-    scene[SecondMap] = above.number(secondMap);
-
-    const std::lock_guard<std::mutex> lock(_mutex);
-    osg::ref_ptr<osg::StateSet>& state = _states[scene];
-    if (!state)
-        state = stateOf(scene);
-    return state;
+        define("FOG_MODE", fogMode(above.fog()));
+    const std::string shadowMap = above.number("osgShadow_shadowTexture");
+    if (!shadowMap.empty())
+        define("SHADOW_MAP", shadowMap);
+    const std::string first = above.number("shadowTexture0"), second = above.number("shadowTexture1");
+    if (!first.empty()) {
+        define("SHADOW_MAPS", second.empty() ? "1" : "2");
+        define("SHADOW_MAP_UNIT0", first);
+        if (!second.empty())
+            define("SHADOW_MAP_UNIT1", second);
+    }
+    state.setDefineList(defines);
 }
 
 } // namespace osgTreeWind

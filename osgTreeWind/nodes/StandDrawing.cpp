@@ -8,8 +8,7 @@
 namespace osgTreeWind {
 
 StandDrawing::StandDrawing(const PlacedForest& forest)
-    : shapes(forest.models().size()), state(new osg::StateSet), programs(new PosePrograms),
-      shading(std::make_shared<SceneShading>()) {
+    : shapes(forest.models().size()), state(new osg::StateSet), programs(new PosePrograms) {
     SpeciesStyles styles;
     for (const Species& species : forest.description().species)
         looks.push_back(styles.looks(species));

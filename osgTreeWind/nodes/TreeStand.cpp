@@ -46,6 +46,7 @@ void TreeStand::treeChanged(std::size_t tree) {
         _attention.resize(tree + 1);
     if (!placed.alive) {
         _cells.take(number);
+        _attention[tree].kept = false;
     } else {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
@@ -66,6 +67,12 @@ void TreeStand::follow(std::uint32_t tree) {
     if (!attention.isNear)
         _near.push_back(tree);
     attention.isNear = true;
+}
+
+void TreeStand::keepNear(std::size_t tree) {
+    _simulation->setLevel(tree, ModalMotion::Level::Near);
+    follow(static_cast<std::uint32_t>(tree));
+    _attention[tree].kept = true;
 }
 
 void TreeStand::update(unsigned frame, double time) {
@@ -98,7 +105,8 @@ void TreeStand::update(unsigned frame, double time) {
                                    const bool isNear = _simulation->trees()[tree].alive &&
                                                        modal.level(tree) == ModalMotion::Level::Near;
                                    if (isNear &&
-                                       static_cast<std::uint8_t>(frame - attention.seen) < framesNear)
+                                       (attention.kept ||
+                                        static_cast<std::uint8_t>(frame - attention.seen) < framesNear))
                                        return false;
                                    if (isNear)
                                        _simulation->setLevel(tree, ModalMotion::Level::Far);

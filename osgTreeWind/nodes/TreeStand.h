@@ -39,6 +39,8 @@ public:
 
     /// A tree was added, moved, changed or removed. In update.
     void treeChanged(std::size_t tree);
+    /// Has a tree followed closely from now on, whoever sees it. In update.
+    void keepNear(std::size_t tree);
     /// After each step: which trees are followed how closely. In update.
     void update(unsigned frame, double time);
 
@@ -77,7 +79,8 @@ private:
     struct Attention {
         std::uint8_t seen =
             0; ///< Last bits of the frame in which it last was seen from near, or came to be followed.
-        bool isNear = false; ///< Whether it is among those followed closely.
+        bool isNear = false; ///< Whether it is among those followed closely,
+        bool kept = false;   ///< whoever sees it.
     };
     std::vector<Attention> _attention; ///< By tree.
     std::vector<std::uint32_t> _near;  ///< Trees followed closely.

@@ -9,7 +9,7 @@
 namespace osgTreeWind {
 
 void TreeStandCull::run() {
-    lists.begin(frame, drawing.shapes.size());
+    lists.begin(frame, drawing.shapes.size(), visitor.getCurrentStateGraph());
     const ViewFrustum view(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();
@@ -71,8 +71,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
         passes[tree.model]->row(frame, number, [&](PoseRequest& request) { ask(tree, number, request); });
     InstanceList& list = lists.list(tree.model, tier, passes[tree.model], row.page);
     list.flutter = flutter[tree.species];
-    const float half = std::clamp(std::remainder(0.5f * tree.heading, 3.14159265f), -1.5707f, 1.5707f);
-    list.add({{foot.x, foot.y, foot.z, std::tan(half)},
+    list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
               {static_cast<float>(row.row), fade, own, tree.leaves}});
 }
@@ -92,9 +91,8 @@ void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseReques
 void TreeStandCull::handOver() {
     if (lists.size() == 0)
         return;
-    osg::ref_ptr<osg::StateSet> shading = drawing.shading->stateFor(visitor);
     visitor.pushStateSet(drawing.state);
-    visitor.pushStateSet(shading);
+    visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
     const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
                           std::initializer_list<osg::StateSet*> states) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ForestFixtures.h"
+#include "branchwise/BranchwiseFixtures.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ osg::ref_ptr<Forest> stretchedTree() {
     description.law = MotionLaw::Damped;
     description.trees[0].heading = 1.1f;
     description.trees[0].size = {25.0f, 0.4f, 6.0f};
-    return new Forest(description);
+    return new Forest(branchwise(description));
 }
 
 const Skeleton& skeletonOf(TreeNode& tree) {
