@@ -14,7 +14,9 @@ namespace osgTreeWind {
 /// `texelFetch` (shaders/branchwise/tree.glsl). Filled on the CPU, or the target of a pass.
 class DataTexture {
 public:
-    static constexpr int width = 2048;
+    static constexpr int width = 2048, mostRows = 16384;
+    /// More would be a texture that OpenGL does not hold, and OSG would rescale.
+    static constexpr std::size_t mostTexels = std::size_t(width) * mostRows;
 
     /// @param name of the texture, for people who look at the scene.
     DataTexture(const char* name, std::size_t texels);

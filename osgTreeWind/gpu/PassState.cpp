@@ -21,10 +21,10 @@ PassState::PassState(osg::State& state) : _state(state), _gl(*state.get<osg::GLE
 }
 
 PassState::~PassState() {
-    glPopAttrib();
-    _gl.glUseProgram(static_cast<GLuint>(_formerProgram));
     _gl.glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(_formerFrameBuffer));
     _gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, static_cast<GLuint>(_formerDrawFrameBuffer));
+    glPopAttrib(); // its draw buffer is that of the frame buffer bound
+    _gl.glUseProgram(static_cast<GLuint>(_formerProgram));
 }
 
 void PassState::begin(osg::Program& program, osg::FrameBufferObject& target, int firstRow, int width,

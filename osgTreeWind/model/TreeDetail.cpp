@@ -38,6 +38,7 @@ ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
     if (kept <= 0.0)
         return thinned;
     const auto growth = static_cast<float>(std::sqrt(static_cast<double>(detail.leafArea) * area / kept));
+    thinned.textureBias = 0.85f * std::log2(growth); // fitted to pictures of six species
     const glm::vec3 before = middle(mesh, quadsPerLeafCluster), after = growth * middle(mesh, thinned.quads);
     for (LeafCluster& leaf : thinned.clusters) {
         leaf.anchor += leaf.size * (leaf.orientation * (before - after));

@@ -10,7 +10,7 @@ FollowedBranches::FollowedBranches() {
     setDataVariance(osg::Object::DYNAMIC);
 }
 
-BranchTransform* FollowedBranches::follow(ForestSimulation& simulation, TreeId tree, unsigned unit) {
+BranchTransform* FollowedBranches::follow(const ForestSimulation& simulation, TreeId tree, unsigned unit) {
     if (!simulation.holds(tree))
         return nullptr;
     const PlacedTree& placed = simulation.trees()[simulation.slotOf(tree)];
@@ -21,7 +21,6 @@ BranchTransform* FollowedBranches::follow(ForestSimulation& simulation, TreeId t
     if (!branch) {
         branch = new BranchTransform(unit, toOsg(placed.scale.axes * units[unit].base));
         addChild(branch);
-        simulation.setLevel(simulation.slotOf(tree), ModalMotion::Level::Near);
         place(simulation, tree);
     }
     return branch;

@@ -17,11 +17,9 @@ public:
     FollowedBranches();
 
     /// The one of that branch; null where there is none.
-    BranchTransform* follow(ForestSimulation& simulation, TreeId tree, unsigned unit);
+    BranchTransform* follow(const ForestSimulation& simulation, TreeId tree, unsigned unit);
     /// Sets them where their branches are now. Those of trees that are gone stay.
     void update(const ForestSimulation& simulation);
-
-    bool follows(TreeId tree) const { return _branches.count(tree) > 0; }
 
 protected:
     ~FollowedBranches() override = default;

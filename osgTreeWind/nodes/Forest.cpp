@@ -92,7 +92,10 @@ WindFieldPtr Forest::getWind() const {
 void Forest::setDescription(ForestDescription description) {
     if (description.wind)
         setWind(description.wind);
-    if (const std::string problem = problemOfMemory(description, true); !problem.empty()) {
+    std::string problem = BranchwiseForest::problemOf(description);
+    if (problem.empty())
+        problem = problemOfMemory(description, true);
+    if (!problem.empty()) {
         OSG_WARN << "osgTreeWind: " << problem << "; the forest is left empty" << std::endl;
         description = ForestDescription();
     }
@@ -112,9 +115,9 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandDrawi
     _branchwise = nullptr;
     _followed = nullptr;
     _simulation = std::move(simulation);
-    _treeCount = static_cast<std::size_t>(
-        std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
-                      [](const PlacedTree& tree) { return tree.alive; }));
+    _treeCount =
+        static_cast<std::size_t>(std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
+                                               [](const PlacedTree& tree) { return tree.alive; }));
     if (_simulation->modal()) {
         _stand = drawing ? new TreeStand(_simulation, *drawing) : new TreeStand(_simulation);
         _followed = new FollowedBranches;
@@ -157,10 +160,14 @@ TreeId Forest::findTree(const std::string& name) const {
 }
 
 BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
-    if (_followed)
-        return _followed->follow(*_simulation, tree, unit);
     if (!_simulation->holds(tree))
         return nullptr;
+    if (_followed) {
+        BranchTransform* branch = _followed->follow(*_simulation, tree, unit);
+        if (branch)
+            _stand->keepNear(_simulation->slotOf(tree));
+        return branch;
+    }
     return _branchwise->getTree(static_cast<unsigned>(_simulation->slotOf(tree)))->getBranch(unit);
 }
 
@@ -236,7 +243,8 @@ void Forest::update(osg::NodeVisitor& visitor) {
     if (stamp.getFrameNumber() == _lastFrame) {
         if (!_twoPlaces && getNumParents() > 0 && osg::computeLocalToWorld(path) != _place) {
             _twoPlaces = true;
-            OSG_WARN << "osgTreeWind: forest \"" << getName() << "\" stands in two places of the scene; both show it "
+            OSG_WARN << "osgTreeWind: forest \"" << getName()
+                     << "\" stands in two places of the scene; both show it "
                      << "in the wind of the first. A copy (osg::clone) would have its own" << std::endl;
         }
         return;

@@ -69,7 +69,7 @@ public:
     void setBarkState(std::size_t species, osg::StateSet* state);
     void setLeafState(std::size_t species, osg::StateSet* state);
     /// Draws the trees of a model (index into getSimulation().models()) from these, at every tier with branches, null
-    /// for none: indexed triangles in buffer objects with the arrays of shaders/instance_bark.vert and
+    /// for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
     /// instance_leaf.vert, the index of the unit that moves a vertex among them. Under `modal`; not during a traversal.
     void setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
 

@@ -49,7 +49,6 @@ ImpostorSettings clamped(ImpostorSettings s) {
     s.elevations = glm::clamp(s.elevations, 2, 8);
     s.pixels = 1 << static_cast<int>(std::log2(glm::clamp(s.pixels, 32, 512)));
     s.samples = glm::clamp(s.samples, 1, 4);
-    s.height = glm::clamp(s.height, 1.0f, 10000.0f);
     return s;
 }
 
@@ -158,19 +157,22 @@ private:
         }
     }
 
-    /// Height of the tree in pixels where a level is shown as it is, but not more than is usual. Textures of
-    /// leaves are ever more solid from farther away, and so must be the levels.
+    /// Height of the tree in pixels where a level is shown as it is. Textures of leaves are ever more solid
+    /// from farther away, and so must be the levels.
     float heightAt(int level) const {
+        constexpr float sharper =
+            1.15f; // cards take finer mipmaps than the largest stretch asks for: llvmpipe
         const glm::vec2 extent = _pictures.extents.front();
         const float metres = glm::min(2.0f * _pictures.halfWidth, extent.y - extent.x);
         const float pixels =
             static_cast<float>(_settings.pixels >> level) * (1.0f - 2.0f * ImpostorPictures::margin);
-        return glm::min(pixels * _pictures.height / metres, _settings.height);
+        return sharper * pixels * _pictures.height / metres;
     }
 
-    /// Mean colour of what is covered, and how much that is, for leaves as they are on a level.
+    /// Mean colour of what is covered at the horizon, and how much that is, for leaves as they are on a
+    /// level.
     glm::vec4 look(int level) {
-        draw(_settings.elevations / 3, 1, heightAt(level));
+        draw(0, 1, heightAt(level));
         glm::vec4 color(1e-3f), normal(0.0f);
         for (int y = 0; y < _raster.size(); ++y)
             for (int x = 0; x < _raster.size(); ++x)

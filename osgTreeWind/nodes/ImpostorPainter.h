@@ -14,12 +14,10 @@ namespace osgTreeWind {
 
 /// From where and how finely pictures of a tree are painted.
 struct ImpostorSettings {
-    int azimuths = 8;   ///< Evenly around the tree, [4, 32].
-    int elevations = 4; ///< Evenly from the horizon to the zenith, [2, 8].
-    int pixels = 64;    ///< Width and height of a picture, a power of two, [32, 512].
-    int samples = 2;    ///< A pixel has this number squared, [1, 4].
-    float height =
-        50.0f; ///< In pixels, of trees that begin to be drawn so: pictures are truest there, [1, 10000].
+    int azimuths = 8;    ///< Evenly around the tree, [4, 32].
+    int elevations = 4;  ///< Evenly from the horizon to the zenith, [2, 8].
+    int pixels = 64;     ///< Width and height of a picture, a power of two, [32, 512].
+    int samples = 2;     ///< A pixel has this number squared, [1, 4].
     float leaves = 1.0f; ///< Share of its leaves that the tree bears, [0, 1].
 };
 

@@ -33,6 +33,8 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
             gl.glUniform3fv(location, 1, _trees->flutter.ptr());
     }
 
+    state.getCurrentVertexArrayState()->setRequiresSetArrays(
+        true); // another geometry may have been drawn before
     _geometry->drawVertexArraysImplementation(renderInfo);
     osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
     state.bindVertexBufferObject(instances);
@@ -45,13 +47,21 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
         gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
     }
 
-    osg::DrawElements& triangles = *_geometry->getPrimitiveSet(0)->getDrawElements();
-    osg::GLBufferObject* indices = triangles.getOrCreateGLBufferObject(state.getContextID());
-    state.bindElementBufferObject(indices);
-    gl.glDrawElementsInstanced(
-        triangles.getMode(), static_cast<GLsizei>(triangles.getNumIndices()), triangles.getDataType(),
-        reinterpret_cast<const void*>(indices->getOffset(triangles.getBufferIndex())),
-        static_cast<GLsizei>(_trees->size()));
+    const auto count = static_cast<GLsizei>(_trees->size());
+    for (const osg::ref_ptr<osg::PrimitiveSet>& set : _geometry->getPrimitiveSetList()) {
+        if (osg::DrawElements* elements = set->getDrawElements()) {
+            osg::GLBufferObject* buffer = elements->getOrCreateGLBufferObject(state.getContextID());
+            const void* indices = elements->getDataPointer();
+            if (buffer) {
+                state.bindElementBufferObject(buffer);
+                indices = reinterpret_cast<const void*>(buffer->getOffset(elements->getBufferIndex()));
+            }
+            gl.glDrawElementsInstanced(elements->getMode(), static_cast<GLsizei>(elements->getNumIndices()),
+                                       elements->getDataType(), indices, count);
+        } else if (const auto* array = dynamic_cast<const osg::DrawArrays*>(set.get())) {
+            gl.glDrawArraysInstanced(array->getMode(), array->getFirst(), array->getCount(), count);
+        }
+    }
 
     for (unsigned i = 0; i < 3; ++i) {
         gl.glVertexAttribDivisor(treePlaceLocation + i, 0);

@@ -15,7 +15,7 @@ public:
     InstancedDraw(const InstancedDraw& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, InstancedDraw)
 
-        /// @param geometry of one tree: buffer objects, and one set of indexed triangles.
+        /// @param geometry of one tree, its vertices in buffer objects; DrawElements and DrawArrays are drawn.
         void set(osg::Geometry* geometry, InstanceList* trees);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;

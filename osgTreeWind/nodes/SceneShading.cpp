@@ -4,6 +4,8 @@
 #include <osg/Fog>
 #include <osg/Uniform>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace osgTreeWind {
@@ -11,45 +13,52 @@ namespace {
 
 constexpr unsigned firm = osg::StateAttribute::OVERRIDE, guarded = osg::StateAttribute::PROTECTED;
 
-/// The state sets above a place, nearest first.
+/// The state sets above a place, that of the scene's root first.
 class Above {
 public:
     explicit Above(const osgUtil::StateGraph* place) {
         for (; place; place = place->_parent)
             if (place->getStateSet())
                 _sets.push_back(place->getStateSet());
+        std::reverse(_sets.begin(), _sets.end());
     }
 
-    /// A mode as OSG would apply it; nothing where nobody says.
+    /// A mode as OSG applies it; nothing where nobody says.
     osg::StateAttribute::GLModeValue mode(osg::StateAttribute::GLMode mode) const {
         osg::StateAttribute::GLModeValue result = osg::StateAttribute::INHERIT;
-        for (const osg::StateSet* set : _sets) {
-            const auto value = set->getMode(mode);
-            if (value == osg::StateAttribute::INHERIT || (result & guarded))
-                continue;
-            if (result == osg::StateAttribute::INHERIT || (value & firm))
-                result = value;
-        }
+        for (const osg::StateSet* set : _sets)
+            take(result, set->getMode(mode));
         return result;
     }
 
     const osg::Fog* fog() const {
+        const osg::StateAttribute* result = nullptr;
+        osg::StateAttribute::OverrideValue former = 0;
         for (const osg::StateSet* set : _sets)
-            if (const auto* fog = dynamic_cast<const osg::Fog*>(set->getAttribute(osg::StateAttribute::FOG)))
-                return fog;
-        return nullptr;
+            if (const auto* fog = set->getAttributePair(osg::StateAttribute::FOG))
+                if (take(former, fog->second))
+                    result = fog->first;
+        return static_cast<const osg::Fog*>(result);
     }
 
     /// The value of an integer uniform or sampler as text; empty where there is none.
     std::string number(const char* name) const {
         int value = 0;
-        for (const osg::StateSet* set : _sets)
-            if (const osg::Uniform* uniform = set->getUniform(name))
+        for (auto set = _sets.rbegin(); set != _sets.rend(); ++set)
+            if (const osg::Uniform* uniform = (*set)->getUniform(name))
                 return uniform->get(value) ? std::to_string(value) : std::string();
         return {};
     }
 
 private:
+    /// Whether the value of a state set further down comes through.
+    static bool take(unsigned& above, unsigned below) {
+        const bool through = below != osg::StateAttribute::INHERIT && (!(above & firm) || (below & guarded));
+        if (through)
+            above = below;
+        return through;
+    }
+
     std::vector<const osg::StateSet*> _sets;
 };
 
@@ -65,39 +74,34 @@ std::string fogMode(const osg::Fog* fog) {
 
 } // namespace
 
-osg::ref_ptr<osg::StateSet> SceneShading::stateFor(const osgUtil::CullVisitor& visitor) {
-    const Above above(const_cast<osgUtil::CullVisitor&>(visitor).getCurrentStateGraph());
-    std::map<std::string, std::string> defines;
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place) {
+    const Above above(place);
+    osg::StateSet::DefineList defines;
+    const auto define = [&](const char* name, const std::string& value) {
+        defines[name] = {value, osg::StateAttribute::ON};
+    };
     unsigned lights = 0;
     for (unsigned i = 0; i < 8; ++i)
         if (isOn(above.mode(GL_LIGHT0 + i)))
             lights |= 1u << i;
     if (lights != 0)
-        defines["LIGHT_MASK"] = std::to_string(lights);
+        define("LIGHT_MASK", std::to_string(lights));
     const auto lighting = above.mode(GL_LIGHTING);
     if (lighting != osg::StateAttribute::INHERIT && !isOn(lighting))
-        defines["UNLIT"] = "1";
+        define("UNLIT", "1");
     if (isOn(above.mode(GL_FOG)))
-        defines["FOG_MODE"] = fogMode(above.fog());
+        define("FOG_MODE", fogMode(above.fog()));
     const std::string shadowMap = above.number("osgShadow_shadowTexture");
-    const std::string first = above.number("shadowTexture0"), second = above.number("shadowTexture1");
     if (!shadowMap.empty())
-        defines["SHADOW_MAP"] = shadowMap;
+        define("SHADOW_MAP", shadowMap);
+    const std::string first = above.number("shadowTexture0"), second = above.number("shadowTexture1");
     if (!first.empty()) {
-        defines["SHADOW_MAPS"] = second.empty() ? "1" : "2";
-        defines["SHADOW_MAP_UNIT0"] = first;
-        defines["SHADOW_MAP_UNIT1"] = second;
+        define("SHADOW_MAPS", second.empty() ? "1" : "2");
+        define("SHADOW_MAP_UNIT0", first);
+        if (!second.empty())
+            define("SHADOW_MAP_UNIT1", second);
     }
-
-    const std::lock_guard<std::mutex> lock(_mutex);
-    osg::ref_ptr<osg::StateSet>& state = _states[defines];
-    if (!state) {
-        state = new osg::StateSet;
-        for (const auto& [name, value] : defines)
-            if (!value.empty())
-                state->setDefine(name, value);
-    }
-    return state;
+    state.setDefineList(defines);
 }
 
 } // namespace osgTreeWind

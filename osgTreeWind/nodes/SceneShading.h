@@ -3,24 +3,15 @@
 
 #include <osg/StateSet>
 
-#include <osgUtil/CullVisitor>
-
-#include <map>
-#include <mutex>
-#include <string>
+#include <osgUtil/StateGraph>
 
 namespace osgTreeWind {
 
-/// What the scene above says of light, for shaders that have no fixed functions to ask: which lights are on, which fog
-/// there is, whether osgShadow's ShadowMap or ViewDependentShadowMap hands shadows down. Any thread.
-class SceneShading {
-public:
-    /// State with the defines of shaders/light.glsl and shaders/scene.glsl, as the scene stands where a cull is.
-    osg::ref_ptr<osg::StateSet> stateFor(const osgUtil::CullVisitor& visitor);
-
-private:
-    std::mutex _mutex;
-    std::map<std::map<std::string, std::string>, osg::ref_ptr<osg::StateSet>> _states; ///< By their defines.
-};
+/// What the scene above a place says of light, for shaders that have no fixed functions to ask: which lights are on,
+/// which fog there is, whether osgShadow's ShadowMap or ViewDependentShadowMap hands shadows down.
+///
+/// Known once a cull is over: ViewDependentShadowMap fills in its state last.
+/// @param state to take the defines of shaders/light.glsl and shaders/scene.glsl, and no others.
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place);
 
 } // namespace osgTreeWind

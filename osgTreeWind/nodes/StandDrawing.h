@@ -3,11 +3,9 @@
 
 #include <osgTreeWind/gpu/PosePass.h>
 #include <osgTreeWind/motion/PlacedForest.h>
-#include <osgTreeWind/nodes/SceneShading.h>
 #include <osgTreeWind/nodes/SpeciesLooks.h>
 #include <osgTreeWind/nodes/StandShape.h>
 
-#include <memory>
 #include <vector>
 
 namespace osgTreeWind {
@@ -20,8 +18,8 @@ struct StandDrawing {
     std::vector<osg::ref_ptr<StandShape>> shapes; ///< By model.
     std::vector<SpeciesLooks> looks;              ///< By species.
     osg::ref_ptr<osg::StateSet> state;            ///< Of all trees with branches.
+    osg::ref_ptr<osg::Program> impostorProgram;
     osg::ref_ptr<PosePrograms> programs;
-    std::shared_ptr<SceneShading> shading;
 
     void resizeGLObjectBuffers(unsigned maxSize) const;
     void releaseGLObjects(osg::State* state) const;

@@ -26,19 +26,22 @@ void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulatio
     if (!visitor.getIntersector())
         return;
     const osg::ref_ptr<Bounds> bounds = new Bounds;
-    const auto mayHit = [&](const osg::BoundingBox& box) {
+    const auto within = [&](const osg::BoundingBox& box, const auto& meet) {
         bounds->set(box);
-        return visitor.getIntersector()->enter(*bounds);
+        if (!visitor.getIntersector()->enter(*bounds))
+            return;
+        meet();
+        visitor.getIntersector()->leave();
     };
-    for (const TreeCells::Cell& cell : cells.cells()) {
-        if (cell.trees.empty() || !mayHit(cell.box))
-            continue;
-        for (const TreeCells::Tree& tree : cell.trees)
-            if (mayHit(TreeCells::boxOf(tree))) {
-                const osg::ref_ptr<PickedTree> picked = new PickedTree(simulation, tree.number);
-                picked->accept(visitor);
-            }
-    }
+    for (const TreeCells::Cell& cell : cells.cells())
+        if (!cell.trees.empty())
+            within(cell.box, [&] {
+                for (const TreeCells::Tree& tree : cell.trees)
+                    within(TreeCells::boxOf(tree), [&] {
+                        const osg::ref_ptr<PickedTree> picked = new PickedTree(simulation, tree.number);
+                        picked->accept(visitor);
+                    });
+            });
 }
 
 } // namespace osgTreeWind

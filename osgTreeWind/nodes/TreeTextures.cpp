@@ -3,6 +3,8 @@
 
 #include <osgTreeWind/model/Random.h>
 
+#include <osg/Notify>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -223,24 +225,30 @@ osg::ref_ptr<osg::Image> drawBark() {
     return image;
 }
 
+osg::ref_ptr<osg::Image> painted(const char* name, const osg::ref_ptr<osg::Image>& image) {
+    OSG_INFO << "osgTreeWind: painted " << name << std::endl;
+    return image;
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Image> bladeImage() {
-    static const osg::ref_ptr<osg::Image> image = drawSpray();
+    static const osg::ref_ptr<osg::Image> image = painted("blades", drawSpray());
     return image;
 }
 
 osg::ref_ptr<osg::Image> needleImage() {
-    static const osg::ref_ptr<osg::Image> image = drawNeedles();
+    static const osg::ref_ptr<osg::Image> image = painted("needles", drawNeedles());
     return image;
 }
 
 osg::ref_ptr<osg::Image> barkImage() {
-    static const osg::ref_ptr<osg::Image> image = drawBark();
+    static const osg::ref_ptr<osg::Image> image = painted("bark", drawBark());
     return image;
 }
 
-osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image, osg::Texture::WrapMode along) {
+osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
+                                             osg::Texture::WrapMode along) {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setName(name);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);

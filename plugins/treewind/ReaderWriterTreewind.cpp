@@ -54,6 +54,8 @@ private:
             return ReadResult(forest.problems().front().text());
         if (const std::string problem = problemOfMemory(forest.value(), true); !problem.empty())
             return ReadResult(Diagnostic{where.file, 0, 0, {}, problem}.text());
+        if (const std::string problem = BranchwiseForest::problemOf(forest.value()); !problem.empty())
+            return ReadResult(Diagnostic{where.file, 0, 0, {}, problem}.text());
         for (const std::string& note : forest.value().notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
         return new Forest(std::move(forest.value()));

@@ -141,6 +141,14 @@ TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirMiddlesAndTheirNames) {
     }
 }
 
+TEST(TreeDetail, TexturesOfLargerClustersAreTakenAsCoarse) {
+    EXPECT_EQ(thinned(TreeDetail::full()).textureBias, 0.0f);
+    EXPECT_NEAR(thinned(TreeDetail::reducedOnce()).textureBias, 0.85f * std::log2(std::sqrt(0.78f / 0.23f)),
+                0.02f);
+    EXPECT_GT(thinned(TreeDetail::reducedTwice()).textureBias,
+              thinned(TreeDetail::reducedOnce()).textureBias);
+}
+
 TEST(TreeDetail, ABareOrAbsentCrownHasNoClusters) {
     TreeDetail detail;
     detail.leafShare = 0.0f;

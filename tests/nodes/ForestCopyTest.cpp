@@ -19,13 +19,13 @@ TEST_P(ForestCopyTest, hasTreesOfItsOwnAndTheUsersChildren) {
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     EXPECT_EQ(copy->getName(), "wood");
     EXPECT_EQ(copy->getNumTrees(), 3u);
-    ASSERT_EQ(copy->getNumChildren(), 2u);
-    EXPECT_EQ(copy->getChild(1)->getName(), "house");
-    for (unsigned i = 0; i < 3; ++i) {
-        EXPECT_NE(copy->getBranchwise()->getTree(i), forest->getBranchwise()->getTree(i));
-        EXPECT_EQ(copy->getBranchwise()->getTree(i)->getNumParents(), 1u);
-        EXPECT_EQ(forest->getBranchwise()->getTree(i)->getNumParents(), 1u);
-    }
+    ASSERT_EQ(copy->getNumChildren(), forest->getNumChildren());
+    EXPECT_EQ(copy->getChild(copy->getNumChildren() - 1)->getName(), "house");
+    EXPECT_NE(copy->getStand(), forest->getStand());
+    EXPECT_EQ(copy->getStand()->getNumParents(), 1u);
+    EXPECT_EQ(forest->getStand()->getNumParents(), 1u);
+    EXPECT_TRUE(copy->isOwnChild(copy->getStand()));
+    EXPECT_FALSE(copy->isOwnChild(forest->getStand()));
 }
 
 TEST_P(ForestCopyTest, movesOnItsOwn) {
@@ -43,15 +43,40 @@ TEST_P(ForestCopyTest, movesOnItsOwn) {
         EXPECT_EQ(state, glm::vec4(0.0f)) << "at rest, and calm";
 }
 
-TEST_P(ForestCopyTest, takesTheWindOfNowAndTheDrawing) {
+TEST_P(ForestCopyTest, takesTheWindOfNow) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     const WindFieldPtr gale = std::make_shared<UniformWind>(glm::vec3(30.0f, 0.0f, 0.0f));
     forest->setWind(gale);
-    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
+    EXPECT_EQ(copyOf(*forest)->getWind(), gale);
+}
+
+TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
+    forest->setLeafState(0, own);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
-    EXPECT_EQ(copy->getWind(), gale);
-    EXPECT_EQ(copy->getBranchwise()->getBranchDrawing(), BranchwiseForest::BRANCH_DRAWING);
-    EXPECT_TRUE(copy->getBranchwise()->getTree(1)->getBranchwise());
+    EXPECT_EQ(&copy->getSimulation().models(), &forest->getSimulation().models());
+    EXPECT_EQ(&copy->getSimulation().modal()->archetype(0), &forest->getSimulation().modal()->archetype(0));
+    const StandDrawing &one = forest->getStand()->drawing(), &other = copy->getStand()->drawing();
+    EXPECT_EQ(one.shapes, other.shapes);
+    EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
+    EXPECT_EQ(other.looks[0].ownLeaves, own);
+    copy->setLeafState(0, nullptr);
+    EXPECT_EQ(one.looks[0].ownLeaves, own) << "yet each is changed alone";
+}
+
+TEST_P(ForestCopyTest, hasTheTreesOfNow) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
+    forest->removeTree(1);
+    TreePlacement late;
+    late.position = {50.0, 0.0, 0.0};
+    const TreeId added = forest->addTree(late);
+    osg::ref_ptr<Forest> copy = copyOf(*forest);
+    EXPECT_EQ(copy->getNumTrees(), 3u);
+    EXPECT_TRUE(copy->getSimulation().holds(added));
+    EXPECT_TRUE(copy->removeTree(added));
+    EXPECT_TRUE(forest->getSimulation().holds(added));
+    EXPECT_LT(copy->getBound().radius(), forest->getBound().radius());
 }
 
 TEST_P(ForestCopyTest, outlivesTheOriginal) {
@@ -78,20 +103,6 @@ TEST_P(ForestCopyTest, needsItsOwnUpdateOnly) {
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     EXPECT_EQ(copy->getNumChildrenRequiringUpdateTraversal(),
               forest->getNumChildrenRequiringUpdateTraversal());
-}
-
-TEST_P(ForestCopyTest, drawablesOfATreeCanBeCopied) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
-    const osg::Group& drawn = *tree.getLod()->level(TreeLod::STAND_IN);
-    for (unsigned i = 0; i < drawn.getNumChildren(); ++i) {
-        const osg::Drawable* const drawable = drawn.getChild(i)->asDrawable();
-        ASSERT_NE(drawable, nullptr);
-        osg::ref_ptr<osg::Drawable> copy = osg::clone(drawable, osg::CopyOp(GetParam()));
-        EXPECT_STREQ(copy->className(), drawable->className());
-        EXPECT_EQ(copy->getBoundingBox()._max, drawable->getBoundingBox()._max);
-        EXPECT_FALSE(copy->getSupportsDisplayList());
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(ShallowAndDeep, ForestCopyTest,

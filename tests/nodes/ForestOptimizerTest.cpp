@@ -11,17 +11,17 @@ using namespace osgTreeWind;
 namespace {
 
 /// Trees that can be reached from a node.
-struct TreeCounter : osg::NodeVisitor {
-    TreeCounter() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
-    void apply(osg::Transform& node) override {
-        trees += dynamic_cast<TreeNode*>(&node) != nullptr;
-        traverse(node);
-    }
-    unsigned trees = 0;
-};
-
-unsigned treesBelow(osg::Node& node) {
-    TreeCounter counter;
+std::size_t treesBelow(osg::Node& node) {
+    struct Counter : osg::NodeVisitor {
+        Counter() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+        void apply(osg::Group& node) override {
+            const auto* forest = dynamic_cast<Forest*>(&node);
+            if (forest && forest->containsNode(forest->getStand()))
+                trees += forest->getNumTrees();
+            traverse(node);
+        }
+        std::size_t trees = 0;
+    } counter;
     node.accept(counter);
     return counter.trees;
 }
@@ -47,7 +47,7 @@ TEST_P(ForestOptimizerTest, leavesBranchesAndWhatHangsOnThem) {
     osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 4));
     sensor->setDataVariance(osg::Object::DYNAMIC);
     sensor->addChild(new osg::ShapeDrawable(new osg::Sphere));
-    forest->getBranchwise()->getTree(0)->getBranch(13)->addChild(sensor);
+    forest->branch(0, 13)->addChild(sensor);
     const osg::Vec3d before = worldMatrix(*sensor).getTrans();
     osgUtil::Optimizer().optimize(scene, GetParam());
     ASSERT_EQ(sensor->getNumParents(), 1u);
@@ -60,21 +60,9 @@ TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     scene->addChild(forest);
-    osg::ref_ptr<BranchTransform> branch = forest->getBranchwise()->getTree(0)->getBranch(13);
+    osg::ref_ptr<BranchTransform> branch = forest->branch(0, 13);
     osgUtil::Optimizer().optimize(scene, GetParam());
     EXPECT_EQ(branch->getNumParents(), 1u);
-}
-
-TEST_P(ForestOptimizerTest, leavesEveryTreeItsOwnTexels) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(9));
-    osg::ref_ptr<osg::Group> scene = new osg::Group;
-    scene->addChild(forest);
-    osgUtil::Optimizer().optimize(scene, GetParam());
-    for (unsigned i = 0; i < forest->getNumTrees(); ++i) {
-        int first = -1;
-        forest->getBranchwise()->getTree(i)->getStateSet()->getUniform("treeFirstUnit")->get(first);
-        EXPECT_EQ(first, static_cast<int>(forest->getSimulation().trees()[i].firstUnit)) << "tree " << i;
-    }
 }
 
 TEST_P(ForestOptimizerTest, anEmptyForestTakesADescriptionAfterwards) {

@@ -105,14 +105,37 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
-    osg::ref_ptr<TreeNode> former = forest->getBranchwise()->getTree(0);
+    const osg::ref_ptr<TreeStand> former = forest->getStand();
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(0, 2);
     forest->setDescription(smallForest(5));
     EXPECT_EQ(forest->getNumTrees(), 5u);
     EXPECT_EQ(former->getNumParents(), 0u);
+    EXPECT_NE(forest->branch(0, 2), branch) << "of a tree that is gone";
     EXPECT_TRUE(forest->containsNode(house));
-    EXPECT_EQ(forest->getNumChildren(), 2u);
+    unsigned others = 0;
+    for (unsigned i = 0; i < forest->getNumChildren(); ++i)
+        others += !forest->isOwnChild(forest->getChild(i));
+    EXPECT_EQ(others, 1u);
     updateFrames(*forest, 6, 10);
-    former->updatePose(); // of a forest that is gone: its pose stays where it was
+    former->update(11, 0.4);
+}
+
+TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
+    ForestDescription damped = smallForest(2);
+    damped.law = MotionLaw::Damped;
+    forest->setDescription(damped);
+    EXPECT_EQ(forest->getStand(), nullptr);
+    ASSERT_NE(forest->getBranchwise(), nullptr);
+    EXPECT_EQ(forest->branch(1, 2), forest->getBranchwise()->getTree(1)->getBranch(2));
+    EXPECT_EQ(forest->addTree(TreePlacement()), noTree) << "under modal only";
+    EXPECT_FALSE(forest->removeTree(0));
+    forest->setBarkState(0, new osg::StateSet);
+    updateFrames(*forest, 1, 5);
+    forest->setDescription(smallForest(3));
+    EXPECT_NE(forest->getStand(), nullptr);
+    EXPECT_EQ(forest->getBranchwise(), nullptr);
+    updateFrames(*forest, 6, 10);
 }
 
 TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
@@ -214,7 +237,7 @@ TEST(ForestTest, farFromTheWorldsOriginNothingIsLost) {
     updateFrames(*here, 1, 20);
     updateFrames(*there, 1, 20);
     for (unsigned i = 0; i < 3; ++i)
-        EXPECT_EQ(there->getBranchwise()->getTree(i)->getPosition(),
-                  here->getBranchwise()->getTree(i)->getPosition());
+        EXPECT_EQ(there->getSimulation().trees()[i].position, here->getSimulation().trees()[i].position);
+    EXPECT_EQ(there->getBound().center(), here->getBound().center());
     EXPECT_EQ(statesOf(*there), statesOf(*here));
 }

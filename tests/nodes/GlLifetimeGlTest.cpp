@@ -37,7 +37,6 @@ TEST_F(GlLifetimeGlTest, aForestMovesFromOneContextToAnother) {
 
 TEST_F(GlLifetimeGlTest, aForestIsReleasedForAllContextsAndDrawnAgain) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
-    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
     osg::ref_ptr<osg::Image> first = render(forest, width, height, 3);
     forest->releaseGLObjects();
     frame(2 / 25.0);
@@ -60,44 +59,24 @@ TEST_F(GlLifetimeGlTest, releasingGivesEveryBufferAndTextureBack) {
     auto* buffers = osg::get<osg::GLBufferObjectManager>(contextID());
     auto* textures = osg::get<osg::TextureObjectManager>(contextID());
     ASSERT_GT(buffers->getNumberActiveGLBufferObjects(), 0u);
-    ASSERT_GE(textures->getNumberActiveTextureObjects(), 4u) << "unit poses, leaf angles, bark and blades";
+    ASSERT_GE(textures->getNumberActiveTextureObjects(), 4u) << "poses, bark and blades";
     forest->releaseGLObjects(context().getState());
     frame(0.04); // in which the context takes them
     EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), 0u);
     EXPECT_EQ(textures->getNumberActiveTextureObjects(), 0u);
 }
 
-TEST_F(GlLifetimeGlTest, switchingTheDrawingLeavesNothingBehindOnRelease) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
-    render(forest, width, height, 1);
-    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
-    frame(0.04);
-    viewer().setSceneData(new osg::Group);
-    frame(0.08);
-    forest->releaseGLObjects(context().getState());
-    frame(0.12);
-    EXPECT_EQ(osg::get<osg::GLBufferObjectManager>(contextID())->getNumberActiveGLBufferObjects(), 0u);
-}
-
-/// With every way to the angles.
-class ComingAndGoingGlTest : public GlLifetimeGlTest,
-                             public ::testing::WithParamInterface<BranchwiseForest::AngleSource> {};
-
-TEST_P(ComingAndGoingGlTest, aHundredTimesGrowsNothing) {
+TEST_F(GlLifetimeGlTest, aHundredForestsComeAndGoAndNothingGrows) {
     open(width, height);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     viewer().setSceneData(scene);
     viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3(0, -20, 3), osg::Vec3(0, 0, 3), osg::Z_AXIS);
-    ForestDescription description = smallForest(1);
-    description.law = MotionLaw::Damped;
     std::size_t settledPool = 0, settledMemory = 0;
     for (int i = 0; i < 100; ++i) {
-        osg::ref_ptr<Forest> forest = new Forest(description);
-        forest->getBranchwise()->setAngleSource(GetParam());
+        osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
         scene->addChild(forest);
         for (int k = 0; k < 3; ++k)
             frame((4 * i + k) / 25.0);
-        EXPECT_EQ(forest->getBranchwise()->getAngleSource(), GetParam());
         scene->removeChild(forest);
         forest = nullptr;
         frame((4 * i + 3) / 25.0);
@@ -109,6 +88,3 @@ TEST_P(ComingAndGoingGlTest, aHundredTimesGrowsNothing) {
     EXPECT_LE(poolSize(), settledPool + settledPool / 10);
     EXPECT_LT(residentMemory(), settledMemory + keptMemory) << "50 forests of about 1 MB came and went";
 }
-
-INSTANTIATE_TEST_SUITE_P(CpuAndGpu, ComingAndGoingGlTest,
-                         ::testing::Values(BranchwiseForest::CPU_ANGLES, BranchwiseForest::GPU_ANGLES));

@@ -11,10 +11,9 @@ namespace {
 class ThreadedForestGlTest : public GlTest,
                              public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {
 protected:
-    void start(BranchwiseForest::BranchDrawing drawing, osgViewer::ViewerBase::ThreadingModel threading) {
+    void start(osgViewer::ViewerBase::ThreadingModel threading) {
         open(96, 72);
         osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
-        forest->getBranchwise()->setBranchDrawing(drawing);
         viewer().setSceneData(forest);
         osg::Camera& camera = *viewer().getCamera();
         camera.setProjectionMatrixAsPerspective(40, 96.0 / 72.0, 1, 100);
@@ -30,24 +29,17 @@ protected:
         viewer().startThreading();
         return picture;
     }
-    void expectThePicturesOfASingleThread(BranchwiseForest::BranchDrawing drawing) {
-        start(drawing, osgViewer::ViewerBase::SingleThreaded);
-        osg::ref_ptr<osg::Image> tenth = run(1, 10), sixtieth = run(11, 60);
-        start(drawing, GetParam());
-        EXPECT_EQ(difference(*run(1, 10), *tenth).mean, 0.0);
-        EXPECT_EQ(difference(*run(11, 60), *sixtieth).mean, 0.0);
-        EXPECT_GT(difference(*tenth, *sixtieth).mean, 0.3) << "frames 10 and 60 are alike";
-    }
 };
 
 } // namespace
 
 TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThread) {
-    expectThePicturesOfASingleThread(BranchwiseForest::TREE_DRAWING);
-}
-
-TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThreadBranchByBranch) {
-    expectThePicturesOfASingleThread(BranchwiseForest::BRANCH_DRAWING);
+    start(osgViewer::ViewerBase::SingleThreaded);
+    osg::ref_ptr<osg::Image> tenth = run(1, 10), sixtieth = run(11, 60);
+    start(GetParam());
+    EXPECT_EQ(difference(*run(1, 10), *tenth).mean, 0.0);
+    EXPECT_EQ(difference(*run(11, 60), *sixtieth).mean, 0.0);
+    EXPECT_GT(difference(*tenth, *sixtieth).mean, 0.3) << "frames 10 and 60 are alike";
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ThreadedForestGlTest,

@@ -2,12 +2,15 @@
 #include <osgTreeWind/nodes/branchwise/BranchwiseForest.h>
 
 #include <osgTreeWind/gpu/DataTexture.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/nodes/branchwise/BillboardDrawable.h>
 
 #include <osg/Notify>
 
+#include <algorithm>
 #include <cstring>
 
 namespace osgTreeWind {
@@ -18,6 +21,45 @@ constexpr unsigned unitPosesTextureUnit = 4;
 constexpr unsigned leafAnglesTextureUnit = 5;
 
 } // namespace
+
+osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed, float own) {
+    Pictures& pictures = _pictures[tree.model];
+    if (!pictures.shape) {
+        if (!_pictureProgram)
+            _pictureProgram = createProgram("impostor", "impostor");
+        const Species& species = _simulation->description().species[tree.species];
+        pictures.shape = new ImpostorShape(paintImpostor(posed.model(), species.appearance), _pictureProgram);
+        pictures.state = new SharedStateSet(*pictures.shape->stateSet());
+        pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
+    }
+    osg::ref_ptr<osg::Drawable> drawable = new BillboardDrawable(pictures.shape->geometry(), &posed, own);
+    drawable->setStateSet(pictures.state);
+    return drawable;
+}
+
+std::string BranchwiseForest::problemOf(const ForestDescription& description) {
+    if (description.law == MotionLaw::Modal)
+        return {};
+    std::vector<std::size_t> units, leaves;
+    for (const Species& species : description.species) {
+        const TreeCounts counts = countTree(species.tree);
+        units.push_back(counts.units);
+        leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
+    }
+    std::size_t branchTexels = 0, leafTexels = 0;
+    for (const TreePlacement& tree : description.trees)
+        if (tree.species < units.size()) {
+            branchTexels += 3 * units[tree.species]; // branch parameters are the largest
+            leafTexels += leaves[tree.species];
+        }
+    if (std::max(branchTexels, leafTexels) <= DataTexture::mostTexels)
+        return {};
+    const bool branches = branchTexels > leafTexels;
+    return std::to_string(description.trees.size()) + " trees under a law of a branch need " +
+           std::to_string(std::max(branchTexels, leafTexels)) + " texels of " +
+           (branches ? "branch parameters" : "leaf angles") + "; a texture holds " +
+           std::to_string(DataTexture::mostTexels) + ". The law modal has no such limit";
+}
 
 BranchwiseForest::BranchwiseForest()
     : BranchwiseForest(std::make_shared<ForestSimulation>(ForestDescription())) {}
@@ -31,6 +73,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     for (const TreeModel& model : simulation.models())
         _shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
 
+    _pictures.resize(simulation.models().size());
     _stand = new osg::Group;
     _stand->setName("trees");
     _stand->setDataVariance(osg::Object::DYNAMIC);
@@ -40,7 +83,9 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
-        node->setOwnNumber(Random(tree.seed).uniform());
+        const float own = Random(tree.seed).uniform();
+        node->setOwnNumber(own);
+        node->setBillboard(billboard(tree, *node->getPosedTree(), own));
         node->getPosedTree()->follow(_simulation, simulation.motion(i));
         node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
         node->setLeafwise(_leafDrawing == LEAF_TRANSFORMS);
@@ -137,6 +182,9 @@ void BranchwiseForest::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Group::resizeGLObjectBuffers(maxSize);
     for (const osg::ref_ptr<TreeShape>& shape : _shapes)
         shape->resizeGLObjectBuffers(maxSize);
+    for (const Pictures& pictures : _pictures)
+        if (pictures.shape)
+            pictures.shape->geometry()->resizeGLObjectBuffers(maxSize);
     if (_prePass)
         _prePass->node()->resizeGLObjectBuffers(maxSize);
 }
@@ -147,6 +195,11 @@ void BranchwiseForest::releaseGLObjects(osg::State* state) const {
         shape->releaseGLObjects(state);
     for (const TreeStyle& style : _styles)
         style.releaseGLObjects(state);
+    for (const Pictures& pictures : _pictures)
+        if (pictures.shape) {
+            pictures.shape->geometry()->releaseGLObjects(state);
+            pictures.state->releaseShared(state);
+        }
     if (_prePass)
         _prePass->node()->releaseGLObjects(state);
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/nodes/ImpostorShape.h>
 #include <osgTreeWind/nodes/branchwise/TreeNode.h>
 
 #include <osg/Group>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace osgTreeWind {
@@ -36,6 +38,10 @@ public:
         TREE_LEAVES,    ///< All of a tree in one draw, whose vertex shader fetches each cluster's angles.
         LEAF_TRANSFORMS ///< Every cluster below a transform of its own (as published, §2.4.1).
     };
+
+    /// Why a forest of the description has no room in textures, which nothing may rescale; empty where it
+    /// has.
+    static std::string problemOf(const ForestDescription& description);
 
     /// No trees.
     BranchwiseForest();
@@ -84,6 +90,11 @@ protected:
     ~BranchwiseForest() override;
 
 private:
+    struct Pictures {
+        osg::ref_ptr<ImpostorShape> shape;
+        osg::ref_ptr<SharedStateSet> state;
+    };
+    osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed, float own);
     void chooseAngleSource();
     bool stepOnCpu(double time);
     bool stepOnGpu(double time);
@@ -92,8 +103,10 @@ private:
 
     std::shared_ptr<ForestSimulation> _simulation;
     std::vector<osg::ref_ptr<TreeShape>> _shapes; ///< By model.
-    std::vector<TreeStyle> _styles;               ///< By species.
-    osg::ref_ptr<osg::Group> _stand;              ///< The trees, and the textures they share.
+    std::vector<Pictures> _pictures;              ///< By model.
+    osg::ref_ptr<osg::Program> _pictureProgram;
+    std::vector<TreeStyle> _styles;  ///< By species.
+    osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
     std::vector<osg::ref_ptr<TreeNode>> _trees;
     std::unique_ptr<DataTexture> _unitPoses, _leafAngles;
     // No children: in a scene they would keep everything above them from being culled.

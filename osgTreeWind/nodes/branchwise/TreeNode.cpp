@@ -184,6 +184,13 @@ void TreeNode::setOwnNumber(float number) {
     getOrCreateStateSet()->getOrCreateUniform("treeOwn", osg::Uniform::FLOAT)->set(number);
 }
 
+void TreeNode::setBillboard(osg::Drawable* picture) {
+    osg::Group& level = *_lod->level(TreeLod::BILLBOARD);
+    level.removeChildren(0, level.getNumChildren());
+    level.addChild(picture);
+    _lod->setRanges(_lod->getRanges());
+}
+
 void TreeNode::updatePose(bool moved) {
     if (!_tree)
         return;

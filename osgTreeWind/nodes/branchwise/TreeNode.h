@@ -56,6 +56,9 @@ public:
     /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
     void setOwnNumber(float number);
 
+    /// What is drawn at the level BILLBOARD.
+    void setBillboard(osg::Drawable* picture);
+
     /// Takes over the pose of getPosedTree(): bounds if it `moved`, and transforms that are looked at or were
     /// asked for. In update.
     void updatePose(bool moved = true);

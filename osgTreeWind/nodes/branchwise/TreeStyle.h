@@ -13,7 +13,7 @@ namespace osgTreeWind {
 class SharedStateSet : public osg::StateSet {
 public:
     SharedStateSet() = default;
-    SharedStateSet(const SharedStateSet& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY)
+    explicit SharedStateSet(const osg::StateSet& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY)
         : osg::StateSet(other, copyop) {}
     void releaseGLObjects(osg::State*) const override {}
     void releaseShared(osg::State* state) const { osg::StateSet::releaseGLObjects(state); }

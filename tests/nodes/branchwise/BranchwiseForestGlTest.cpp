@@ -12,8 +12,8 @@
 #include <osg/ContextData>
 #include <osg/Texture>
 #include <osgDB/ReadFile>
-#include <osgUtil/IntersectionVisitor>
-#include <osgUtil/LineSegmentIntersector>
+
+#include <limits>
 
 using namespace osgTreeWind;
 
@@ -112,10 +112,11 @@ TEST_F(BranchwiseForestGlTest, outOfSightItKeepsItsStatesAndGoesOnFromThem) {
 }
 
 TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
-    start(dampedForest(1));
+    const ForestDescription description = dampedForest(1);
+    start(description);
     forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
     frames(30);
-    ForestSimulation oracle(forest->getDescription());
+    ForestSimulation oracle(description);
     for (int i = 2; i <= now - 1; ++i) // passes begin in the second frame; what came back is a frame old
         oracle.advance(i / 25.0);
     const auto& leaves = forest->getSimulation().leaves().states();
@@ -145,6 +146,22 @@ TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
         EXPECT_EQ(textures->getNumberActiveTextureObjects(), texturesBefore);
         frames(1);
     }
+}
+
+TEST_F(BranchwiseForestGlTest, billboardsLookLikeTheTrees) {
+    ForestDescription calm = dampedForest(3);
+    calm.wind = nullptr;
+    double seen[2] = {};
+    for (const bool pictures : {false, true}) {
+        start(calm);
+        const float always = std::numeric_limits<float>::infinity();
+        forest->getBranchwise()->setLodRanges(pictures ? TreeLodRanges{0.0f, 0.0f}
+                                                       : TreeLodRanges{always, always});
+        frames(3);
+        seen[pictures] = covered(image());
+    }
+    EXPECT_GT(seen[0], 0.02);
+    EXPECT_NEAR(seen[1], seen[0], 0.25 * seen[0]);
 }
 
 TEST_F(BranchwiseForestGlTest, leavesKeepTheirShadeWhenATreeIsAdded) {

@@ -66,6 +66,7 @@ protected:
     /// A forest with GPU angles, and its probe's frame behind it. It is culled as seen, and not drawn into
     /// any pixel.
     osg::ref_ptr<Forest> start(ForestDescription description) {
+        given = description;
         osg::ref_ptr<Forest> forest = new Forest(std::move(description));
         forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
         open(16, 16);
@@ -76,6 +77,8 @@ protected:
         EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
         return forest;
     }
+
+    ForestDescription given;
 };
 
 float largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
@@ -97,8 +100,7 @@ TEST_F(GpuForestGlTest, EveryWindValueArrivesAtItsOwnBranch) {
                                TexelCase{"64 reference trees", bareSpecies(4, 3, 2), 64, 122 * 64},
                                TexelCase{"300,000 units", bareSpecies(8, 3, 2), 31, 9842 * 31}}) {
         osg::ref_ptr<Forest> forest = start(forestOf(c.species, c.trees));
-        const auto restarted = forest->getSimulation().restarted();
-        ForestSimulation& oracle = *restarted;
+        ForestSimulation oracle(given);
         ASSERT_EQ(oracle.branches()->states().size(), c.units) << c.name;
         oracle.advance(0.0);
         for (int i = 1; i <= 3; ++i) {
@@ -141,8 +143,7 @@ TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
 TEST_F(GpuForestGlTest, SixHundredFramesStayWithTheCpu) {
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped}) {
         osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(4, 3, 2), 4, law));
-        const auto restarted = forest->getSimulation().restarted();
-        ForestSimulation& oracle = *restarted;
+        ForestSimulation oracle(given);
         oracle.advance(0.0);
         for (int i = 1; i <= 600; ++i) {
             frame(i / 60.0);
@@ -227,7 +228,8 @@ TEST_F(GpuForestGlTest, APauseHolds) {
 }
 
 TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
-    osg::ref_ptr<Forest> forest = new Forest(forestOf(bareSpecies(2, 3, 1), 2));
+    given = forestOf(bareSpecies(2, 3, 1), 2);
+    osg::ref_ptr<Forest> forest = new Forest(given);
     forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
     open(32, 16);
     viewer().setSceneData(nullptr);
@@ -241,8 +243,7 @@ TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
         composite.addView(view);
     }
     composite.realize();
-    const auto restarted = forest->getSimulation().restarted();
-    ForestSimulation& oracle = *restarted;
+    ForestSimulation oracle(given);
     oracle.advance(0.0);
     composite.frame(0.0);
     composite.frame(0.0);

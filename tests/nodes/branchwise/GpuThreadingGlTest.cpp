@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../../gl/GlTest.h"
-#include "../ForestFixtures.h"
+#include "BranchwiseFixtures.h"
 
 #include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>

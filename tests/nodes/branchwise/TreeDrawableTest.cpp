@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../ForestFixtures.h"
+#include "BranchwiseFixtures.h"
 #include "Onlooker.h"
 
 #include <osgTreeWind/nodes/branchwise/LeafDrawable.h>
@@ -33,7 +33,7 @@ struct BentTree {
         Species species = smallSpecies();
         species.tree.leaves.clustersPerBranch = 0;
         species.tree.wood.radius = 0.05f;
-        forest = new Forest(oneTree(species, 40.0f));
+        forest = new Forest(branchwise(oneTree(species, 40.0f)));
         forest->getBranchwise()->setBranchDrawing(drawing);
         before = middle();
         updateFrames(*forest, 1, 60);
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(TreeAndBranch, PickingTest,
 class LeafPickingTest : public ::testing::TestWithParam<BranchwiseForest::LeafDrawing> {};
 
 TEST_P(LeafPickingTest, hitsALeafWhereItIs) {
-    osg::ref_ptr<Forest> forest = new Forest(oneTree(smallSpecies()));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
     forest->getBranchwise()->setLeafDrawing(GetParam());
     updateFrames(*forest, 1, 20);
     glm::vec3 corners[verticesPerLeafCluster];
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(TreeAndCluster, LeafPickingTest,
                          ::testing::Values(BranchwiseForest::TREE_LEAVES, BranchwiseForest::LEAF_TRANSFORMS));
 
 TEST(BoundsTest, holdEveryPosedPointInAStorm) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 45.0f));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(3, 45.0f)));
     for (unsigned frame = 1; frame <= 200; ++frame) {
         update(*forest, frame, frame / 25.0);
         if (frame % 20)
@@ -113,7 +113,7 @@ TEST(BoundsTest, holdEveryPosedPointInAStorm) {
 }
 
 TEST(BoundsTest, ofTheSceneGrowWithTheTrees) {
-    osg::ref_ptr<Forest> forest = new Forest(oneTree(smallSpecies(), 45.0f));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 45.0f)));
     const osg::BoundingSphere rest = forest->getBound();
     updateFrames(*forest, 1, 100);
     TreeNode& tree = *forest->getBranchwise()->getTree(0);
@@ -126,7 +126,7 @@ TEST(BoundsTest, ofTheSceneGrowWithTheTrees) {
 }
 
 TEST(BoundsTest, settleInASteadyWind) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 250);
     const osg::BoundingBox settled = forest->getBranchwise()->getTree(0)->getPosedTree()->bounds();
     updateFrames(*forest, 251, 400);
@@ -137,7 +137,7 @@ TEST(BoundsTest, settleInASteadyWind) {
 class StatisticsTest : public ::testing::TestWithParam<BranchwiseForest::BranchDrawing> {};
 
 TEST_P(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
-    osg::ref_ptr<Forest> forest = new Forest(oneTree(Species()));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
     forest->getBranchwise()->setBranchDrawing(GetParam());
     forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
     Onlooker onlooker(1.0f);

@@ -140,3 +140,9 @@ TEST_F(TreeLodTest, aCopyOfTheForestKeepsThem) {
     osg::ref_ptr<Forest> copy = osg::clone(forest.get());
     EXPECT_EQ(copy->getBranchwise()->getTree(0)->getLod()->getRanges().full, 3.0f);
 }
+
+TEST_F(TreeLodTest, aTreeFarAwayIsAPicture) {
+    EXPECT_EQ(seenFrom(21.0f), (std::vector<std::string>{"BillboardDrawable"}));
+    frames(3);
+    EXPECT_EQ(firstBranch(), nullptr);
+}

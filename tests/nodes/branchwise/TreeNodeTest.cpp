@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../ForestFixtures.h"
+#include "BranchwiseFixtures.h"
 
 #include <osgTreeWind/nodes/branchwise/SkinDrawable.h>
 
@@ -8,7 +8,7 @@
 using namespace osgTreeWind;
 
 TEST(TreeNodeTest, hasABranchForEveryUnitAndNoneBeyond) {
-    osg::ref_ptr<Forest> forest = new Forest(oneTree(Species()));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
     TreeNode& tree = *forest->getBranchwise()->getTree(0);
     EXPECT_EQ(tree.getNumBranches(), 122u);
     EXPECT_NE(tree.getBranch(121), nullptr);
@@ -17,14 +17,14 @@ TEST(TreeNodeTest, hasABranchForEveryUnitAndNoneBeyond) {
 }
 
 TEST(TreeNodeTest, givesTheSameBranchEveryTime) {
-    osg::ref_ptr<Forest> forest = new Forest(oneTree(smallSpecies()));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
     BranchTransform* const branch = forest->getBranchwise()->getTree(0)->getBranch(9);
     EXPECT_EQ(forest->getBranchwise()->getTree(0)->getBranch(9), branch);
     EXPECT_EQ(branch->getUnit(), 9u);
 }
 
 TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(5));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(5)));
     const unsigned unit = 13, treeIndex = 4;
     TreeNode& tree = *forest->getBranchwise()->getTree(treeIndex);
     const glm::vec3 tip =
@@ -44,7 +44,7 @@ TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
 }
 
 TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 40);
     TreeNode& tree = *forest->getBranchwise()->getTree(0);
     const osg::Matrix late = worldMatrix(*tree.getBranch(13));
@@ -66,7 +66,7 @@ TEST(TreeNodeTest, anEmptyOneHasNothingAndTakesEverything) {
 }
 
 TEST(TreeNodeTest, drawingBranchByBranchAndBackLeavesHungNodesThere) {
-    osg::ref_ptr<Forest> forest = new Forest(oneTree(smallSpecies()));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
     TreeNode& tree = *forest->getBranchwise()->getTree(0);
     osg::ref_ptr<osg::Group> nest = new osg::Group;
     tree.getBranch(5)->addChild(nest);
@@ -84,7 +84,7 @@ TEST(TreeNodeTest, drawingBranchByBranchAndBackLeavesHungNodesThere) {
 class TreeNodeCopyTest : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
     updateFrames(*forest, 1, 40);
     TreeNode& tree = *forest->getBranchwise()->getTree(1);
     tree.setName("by the gate");
@@ -104,7 +104,7 @@ TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
 }
 
 TEST_P(TreeNodeCopyTest, doesNotTurnTheOriginalToRest) {
-    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
     TreeNode& tree = *forest->getBranchwise()->getTree(1);
     int before = -2, after = -2;
     tree.getStateSet()->getUniform("treeFirstUnit")->get(before);
