@@ -9,6 +9,7 @@
 #include <osg/observer_ptr>
 
 #include <algorithm>
+#include <array>
 
 namespace osgTreeWind {
 namespace {
@@ -77,8 +78,16 @@ struct PosePass::Context {
 
     explicit Context(osg::State& drawn) : state(&drawn), id(drawn.getContextID()) {}
 
+    std::array<const osg::ref_ptr<osg::Texture2D>*, 7> textures() const {
+        return {&units, &matrices, &requests, &turns, &speeds, &rotations, &translations};
+    }
     /// Whether OpenGL has lost what it had.
-    bool isLost() const { return units && !units->getTextureObject(id); }
+    bool isLost() const {
+        for (const osg::ref_ptr<osg::Texture2D>* texture : textures())
+            if (*texture && !(*texture)->getTextureObject(id))
+                return true;
+        return false;
+    }
 
     void makeRoom(int width, int rows) {
         treeRows = rows;
@@ -92,10 +101,9 @@ struct PosePass::Context {
     }
 
     void release(osg::State* state) const {
-        for (const osg::ref_ptr<osg::Texture2D>& texture :
-             {units, matrices, requests, turns, speeds, rotations, translations})
-            if (texture)
-                texture->releaseGLObjects(state);
+        for (const osg::ref_ptr<osg::Texture2D>* texture : textures())
+            if (*texture)
+                (*texture)->releaseGLObjects(state);
         for (const osg::ref_ptr<osg::FrameBufferObject>& frameBuffer : {turnTarget, poseTarget})
             if (frameBuffer)
                 frameBuffer->releaseGLObjects(state);
@@ -120,7 +128,7 @@ void PosePass::refer(const ModalShape& shape, PoseRequest& request) {
     request.rowTexels = static_cast<float>(texels);
     request.maxAngle = shape.maxAngle;
     const std::lock_guard<std::mutex> lock(_matrixMutex);
-    const auto [found, isNew] = _firstTexels.emplace(&shape, static_cast<int>(_matrices.size()));
+    const auto [found, isNew] = _firstTexels.try_emplace(&shape, static_cast<int>(_matrices.size()));
     request.firstTexel = static_cast<float>(found->second);
     if (!isNew)
         return;

@@ -24,6 +24,8 @@ void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees) {
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    state.unbindVertexArrayObject(); // where there is one it would be of the geometry drawn before
+    state.setCurrentToGlobalVertexArrayState();
     if (_trees->page)
         _trees->passes->apply(state, *_trees->page);
     if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
@@ -33,8 +35,6 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
             gl.glUniform3fv(location, 1, _trees->flutter.ptr());
     }
 
-    state.getCurrentVertexArrayState()->setRequiresSetArrays(
-        true); // another geometry may have been drawn before
     _geometry->drawVertexArraysImplementation(renderInfo);
     osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
     state.bindVertexBufferObject(instances);

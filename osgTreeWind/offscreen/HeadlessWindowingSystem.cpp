@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Lets a stock OSG program, osgviewer for one, run without a display:
 //   LD_PRELOAD=libosgTreeWindHeadless.so:libOSMesa.so.8 OSG_RUN_FRAME_COUNT=10 osgviewer scene.osgt
-// The windows it asks for become offscreen contexts that nobody sees and that send no events.
+// The windows it asks for become offscreen contexts that nobody sees. They send no events but one: to quit, after
+// OSG_RUN_FRAME_COUNT frames, to programs with a frame loop of their own, where OSG does not look at it.
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/Notify>
+#include <osg/os_utils>
 #include <osgViewer/GraphicsWindow>
 
 namespace osgTreeWind {
@@ -18,6 +20,12 @@ public:
         setState(pixels->getState());
         getState()->setGraphicsContext(this);
         pixels->setState(nullptr);
+        osg::getEnvVar("OSG_RUN_FRAME_COUNT", _lastFrame);
+    }
+    bool checkEvents() override {
+        if (++_frame > _lastFrame)
+            getEventQueue()->quitApplication();
+        return _frame > _lastFrame;
     }
     bool valid() const override { return _pixels->valid(); }
     bool realizeImplementation() override { return _pixels->isRealized(); }
@@ -34,6 +42,7 @@ protected:
 
 private:
     osg::ref_ptr<osg::GraphicsContext> _pixels;
+    unsigned _frame = 0, _lastFrame = ~0u;
 };
 
 class HeadlessWindowingSystem : public osg::GraphicsContext::WindowingSystemInterface {
