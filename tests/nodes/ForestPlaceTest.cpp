@@ -67,8 +67,9 @@ void cull(osg::Node& scene, unsigned frame, const osg::Vec3d& eye) {
     visitor->setRenderStage(stage);
     visitor->pushViewport(stage->getViewport());
     visitor->pushProjectionMatrix(new osg::RefMatrix(osg::Matrix::perspective(60, 1, 1, 1e5)));
-    visitor->pushModelViewMatrix(new osg::RefMatrix(osg::Matrix::lookAt(eye, osg::Vec3d(), osg::Z_AXIS)),
-                                 osg::Transform::ABSOLUTE_RF);
+    visitor->pushModelViewMatrix(
+        new osg::RefMatrix(osg::Matrix::lookAt(eye, osg::Vec3d(), osg::Vec3d(0, 0, 1))),
+        osg::Transform::ABSOLUTE_RF);
     scene.accept(*visitor);
     visitor->popModelViewMatrix();
     visitor->popProjectionMatrix();
