@@ -6,6 +6,7 @@
 
 uniform sampler2D leafTexture; // colour variation, alpha: shape
 uniform vec3 leafColor;
+uniform float leafTextureBias; // of enlarged clusters (model/TreeDetail.h)
 
 in vec2 leafCoord;
 in vec3 leafLight;
@@ -13,7 +14,7 @@ in vec3 scenePosition;
 flat in float treeFade;
 
 void main() {
-    vec4 leaf = texture(leafTexture, leafCoord);
+    vec4 leaf = texture(leafTexture, leafCoord, leafTextureBias);
     if (leaf.a < 0.5 || dithered(treeFade)) // leafAlphaThreshold of TreeTextures.cpp
         discard;
     gl_FragColor = vec4(sceneColor(leaf.rgb * leafColor * leafLight, scenePosition), 1.0);

@@ -37,4 +37,6 @@ void main() {
     scenePosition = eyePosition.xyz;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;
+    if (fract(0.618034 * gl_MultiTexCoord0.w) >= treeState.w) // one that the tree does not bear
+        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -19,8 +19,9 @@ struct Series {
     std::vector<Point> points;
 };
 
-/// Colours that the colour-blind tell apart (Okabe and Ito), by place in benchStages().
-const char* const colours[] = {"#000000", "#e69f00", "#0072b2", "#009e73", "#d55e00", "#cc79a7", "#56b4e9"};
+/// Colours that the colour-blind tell apart (Okabe and Ito, Tol), by place in benchStages().
+const char* const colours[] = {"#000000", "#e69f00", "#0072b2", "#009e73", "#d55e00", "#cc79a7",
+                               "#56b4e9", "#882255", "#999933", "#999999", "#332288"};
 
 constexpr double top = 70.0, bottom = 400.0, panelWidth = 330.0;
 

@@ -161,7 +161,7 @@ std::vector<TimedKernel> allKernels() {
         windKind("grid", GridWind::create(someGrid(1, 1)).value()),
         windKind("grid, 8 layers", GridWind::create(someGrid(8, 1)).value()),
         windKind("grid, 8 layers, 3 times", moving),
-        windKind("forest_wind", createBenchWind(false)),
+        windKind("forest_wind", BenchWinds().at(0)),
         windKind("series", TimeSeriesWind::create(series).value()),
         windKind("travelling (.bts)", std::make_shared<RetimedWind>(moving, carried)),
         windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),

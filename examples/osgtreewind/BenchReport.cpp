@@ -33,6 +33,7 @@ ordered_json timesJson(const BenchTimes& times) {
     return {{"seconds", std::accumulate(times.frame.begin(), times.frame.end(), 0.0) / 1000.0},
             {"fps", number(framesPerSecond(times))},
             {"frameMs", spread(times.frame)},
+            {"processorMs", spread(times.processor)},
             {"updateMs", spread(times.update)},
             {"cullMs", spread(times.cull)},
             {"drawMs", spread(times.draw)},
@@ -89,10 +90,12 @@ ordered_json resultJson(const BenchResult& result) {
                          {"title", result.stage.title},
                          {"trees", result.trees},
                          {"frames", result.moving.frame.size()},
-                         {"angles", result.gpuAngles ? "gpu" : "cpu"}};
+                         {"law", result.stage.law() == osgTreeWind::MotionLaw::Thesis ? "thesis" : "modal"},
+                         {"angles", result.angles}};
     json["moving"] = timesJson(result.moving);
     json["static"] = timesJson(result.still);
     json["ratioToStatic"] = spread(ratios(result.moving.frame, result.still.frame));
+    json["processorRatioToStatic"] = spread(ratios(result.moving.processor, result.still.processor));
     json["counts"] = {{"units", counts.units},         {"vertices", counts.vertices},
                       {"triangles", counts.triangles}, {"lines", counts.lines},
                       {"nodes", counts.nodes},         {"transforms", counts.transforms},
@@ -167,7 +170,7 @@ ordered_json benchReport(const BenchConditions& conditions, const std::vector<Be
                       {"version", conditions.driver.version}};
     json["settings"] = {{"width", settings.size.width},  {"height", settings.size.height},
                         {"framePairs", settings.frames}, {"warmUpPairs", settings.warmUp},
-                        {"stepSeconds", settings.step},  {"law", "thesis"},
+                        {"stepSeconds", settings.step},
                         {"threading", "SingleThreaded"}};
     json["results"] = ordered_json::array();
     for (const BenchResult& result : results)

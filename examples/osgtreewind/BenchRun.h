@@ -2,16 +2,9 @@
 #pragma once
 
 #include "BenchStage.h"
-#include "Offscreen.h"
+#include "BenchViewer.h"
 
 #include <osgTreeWind/base/Result.h>
-
-/// How a frame spent its time; a number a frame, milliseconds.
-struct BenchTimes {
-    std::vector<double> frame;              ///< Whole frames, up to the end of the driver's work (glFinish).
-    std::vector<double> update, cull, draw; ///< What osgViewer measured; draw includes the glFinish.
-    std::vector<double> gpu;                ///< Likewise; empty where there are no timer queries.
-};
 
 /// What the moving scene consists of.
 struct BenchCounts {
@@ -23,7 +16,7 @@ struct BenchCounts {
 struct BenchResult {
     BenchStage stage;
     int trees = 0;
-    bool gpuAngles = false; ///< Whether the angles came from the GPU in fact.
+    std::string angles; ///< Where the angles came from in fact: "gpu", "cpu" or "recorded".
     BenchTimes moving, still;
     BenchCounts counts;
 };
@@ -33,11 +26,6 @@ struct BenchSettings {
     int frames = 60;          ///< Pairs of frames.
     int warmUp = 10;          ///< Pairs before them: shaders compile, buffers fill, angle passes start.
     double step = 1.0 / 60.0; ///< Simulation time from one moving frame to the next, seconds.
-};
-
-/// What OpenGL says of itself.
-struct BenchDriver {
-    std::string vendor, renderer, version;
 };
 
 /// Measures in a context of its own. @param driver is filled in.

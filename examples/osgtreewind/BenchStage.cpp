@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "BenchStage.h"
 
+#include "BenchRig.h"
+
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/nodes/branchwise/SkinDrawable.h>
 #include <osgTreeWind/wind/GridWind.h>
@@ -16,15 +18,16 @@ namespace {
 
 constexpr double spacing = 6.0; // metres
 
-ForestDescription benchForest(int trees, bool leaves) {
+ForestDescription benchForest(const BenchStage& stage, int trees) {
     Species reference;
     reference.name = "reference";
     reference.shapes = 1;
-    if (!leaves)
+    if (stage.geometry != BenchStage::BARK_AND_LEAVES)
         reference.tree.leaves.clustersPerBranch = 0;
     ForestDescription description;
     description.species = {reference};
-    description.law = MotionLaw::Thesis;
+    description.law = stage.law();
+    description.drawing.tiers = stage.way != BenchStage::INSTANCES_IN_FULL;
     const int perRow = static_cast<int>(std::ceil(std::sqrt(trees)));
     for (int i = 0; i < trees; ++i) {
         TreePlacement tree;
@@ -80,17 +83,17 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
 constexpr float always = std::numeric_limits<float>::infinity();
 constexpr TreeLodRanges alwaysFull{always, always};
 
-osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const Forest& forest) {
-    const auto model = std::make_shared<const TreeModel>(forest.getSimulation().models().front());
+osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest& forest,
+                                    const std::shared_ptr<const TreeModel>& model) {
     osg::ref_ptr<TreeShape> shape = new TreeShape(model);
-    const TreeStyle style = TreeStyles().style(forest.getDescription().species.front().appearance);
+    const TreeStyle style = TreeStyles().style(forest.description().species.front().appearance);
     const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
     osg::ref_ptr<osg::Geometry> lines;
     if (lined)
         lines = unitLines(model->skeleton, 0, model->skeleton.units.size(),
                           stage.geometry == BenchStage::BUFFERED_LINES);
     osg::ref_ptr<osg::Group> group = new osg::Group;
-    for (const PlacedTree& tree : forest.getSimulation().trees()) {
+    for (const PlacedTree& tree : forest.trees) {
         osg::ref_ptr<osg::PositionAttitudeTransform> node;
         if (lined) {
             node = new osg::PositionAttitudeTransform;
@@ -115,6 +118,7 @@ const std::vector<BenchStage>& benchStages() {
          "6.1",
          {10, 5, 3, 2},
          BenchStage::LINES,
+         BenchStage::BRANCHWISE,
          BranchwiseForest::CPU_ANGLES,
          BranchwiseForest::BRANCH_DRAWING,
          BranchwiseForest::TREE_LEAVES},
@@ -123,6 +127,7 @@ const std::vector<BenchStage>& benchStages() {
          "6.2",
          {12, 5, 3, 2},
          BenchStage::BUFFERED_LINES,
+         BenchStage::BRANCHWISE,
          BranchwiseForest::CPU_ANGLES,
          BranchwiseForest::BRANCH_DRAWING,
          BranchwiseForest::TREE_LEAVES},
@@ -131,6 +136,7 @@ const std::vector<BenchStage>& benchStages() {
          "6.3",
          {105, 60, 40, 31},
          BenchStage::BUFFERED_LINES,
+         BenchStage::BRANCHWISE,
          BranchwiseForest::GPU_ANGLES,
          BranchwiseForest::BRANCH_DRAWING,
          BranchwiseForest::TREE_LEAVES},
@@ -139,6 +145,7 @@ const std::vector<BenchStage>& benchStages() {
          "6.4",
          {90, 45, 36, 31},
          BenchStage::BARK,
+         BenchStage::BRANCHWISE,
          BranchwiseForest::GPU_ANGLES,
          BranchwiseForest::BRANCH_DRAWING,
          BranchwiseForest::TREE_LEAVES},
@@ -147,6 +154,7 @@ const std::vector<BenchStage>& benchStages() {
          "6.5",
          {32, 14, 9, 7},
          BenchStage::BARK_AND_LEAVES,
+         BenchStage::BRANCHWISE,
          BranchwiseForest::GPU_ANGLES,
          BranchwiseForest::BRANCH_DRAWING,
          BranchwiseForest::LEAF_TRANSFORMS},
@@ -155,6 +163,7 @@ const std::vector<BenchStage>& benchStages() {
          "",
          {},
          BenchStage::BARK_AND_LEAVES,
+         BenchStage::BRANCHWISE,
          BranchwiseForest::GPU_ANGLES,
          BranchwiseForest::BRANCH_DRAWING,
          BranchwiseForest::TREE_LEAVES},
@@ -163,35 +172,67 @@ const std::vector<BenchStage>& benchStages() {
          "",
          {},
          BenchStage::BARK_AND_LEAVES,
+         BenchStage::BRANCHWISE,
          BranchwiseForest::GPU_ANGLES,
          BranchwiseForest::TREE_DRAWING,
          BranchwiseForest::TREE_LEAVES},
+        {"resident", "instances and tiers, the law modal", "", {}, BenchStage::BARK_AND_LEAVES, BenchStage::INSTANCES},
+        {"resident-full",
+         "the same, every tree in full",
+         "",
+         {},
+         BenchStage::BARK_AND_LEAVES,
+         BenchStage::INSTANCES_IN_FULL},
+        {"osganimation-hw",
+         "osgAnimation, skinned by a shader",
+         "",
+         {},
+         BenchStage::BARK_AND_LEAVES,
+         BenchStage::HARDWARE_RIG},
+        {"osganimation-sw",
+         "osgAnimation, skinned by the CPU",
+         "",
+         {},
+         BenchStage::BARK_AND_LEAVES,
+         BenchStage::SOFTWARE_RIG},
     };
     return stages;
 }
 
 BenchScene createBenchScene(const BenchStage& stage, int trees) {
+    const ForestDescription description = benchForest(stage, trees);
+    const PlacedForest placed(description);
     BenchScene scene;
-    scene.moving = new Forest(benchForest(trees, stage.geometry == BenchStage::BARK_AND_LEAVES));
-    scene.still = stillTrees(stage, *scene.moving);
-    scene.moving->getBranchwise()->setAngleSource(stage.angles);
-    scene.moving->getBranchwise()->setLodRanges(alwaysFull);
-    scene.moving->getBranchwise()->setBranchDrawing(
-        stage.geometry <= BenchStage::BUFFERED_LINES ? BranchwiseForest::TREE_DRAWING : stage.branches);
-    scene.moving->getBranchwise()->setLeafDrawing(stage.leaves);
-    if (stage.geometry <= BenchStage::BUFFERED_LINES)
-        drawLinesInsteadOfBark(*scene.moving, scene.moving->getSimulation().models().front().skeleton,
-                               stage.geometry == BenchStage::BUFFERED_LINES);
+    scene.model = std::make_shared<const TreeModel>(placed.models().front());
+    scene.still = stillTrees(stage, placed, scene.model);
+    if (stage.way == BenchStage::HARDWARE_RIG || stage.way == BenchStage::SOFTWARE_RIG) {
+        scene.moving = createRiggedTrees(placed, stage.way == BenchStage::HARDWARE_RIG);
+        return scene;
+    }
+    scene.moving = scene.forest = new Forest(description);
+    if (BranchwiseForest* forest = scene.forest->getBranchwise()) {
+        const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
+        forest->setAngleSource(stage.angles);
+        forest->setLodRanges(alwaysFull);
+        forest->setBranchDrawing(lined ? BranchwiseForest::TREE_DRAWING : stage.branches);
+        forest->setLeafDrawing(stage.leaves);
+        if (lined)
+            drawLinesInsteadOfBark(*scene.forest, scene.model->skeleton,
+                                   stage.geometry == BenchStage::BUFFERED_LINES);
+    }
     return scene;
 }
 
-WindFieldPtr createBenchWind(bool turned) {
+BenchWinds::BenchWinds() {
     constexpr int side = 64; // cells of 1 m
-    Random random(7);
-    std::vector<float> values;
-    for (int cell = 0; cell < side * side; ++cell) {
-        const float speed = (turned ? -4.0f : 4.0f) + random.symmetric();
-        values.insert(values.end(), {speed, 0.0f, 0.3f * speed});
+    for (const float turn : {1.0f, -1.0f}) {
+        Random random(7);
+        std::vector<float> values;
+        for (int cell = 0; cell < side * side; ++cell) {
+            const float speed = 4.0f * turn + random.symmetric();
+            values.insert(values.end(), {speed, 0.0f, 0.3f * speed});
+        }
+        _winds[turn < 0.0f] =
+            GridWind::fromForestWind(side, side, std::move(values), {-8.0, side - 8.0, 0.0}).value();
     }
-    return GridWind::fromForestWind(side, side, std::move(values), {-8.0, side - 8.0, 0.0}).value();
 }

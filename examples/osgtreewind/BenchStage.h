@@ -15,28 +15,52 @@ struct BenchStage {
         BARK_AND_LEAVES
     };
 
+    enum Way {
+        BRANCHWISE,        ///< Forest under the law `thesis`: angles, branches, leaves as below.
+        INSTANCES,         ///< Forest under the law `modal`, as it comes: with tiers.
+        INSTANCES_IN_FULL, ///< The same without tiers.
+        HARDWARE_RIG,      ///< osgAnimation, skinned by a vertex shader.
+        SOFTWARE_RIG       ///< osgAnimation, skinned by the CPU.
+    };
+
     std::string name;
     std::string title;
     std::string table;          ///< Of the thesis; empty for a stage it does not have.
     std::vector<int> thesisFps; ///< That table: frames a second for 1, 2, 3 and 4 trees.
     Geometry geometry;
-    osgTreeWind::BranchwiseForest::AngleSource angles;
-    osgTreeWind::BranchwiseForest::BranchDrawing branches;
-    osgTreeWind::BranchwiseForest::LeafDrawing leaves;
+    Way way;
+    osgTreeWind::BranchwiseForest::AngleSource angles = osgTreeWind::BranchwiseForest::GPU_ANGLES;
+    osgTreeWind::BranchwiseForest::BranchDrawing branches = osgTreeWind::BranchwiseForest::TREE_DRAWING;
+    osgTreeWind::BranchwiseForest::LeafDrawing leaves = osgTreeWind::BranchwiseForest::TREE_LEAVES;
+
+    /// That moves the trees.
+    osgTreeWind::MotionLaw law() const {
+        return way == BRANCHWISE ? osgTreeWind::MotionLaw::Thesis : osgTreeWind::MotionLaw::Modal;
+    }
 };
 
-/// All stages, in the order of the thesis.
+/// All stages, those of the thesis first, in its order.
 const std::vector<BenchStage>& benchStages();
 
 /// The same trees twice, of which one is to be shown at a time.
 struct BenchScene {
-    osg::ref_ptr<osgTreeWind::Forest> moving;
+    osg::ref_ptr<osg::Node> moving;
+    osg::ref_ptr<osgTreeWind::Forest> forest; ///< `moving`; null where it is none.
     osg::ref_ptr<osg::Group> still; ///< At rest, in the fewest draws: one of bark and one of leaves a tree.
+    std::shared_ptr<const osgTreeWind::TreeModel> model; ///< Of all trees.
 };
 
-/// Reference trees of the thesis in rows, 6 m apart, under the law `thesis`.
+/// Reference trees of the thesis in rows, 6 m apart.
 BenchScene createBenchScene(const BenchStage& stage, int trees);
 
-/// A wind for them in the form of the thesis' forestWind array (§4.2).
-/// @param turned the same wind from the opposite direction.
-osgTreeWind::WindFieldPtr createBenchWind(bool turned);
+/// A wind for them in the form of the thesis' forestWind array (§4.2), which turns round every 30 steps, so that
+/// the trees sway about their rest.
+class BenchWinds {
+public:
+    BenchWinds();
+    const osgTreeWind::WindFieldPtr& at(int step) const { return _winds[step / stepsPerWind % 2]; }
+
+private:
+    static constexpr int stepsPerWind = 30;
+    osgTreeWind::WindFieldPtr _winds[2];
+};

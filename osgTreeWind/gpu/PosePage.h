@@ -15,8 +15,9 @@ namespace osgTreeWind {
 struct PoseRequest {
     static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 16;
 
-    float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::matrix() gives it; negative: at rest.
-    float rowTexels = 0.0f;   ///< Of a row of that matrix.
+    float firstTexel =
+        -1.0f;              ///< Of its archetype's matrix, as PosePass::matrix() gives it; negative: at rest.
+    float rowTexels = 0.0f; ///< Of a row of that matrix.
     float maxAngle = 0.0f, unused = 0.0f;
     float across = 1.0f, upward = 1.0f, unused2[2] = {}; ///< TreeScale::axes
     float vector[mostColumns] = {};                      ///< Amplitudes, then forces on patches; the rest 0.
@@ -28,7 +29,8 @@ static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 struct PoseLayout {
     explicit PoseLayout(std::size_t units)
         : width(static_cast<int>(std::clamp<std::size_t>(units, 1, 2048))),
-          rows(static_cast<int>((std::max<std::size_t>(units, 1) - 1) / static_cast<std::size_t>(width)) + 1) {}
+          rows(static_cast<int>((std::max<std::size_t>(units, 1) - 1) / static_cast<std::size_t>(width)) +
+               1) {}
     int width; ///< Units in a row,
     int rows;  ///< and rows of a tree.
 };
@@ -39,7 +41,7 @@ class PosePage : public osg::Referenced {
 public:
     std::mutex& mutex() const { return _mutex; }
     std::vector<PoseRequest> requests; ///< By row.
-    std::uint64_t filling = 0;         ///< Another one each time it is filled anew.
+    std::uint64_t filling = 0;         ///< Another number each time the page is begun anew.
 
 private:
     mutable std::mutex _mutex;

@@ -6,6 +6,7 @@
 
 #include <osg/FrameBufferObject>
 #include <osg/Notify>
+#include <osg/observer_ptr>
 
 #include <algorithm>
 
@@ -40,6 +41,7 @@ osg::ref_ptr<osg::FrameBufferObject> target(osg::Texture2D* first, osg::Texture2
 
 /// Rows of texels into a texture that is bound to the active unit.
 void uploadRows(const void* texels, int width, int firstRow, int rows) {
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0); // as osg::Texture sets it before each image of its own
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, firstRow, width, rows, GL_RGBA, GL_FLOAT, texels);
 }
 
@@ -61,14 +63,22 @@ int roomFor(int rows) {
 PosePrograms::PosePrograms()
     : turns(createProgram("texels", "unit_turns")), poses(createProgram("texels", "unit_poses")) {}
 
-/// What one context has of a PosePass.
+/// What one context has of a PosePass. Those that share objects have one each, since they share no frame
+/// buffer objects and may draw at once.
 struct PosePass::Context {
+    osg::observer_ptr<osg::State> state;
+    unsigned id = 0;
     osg::ref_ptr<osg::Texture2D> units, matrices, requests, turns, speeds, rotations, translations;
     osg::ref_ptr<osg::FrameBufferObject> turnTarget, poseTarget;
-    int matrixRows = 0, treeRows = 0;  ///< Room there is.
-    std::size_t matrixTexels = 0;      ///< Uploaded so far.
-    std::uint64_t filling = 0;         ///< Of the page whose poses these are,
-    int done = 0;                      ///< so many of them.
+    int matrixRows = 0, treeRows = 0; ///< Room there is.
+    std::size_t matrixTexels = 0;     ///< Uploaded so far.
+    std::uint64_t filling = 0;        ///< Of the page whose poses these are,
+    int done = 0;                     ///< so many of them.
+
+    explicit Context(osg::State& drawn) : state(&drawn), id(drawn.getContextID()) {}
+
+    /// Whether OpenGL has lost what it had.
+    bool isLost() const { return units && !units->getTextureObject(id); }
 
     void makeRoom(int width, int rows) {
         treeRows = rows;
@@ -93,9 +103,9 @@ struct PosePass::Context {
 };
 
 PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
-    : _programs(programs), _units(static_cast<int>(skeleton.units.size())),
-      _layout(skeleton.units.size()),
-      _pageTrees(std::clamp<std::size_t>(static_cast<std::size_t>(mostSide / _layout.rows), 1, mostPageTrees)) {
+    : _programs(programs), _units(static_cast<int>(skeleton.units.size())), _layout(skeleton.units.size()),
+      _pageTrees(
+          std::clamp<std::size_t>(static_cast<std::size_t>(mostSide / _layout.rows), 1, mostPageTrees)) {
     for (const BranchUnit& unit : skeleton.units) {
         _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
         _unitTexels.emplace_back(unit.tip, 0.0f);
@@ -117,7 +127,8 @@ void PosePass::refer(const ModalShape& shape, PoseRequest& request) {
     const std::size_t size = shape.joints / 2 * (2 * texels + 1);
     if (columns > PoseRequest::mostColumns || shape.patches.size() > PoseRequest::mostPatches ||
         _matrices.size() + size > std::size_t(matrixWidth) * 8192) { // numbers of texels stay exact as floats
-        OSG_WARN << "osgTreeWind: a texture has no room for more archetypes of one shape; trees of the ones beyond "
+        OSG_WARN << "osgTreeWind: a texture has no room for more archetypes of one shape; trees of the ones "
+                    "beyond "
                     "it stand still"
                  << std::endl;
         found->second = -1;
@@ -151,22 +162,23 @@ PosePass::Entry& PosePass::entry(std::uint32_t tree) {
 }
 
 PosePage* PosePass::freshPage() {
-    const auto free = std::find_if(_spare.begin(), _spare.end(), [](const osg::ref_ptr<PosePage>& page) {
-        return page->referenceCount() == 1; // nobody draws from it any more
-    });
-    if (free == _spare.end()) {
-        _pages.push_back(new PosePage);
-    } else {
-        _pages.push_back(*free);
-        _spare.erase(free);
-        _pages.back()->requests.clear();
-    }
-    _pages.back()->filling = ++_fillings;
+    osg::ref_ptr<PosePage> fresh;
+    for (osg::ref_ptr<PosePage>& page : _spare)
+        if (page->referenceCount() == 1) { // nobody draws from it any more
+            std::swap(page, _spare.back());
+            fresh = _spare.back();
+            _spare.pop_back();
+            break;
+        }
+    if (!fresh)
+        fresh = new PosePage;
+    fresh->requests.clear();
+    fresh->filling = ++_fillings;
+    _pages.push_back(fresh);
     return _pages.back();
 }
 
-PosePass::Row PosePass::row(unsigned frame, std::uint32_t tree, const std::function<void(PoseRequest&)>& fill) {
-    const std::lock_guard<std::mutex> lock(_rowMutex);
+PosePass::Row PosePass::rowOf(unsigned frame, std::uint32_t tree, bool& isNew) {
     if (frame != _frame) {
         _frame = frame;
         _asked = 0;
@@ -174,14 +186,13 @@ PosePass::Row PosePass::row(unsigned frame, std::uint32_t tree, const std::funct
         _pages.clear();
     }
     Entry& known = entry(tree);
-    if (known.frame != frame) {
+    isNew = known.frame != frame;
+    if (isNew) {
         known.tree = tree;
         known.frame = frame;
         known.place = _asked++;
-        PosePage* page = known.place % _pageTrees == 0 ? freshPage() : _pages.back().get();
-        const std::lock_guard<std::mutex> pageLock(page->mutex());
-        page->requests.emplace_back();
-        fill(page->requests.back());
+        if (known.place % _pageTrees == 0)
+            freshPage();
     }
     return {_pages[known.place / _pageTrees], static_cast<int>(known.place % _pageTrees)};
 }
@@ -194,10 +205,17 @@ void PosePass::apply(osg::State& state, const PosePage& page) const {
 
 PosePass::Context& PosePass::contextOf(osg::State& state) const {
     const std::lock_guard<std::mutex> lock(_contextMutex);
-    std::unique_ptr<Context>& context = _contexts[state.getContextID()];
-    if (!context)
-        context = std::make_unique<Context>();
-    return *context;
+    for (const std::unique_ptr<Context>& context : _contexts)
+        if (context->state == &state) {
+            if (context->isLost())
+                *context = Context(state);
+            return *context;
+        }
+    _contexts.erase(std::remove_if(_contexts.begin(), _contexts.end(),
+                                   [](const auto& context) { return !context->state.valid(); }),
+                    _contexts.end());
+    _contexts.push_back(std::make_unique<Context>(state));
+    return *_contexts.back();
 }
 
 PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) const {
@@ -269,17 +287,12 @@ void PosePass::upload(osg::State& state, Context& context, const PosePage& page)
 
 void PosePass::releaseGLObjects(osg::State* state) const {
     const std::lock_guard<std::mutex> lock(_contextMutex);
-    if (!state) {
-        for (const auto& context : _contexts)
-            context.second->release(nullptr);
-        _contexts.clear();
-        return;
-    }
-    const auto found = _contexts.find(state->getContextID());
-    if (found == _contexts.end())
-        return;
-    found->second->release(state);
-    _contexts.erase(found);
+    const auto kept = std::partition(_contexts.begin(), _contexts.end(), [&](const auto& context) {
+        return state && context->id != state->getContextID();
+    });
+    for (auto each = kept; each != _contexts.end(); ++each)
+        (*each)->release(state);
+    _contexts.erase(kept, _contexts.end());
 }
 
 } // namespace osgTreeWind

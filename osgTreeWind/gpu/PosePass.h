@@ -10,10 +10,10 @@
 #include <osg/Texture2D>
 
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <memory>
+#include <mutex>
 #include <unordered_map>
+#include <vector>
 
 #include <glm/vec4.hpp>
 
@@ -25,31 +25,42 @@ struct PosePrograms : osg::Referenced {
     osg::ref_ptr<osg::Program> turns, poses;
 };
 
-/// Poses of the trees of one shape that are drawn, worked out on the GPU under the law `modal`: the angle pass
-/// makes unit angles of each tree's short vector, the pose pass walks the units that carry each unit.
+/// Poses of the trees of one shape that are drawn, worked out on the GPU under the law `modal`: the angle
+/// pass makes unit angles of each tree's short vector, the pose pass walks the units that carry each unit.
 ///
-/// Culls ask for rows; the first draw of a frame in each context works them out, and later ones what was asked for
-/// since. Any thread.
+/// Culls ask for rows; the first draw of a frame in each context works them out, and later ones what was
+/// asked for since. Any thread.
 class PosePass : public osg::Referenced {
 public:
     PosePass(const Skeleton& skeleton, PosePrograms* programs);
 
-    /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call. A shape past what
-    /// a texture holds is posed at rest, with one warning.
+    /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call. A shape past
+    /// what a texture holds is posed at rest, with one warning.
     void refer(const ModalShape& shape, PoseRequest& request);
 
     /// A tree's row among those of the frame.
     struct Row {
-        osg::ref_ptr<PosePage> page;
-        int row = 0;
+        PosePage* page;
+        int row;
     };
-    /// The same for all who ask in one frame; `fill` is called for the first.
+    /// The same for all who ask in one frame; `fill`, given a PoseRequest&, is called for the first.
     /// @param tree any number that stands for it.
-    Row row(unsigned frame, std::uint32_t tree, const std::function<void(PoseRequest&)>& fill);
+    template <typename Fill>
+    Row row(unsigned frame, std::uint32_t tree, const Fill& fill) {
+        const std::lock_guard<std::mutex> lock(_rowMutex);
+        bool isNew = false;
+        const Row row = rowOf(frame, tree, isNew);
+        if (isNew) {
+            const std::lock_guard<std::mutex> pageLock(row.page->mutex());
+            fill(row.page->requests.emplace_back());
+        }
+        return row;
+    }
 
     /// Texture units that apply() binds.
     static constexpr unsigned rotationsUnit = 4, translationsUnit = 5;
-    /// Works out the poses of a page that this context does not have yet. In a draw, with the context current.
+    /// Works out the poses of a page that this context does not have yet. In a draw, with the context
+    /// current.
     void prepare(osg::State& state, const PosePage& page) const { prepared(state, page); }
     /// The same, and binds them.
     void apply(osg::State& state, const PosePage& page) const;
@@ -65,6 +76,7 @@ private:
         std::uint32_t tree = 0, frame = ~0u, place = 0;
     };
 
+    Row rowOf(unsigned frame, std::uint32_t tree, bool& isNew);
     Entry& entry(std::uint32_t tree);
     PosePage* freshPage();
     Context& contextOf(osg::State& state) const;
@@ -84,13 +96,14 @@ private:
 
     std::mutex _rowMutex; ///< Guards all up to contexts.
     unsigned _frame = ~0u;
+    std::uint64_t _fillings = 0;
     std::uint32_t _asked = 0;
     std::uint64_t _fillings = 0; ///< Of pages.
     std::vector<Entry> _entries; ///< A hash table, a power of two long.
     std::vector<osg::ref_ptr<PosePage>> _pages, _spare;
 
-    mutable std::mutex _contextMutex; ///< Guards the map; each context is used by one thread.
-    mutable std::map<unsigned, std::unique_ptr<Context>> _contexts;
+    mutable std::mutex _contextMutex; ///< Guards the list; each context is used by one thread.
+    mutable std::vector<std::unique_ptr<Context>> _contexts;
 };
 
 } // namespace osgTreeWind

@@ -8,7 +8,7 @@ namespace osgTreeWind {
 struct ForestDrawing {
     bool tiers = true;      ///< Off: everything in full.
     float full = 300.0f;    ///< At least this high: every vertex.
-    float reduced = 120.0f; ///< At least this high: reduced once.
+    float reduced = 90.0f;  ///< At least this high: reduced once.
     float impostor = 50.0f; ///< At least this high: reduced twice; below: an impostor. 0: no impostors.
     float blend = 0.2f;     ///< Share of a threshold over which two tiers cross-fade, [0, 0.9].
 };

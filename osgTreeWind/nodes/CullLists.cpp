@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/CullLists.h>
 
-#include <algorithm>
+#include <osgTreeWind/nodes/SceneShading.h>
 
 namespace osgTreeWind {
 
-void CullLists::begin(unsigned frame, std::size_t shapes) {
-    if (frame != _frame) {
-        _frame = frame;
-        _used = _stagesUsed = 0;
-    }
-    _first = _used;
+void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place) {
+    _frame = frame;
+    _place = place;
+    _used = 0;
+    _near.clear();
     _open.assign(shapes * tierCount, 0);
 }
 
@@ -30,17 +29,16 @@ InstanceList& CullLists::list(std::size_t shape, Tier tier, const PosePass* pass
     return *list.trees;
 }
 
-PoseStage* CullLists::stage(osgUtil::StateGraph* place) {
-    if (_stagesUsed == _stages.size())
-        _stages.push_back(new PoseStage);
-    PoseStage* stage = _stages[_stagesUsed++].get();
-    stage->begin(place);
-    return stage;
-}
-
 void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
     for (std::size_t i = 0; i < _used; ++i)
         trees[static_cast<std::size_t>(_lists[i].tier)] += _lists[i].trees->size();
+}
+
+void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
+    setSceneDefines(*_shading, _place);
+    for (std::size_t i = 0; i < _used; ++i)
+        if (const InstanceList& trees = *_lists[i].trees; trees.page)
+            trees.passes->prepare(*renderInfo.getState(), *trees.page);
 }
 
 void CullLists::releaseGLObjects(osg::State* state) const {

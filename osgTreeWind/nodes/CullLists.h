@@ -2,8 +2,9 @@
 #pragma once
 
 #include <osgTreeWind/nodes/InstancedDraw.h>
-#include <osgTreeWind/nodes/PoseStage.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
+
+#include <osgUtil/RenderStage>
 
 #include <array>
 #include <cstdint>
@@ -11,9 +12,13 @@
 
 namespace osgTreeWind {
 
-/// What one cull visitor has seen of a stand in a frame: lists of trees, and the draws and passes they take. Kept from
-/// frame to frame, so that nothing is allocated once they are long enough.
-class CullLists {
+/// What one cull of a stand by one camera has seen: lists of trees, and the draws that they take. As a stage
+/// before those draws it works out the poses they need, which others that draw the same trees in the same frame
+/// and context find done, and puts what the scene says of light into their state.
+///
+/// Whoever may still draw of it refers to it as a stage; then it may be filled again, and nothing is
+/// allocated once it is large enough.
+class CullLists : public osgUtil::RenderStage {
 public:
     struct List {
         std::size_t shape = 0;
@@ -23,35 +28,38 @@ public:
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
     };
 
-    /// A cull of one camera begins. @param frame what earlier culls of it left is kept for their draws.
-    void begin(unsigned frame, std::size_t shapes);
+    /// A cull begins, of a stand of so many shapes. @param place of the trees in the scene's state.
+    void begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place);
     unsigned frame() const { return _frame; }
 
     /// The list that trees of this shape and tier go to, and of this page if they have poses.
     InstanceList& list(std::size_t shape, Tier tier, const PosePass* passes, PosePage* page);
 
-    /// Trees that were seen from near, though they are followed from afar; for the next update.
-    std::vector<std::uint32_t>& awoken() { return _awoken; }
+    /// Trees that are seen from near, for the next update.
+    std::vector<std::uint32_t>& near() { return _near; }
 
-    /// Those of the cull at hand.
-    std::size_t first() const { return _first; }
-    std::size_t end() const { return _used; }
+    std::size_t size() const { return _used; }
     List& operator[](std::size_t index) { return _lists[index]; }
 
-    /// For the camera of the cull at hand. @param place PoseStage::begin().
-    PoseStage* stage(osgUtil::StateGraph* place);
+    /// State of the trees, filled in before they are drawn.
+    osg::StateSet* shading() const { return _shading.get(); }
 
-    /// Adds the trees in all lists of the frame.
+    /// Adds the trees in all lists.
     void countTrees(std::array<std::size_t, tierCount>& trees) const;
-    void releaseGLObjects(osg::State* state) const;
+
+    void draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*& previous) override;
+    void reset() override {}
+    void releaseGLObjects(osg::State* state = nullptr) const override;
 
 private:
     unsigned _frame = ~0u;
-    std::size_t _first = 0, _used = 0, _stagesUsed = 0;
+    std::size_t _used = 0;
+    osg::ref_ptr<osgUtil::StateGraph> _place;
+    osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::vector<List> _lists;
-    std::vector<std::size_t> _open; ///< By shape and tier, the list that is filled now; 0: none, else one more.
-    std::vector<osg::ref_ptr<PoseStage>> _stages;
-    std::vector<std::uint32_t> _awoken;
+    std::vector<std::size_t>
+        _open; ///< By shape and tier, the list that is filled now; 0: none, else one more.
+    std::vector<std::uint32_t> _near;
 };
 
 } // namespace osgTreeWind

@@ -33,8 +33,8 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
             gl.glUniform3fv(location, 1, _trees->flutter.ptr());
     }
 
-    if (osg::VertexArrayState* arrays = state.getCurrentVertexArrayState())
-        arrays->setRequiresSetArrays(true); // another geometry's, the last time
+    state.getCurrentVertexArrayState()->setRequiresSetArrays(
+        true); // another geometry may have been drawn before
     _geometry->drawVertexArraysImplementation(renderInfo);
     osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
     state.bindVertexBufferObject(instances);

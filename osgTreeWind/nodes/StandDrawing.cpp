@@ -17,12 +17,12 @@ StandDrawing::StandDrawing(const PlacedForest& forest)
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
     if (shapes.empty()) // nor a pool of threads
         return;
-    const osg::ref_ptr<osg::Program> impostorProgram = createProgram("impostor", "impostor");
+    impostorProgram = createProgram("impostor", "impostor");
     ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
         const std::size_t species = forest.speciesOfModel(model);
-        shapes[model] = new StandShape(forest.models()[model], species,
-                                       forest.description().species[species].appearance,
-                                       forest.description().drawing, impostorProgram);
+        shapes[model] =
+            new StandShape(forest.models()[model], species, forest.description().species[species].appearance,
+                           forest.description().drawing, impostorProgram);
     });
 }
 
@@ -33,6 +33,10 @@ void StandDrawing::resizeGLObjectBuffers(unsigned maxSize) const {
         for (const osg::ref_ptr<osg::StateSet>& set : {look.bark, look.leaves, look.ownBark, look.ownLeaves})
             if (set)
                 set->resizeGLObjectBuffers(maxSize);
+    if (programs) {
+        programs->turns->resizeGLObjectBuffers(maxSize);
+        programs->poses->resizeGLObjectBuffers(maxSize);
+    }
 }
 
 void StandDrawing::releaseGLObjects(osg::State* of) const {

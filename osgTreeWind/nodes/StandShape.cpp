@@ -5,59 +5,74 @@
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace osgTreeWind {
 
 StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance,
                        const ForestDrawing& drawing, osg::Program* impostorProgram)
-    : _species(species), _state(new osg::StateSet) {
+    : _species(species) {
     const CrownEllipsoid crown(model.leaves);
-    const TreeDetail details[tierCount - 1] = {TreeDetail::full(), TreeDetail::reducedOnce(),
-                                               TreeDetail::reducedTwice()};
-    for (int tier = 0; tier < tierCount - 1; ++tier) {
+    const PoseLayout layout(model.skeleton.units.size());
+    const TreeDetail details[branchTiers] = {TreeDetail::full(), TreeDetail::reducedOnce(),
+                                             TreeDetail::reducedTwice()};
+    for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
+        const ThinnedLeaves leaves = thinnedLeaves(model.leaves, model.leafMesh, details[tier]);
         _bark[tier] =
             makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin));
         if (!model.leaves.empty())
-            _leaves[tier] = makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, details[tier]),
-                                             model.leafMesh, crown);
+            _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
+        _states[tier] = new osg::StateSet;
+        _states[tier]->addUniform(new osg::Uniform("unitWidth", layout.width));
+        _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
+        _states[tier]->addUniform(new osg::Uniform("leafTextureBias", leaves.textureBias));
     }
-    if (drawing.tiers && drawing.impostor > 0.0f) {
-        ImpostorSettings settings;
-        _impostor = new ImpostorShape(paintImpostor(model, appearance, settings), impostorProgram);
-    }
-    const PoseLayout layout(model.skeleton.units.size());
-    _state->addUniform(new osg::Uniform("unitWidth", layout.width));
-    _state->addUniform(new osg::Uniform("unitRows", layout.rows));
+    if (drawing.tiers && drawing.impostor > 0.0f)
+        _impostors[0] = new ImpostorShape(paintImpostor(model, appearance), impostorProgram);
 }
 
 StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves)
-    : _species(other._species), _impostor(other._impostor), _state(other._state) {
-    for (int tier = 0; tier < tierCount - 1; ++tier) {
+    : _species(other._species) {
+    for (int tier = 0; tier < branchTiers; ++tier) {
         _bark[tier] = bark;
         _leaves[tier] = leaves;
+        _states[tier] = other._states[tier];
     }
+    std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
+}
+
+void StandShape::paintBare(const TreeModel& model, const Appearance& appearance, osg::Program* impostorProgram) {
+    if (_impostors[1] || !_impostors[0])
+        return;
+    ImpostorSettings settings;
+    settings.leaves = 0.0f;
+    _impostors[1] = new ImpostorShape(paintImpostor(model, appearance, settings), impostorProgram);
 }
 
 void StandShape::resizeGLObjectBuffers(unsigned maxSize) const {
-    for (int tier = 0; tier < tierCount - 1; ++tier)
+    for (int tier = 0; tier < branchTiers; ++tier)
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
                 geometry->resizeGLObjectBuffers(maxSize);
-    if (_impostor) {
-        _impostor->geometry()->resizeGLObjectBuffers(maxSize);
-        _impostor->stateSet()->resizeGLObjectBuffers(maxSize);
-    }
+    for (const osg::ref_ptr<ImpostorShape>& impostor : _impostors)
+        if (impostor) {
+            impostor->geometry()->resizeGLObjectBuffers(maxSize);
+            impostor->stateSet()->resizeGLObjectBuffers(maxSize);
+        }
 }
 
 void StandShape::releaseGLObjects(osg::State* state) const {
-    for (int tier = 0; tier < tierCount - 1; ++tier)
+    for (int tier = 0; tier < branchTiers; ++tier)
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
                 geometry->releaseGLObjects(state);
-    if (_impostor) {
-        _impostor->geometry()->releaseGLObjects(state);
-        _impostor->stateSet()->releaseGLObjects(state);
-    }
+    for (const osg::ref_ptr<ImpostorShape>& impostor : _impostors)
+        if (impostor) {
+            impostor->geometry()->releaseGLObjects(state);
+            impostor->stateSet()->releaseGLObjects(state);
+        }
 }
 
 } // namespace osgTreeWind

@@ -10,7 +10,7 @@
 
 namespace osgTreeWind {
 
-/// What the trees of one model are drawn from, at each tier. Immutable.
+/// What the trees of one model are drawn from, at each tier.
 class StandShape : public osg::Referenced {
 public:
     /// @param species that it is a shape of.
@@ -22,21 +22,25 @@ public:
     /// Null where there is none, as the next one.
     osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
     osg::Geometry* leaves(Tier tier) const { return _leaves[static_cast<int>(tier)].get(); }
-    /// Null where tiers are off.
-    const ImpostorShape* impostor() const { return _impostor.get(); }
+    /// Null where tiers are off, and for bare ones before paintBare().
+    const ImpostorShape* impostor(Tier tier) const {
+        return _impostors[static_cast<int>(tier) - branchTiers].get();
+    }
+    /// Has impostors without leaves, too; painted on the first call. In update.
+    void paintBare(const TreeModel& model, const Appearance& appearance, osg::Program* impostorProgram);
 
     std::size_t species() const { return _species; }
-    /// Where shaders find its poses.
-    osg::StateSet* state() const { return _state.get(); }
+    /// Where shaders find its poses, and how sharply leaves are drawn at that tier.
+    osg::StateSet* state(Tier tier) const { return _states[static_cast<int>(tier)].get(); }
 
     void resizeGLObjectBuffers(unsigned maxSize) const;
     void releaseGLObjects(osg::State* state) const;
 
 private:
     std::size_t _species;
-    osg::ref_ptr<osg::Geometry> _bark[tierCount - 1], _leaves[tierCount - 1];
-    osg::ref_ptr<ImpostorShape> _impostor;
-    osg::ref_ptr<osg::StateSet> _state;
+    osg::ref_ptr<osg::Geometry> _bark[branchTiers], _leaves[branchTiers];
+    osg::ref_ptr<osg::StateSet> _states[branchTiers];
+    osg::ref_ptr<ImpostorShape> _impostors[tierCount - branchTiers];
 };
 
 } // namespace osgTreeWind

@@ -14,7 +14,7 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr unsigned framesNear = 60;     // for which a tree is followed closely after it was last seen so
+constexpr unsigned framesNear = 60; // for which a tree is followed closely after it was last seen so
 
 } // namespace
 
@@ -24,8 +24,8 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation)
     : TreeStand(simulation, StandDrawing(simulation->forest())) {}
 
 TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandDrawing& drawing)
-    : _simulation(std::move(simulation)), _drawing(drawing),
-      _tiers(_simulation->description().drawing), _flutter(_simulation->description().species.size()) {
+    : _simulation(std::move(simulation)), _drawing(drawing), _tiers(_simulation->description().drawing),
+      _flutter(_simulation->description().species.size()) {
     setName("trees");
     setSupportsDisplayList(false);
     for (const TreeModel& model : _simulation->models())
@@ -36,60 +36,84 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandDr
     updateFlutter(0.0);
 }
 
-TreeStand::TreeStand(const TreeStand& other, const osg::CopyOp&) : TreeStand(other._simulation, other._drawing) {}
+TreeStand::TreeStand(const TreeStand& other, const osg::CopyOp&)
+    : TreeStand(other._simulation, other._drawing) {}
 
 void TreeStand::treeChanged(std::size_t tree) {
     const PlacedTree& placed = _simulation->trees()[tree];
     const auto number = static_cast<std::uint32_t>(tree);
-    if (tree >= _seen.size())
-        _seen.resize(tree + 1);
+    if (tree >= _attention.size())
+        _attention.resize(tree + 1);
     if (!placed.alive) {
         _cells.take(number);
-        _near.remove(number);
-        _keptNear.remove(number);
+        _attention[tree].kept = false;
     } else {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
-        if (_simulation->modal()->level(tree) == ModalMotion::Level::Near && !_keptNear.has(number))
-            _near.add(number);
+        if (placed.leaves < 0.5f)
+            _drawing.shapes[placed.model]->paintBare(_simulation->forest().modelOf(placed),
+                                                     _simulation->forest().speciesOf(placed).appearance,
+                                                     _drawing.impostorProgram);
+        if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
+            follow(number);
     }
     dirtyBound();
 }
 
+void TreeStand::follow(std::uint32_t tree) {
+    Attention& attention = _attention[tree];
+    attention.seen = static_cast<std::uint8_t>(_frame);
+    if (!attention.isNear)
+        _near.push_back(tree);
+    attention.isNear = true;
+}
+
 void TreeStand::keepNear(std::size_t tree) {
     _simulation->setLevel(tree, ModalMotion::Level::Near);
-    _near.remove(static_cast<std::uint32_t>(tree));
-    _keptNear.add(static_cast<std::uint32_t>(tree));
+    follow(static_cast<std::uint32_t>(tree));
+    _attention[tree].kept = true;
 }
 
 void TreeStand::update(unsigned frame, double time) {
+    _frame = frame;
     updateFlutter(time);
-    if (!_tiers.on())
-        return;
+    const ModalMotion& modal = *_simulation->modal();
     {
         const std::lock_guard<std::mutex> lock(_listsMutex);
-        for (auto each = _lists.begin(); each != _lists.end();) {
-            CullLists& lists = *each->second;
-            for (const std::uint32_t tree : lists.awoken())
-                if (_simulation->trees()[tree].alive &&
-                    _simulation->modal()->level(tree) == ModalMotion::Level::Far) {
+        for (const Lists& each : _lists) {
+            for (const std::uint32_t tree : each.lists->near()) {
+                if (!_simulation->trees()[tree].alive)
+                    continue;
+                if (modal.level(tree) == ModalMotion::Level::Far)
                     _simulation->setLevel(tree, ModalMotion::Level::Near);
-                    _near.add(tree);
-                }
-            lists.awoken().clear();
-            const bool gone = frame > lists.frame() + framesNear; // its cull visitor is no more
-            each = gone ? _lists.erase(each) : std::next(each);
+                follow(tree);
+            }
+            each.lists->near().clear();
         }
+        _lists.erase(
+            std::remove_if(_lists.begin(), _lists.end(), // cull visitors may be no more
+                           [&](const Lists& each) { return frame > each.lists->frame() + framesNear; }),
+            _lists.end());
     }
-    if (frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear) // without a viewer all stay
+    // Without a viewer all stay.
+    if (!_tiers.on() || frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear)
         return;
-    _near.removeIf([&](std::uint32_t tree) {
-        const bool unseen = static_cast<std::uint8_t>(frame - _seen[tree]) >= framesNear;
-        if (unseen)
-            _simulation->setLevel(tree, ModalMotion::Level::Far);
-        return unseen;
-    });
+    _near.erase(std::remove_if(_near.begin(), _near.end(),
+                               [&](std::uint32_t tree) {
+                                   Attention& attention = _attention[tree];
+                                   const bool isNear = _simulation->trees()[tree].alive &&
+                                                       modal.level(tree) == ModalMotion::Level::Near;
+                                   if (isNear &&
+                                       (attention.kept ||
+                                        static_cast<std::uint8_t>(frame - attention.seen) < framesNear))
+                                       return false;
+                                   if (isNear)
+                                       _simulation->setLevel(tree, ModalMotion::Level::Far);
+                                   attention.isNear = false;
+                                   return true;
+                               }),
+                _near.end());
 }
 
 void TreeStand::updateFlutter(double time) {
@@ -114,28 +138,29 @@ void TreeStand::accept(osg::NodeVisitor& visitor) {
     }
 }
 
-CullLists& TreeStand::listsOf(const osgUtil::CullVisitor& visitor) {
+/// Lists of this visitor that nobody draws from any more.
+osg::ref_ptr<CullLists> TreeStand::freeLists(const osgUtil::CullVisitor& visitor) {
     const std::lock_guard<std::mutex> lock(_listsMutex);
-    std::unique_ptr<CullLists>& lists = _lists[&visitor];
-    if (!lists)
-        lists = std::make_unique<CullLists>();
-    return *lists;
+    for (const Lists& each : _lists)
+        if (each.visitor == &visitor && each.lists->referenceCount() == 1)
+            return each.lists;
+    _lists.push_back({&visitor, new CullLists});
+    return _lists.back().lists;
 }
 
 void TreeStand::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
-    TreeStandCull{visitor, frame,  *_simulation, _drawing, _passes,
-                  _tiers,  _cells, _flutter,     _seen,    listsOf(visitor)}
-        .run();
+    const osg::ref_ptr<CullLists> lists = freeLists(visitor);
+    TreeStandCull{visitor, frame, *_simulation, _drawing, _passes, _tiers, _cells, _flutter, *lists}.run();
 }
 
 std::array<std::size_t, tierCount> TreeStand::listedTrees() const {
     std::array<std::size_t, tierCount> trees{};
     const std::lock_guard<std::mutex> lock(_listsMutex);
-    for (const auto& each : _lists)
-        if (each.second->frame() == _culledFrame)
-            each.second->countTrees(trees);
+    for (const Lists& each : _lists)
+        if (each.lists->frame() == _culledFrame)
+            each.lists->countTrees(trees);
     return trees;
 }
 
@@ -150,8 +175,8 @@ void TreeStand::releaseGLObjects(osg::State* state) const {
     for (const osg::ref_ptr<PosePass>& passes : _passes)
         passes->releaseGLObjects(state);
     const std::lock_guard<std::mutex> lock(_listsMutex);
-    for (const auto& each : _lists)
-        each.second->releaseGLObjects(state);
+    for (const Lists& each : _lists)
+        each.lists->releaseGLObjects(state);
 }
 
 } // namespace osgTreeWind

@@ -5,23 +5,21 @@
 #include <osgTreeWind/nodes/CullLists.h>
 #include <osgTreeWind/nodes/StandDrawing.h>
 #include <osgTreeWind/nodes/TreeCells.h>
-#include <osgTreeWind/nodes/TreeSet.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
 
 #include <array>
 #include <atomic>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 namespace osgTreeWind {
 
-/// The trees of a forest under the law `modal`, as instances: no node, drawable or state set a tree. A part of a
-/// Forest.
+/// The trees of a forest under the law `modal`, as instances: no node, drawable or state set a tree. A part
+/// of a Forest.
 ///
-/// Each cull chooses what its camera sees of them and how finely; the draws that it hands on are made of lists.
-/// osgUtil::IntersectionVisitor meets each tree that it may hit as a PickedTree.
+/// Each cull chooses what its camera sees of them and how finely; the draws that it hands on are made of
+/// lists. osgUtil::IntersectionVisitor meets each tree that it may hit as a PickedTree.
 class TreeStand : public osg::Drawable {
 public:
     /// No trees.
@@ -50,8 +48,9 @@ public:
     StandDrawing& drawing() { return _drawing; }
     const StandDrawing& drawing() const { return _drawing; }
     /// Trees that are followed closely, since a camera saw their branches of late.
-    std::size_t nearTrees() const { return _near.size() + _keptNear.size(); }
-    /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts twice.
+    std::size_t nearTrees() const { return _near.size(); }
+    /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts
+    /// twice.
     std::array<std::size_t, tierCount> listedTrees() const;
 
     using osg::Drawable::accept;
@@ -66,8 +65,9 @@ protected:
 
 private:
     void updateFlutter(double time);
+    void follow(std::uint32_t tree);
     void cull(osgUtil::CullVisitor& visitor);
-    CullLists& listsOf(const osgUtil::CullVisitor& visitor);
+    osg::ref_ptr<CullLists> freeLists(const osgUtil::CullVisitor& visitor);
 
     std::shared_ptr<ForestSimulation> _simulation;
     StandDrawing _drawing;
@@ -76,13 +76,23 @@ private:
     mutable TreeCells _cells;
     std::vector<osg::Vec3> _flutter; ///< By species, phases of now.
 
-    std::vector<std::uint8_t> _seen;  ///< By tree, last bits of the frame in which it last was drawn with branches.
-    TreeSet _near;     ///< Followed closely while someone sees them,
-    TreeSet _keptNear; ///< or anyway.
+    struct Attention {
+        std::uint8_t seen =
+            0; ///< Last bits of the frame in which it last was seen from near, or came to be followed.
+        bool isNear = false; ///< Whether it is among those followed closely,
+        bool kept = false;   ///< whoever sees it.
+    };
+    std::vector<Attention> _attention; ///< By tree.
+    std::vector<std::uint32_t> _near;  ///< Trees followed closely.
+    unsigned _frame = 0;               ///< Of the last update.
     std::atomic<unsigned> _culledFrame{~0u};
 
-    mutable std::mutex _listsMutex; ///< Guards the map; each cull visitor is at work in one thread at a time.
-    std::map<const osgUtil::CullVisitor*, std::unique_ptr<CullLists>> _lists;
+    mutable std::mutex _listsMutex; ///< Guards the next one.
+    struct Lists {
+        const osgUtil::CullVisitor* visitor; ///< Whose they are.
+        osg::ref_ptr<CullLists> lists;
+    };
+    std::vector<Lists> _lists;
 };
 
 } // namespace osgTreeWind

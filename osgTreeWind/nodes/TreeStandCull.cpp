@@ -9,7 +9,7 @@
 namespace osgTreeWind {
 
 void TreeStandCull::run() {
-    lists.begin(frame, drawing.shapes.size());
+    lists.begin(frame, drawing.shapes.size(), visitor.getCurrentStateGraph());
     const ViewFrustum view(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();
@@ -51,19 +51,17 @@ void TreeStandCull::seeTree(const TreeCells::Tree& seenTree, float pixels) {
     addTree(tree, seenTree.number, choice.tier, choice.fade);
     if (choice.fade < 1.0f)
         addTree(tree, seenTree.number, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
-    if (choice.tier != Tier::Impostor || pixels > tiers.wakingPixels()) {
-        seen[seenTree.number] = static_cast<std::uint8_t>(frame);
-        if (simulation.modal()->level(seenTree.number) == ModalMotion::Level::Far)
-            lists.awoken().push_back(seenTree.number);
-    }
+    if (choice.tier < Tier::Impostor || pixels > tiers.wakingPixels())
+        lists.near().push_back(seenTree.number);
 }
 
 void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade) {
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;
     if (tier == Tier::Impostor) {
+        const Tier kind = tree.leaves < 0.5f ? Tier::BareImpostor : Tier::Impostor;
         const glm::vec2 lean = simulation.modal()->lean(number);
-        lists.list(tree.model, tier, nullptr, nullptr)
+        lists.list(tree.model, kind, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
                   {lean.x, lean.y, fade, own}});
@@ -91,11 +89,10 @@ void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseReques
 
 /// Draws and passes, to the camera's render stage.
 void TreeStandCull::handOver() {
-    if (lists.first() == lists.end())
+    if (lists.size() == 0)
         return;
-    PoseStage* stage = lists.stage(visitor.getCurrentStateGraph());
     visitor.pushStateSet(drawing.state);
-    visitor.pushStateSet(stage->shading());
+    visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
     const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
                           std::initializer_list<osg::StateSet*> states) {
@@ -112,22 +109,24 @@ void TreeStandCull::handOver() {
         for (; pushed > 0; --pushed)
             visitor.popStateSet();
     };
-    for (std::size_t i = lists.first(); i < lists.end(); ++i) {
+    for (std::size_t i = 0; i < lists.size(); ++i) {
         CullLists::List& list = lists[i];
         list.trees->values->dirty();
         const StandShape& shape = *drawing.shapes[list.shape];
         const SpeciesLooks& looks = drawing.looks[shape.species()];
-        if (list.tier == Tier::Impostor) {
-            draw(shape.impostor()->geometry(), *list.bark, *list.trees, {shape.impostor()->stateSet()});
+        if (list.tier >= Tier::Impostor) {
+            const ImpostorShape& impostor = *shape.impostor(list.tier);
+            draw(impostor.geometry(), *list.bark, *list.trees, {impostor.stateSet()});
             continue;
         }
-        stage->add(list.trees->passes, list.trees->page);
-        draw(shape.bark(list.tier), *list.bark, *list.trees, {looks.bark, shape.state(), looks.ownBark});
-        draw(shape.leaves(list.tier), *list.leaves, *list.trees, {looks.leaves, shape.state(), looks.ownLeaves});
+        draw(shape.bark(list.tier), *list.bark, *list.trees,
+             {looks.bark, shape.state(list.tier), looks.ownBark});
+        draw(shape.leaves(list.tier), *list.leaves, *list.trees,
+             {looks.leaves, shape.state(list.tier), looks.ownLeaves});
     }
     visitor.popStateSet();
     visitor.popStateSet();
-    visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(stage);
+    visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
 }
 
 } // namespace osgTreeWind

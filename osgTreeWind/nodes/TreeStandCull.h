@@ -24,7 +24,6 @@ public:
     const TreeTiers& tiers;
     const TreeCells& cells;
     const std::vector<osg::Vec3>& flutter; ///< By species.
-    std::vector<std::uint8_t>& seen;       ///< TreeStand's.
     CullLists& lists;
 
     void run();

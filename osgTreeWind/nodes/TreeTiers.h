@@ -6,8 +6,15 @@
 namespace osgTreeWind {
 
 /// How finely a tree is drawn, finest first.
-enum class Tier { Full, Reduced, ReducedTwice, Impostor };
-constexpr int tierCount = 4;
+enum class Tier {
+    Full,
+    Reduced,
+    ReducedTwice,
+    Impostor,
+    BareImpostor ///< The same of a tree that has lost its leaves.
+};
+constexpr int tierCount = 5;
+constexpr int branchTiers = 3; ///< The first ones, which draw branches.
 
 /// The tiers of a tree at its size on the screen: one, or two across a change-over.
 struct TierChoice {
@@ -23,7 +30,7 @@ public:
     explicit TreeTiers(const ForestDrawing& drawing = {});
 
     TierChoice choose(float pixels) const {
-        for (int tier = 0; tier < tierCount - 1; ++tier) {
+        for (int tier = 0; tier < branchTiers; ++tier) {
             if (pixels >= _from[tier])
                 return {static_cast<Tier>(tier), 1.0f};
             if (pixels > _to[tier])
@@ -32,13 +39,13 @@ public:
         return {Tier::Impostor, 1.0f};
     }
     /// Somewhat below the height at which branches are seen: a tree so high is to have its sway in full.
-    float wakingPixels() const { return 0.85f * _to[tierCount - 2]; }
+    float wakingPixels() const { return 0.85f * _to[branchTiers - 1]; }
     /// Whether there are tiers at all.
     bool on() const { return _on; }
 
 private:
     bool _on;
-    float _from[tierCount - 1], _to[tierCount - 1], _perPixel[tierCount - 1];
+    float _from[branchTiers], _to[branchTiers], _perPixel[branchTiers];
 };
 
 } // namespace osgTreeWind

@@ -13,8 +13,8 @@ ViewFrustum::ViewFrustum(osgUtil::CullVisitor& visitor) {
     for (const osg::Plane& plane : culling.getFrustum().getPlaneList()) {
         const osg::Vec4 p(plane.asVec4());
         const float length = osg::Vec3(p.x(), p.y(), p.z()).length();
-        if ((culling.getFrustum().getCurrentMask() & bit) && length > 0.0f)
-            _planes.push_back(p / length);
+        if ((culling.getFrustum().getCurrentMask() & bit) && length > 0.0f && _planeCount < _planes.size())
+            _planes[_planeCount++] = p / length;
         bit <<= 1;
     }
 }
@@ -22,12 +22,14 @@ ViewFrustum::ViewFrustum(osgUtil::CullVisitor& visitor) {
 ViewFrustum::Side ViewFrustum::sideOf(const osg::BoundingBox& box) const {
     const osg::Vec3 centre = box.center(), half = (box._max - box._min) * 0.5f;
     Side side = Inside;
-    for (const osg::Vec4& p : _planes) {
-        const float distance = p.x() * centre.x() + p.y() * centre.y() + p.z() * centre.z() + p.w();
-        const float reach = std::abs(p.x()) * half.x() + std::abs(p.y()) * half.y() + std::abs(p.z()) * half.z();
-        if (distance < -reach)
+    for (std::size_t i = 0; i < _planeCount; ++i) {
+        const osg::Vec4& p = _planes[i];
+        const float away = distance(p, centre);
+        const float reach =
+            std::abs(p.x()) * half.x() + std::abs(p.y()) * half.y() + std::abs(p.z()) * half.z();
+        if (away < -reach)
             return Outside;
-        if (distance < reach)
+        if (away < reach)
             side = Across;
     }
     return side;

@@ -6,7 +6,10 @@
 
 #include <osgUtil/CullVisitor>
 
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace osgTreeWind {
 
@@ -19,21 +22,24 @@ public:
 
     Side sideOf(const osg::BoundingBox& box) const;
     bool sees(const osg::Vec3& centre, float radius) const {
-        for (const osg::Vec4& plane : _planes)
-            if (plane.x() * centre.x() + plane.y() * centre.y() + plane.z() * centre.z() + plane.w() < -radius)
+        for (std::size_t i = 0; i < _planeCount; ++i)
+            if (distance(_planes[i], centre) < -radius)
                 return false;
         return true;
     }
 
     /// Pixels that a length covers about a point, LOD scale included; huge near the eye.
     float pixels(const osg::Vec3& point, float length) const {
-        const float size = std::abs(_pixelSize.x() * point.x() + _pixelSize.y() * point.y() +
-                                    _pixelSize.z() * point.z() + _pixelSize.w());
-        return length / std::max(size, 1.0e-9f);
+        return length / std::max(std::abs(distance(_pixelSize, point)), 1.0e-9f);
     }
 
 private:
-    std::vector<osg::Vec4> _planes; ///< Unit normals inward.
+    static float distance(const osg::Vec4& plane, const osg::Vec3& point) {
+        return plane.x() * point.x() + plane.y() * point.y() + plane.z() * point.z() + plane.w();
+    }
+
+    std::array<osg::Vec4, 32> _planes; ///< Unit normals inward; as many as OSG has bits for.
+    std::size_t _planeCount = 0;
     osg::Vec4 _pixelSize;
 };
 
