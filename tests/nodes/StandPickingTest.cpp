@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include <chrono>
+#include <iostream>
 #include <cmath>
 
 using namespace osgTreeWind;
@@ -128,7 +129,8 @@ TEST(StandPickingTest, belowATransformHitsAreWhereTheTreeIsSeen) {
         EXPECT_EQ(hit.nodePath.back(), hit.drawable);
         EXPECT_NE(std::find(hit.nodePath.begin(), hit.nodePath.end(), forest), hit.nodePath.end());
     }
-    EXPECT_TRUE(onTrunk);
+    EXPECT_TRUE(onTrunk) << found.size();
+    for (const auto& hit : found) std::cerr << (hit.getWorldIntersectPoint() - trunk * place).length() << " " << pickedTree(hit)->getTree() << " " << pickedTree(hit)->getUnit(hit.primitiveIndex)<<"\n";
 }
 
 TEST(StandPickingTest, aRemovedTreeIsNotHitAndAMovedOneIsWhereItStands) {
