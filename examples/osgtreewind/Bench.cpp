@@ -18,10 +18,12 @@ namespace {
 
 using namespace osgTreeWind;
 
+constexpr std::size_t mostTreesInFull = 20000; // memory and minutes grow with each of them
+
 struct BenchOptions {
     std::string output, chart, size = "1280x720", backend = offscreenBackendName();
     std::vector<std::string> stages;
-    std::vector<int> trees = {1, 2, 3, 4, 16, 64};
+    std::vector<int> trees = {1, 2, 3, 4, 16, 64}, scaleTrees = {1000, 10000, 100000};
     int frames = 60, forestTrees = 100000;
     std::string forest;
 };
@@ -53,14 +55,37 @@ bool writeChart(const std::string& path, const std::string& svg) {
     return false;
 }
 
+// Stages of their own. The first three without frames.
+const std::vector<std::string> kernelGroups = {"laws", "winds"};
+const std::string forestsStage = "forests", scaleStage = "scale", viewStage = "view";
+
+/// All but the view of a file, or that only where a file is given.
 bool isAsked(const BenchOptions& options, const std::string& stage) {
-    return options.stages.empty() ||
-           std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
+    if (options.stages.empty())
+        return (stage == viewStage) != options.forest.empty();
+    return std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
 }
 
-// Stages of their own, without frames.
-const std::vector<std::string> kernelGroups = {"laws", "winds"};
-const std::string forestsStage = "forests";
+/// Of the forest in a file.
+Result<std::vector<BenchView>> runBenchViews(const BenchOptions& options, const ForestDescription& forest,
+                                             const BenchSettings& settings, BenchDriver& driver) {
+    std::vector<BenchView> views;
+    for (const BenchViewpoint viewpoint : {BenchViewpoint::Over, BenchViewpoint::Home}) {
+        Result<BenchView> view = runBenchView(
+            options.forest, [&] { return forest; }, viewpoint, forest.trees.size() <= mostTreesInFull, settings, driver);
+        if (!view)
+            return view.problems();
+        views.push_back(std::move(view.value()));
+    }
+    return views;
+}
+
+template <typename T>
+bool succeeded(const Result<T>& result) {
+    if (!result)
+        std::cerr << result.problems().front().text() << '\n';
+    return static_cast<bool>(result);
+}
 
 ExitCode bench(const BenchOptions& options) {
     BenchSettings settings;
@@ -72,8 +97,13 @@ ExitCode bench(const BenchOptions& options) {
         std::cerr << "--chart: expected a name that ends in .svg, found " << options.chart << '\n';
         return BadInput;
     }
+    if (isAsked(options, viewStage) && options.forest.empty()) {
+        std::cerr << "--stage view: expected --forest FILE\n";
+        return BadInput;
+    }
     std::optional<ForestDescription> forest;
-    if (isAsked(options, forestsStage) && !options.forest.empty() && !(forest = loadForest(options.forest)))
+    if ((isAsked(options, forestsStage) || isAsked(options, viewStage)) && !options.forest.empty() &&
+        !(forest = loadForest(options.forest, isAsked(options, viewStage))))
         return BadInput;
     for (const std::string& path : {options.output, options.chart})
         if (!path.empty() && !writeText(path, "")) // before minutes of measuring
@@ -81,16 +111,15 @@ ExitCode bench(const BenchOptions& options) {
 
     keepMemory();
     BenchConditions conditions = benchConditions(settings);
-    std::vector<BenchResult> results;
+    BenchReport report;
+    std::vector<BenchResult>& results = report.results;
     for (const BenchStage& stage : benchStages()) {
         if (!isAsked(options, stage.name))
             continue;
         for (const int trees : options.trees) {
             Result<BenchResult> result = runBench(stage, trees, settings, conditions.driver);
-            if (!result) {
-                std::cerr << result.problems().front().text() << '\n';
+            if (!succeeded(result))
                 return Failed;
-            }
             if (results.empty())
                 printBenchHead(std::cout, conditions);
             printBenchRow(std::cout, result.value());
@@ -100,18 +129,31 @@ ExitCode bench(const BenchOptions& options) {
     std::vector<std::string> groups;
     std::copy_if(kernelGroups.begin(), kernelGroups.end(), std::back_inserter(groups),
                  [&](const std::string& group) { return isAsked(options, group); });
-    const std::vector<BenchKernel> kernels = runBenchKernels(groups, options.frames);
-    if (!kernels.empty())
-        printBenchKernels(std::cout, conditions, kernels);
-    std::optional<BenchForests> forests;
+    report.kernels = runBenchKernels(groups, options.frames);
+    if (!report.kernels.empty())
+        printBenchKernels(std::cout, conditions, report.kernels);
     if (isAsked(options, forestsStage)) {
-        forests = runBenchForests(forest, options.forest, static_cast<std::size_t>(options.forestTrees),
-                                  options.frames);
-        printBenchForests(std::cout, conditions, *forests);
+        report.forests = runBenchForests(forest, options.forest, static_cast<std::size_t>(options.forestTrees),
+                                         options.frames);
+        printBenchForests(std::cout, conditions, *report.forests);
+    }
+    if (isAsked(options, scaleStage)) {
+        auto scale = runBenchScale(options.scaleTrees, settings, conditions.driver);
+        if (!succeeded(scale))
+            return Failed;
+        report.scale = std::move(scale.value());
+        printBenchScale(std::cout, conditions, report.scale);
+    }
+    if (isAsked(options, viewStage)) {
+        auto views = runBenchViews(options, *forest, settings, conditions.driver);
+        if (!succeeded(views))
+            return Failed;
+        report.views = std::move(views.value());
+        printBenchViews(std::cout, conditions, report.views);
     }
 
     if (!options.output.empty() &&
-        !writeText(options.output, benchReport(conditions, results, kernels, forests).dump(2) + '\n'))
+        !writeText(options.output, benchReport(conditions, report).dump(2) + '\n'))
         return Failed;
     if (!options.chart.empty() && !writeChart(options.chart, benchChart(conditions, results)))
         return Failed;
@@ -128,8 +170,8 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     for (const BenchStage& stage : benchStages())
         names.push_back(stage.name);
     names.insert(names.end(), kernelGroups.begin(), kernelGroups.end());
-    names.push_back(forestsStage);
-    command->add_option("--stage", options->stages, "Stages to measure; all when not given")
+    names.insert(names.end(), {forestsStage, scaleStage, viewStage});
+    command->add_option("--stage", options->stages, "Stages to measure; all but view when not given")
         ->delimiter(',')
         ->check(CLI::IsMember(names));
     command->add_option("--trees", options->trees, "Numbers of reference trees")
@@ -143,9 +185,14 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     command
         ->add_option("--forest", options->forest,
-                     "Stage forests: a .treewind file to step under damped; made trees when not given")
+                     "A .treewind file: drawn by stage view, the only one then when none is given;\n"
+                     "stepped under damped by stage forests, which makes trees without one")
         ->type_name("FILE");
     command->add_option("--forest-trees", options->forestTrees, "Stage forests: trees under modal")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--scale-trees", options->scaleTrees, "Stage scale: trees of the woods that are drawn")
+        ->delimiter(',')
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
@@ -158,6 +205,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
                     "Every stage is drawn in turns with the same trees at rest (static), so that what else\n"
                     "the machine does falls on both; ratios are medians of such pairs.\n"
                     "Example: osgtreewind bench --trees 1,4 --stage gpu,gpu-leaves -o results.json\n"
+                    "         osgtreewind bench --forest campus.treewind\n"
                     "         osgtreewind bench --stage laws,forests --forest campus.treewind");
     command->callback([options, &exitCode] { exitCode = bench(*options); });
 }

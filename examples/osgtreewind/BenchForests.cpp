@@ -92,12 +92,15 @@ struct Running {
 
 } // namespace
 
+ForestDescription createWood(std::size_t trees) {
+    return madeForest({"Norway spruce", "Scots pine", "beech", "oak", "silver birch"}, trees, 4.0f, 32.0f);
+}
+
 BenchForests runBenchForests(const std::optional<ForestDescription>& described, const std::string& file,
                              std::size_t trees, int rounds) {
     ForestDescription compared = described ? *described : madeForest({"broadleaf"}, campusTrees, 5.0f, 25.0f);
     compared.law = MotionLaw::Damped;
-    ForestDescription wood =
-        madeForest({"Norway spruce", "Scots pine", "beech", "oak", "silver birch"}, trees, 4.0f, 32.0f);
+    ForestDescription wood = createWood(trees);
     wood.wind = compared.wind;
 
     BenchForests forests;

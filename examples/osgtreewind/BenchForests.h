@@ -27,6 +27,9 @@ struct BenchForests {
     unsigned threads = 1;
 };
 
+/// A wood of spruce, pine, beech, oak and birch in rows, three shapes each, 4 to 32 m high, in a wind.
+osgTreeWind::ForestDescription createWood(std::size_t trees);
+
 /// @param described the forest under `damped`; none: 1,233 made trees, as large as those of
 /// examples/campus.treewind. @param file its name. @param trees under `modal`. @param rounds 1 or more.
 BenchForests runBenchForests(const std::optional<osgTreeWind::ForestDescription>& described,

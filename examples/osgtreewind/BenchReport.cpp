@@ -106,6 +106,44 @@ ordered_json resultJson(const BenchResult& result) {
     return json;
 }
 
+/// Of a forest's frames over those of the tree drawn in the same rounds.
+std::vector<double> inFullRatios(const BenchView& view) {
+    std::vector<double> trees;
+    for (std::size_t i = 0; i < view.inFull.frame.size(); ++i)
+        trees.push_back(view.tree.frame[i * BenchView::roundsPerFull]);
+    return ratios(view.inFull.frame, trees);
+}
+
+const char* nameOf(BenchViewpoint viewpoint) {
+    return viewpoint == BenchViewpoint::Over ? "over" : "home";
+}
+
+ordered_json viewJson(const BenchView& view) {
+    return {{"forest", view.forest},
+            {"view", nameOf(view.viewpoint)},
+            {"trees", view.trees},
+            {"shapes", view.shapes},
+            {"archetypes", view.archetypes},
+            {"archetypeBytes", view.archetypeBytes},
+            {"loadSeconds", number(view.loadSeconds())},
+            {"loadParts",
+             {{"forest", number(view.forestSeconds)},
+              {"shapes", number(view.shapesSeconds)},
+              {"firstFrame", number(view.firstFrameSeconds)}}},
+            {"forestBytes", view.forestBytes},
+            {"tiers",
+             {{"full", view.tiers[0]},
+              {"reduced", view.tiers[1]},
+              {"reducedTwice", view.tiers[2]},
+              {"impostor", view.tiers[3]}}},
+            {"drawn", timesJson(view.drawn)},
+            {"inFull", view.inFull.frame.empty() ? ordered_json(nullptr) : timesJson(view.inFull)},
+            {"tree", timesJson(view.tree)},
+            {"ratioToTree", spread(ratios(view.drawn.frame, view.tree.frame))},
+            {"processorRatioToTree", spread(ratios(view.drawn.processor, view.tree.processor))},
+            {"inFullRatioToTree", spread(inFullRatios(view))}};
+}
+
 /// Fixed, with `digits` behind the point; a dash for what was not measured.
 std::string fixed(double value, int digits) {
     if (!std::isfinite(value))
@@ -155,9 +193,7 @@ int thesisFps(const BenchStage& stage, int trees) {
     return index < stage.thesisFps.size() ? stage.thesisFps[index] : 0;
 }
 
-ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results,
-                         const std::vector<BenchKernel>& kernels,
-                         const std::optional<BenchForests>& forests) {
+ordered_json benchReport(const BenchConditions& conditions, const BenchReport& report) {
     const BenchSettings& settings = conditions.settings;
     ordered_json json = {{"format", "osgtreewind bench 1"},
                          {"version", OSGTREEWIND_VERSION},
@@ -173,18 +209,27 @@ ordered_json benchReport(const BenchConditions& conditions, const std::vector<Be
                         {"stepSeconds", settings.step},
                         {"threading", "SingleThreaded"}};
     json["results"] = ordered_json::array();
-    for (const BenchResult& result : results)
+    for (const BenchResult& result : report.results)
         json["results"].push_back(resultJson(result));
     json["kernels"] = ordered_json::array();
-    for (const BenchKernel& kernel : kernels)
+    for (const BenchKernel& kernel : report.kernels)
         json["kernels"].push_back({{"group", kernel.group},
                                    {"name", kernel.name},
                                    {"element", kernel.element},
                                    {"elements", kernel.elements},
                                    {"threads", kernel.threads},
                                    {"nanoseconds", spread(kernel.nanoseconds)}});
-    json["dampedOverModal"] = {{"calm", spread(calmRatios(kernels))}, {"gusts", spread(gustRatios(kernels))}};
-    json["forests"] = forests ? forestsJson(*forests) : ordered_json(nullptr);
+    json["dampedOverModal"] = {{"calm", spread(calmRatios(report.kernels))},
+                              {"gusts", spread(gustRatios(report.kernels))}};
+    json["forests"] = report.forests ? forestsJson(*report.forests) : ordered_json(nullptr);
+    json["scale"] = ordered_json::array();
+    for (const BenchScale& scale : report.scale) {
+        json["scale"].push_back(viewJson(scale.view));
+        json["scale"].back()["bytesPerTree"] = number(scale.bytesPerTree);
+    }
+    json["views"] = ordered_json::array();
+    for (const BenchView& view : report.views)
+        json["views"].push_back(viewJson(view));
     json["thesis"] = ordered_json::array();
     for (const BenchStage& stage : benchStages())
         if (!stage.table.empty())
@@ -240,6 +285,53 @@ void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
     if (const std::vector<double> gusts = gustRatios(kernels); !gusts.empty())
         out << "\na tree under damped over one under modal: " << fixed(quantile(gusts, 0.5), 1)
             << " in gusts, " << fixed(quantile(calmRatios(kernels), 0.5), 1) << " calm\n";
+}
+
+namespace {
+
+/// @param bytes a tree, NaN where not known.
+void printView(std::ostream& out, const BenchView& view, double bytes) {
+    out << "| " << view.forest << " | " << nameOf(view.viewpoint) << " | " << view.trees;
+    for (const std::string& cell :
+         {fixed(view.loadSeconds(), 2), fixed(view.forestSeconds, 2), fixed(view.shapesSeconds, 2),
+          fixed(view.firstFrameSeconds, 2), fixed(bytes, 0), std::to_string(view.tiers[0]),
+          std::to_string(view.tiers[1]), std::to_string(view.tiers[2]), std::to_string(view.tiers[3]),
+          fixed(quantile(view.drawn.update, 0.5), 2), fixed(quantile(view.drawn.cull, 0.5), 2),
+          fixed(quantile(view.drawn.draw, 0.5), 2), fixed(quantile(view.drawn.frame, 0.5), 2),
+          fixed(quantile(view.tree.frame, 0.5), 2),
+          fixed(quantile(ratios(view.drawn.frame, view.tree.frame), 0.5), 2),
+          fixed(quantile(ratios(view.drawn.processor, view.tree.processor), 0.5), 2),
+          fixed(quantile(inFullRatios(view), 0.5), 1)})
+        out << " | " << cell;
+    out << " |" << std::endl;
+}
+
+void printViewHead(std::ostream& out, const BenchConditions& conditions) {
+    out << '\n'
+        << conditions.date << ", " << machineName() << ", " << conditions.driver.renderer << ", "
+        << conditions.settings.size.width << "x" << conditions.settings.size.height << ", "
+        << conditions.settings.frames
+        << " rounds, times in ms (medians); over: frame over that of one reference tree that fills the view\n\n"
+           "| forest | view | trees | load, s | forest | its shapes | first frame | bytes a tree | full | reduced | "
+           "twice | impostors | update | cull | draw | frame | tree | over | over, processor | in full, over |\n"
+           "| --- | ---";
+    for (int column = 0; column < 18; ++column)
+        out << " | ---:";
+    out << " |\n";
+}
+
+} // namespace
+
+void printBenchScale(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchScale>& scale) {
+    printViewHead(out, conditions);
+    for (const BenchScale& each : scale)
+        printView(out, each.view, each.bytesPerTree);
+}
+
+void printBenchViews(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchView>& views) {
+    printViewHead(out, conditions);
+    for (const BenchView& view : views)
+        printView(out, view, std::nan(""));
 }
 
 void printBenchForests(std::ostream& out, const BenchConditions& conditions, const BenchForests& forests) {

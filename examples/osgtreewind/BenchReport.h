@@ -4,6 +4,7 @@
 #include "BenchForests.h"
 #include "BenchKernels.h"
 #include "BenchRun.h"
+#include "BenchView.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,15 @@ struct BenchConditions {
     std::string backend;
     BenchDriver driver;
     BenchSettings settings;
+};
+
+/// All that was measured; empty where it was not.
+struct BenchReport {
+    std::vector<BenchResult> results;
+    std::vector<BenchKernel> kernels;
+    std::optional<BenchForests> forests;
+    std::vector<BenchScale> scale;
+    std::vector<BenchView> views;
 };
 
 /// Takes date and load now.
@@ -33,9 +43,7 @@ double framesPerSecond(const BenchTimes& times);
 int thesisFps(const BenchStage& stage, int trees);
 
 /// The document that docs/results.md describes.
-nlohmann::ordered_json benchReport(const BenchConditions& conditions, const std::vector<BenchResult>& results,
-                                   const std::vector<BenchKernel>& kernels,
-                                   const std::optional<BenchForests>& forests);
+nlohmann::ordered_json benchReport(const BenchConditions& conditions, const BenchReport& report);
 
 // The same for people, as a Markdown table.
 void printBenchHead(std::ostream& out, const BenchConditions& conditions);
@@ -43,3 +51,5 @@ void printBenchRow(std::ostream& out, const BenchResult& result);
 void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
                        const std::vector<BenchKernel>& kernels);
 void printBenchForests(std::ostream& out, const BenchConditions& conditions, const BenchForests& forests);
+void printBenchScale(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchScale>& scale);
+void printBenchViews(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchView>& views);

@@ -79,7 +79,7 @@ Result<BenchResult> runBench(const BenchStage& stage, int trees, const BenchSett
     BenchResult result;
     result.stage = stage;
     result.trees = trees;
-    std::vector<BenchTimes> times = viewer.times(time);
+    std::vector<BenchTimes> times = viewer.times(Still, time);
     result.moving = std::move(times[Moving]);
     result.still = std::move(times[Still]);
     result.angles = anglesOf(scene);

@@ -12,8 +12,7 @@
 
 namespace {
 
-constexpr double fieldOfView = 40.0; // degrees, vertical
-constexpr int lateFrames = 6;        // until a timer query has answered
+constexpr int lateFrames = 6; // until a timer query has answered
 
 double aspectOf(const PictureSize& size) {
     return static_cast<double>(size.width) / size.height;
@@ -51,7 +50,7 @@ BenchViewer::BenchViewer(const PictureSize& size, osg::GraphicsContext& context,
     camera.setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
     camera.attach(osg::Camera::COLOR_BUFFER, GL_RGBA8);
     camera.setFinalDrawCallback(new Finish(driver));
-    camera.setProjectionMatrixAsPerspective(fieldOfView, aspectOf(size), 1.0, 10000.0);
+    camera.setProjectionMatrixAsPerspective(benchFieldOfView, aspectOf(size), 1.0, 10000.0);
     camera.setClearColor({0.78f, 0.86f, 0.93f, 1.0f});
     _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     _viewer.setKeyEventSetsDone(0);
@@ -85,9 +84,9 @@ void BenchViewer::measure(std::size_t variant, double time) {
     _frames[variant].push_back(_viewer.getFrameStamp()->getFrameNumber());
 }
 
-std::vector<BenchTimes> BenchViewer::times(double time) {
+std::vector<BenchTimes> BenchViewer::times(std::size_t variant, double time) {
     for (int i = 0; i < lateFrames; ++i)
-        draw(_variants.size() - 1, time);
+        draw(variant, time);
     std::vector<BenchTimes> times = _times;
     for (std::size_t i = 0; i < times.size(); ++i)
         readStats(_frames[i], times[i]);
@@ -108,7 +107,7 @@ void BenchViewer::readStats(const std::vector<unsigned>& frames, BenchTimes& tim
 }
 
 osg::Matrixd benchView(const PictureSize& size, const osg::BoundingSphere& bound) {
-    const double halfAngle = osg::DegreesToRadians(0.5 * fieldOfView) * std::min(1.0, aspectOf(size));
+    const double halfAngle = osg::DegreesToRadians(0.5 * benchFieldOfView) * std::min(1.0, aspectOf(size));
     osg::Vec3d direction(-0.5, -1.0, 0.2);
     direction.normalize();
     return osg::Matrixd::lookAt(bound.center() + direction * (0.62 * bound.radius() / std::sin(halfAngle)),

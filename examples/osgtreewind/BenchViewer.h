@@ -39,8 +39,8 @@ public:
     void draw(std::size_t variant, double time);
     /// The same, timed for times().
     void measure(std::size_t variant, double time);
-    /// Of the frames measured, by variant. Draws some more, as timer queries answer late.
-    std::vector<BenchTimes> times(double time);
+    /// Of the frames measured, by variant. Draws one of them some more, as timer queries answer late.
+    std::vector<BenchTimes> times(std::size_t variant, double time);
 
 private:
     void readStats(const std::vector<unsigned>& frames, BenchTimes& times);
@@ -50,6 +50,9 @@ private:
     std::vector<std::vector<unsigned>> _frames; ///< Numbers of those measured, by variant.
     osgViewer::Viewer _viewer;
 };
+
+/// Vertical, degrees.
+constexpr double benchFieldOfView = 40.0;
 
 /// Where the stages look at their trees from: from the south-west, all of them in view.
 osg::Matrixd benchView(const PictureSize& size, const osg::BoundingSphere& bound);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "DefaultView.h"
 #include "Offscreen.h"
 #include "Progress.h"
 #include "Setting.h"
@@ -53,7 +54,7 @@ void choosePose(BranchwiseForest& forest, const std::string& pose) {
     forest.setLeafDrawing(transforms ? BranchwiseForest::LEAF_TRANSFORMS : BranchwiseForest::TREE_LEAVES);
 }
 
-/// Looks at the whole forest from the south-west, from above its crowns if it is wide.
+/// Looks at the whole forest (DefaultView.h), or as the options say.
 void placeCamera(osg::Camera& camera, const RenderOptions& options, const osg::BoundingSphere& bound) {
     const double aspect = static_cast<double>(options.width) / options.height;
     osg::Vec3d center = bound.center(), eye;
@@ -62,12 +63,7 @@ void placeCamera(osg::Camera& camera, const RenderOptions& options, const osg::B
     if (!options.eye.empty()) {
         eye.set(options.eye[0], options.eye[1], options.eye[2]);
     } else {
-        const double halfAngle = osg::DegreesToRadians(0.5 * options.fov) * std::min(1.0, aspect);
-        const double distance = 0.62 * bound.radius() / std::sin(halfAngle);
-        const double rise = bound.radius() < 15.0 ? 0.05 : bound.radius() < 100.0 ? 0.16 : 0.28;
-        osg::Vec3d direction(-0.5, -1.0, rise);
-        direction.normalize();
-        eye = center + direction * distance;
+        eye = defaultEye(center, bound.radius(), aspect, options.fov);
     }
     const bool vertical = (eye - center) * osg::X_AXIS == 0.0 && (eye - center) * osg::Y_AXIS == 0.0;
     camera.setViewMatrixAsLookAt(eye, center, vertical ? osg::Y_AXIS : osg::Z_AXIS);

@@ -96,8 +96,8 @@ private:
 
     std::mutex _rowMutex; ///< Guards all up to contexts.
     unsigned _frame = ~0u;
-    std::uint32_t _asked = 0;
     std::uint64_t _fillings = 0; ///< Of pages.
+    std::uint32_t _asked = 0;
     std::vector<Entry> _entries; ///< A hash table, a power of two long.
     std::vector<osg::ref_ptr<PosePage>> _pages, _spare;
 

@@ -39,6 +39,12 @@ Species speciesCalled(const std::string& name) {
     return name == "thesis" ? Species() : *findBuiltInSpecies(name);
 }
 
+/// A tree in still air, drawn in full however small it is seen.
+osg::ref_ptr<Forest> inFull(ForestDescription description) {
+    description.drawing.tiers = false;
+    return new Forest(description);
+}
+
 /// Mean colours of blocks of 8 x 8 pixels in which either picture shows something.
 double blockDifference(const osg::Image& a, const osg::Image& b) {
     double sum = 0.0;
@@ -106,8 +112,7 @@ TEST_F(ImpostorGlTest, looksLikeTheTreeDrawnInFull) {
     for (const char* name : {"thesis", "oak", "birch", "Norway spruce", "Scots pine", "larch"}) {
         const Species species = speciesCalled(name);
         osg::ref_ptr<ImpostorShape> shape = shapeOf(species);
-        osg::ref_ptr<osg::Node> flat = impostor(*shape, new Instance),
-                                full = new Forest(oneTree(species, 0.0f));
+        osg::ref_ptr<osg::Node> flat = impostor(*shape, new Instance), full = inFull(oneTree(species, 0.0f));
         for (const double pixels : {25.0, 50.0}) {
             double blocks = 0.0, areas[2] = {0.0, 0.0};
             const double sights[][2] = {{0, 0}, {22.5, 0}, {100, 15}, {200, 30}, {300, 45}};
@@ -189,7 +194,7 @@ TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
     turned.trees[0].heading = 1.1f;
     turned.trees[0].size.height = 20.0f;
     turned.trees[0].size.crownWidth = 8.0f;
-    osg::ref_ptr<Forest> forest = new Forest(turned);
+    osg::ref_ptr<Forest> forest = inFull(turned);
     const TreeScale& scale = forest->getSimulation().trees()[0].scale;
     osg::ref_ptr<Instance> instance = new Instance;
     instance->place.w() = 1.1f;
@@ -206,8 +211,7 @@ TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
 TEST_F(ImpostorGlTest, aParallelCameraSeesTheSameTree) {
     osg::ref_ptr<ImpostorShape> shape = shapeOf(Species());
     const float height = shape->pictures().height;
-    osg::ref_ptr<osg::Node> flat = impostor(*shape, new Instance),
-                            full = new Forest(oneTree(Species(), 0.0f));
+    osg::ref_ptr<osg::Node> flat = impostor(*shape, new Instance), full = inFull(oneTree(Species(), 0.0f));
     osg::ref_ptr<osg::Image> pictures[2];
     for (int i = 0; i < 2; ++i) {
         picture(i ? full : flat, {70.0, 75.0, 50.0}, height); // a sun high up

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "BenchView.h"
+
+#include "BenchForests.h"
+#include "DefaultView.h"
+
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <chrono>
+#include <cmath>
+#include <malloc.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int warmUp = 4; // rounds
+constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anything beyond
+
+/// What the process has of the allocator.
+std::size_t allocatedBytes() {
+    const struct mallinfo2 memory = mallinfo2();
+    return memory.uordblks + memory.hblkhd;
+}
+
+template <typename Do>
+double secondsOf(Do&& act) {
+    const auto start = std::chrono::steady_clock::now();
+    act();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+const BenchStage& stageOfInstances() {
+    const std::vector<BenchStage>& stages = benchStages();
+    return *std::find_if(stages.begin(), stages.end(),
+                         [](const BenchStage& stage) { return stage.way == BenchStage::INSTANCES; });
+}
+
+osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, const PictureSize& size) {
+    const osg::Vec3d centre = bound.center();
+    const double aspect = static_cast<double>(size.width) / size.height;
+    osg::Vec3d eye = defaultEye(centre, bound.radius(), aspect, benchFieldOfView);
+    if (viewpoint == BenchViewpoint::Home) { // osgGA::CameraManipulator::computeHomePosition()
+        const double side = std::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
+        eye = centre - osg::Vec3d(0.0, bound.radius() / std::sin(std::atan(side)), 0.0);
+    }
+    return osg::Matrixd::lookAt(eye, centre, osg::Vec3d(0.0, 0.0, 1.0));
+}
+
+/// A forest, and what it took to make it.
+osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, BenchView& result) {
+    const std::size_t before = allocatedBytes();
+    osg::ref_ptr<Forest> forest;
+    {
+        ForestDescription description = make();
+        result.forestSeconds = secondsOf([&] { forest = new Forest(std::move(description)); });
+    }
+    result.forestBytes = allocatedBytes() - before;
+    const ForestSimulation& simulation = forest->getSimulation();
+    result.trees = forest->getNumTrees();
+    result.shapes = simulation.models().size();
+    if (const ModalMotion* modal = simulation.modal()) {
+        result.archetypes = modal->archetypeCount();
+        result.archetypeBytes = modal->archetypeBytes();
+        result.shapesSeconds = secondsOf([&] { StandDrawing(simulation.forest()); });
+    }
+    return forest;
+}
+
+} // namespace
+
+Result<BenchView> runBenchView(const std::string& name, const std::function<ForestDescription()>& make,
+                               BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
+                               BenchDriver& driver) {
+    auto context = createOffscreenContext(settings.size.width, settings.size.height);
+    if (!context)
+        return context.problems();
+    BenchView result;
+    result.forest = name;
+    result.viewpoint = viewpoint;
+    const osg::ref_ptr<Forest> forest = makeForest(make, result);
+    inFull = inFull && forest->getStand();
+    const BenchScene tree = createBenchScene(stageOfInstances(), 1);
+    const osg::Matrixd view = viewOf(forest->getBound(), viewpoint, settings.size);
+    std::vector<BenchVariant> variants = {{forest, view},
+                                          {tree.forest, benchView(settings.size, tree.still->getBound())}};
+    enum { Drawn, Tree, Full };
+    if (inFull) {
+        ForestDescription description = make();
+        description.drawing.tiers = false;
+        variants.push_back({new Forest(std::move(description)), view});
+    }
+    BenchViewer viewer(settings.size, *context.value(), driver, variants, 3 * (warmUp + settings.frames));
+    result.firstFrameSeconds = secondsOf([&] { viewer.draw(Drawn, 0.0); });
+    const BenchWinds winds;
+    double time = 0.0;
+    for (int round = -warmUp; round < settings.frames; ++round) {
+        tree.forest->setWind(winds.at(round + warmUp));
+        time += settings.step;
+        for (const int variant : {Drawn, Tree})
+            if (round < 0)
+                viewer.draw(variant, time);
+            else
+                viewer.measure(variant, time);
+        if (inFull && round == -1)
+            viewer.draw(Full, time);
+        if (inFull && round >= 0 && round % BenchView::roundsPerFull == 0)
+            viewer.measure(Full, time);
+    }
+    if (forest->getStand())
+        result.tiers = forest->getStand()->listedTrees();
+    std::vector<BenchTimes> times = viewer.times(Tree, time);
+    result.drawn = std::move(times[Drawn]);
+    result.tree = std::move(times[Tree]);
+    if (inFull)
+        result.inFull = std::move(times[Full]);
+    return result;
+}
+
+Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
+                                              BenchDriver& driver) {
+    BenchView few;
+    makeForest([] { return createWood(fewTrees); }, few); // first of all: what every forest shares is there then
+    few = {};
+    makeForest([] { return createWood(fewTrees); }, few);
+    std::vector<BenchScale> results;
+    for (const int count : trees) {
+        Result<BenchView> view = runBenchView(
+            "made trees", [=] { return createWood(static_cast<std::size_t>(count)); }, BenchViewpoint::Over, false,
+            settings, driver);
+        if (!view)
+            return view.problems();
+        BenchScale scale;
+        scale.view = std::move(view.value());
+        const auto own = [](const BenchView& forest) {
+            return static_cast<double>(forest.forestBytes) - static_cast<double>(forest.archetypeBytes);
+        };
+        scale.bytesPerTree = scale.view.trees > fewTrees
+                                 ? (own(scale.view) - own(few)) / static_cast<double>(scale.view.trees - fewTrees)
+                                 : std::nan("");
+        results.push_back(std::move(scale));
+    }
+    return results;
+}

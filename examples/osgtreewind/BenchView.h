@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "BenchRun.h"
+
+#include <osgTreeWind/nodes/TreeTiers.h>
+
+#include <array>
+
+/// From where a forest is looked at.
+enum class BenchViewpoint {
+    Over, ///< Where `render` looks from.
+    Home  ///< Where osgviewer starts: from the south, level.
+};
+
+/// A whole forest drawn from a view of it, in turns with one reference tree that fills the view.
+struct BenchView {
+    std::string forest; ///< A file, or "made trees".
+    BenchViewpoint viewpoint = BenchViewpoint::Over;
+    std::size_t trees = 0, shapes = 0, archetypes = 0, archetypeBytes = 0;
+    // Load: from the description to the end of the first frame.
+    double forestSeconds = 0.0;     ///< A Forest out of the description.
+    double shapesSeconds = 0.0;     ///< Of that, about: meshes of all tiers, impostors painted.
+    double firstFrameSeconds = 0.0; ///< Shaders compile, buffers and textures go to the GPU.
+    std::size_t forestBytes = 0;    ///< Main memory that the Forest took, before anything was drawn.
+    std::array<std::size_t, osgTreeWind::tierCount> tiers{}; ///< Trees drawn by tier; one across two counts twice.
+    BenchTimes drawn, inFull, tree;                          ///< Round by round; `inFull` in each 10th, or none.
+    static constexpr int roundsPerFull = 10;
+
+    double loadSeconds() const { return forestSeconds + firstFrameSeconds; }
+};
+
+/// @param make called once, for the description. @param inFull whether to draw it without tiers as well.
+osgTreeWind::Result<BenchView> runBenchView(const std::string& name,
+                                            const std::function<osgTreeWind::ForestDescription()>& make,
+                                            BenchViewpoint viewpoint, bool inFull,
+                                            const BenchSettings& settings, BenchDriver& driver);
+
+/// A wood of `trees` trees (createWood()).
+struct BenchScale {
+    BenchView view;
+    double bytesPerTree = 0.0; ///< Of main memory, beyond shapes and archetypes; NaN for too few trees.
+};
+
+/// @return one for each number of trees.
+osgTreeWind::Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees,
+                                                           const BenchSettings& settings, BenchDriver& driver);

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "../gl/GlTest.h"
+#include "../nodes/ForestFixtures.h"
+
+#include <osgTreeWind/gpu/PosePass.h>
+#include <osgTreeWind/motion/PosedPoints.h>
+
+#include <osg/GLExtensions>
+
+#include <glm/geometric.hpp>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// Draws nothing; asks for poses as a cull would, and reads back what the pass makes of them.
+class PoseReader : public osg::Drawable {
+public:
+    PoseReader(const ForestSimulation& simulation, std::vector<osg::ref_ptr<PosePass>>& passes)
+        : _simulation(simulation), _passes(passes) {
+        setCullingActive(false);
+        setUseDisplayList(false);
+    }
+
+    void ask(unsigned frame, std::size_t tree) {
+        const PlacedTree& placed = _simulation.trees()[tree];
+        PosePass& passes = *_passes[placed.model];
+        rows[tree] = passes.row(frame, static_cast<std::uint32_t>(tree), [&](PoseRequest& request) {
+            ++fills;
+            const ModalMotion& modal = *_simulation.modal();
+            passes.refer(modal.shape(tree), request);
+            request.across = placed.scale.axes.x;
+            request.upward = placed.scale.axes.z;
+            modal.poseVector(tree, request.vector);
+            modal.patchSpeeds(tree, request.patchSpeeds);
+        });
+    }
+
+    void drawImplementation(osg::RenderInfo& info) const override {
+        osg::State& state = *info.getState();
+        for (const auto& [tree, row] : rows) {
+            const PlacedTree& placed = _simulation.trees()[tree];
+            const std::size_t units = _simulation.forest().unitsOf(placed);
+            const PoseLayout layout(units);
+            if (row.page != _read) { // a page at a time: the next one takes its place
+                _read = row.page;
+                _passes[placed.model]->apply(state, *row.page);
+                _rotations = texels(state, PosePass::rotationsUnit);
+                _translations = texels(state, PosePass::translationsUnit);
+            }
+            std::vector<UnitPose>& poses = read[tree];
+            poses.clear();
+            const auto first = static_cast<std::size_t>(row.row * layout.rows * layout.width);
+            for (std::size_t unit = 0; unit < units; ++unit) {
+                const glm::vec4 r = _rotations[first + unit], t = _translations[first + unit];
+                poses.push_back({glm::quat(r.w, r.x, r.y, r.z), glm::vec3(t)});
+                winds[tree] = t.w;
+            }
+        }
+        _read = nullptr;
+    }
+
+    std::map<std::size_t, PosePass::Row> rows; ///< By tree.
+    int fills = 0;
+    mutable std::map<std::size_t, std::vector<UnitPose>> read; ///< By tree.
+    mutable std::map<std::size_t, float> winds;                ///< At the last unit.
+
+private:
+    static std::vector<glm::vec4> texels(osg::State& state, unsigned unit) {
+        state.setActiveTextureUnit(unit);
+        GLint width = 0, height = 0;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+        std::vector<glm::vec4> texels(static_cast<std::size_t>(width * height));
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
+        return texels;
+    }
+
+    const ForestSimulation& _simulation;
+    std::vector<osg::ref_ptr<PosePass>>& _passes;
+    mutable osg::ref_ptr<const PosePage> _read;
+    mutable std::vector<glm::vec4> _rotations, _translations;
+};
+
+class PosePassGlTest : public GlTest {
+protected:
+    void begin(ForestDescription description, ModalMotion::Level level = ModalMotion::Level::Near) {
+        SimulationOptions options;
+        options.level = level;
+        simulation = std::make_unique<ForestSimulation>(std::move(description), options);
+        passes.clear();
+        const osg::ref_ptr<PosePrograms> programs = new PosePrograms;
+        for (const TreeModel& model : simulation->models())
+            passes.push_back(new PosePass(model.skeleton, programs));
+        reader = new PoseReader(*simulation, passes);
+        open(16, 16);
+        viewer().setSceneData(reader);
+    }
+    void blow(int steps) {
+        for (int i = 0; i <= steps; ++i)
+            simulation->advance(i / 25.0);
+    }
+    void askAll(unsigned frame) {
+        for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree)
+            reader->ask(frame, tree);
+    }
+    /// The largest distance of a vertex of the bark from where the CPU has it, metres; and how far one has
+    /// moved.
+    struct Distances {
+        float furthest = 0.0f, moved = 0.0f;
+    };
+    Distances distances(std::size_t tree) {
+        const PlacedTree& placed = simulation->trees()[tree];
+        const TreeMotion motion = simulation->motion(tree);
+        const std::vector<UnitPose>& poses = reader->read.at(tree);
+        Distances result;
+        for (const SkinVertex& vertex : simulation->forest().modelOf(placed).skin.vertices) {
+            const auto unit = static_cast<std::size_t>(vertex.unit + 0.5f);
+            const glm::vec3 cpu = posedSkinPoint(vertex, placed.scale, motion.poses[unit]),
+                            rest = posedSkinPoint(vertex, placed.scale, UnitPose());
+            result.furthest = std::max(result.furthest,
+                                       glm::distance(cpu, posedSkinPoint(vertex, placed.scale, poses[unit])));
+            result.moved = std::max(result.moved, glm::distance(cpu, rest));
+        }
+        return result;
+    }
+    void expectThePosesOfTheCpu(float atLeast) {
+        for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree) {
+            const Distances found = distances(tree);
+            ASSERT_LT(found.furthest, 1e-4f) << "tree " << tree;
+            ASSERT_GT(found.moved, atLeast) << "tree " << tree << " stands still, so this shows nothing";
+        }
+    }
+
+    std::unique_ptr<ForestSimulation> simulation;
+    std::vector<osg::ref_ptr<PosePass>> passes;
+    osg::ref_ptr<PoseReader> reader;
+};
+
+/// Two species in several shapes and sizes, leaning hard.
+ForestDescription mixedForest(float speed) {
+    ForestDescription description = smallForest(6, speed);
+    description.species.push_back(Species());
+    description.species[1].shapes = 2;
+    for (std::size_t i = 0; i < 6; i += 2)
+        description.trees[i].species = 1;
+    return description;
+}
+
+} // namespace
+
+class PosePassLevelsGlTest : public PosePassGlTest,
+                             public ::testing::WithParamInterface<ModalMotion::Level> {};
+
+TEST_P(PosePassLevelsGlTest, everyVertexIsWhereTheCpuHasIt) {
+    begin(mixedForest(25.0f), GetParam());
+    blow(60);
+    askAll(0);
+    frame(0.0);
+    expectThePosesOfTheCpu(0.05f);
+    const glm::vec3 wind = simulation->motion(0).winds[simulation->motion(0).winds.size - 1];
+    EXPECT_NEAR(reader->winds[0], glm::length(wind), 1e-4f) << "which leaves flutter in";
+}
+
+INSTANTIATE_TEST_SUITE_P(NearAndFar, PosePassLevelsGlTest,
+                         ::testing::Values(ModalMotion::Level::Near, ModalMotion::Level::Far));
+
+TEST_F(PosePassGlTest, posesAreThoseOfEachFrame) {
+    begin(mixedForest(15.0f));
+    for (unsigned i = 0; i < 5; ++i) {
+        simulation->advance(10 * i / 25.0);
+        reader->rows.clear();
+        askAll(i);
+        frame(i / 25.0);
+        expectThePosesOfTheCpu(i == 0 ? -1.0f : 1e-3f);
+    }
+}
+
+TEST_F(PosePassGlTest, allWhoAskInAFrameGetTheSameRow) {
+    begin(smallForest(3));
+    blow(10);
+    askAll(7);
+    const std::map<std::size_t, PosePass::Row> rows = reader->rows;
+    EXPECT_EQ(reader->fills, 3);
+    askAll(7); // another camera
+    EXPECT_EQ(reader->fills, 3);
+    for (const auto& [tree, row] : rows) {
+        EXPECT_EQ(reader->rows[tree].row, row.row);
+        EXPECT_EQ(reader->rows[tree].page, row.page);
+    }
+    askAll(8);
+    EXPECT_EQ(reader->fills, 6);
+}
+
+TEST_F(PosePassGlTest, whatIsAskedForAfterTheFirstDrawOfAFrameIsWorkedOutToo) {
+    begin(smallForest(6));
+    blow(10);
+    for (std::size_t tree = 0; tree < 3; ++tree)
+        reader->ask(0, tree);
+    frame(0.0);
+    for (std::size_t tree = 3; tree < 6; ++tree)
+        reader->ask(0, tree); // in the same frame
+    frame(0.04);
+    expectThePosesOfTheCpu(1e-3f);
+}
+
+TEST_F(PosePassGlTest, moreTreesThanAPageHoldsTakeSeveral) {
+    ForestDescription many = smallForest(1, 20.0f);
+    many.species[0].tree.wood.levels = 1;
+    many.species[0].tree.leaves.clustersPerBranch = 0;
+    many.species[0].shapes = 1;
+    many.trees.resize(5000, many.trees[0]);
+    for (std::size_t i = 0; i < many.trees.size(); ++i)
+        many.trees[i].size.height = 4.0f + 0.3f * static_cast<float>(i % 7);
+    begin(many);
+    blow(20);
+    askAll(0);
+    EXPECT_NE(reader->rows[0].page, reader->rows[4999].page);
+    EXPECT_EQ(reader->rows[0].page, reader->rows[1].page);
+    frame(0.0);
+    expectThePosesOfTheCpu(1e-3f);
+    reader->rows.clear();
+    blow(1); // and again, on pages of before
+    askAll(1);
+    frame(0.04);
+    expectThePosesOfTheCpu(1e-3f);
+}
+
+TEST_F(PosePassGlTest, aTreeOfMoreUnitsThanARowHoldsTakesSeveral) {
+    ForestDescription description = smallForest(3, 20.0f);
+    description.species[0].tree.wood.levels = 6;
+    description.species[0].tree.leaves.clustersPerBranch = 0;
+    description.species[0].tree.wood.childrenPerBranch = 3;
+    description.species[0].tree.wood.trunkUnits = 3;
+    description.species[0].tree.wood.ringsPerBranch = 2;
+    description.species[0].shapes = 1;
+    begin(description);
+    ASSERT_GT(simulation->forest().unitsOf(simulation->trees()[0]), 2048u);
+    blow(20);
+    askAll(0);
+    frame(0.0);
+    expectThePosesOfTheCpu(1e-3f);
+}
+
+TEST_F(PosePassGlTest, aContextThatIsGivenUpIsFilledAnew) {
+    begin(smallForest(4));
+    blow(20);
+    askAll(0);
+    frame(0.0);
+    for (const osg::ref_ptr<PosePass>& pass : passes)
+        pass->releaseGLObjects(nullptr);
+    reader->read.clear();
+    frame(0.04);
+    expectThePosesOfTheCpu(1e-3f);
+}

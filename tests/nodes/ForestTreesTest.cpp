@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Trees that are put up, removed and changed, and branches that are followed, while a forest runs.
+#include "ForestFixtures.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <set>
+
+using namespace osgTreeWind;
+
+namespace {
+
+TreePlacement treeAt(double x, double y = 0.0, float height = 6.0f) {
+    TreePlacement tree;
+    tree.position = {x, y, 0.0};
+    tree.size.height = height;
+    return tree;
+}
+
+} // namespace
+
+TEST(ForestTreesTest, idsLast) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
+    std::set<TreeId> ids;
+    for (int i = 0; i < 100; ++i) {
+        const TreeId tree = forest->addTree(treeAt(10.0 + i));
+        ASSERT_NE(tree, noTree);
+        EXPECT_TRUE(ids.insert(tree).second) << "an id came back";
+        EXPECT_EQ(forest->getNumTrees(), 5u);
+        EXPECT_TRUE(forest->removeTree(tree));
+        EXPECT_FALSE(forest->removeTree(tree));
+        EXPECT_FALSE(forest->changeTree(tree, treeAt(0.0)));
+        EXPECT_EQ(forest->getNumTrees(), 4u);
+    }
+    for (TreeId tree = 0; tree < 4; ++tree)
+        EXPECT_TRUE(forest->getSimulation().holds(tree));
+    EXPECT_LE(forest->getSimulation().trees().size(), 5u) << "slots are used again";
+}
+
+TEST(ForestTreesTest, aTreeOfNoSpeciesIsNotPutUp) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    TreePlacement stranger = treeAt(1.0);
+    stranger.species = 9;
+    EXPECT_EQ(forest->addTree(stranger), noTree);
+    EXPECT_FALSE(forest->changeTree(0, stranger));
+    EXPECT_FALSE(forest->removeTree(noTree));
+    EXPECT_EQ(forest->getNumTrees(), 1u);
+}
+
+TEST(ForestTreesTest, aTreeIsFoundByItsName) {
+    ForestDescription description = smallForest(3);
+    description.trees[1].name = "old oak";
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    EXPECT_EQ(forest->findTree("old oak"), TreeId(1));
+    EXPECT_EQ(forest->findTree("nobody"), noTree);
+    TreePlacement named = treeAt(30.0);
+    named.name = "sapling";
+    const TreeId added = forest->addTree(named);
+    EXPECT_EQ(forest->findTree("sapling"), added);
+    forest->removeTree(added);
+    EXPECT_EQ(forest->findTree("sapling"), noTree);
+}
+
+TEST(ForestTreesTest, boundsGrowAndShrinkWithTheTrees) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    const osg::BoundingSphere before = forest->getBound();
+    const TreeId far = forest->addTree(treeAt(3000.0));
+    EXPECT_GT(forest->getBound().radius(), 1400.0f);
+    EXPECT_TRUE(forest->changeTree(far, treeAt(6000.0)));
+    EXPECT_GT(forest->getBound().radius(), 2900.0f);
+    EXPECT_TRUE(forest->removeTree(far));
+    EXPECT_NEAR(forest->getBound().radius(), before.radius(), 1e-3f);
+    forest->removeTree(0);
+    forest->removeTree(1);
+    EXPECT_FALSE(forest->getBound().valid());
+}
+
+TEST(ForestTreesTest, aTreeThatChangesEveryFrameIsFollowedOnce) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
+    for (unsigned frame = 1; frame <= 200; ++frame) {
+        ASSERT_TRUE(forest->changeTree(1, treeAt(0.1 * frame)));
+        const TreeId other = forest->addTree(treeAt(5.0));
+        update(*forest, frame, frame / 25.0);
+        forest->removeTree(other);
+    }
+    EXPECT_LE(forest->getStand()->nearTrees(), 5u);
+}
+
+TEST(ForestTreesTest, aTreeThatMovesKeepsItsSway) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    updateFrames(*forest, 1, 40);
+    const glm::vec2 lean = forest->getSimulation().modal()->lean(1);
+    ASSERT_GT(glm::length(lean), 0.01f);
+    TreePlacement there = forest->getSimulation().placementOf(1);
+    there.position.x += 100.0;
+    forest->changeTree(1, there);
+    EXPECT_LT(glm::distance(forest->getSimulation().modal()->lean(1), lean), 1e-5f);
+}
+
+TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
+    osg::ref_ptr<Forest> one = new Forest(smallForest(4)), other = new Forest(smallForest(4));
+    updateFrames(*one, 1, 20);
+    updateFrames(*other, 1, 20);
+    const TreeId added = other->addTree(treeAt(90.0));
+    updateFrames(*one, 21, 40);
+    updateFrames(*other, 21, 40);
+    other->removeTree(added);
+    updateFrames(*one, 41, 60);
+    updateFrames(*other, 41, 60);
+    for (std::size_t tree = 0; tree < 4; ++tree)
+        EXPECT_EQ(one->getSimulation().modal()->lean(tree), other->getSimulation().modal()->lean(tree))
+            << tree;
+}
+
+TEST(ForestTreesTest, branchesAreFollowedInTheFrameOfTheirTree) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(2, 11);
+    ASSERT_TRUE(branch);
+    EXPECT_EQ(forest->branch(2, 11), branch);
+    EXPECT_EQ(forest->branch(2, 1000), nullptr);
+    EXPECT_EQ(forest->branch(77, 0), nullptr);
+    const PlacedTree& placed = forest->getSimulation().trees()[2];
+    const BranchUnit& rest = forest->getSimulation().forest().modelOf(placed).skeleton.units[11];
+    const osg::Matrix before = branch->getMatrix();
+    for (unsigned frame = 1; frame <= 30; ++frame) {
+        update(*forest, frame, frame / 25.0);
+        const glm::vec3 tip = placed.scale.axes * rest.tip;
+        const UnitPose pose = forest->getSimulation().motion(2).poses[11];
+        const glm::vec3 expected =
+            turnHeading(pose.apply(tip), std::sin(placed.heading), std::cos(placed.heading)) +
+            placed.position;
+        EXPECT_LT((osg::Vec3(toOsg(tip) * branch->getMatrix()) - toOsg(expected)).length(), 1e-4f);
+    }
+    EXPECT_NE(branch->getMatrix(), before);
+}
+
+TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
+    updateFrames(*forest, 1, 30);
+    const osg::ref_ptr<BranchTransform> late = forest->branch(1, 9);
+    const osg::Matrix now = late->getMatrix();
+    update(*forest, 31, 30 / 25.0); // a pause
+    EXPECT_EQ(late->getMatrix(), now);
+}
+
+TEST(ForestTreesTest, whatHangsOnATreeThatIsRemovedStaysWhereItWas) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(1, 9);
+    updateFrames(*forest, 1, 30);
+    const osg::Matrix last = branch->getMatrix();
+    forest->removeTree(1);
+    const TreeId next = forest->addTree(treeAt(40.0));
+    EXPECT_EQ(forest->getSimulation().slotOf(next), 1u);
+    updateFrames(*forest, 31, 60);
+    EXPECT_EQ(branch->getMatrix(), last);
+    EXPECT_NE(forest->branch(next, 9), branch);
+}
+
+TEST(ForestTreesTest, aBranchOfATreeThatGrowsIntoAnotherGoesOn) {
+    ForestDescription description = smallForest(2, 20.0f);
+    description.species.push_back(smallSpecies());
+    description.species[1].tree.wood.levels = 1; // fewer branches
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    const osg::ref_ptr<BranchTransform> first = forest->branch(0, 1), last = forest->branch(0, 13);
+    updateFrames(*forest, 1, 10);
+    TreePlacement other = treeAt(5.0);
+    other.species = 1;
+    ASSERT_TRUE(forest->changeTree(0, other));
+    const osg::Matrix held = last->getMatrix(), before = first->getMatrix();
+    updateFrames(*forest, 11, 20);
+    EXPECT_EQ(last->getMatrix(), held);
+    EXPECT_NE(first->getMatrix(), before);
+}
+
+TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
+    ForestDescription description = smallForest(1, 20.0f);
+    description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    ASSERT_EQ(forest->getStand()->nearTrees(), 0u);
+    forest->branch(5, 0);
+    EXPECT_EQ(forest->getStand()->nearTrees(), 1u);
+    updateFrames(*forest, 1, 200);
+    EXPECT_EQ(forest->getSimulation().modal()->level(5), ModalMotion::Level::Near);
+    EXPECT_EQ(forest->getSimulation().modal()->level(6), ModalMotion::Level::Far);
+}
+
+TEST(ForestTreesTest, thousandsOfChangesTakeNoMemory) {
+    ForestDescription description = smallForest(1);
+    description.trees.resize(3000, description.trees[0]);
+    for (std::size_t i = 0; i < description.trees.size(); ++i)
+        description.trees[i].position = {20.0 * static_cast<double>(i % 60),
+                                         20.0 * static_cast<double>(i / 60), 0.0};
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    std::size_t archetypes = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const TreeId tree = forest->addTree(treeAt(i % 300, 5.0, description.trees[0].size.height));
+        forest->changeTree(tree, treeAt(i % 200, 5.0, description.trees[0].size.height));
+        forest->removeTree(tree);
+        if (i == 0)
+            archetypes = forest->getSimulation().modal()->archetypeCount();
+    }
+    EXPECT_LE(forest->getSimulation().trees().size(), 3001u);
+    EXPECT_EQ(forest->getSimulation().modal()->archetypeCount(), archetypes) << "flat memory";
+}
