@@ -3,19 +3,28 @@
 
 #include <osgTreeWind/nodes/PickedTree.h>
 
+#include <osg/Group>
+
+#include <functional>
+#include <utility>
+
 namespace osgTreeWind {
 namespace {
 
-/// Something with bounds that an intersector can be asked about.
-class Bounds : public osg::Node {
+/// Trees within bounds, met if the visitor's intersector reaches these. Not a part of any path.
+class Within : public osg::Group {
 public:
-    void set(const osg::BoundingBox& box) {
+    explicit Within(std::function<void()> meet) : _meet(std::move(meet)) {}
+    void meet(osg::NodeVisitor& visitor, const osg::BoundingBox& box) {
         _sphere = osg::BoundingSphere(box);
         dirtyBound();
+        visitor.apply(*this); // only there it is asked in coordinates of this place
     }
     osg::BoundingSphere computeBound() const override { return _sphere; }
+    void traverse(osg::NodeVisitor&) override { _meet(); }
 
 private:
+    std::function<void()> _meet;
     osg::BoundingSphere _sphere;
 };
 
@@ -23,25 +32,23 @@ private:
 
 void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulation& simulation,
                     const TreeCells& cells) {
-    if (!visitor.getIntersector())
-        return;
-    const osg::ref_ptr<Bounds> bounds = new Bounds;
-    const auto within = [&](const osg::BoundingBox& box, const auto& meet) {
-        bounds->set(box);
-        if (!visitor.getIntersector()->enter(*bounds))
-            return;
-        meet();
-        visitor.getIntersector()->leave();
-    };
-    for (const TreeCells::Cell& cell : cells.cells())
-        if (!cell.trees.empty())
-            within(cell.box, [&] {
-                for (const TreeCells::Tree& tree : cell.trees)
-                    within(TreeCells::boxOf(tree), [&] {
-                        const osg::ref_ptr<PickedTree> picked = new PickedTree(simulation, tree.number);
-                        picked->accept(visitor);
-                    });
-            });
+    const TreeCells::Cell* cell = nullptr;
+    const TreeCells::Tree* tree = nullptr;
+    const osg::ref_ptr<Within> ofTree = new Within([&] {
+        const osg::ref_ptr<PickedTree> picked = new PickedTree(simulation, tree->number);
+        picked->accept(visitor);
+    });
+    const osg::ref_ptr<Within> ofCell = new Within([&] {
+        for (const TreeCells::Tree& each : cell->trees) {
+            tree = &each;
+            ofTree->meet(visitor, TreeCells::boxOf(each));
+        }
+    });
+    for (const TreeCells::Cell& each : cells.cells())
+        if (!each.trees.empty()) {
+            cell = &each;
+            ofCell->meet(visitor, each.box);
+        }
 }
 
 } // namespace osgTreeWind

@@ -94,10 +94,12 @@ void TreeStandCull::handOver() {
     visitor.pushStateSet(drawing.state);
     visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
+    bool drawn = false;
     const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
                           std::initializer_list<osg::StateSet*> states) {
         if (!geometry)
             return;
+        drawn = true;
         part.set(geometry, &trees);
         int pushed = 0;
         for (osg::StateSet* state : states)
@@ -126,7 +128,8 @@ void TreeStandCull::handOver() {
     }
     visitor.popStateSet();
     visitor.popStateSet();
-    visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
+    if (drawn) // else their place in the scene's state is gone before that
+        visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
 }
 
 } // namespace osgTreeWind

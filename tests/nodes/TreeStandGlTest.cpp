@@ -53,7 +53,7 @@ osg::ref_ptr<osg::Geometry> white(osg::Vec3Array* corners) {
 osg::ref_ptr<osg::Node> posedByCpu(const Forest& forest) {
     osg::TriangleFunctor<Triangles> triangles;
     for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
-        PickedTree(forest.getSimulation(), tree).accept(triangles);
+        osg::ref_ptr<PickedTree>(new PickedTree(forest.getSimulation(), tree))->accept(triangles);
     return white(triangles.corners);
 }
 
@@ -159,7 +159,7 @@ TEST_F(TreeStandGlTest, coloursStayWhenOtherTreesComeAndGo) {
     osg::ref_ptr<osg::Image> fewer = picture(new Forest(without), 1);
     look(forest);
     osg::ref_ptr<osg::Image> whole = run(0, 0);
-    EXPECT_GT(differing(*whole, *fewer), 0.01);
+    EXPECT_GT(difference(*whole, *fewer).mean, 0.3);
     ASSERT_TRUE(forest->removeTree(1));
     EXPECT_EQ(difference(*run(1, 1), *fewer).mean, 0.0);
     const TreeId again = forest->addTree(all.trees[1]);

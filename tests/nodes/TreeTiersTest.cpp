@@ -7,8 +7,21 @@
 
 using namespace osgTreeWind;
 
+namespace {
+
+ForestDrawing heights() {
+    ForestDrawing drawing;
+    drawing.full = 300.0f;
+    drawing.reduced = 120.0f;
+    drawing.impostor = 50.0f;
+    drawing.blend = 0.2f;
+    return drawing;
+}
+
+} // namespace
+
 TEST(TreeTiersTest, aTreeHasTheTierOfItsHeightOnTheScreen) {
-    const TreeTiers tiers; // 300, 120, 50
+    const TreeTiers tiers(heights());
     const struct {
         float pixels;
         Tier tier;
@@ -22,7 +35,7 @@ TEST(TreeTiersTest, aTreeHasTheTierOfItsHeightOnTheScreen) {
 }
 
 TEST(TreeTiersTest, tiersCrossOverEvenly) {
-    const TreeTiers tiers;
+    const TreeTiers tiers(heights());
     EXPECT_NEAR(tiers.choose(299.9f).fade, 1.0f, 0.01f);
     EXPECT_NEAR(tiers.choose(270.0f).fade, 0.5f, 1e-5f);
     EXPECT_EQ(tiers.choose(270.0f).tier, Tier::Full);
@@ -31,7 +44,7 @@ TEST(TreeTiersTest, tiersCrossOverEvenly) {
 }
 
 TEST(TreeTiersTest, withoutTiersAllIsDrawnInFull) {
-    ForestDrawing drawing;
+    ForestDrawing drawing = heights();
     drawing.tiers = false;
     const TreeTiers tiers(drawing);
     EXPECT_FALSE(tiers.on());
@@ -42,7 +55,7 @@ TEST(TreeTiersTest, withoutTiersAllIsDrawnInFull) {
 }
 
 TEST(TreeTiersTest, withoutABlendTiersChangeAtOnce) {
-    ForestDrawing drawing;
+    ForestDrawing drawing = heights();
     drawing.blend = 0.0f;
     const TreeTiers tiers(drawing);
     EXPECT_EQ(tiers.choose(300.0f).tier, Tier::Full);
@@ -51,6 +64,6 @@ TEST(TreeTiersTest, withoutABlendTiersChangeAtOnce) {
 }
 
 TEST(TreeTiersTest, aTreeIsAwakeBeforeItsBranchesAreSeen) {
-    const TreeTiers tiers;
+    const TreeTiers tiers(heights());
     EXPECT_EQ(tiers.choose(tiers.wakingPixels()).tier, Tier::Impostor);
 }
