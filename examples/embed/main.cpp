@@ -60,8 +60,8 @@ void streamWind(StreamedWind& wind, const std::atomic<bool>& done) {
 }
 
 /// Hangs a red ball on a branch: it goes where the branch goes.
-void markBranch(TreeNode& tree, unsigned unit) {
-    BranchTransform* branch = tree.getBranch(unit);
+void markBranch(Forest& forest, TreeId tree, unsigned unit) {
+    BranchTransform* branch = forest.branch(tree, unit);
     osg::ref_ptr<osg::ShapeDrawable> ball = new osg::ShapeDrawable(new osg::Sphere(branch->getBase(), 0.15f));
     ball->setColor(osg::Vec4(0.9f, 0.1f, 0.1f, 1.0f));
     branch->addChild(ball);
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
     unsigned frames = 0;
     osg::ArgumentParser(&argc, argv).read("--frames", frames);
     osg::ref_ptr<Forest> forest = new Forest(describeForest());
-    markBranch(*forest->getBranchwise()->getTree(4), 60);
+    markBranch(*forest, 4, 60); // trees of the description have their numbers for ids
     const auto wind = StreamedWind::create(simulateWind(0.0));
     if (!wind) {
         for (const Diagnostic& problem : wind.problems())

@@ -72,7 +72,8 @@ Result<std::vector<BenchView>> runBenchViews(const BenchOptions& options, const 
     std::vector<BenchView> views;
     for (const BenchViewpoint viewpoint : {BenchViewpoint::Over, BenchViewpoint::Home}) {
         Result<BenchView> view = runBenchView(
-            options.forest, [&] { return forest; }, viewpoint, forest.trees.size() <= mostTreesInFull, settings, driver);
+            options.forest, [&] { return forest; }, viewpoint, forest.trees.size() <= mostTreesInFull,
+            settings, driver);
         if (!view)
             return view.problems();
         views.push_back(std::move(view.value()));
@@ -133,8 +134,8 @@ ExitCode bench(const BenchOptions& options) {
     if (!report.kernels.empty())
         printBenchKernels(std::cout, conditions, report.kernels);
     if (isAsked(options, forestsStage)) {
-        report.forests = runBenchForests(forest, options.forest, static_cast<std::size_t>(options.forestTrees),
-                                         options.frames);
+        report.forests = runBenchForests(forest, options.forest,
+                                         static_cast<std::size_t>(options.forestTrees), options.frames);
         printBenchForests(std::cout, conditions, *report.forests);
     }
     if (isAsked(options, scaleStage)) {
@@ -152,8 +153,7 @@ ExitCode bench(const BenchOptions& options) {
         printBenchViews(std::cout, conditions, report.views);
     }
 
-    if (!options.output.empty() &&
-        !writeText(options.output, benchReport(conditions, report).dump(2) + '\n'))
+    if (!options.output.empty() && !writeText(options.output, benchReport(conditions, report).dump(2) + '\n'))
         return Failed;
     if (!options.chart.empty() && !writeChart(options.chart, benchChart(conditions, results)))
         return Failed;
@@ -191,7 +191,8 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--forest-trees", options->forestTrees, "Stage forests: trees under modal")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    command->add_option("--scale-trees", options->scaleTrees, "Stage scale: trees of the woods that are drawn")
+    command
+        ->add_option("--scale-trees", options->scaleTrees, "Stage scale: trees of the woods that are drawn")
         ->delimiter(',')
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();

@@ -206,8 +206,7 @@ ordered_json benchReport(const BenchConditions& conditions, const BenchReport& r
                       {"version", conditions.driver.version}};
     json["settings"] = {{"width", settings.size.width},  {"height", settings.size.height},
                         {"framePairs", settings.frames}, {"warmUpPairs", settings.warmUp},
-                        {"stepSeconds", settings.step},
-                        {"threading", "SingleThreaded"}};
+                        {"stepSeconds", settings.step},  {"threading", "SingleThreaded"}};
     json["results"] = ordered_json::array();
     for (const BenchResult& result : report.results)
         json["results"].push_back(resultJson(result));
@@ -220,7 +219,7 @@ ordered_json benchReport(const BenchConditions& conditions, const BenchReport& r
                                    {"threads", kernel.threads},
                                    {"nanoseconds", spread(kernel.nanoseconds)}});
     json["dampedOverModal"] = {{"calm", spread(calmRatios(report.kernels))},
-                              {"gusts", spread(gustRatios(report.kernels))}};
+                               {"gusts", spread(gustRatios(report.kernels))}};
     json["forests"] = report.forests ? forestsJson(*report.forests) : ordered_json(nullptr);
     json["scale"] = ordered_json::array();
     for (const BenchScale& scale : report.scale) {
@@ -311,9 +310,12 @@ void printViewHead(std::ostream& out, const BenchConditions& conditions) {
         << conditions.date << ", " << machineName() << ", " << conditions.driver.renderer << ", "
         << conditions.settings.size.width << "x" << conditions.settings.size.height << ", "
         << conditions.settings.frames
-        << " rounds, times in ms (medians); over: frame over that of one reference tree that fills the view\n\n"
-           "| forest | view | trees | load, s | forest | its shapes | first frame | bytes a tree | full | reduced | "
-           "twice | impostors | update | cull | draw | frame | tree | over | over, processor | in full, over |\n"
+        << " rounds, times in ms (medians); over: frame over that of one reference tree that fills the "
+           "view\n\n"
+           "| forest | view | trees | load, s | forest | its shapes | first frame | bytes a tree | full | "
+           "reduced | "
+           "twice | impostors | update | cull | draw | frame | tree | over | over, processor | in full, over "
+           "|\n"
            "| --- | ---";
     for (int column = 0; column < 18; ++column)
         out << " | ---:";
@@ -322,13 +324,15 @@ void printViewHead(std::ostream& out, const BenchConditions& conditions) {
 
 } // namespace
 
-void printBenchScale(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchScale>& scale) {
+void printBenchScale(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchScale>& scale) {
     printViewHead(out, conditions);
     for (const BenchScale& each : scale)
         printView(out, each.view, each.bytesPerTree);
 }
 
-void printBenchViews(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchView>& views) {
+void printBenchViews(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchView>& views) {
     printViewHead(out, conditions);
     for (const BenchView& view : views)
         printView(out, view, std::nan(""));

@@ -51,5 +51,7 @@ void printBenchRow(std::ostream& out, const BenchResult& result);
 void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
                        const std::vector<BenchKernel>& kernels);
 void printBenchForests(std::ostream& out, const BenchConditions& conditions, const BenchForests& forests);
-void printBenchScale(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchScale>& scale);
-void printBenchViews(std::ostream& out, const BenchConditions& conditions, const std::vector<BenchView>& views);
+void printBenchScale(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchScale>& scale);
+void printBenchViews(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchView>& views);

@@ -162,20 +162,21 @@ RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
 
 osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, std::size_t bones) {
     // As osgAnimation's own skinning.vert: two bones an attribute.
-    const std::string place = hardware ? "vec4 at = vec4(0.0), bones = boneWeight0;\nvec3 normal = vec3(0.0);\n"
-                                         "for (int i = 0; i < 2; ++i, bones = bones.zwxy) {\n"
-                                         "mat4 bone = matrixPalette[int(bones.x)];\n"
-                                         "at += bones.y * (bone * gl_Vertex);\n"
-                                         "normal += bones.y * (mat3(bone) * gl_Normal);\n}\n"
-                                       : "vec4 at = gl_Vertex;\nvec3 normal = gl_Normal;\n";
+    const std::string place = hardware
+                                  ? "vec4 at = vec4(0.0), bones = boneWeight0;\nvec3 normal = vec3(0.0);\n"
+                                    "for (int i = 0; i < 2; ++i, bones = bones.zwxy) {\n"
+                                    "mat4 bone = matrixPalette[int(bones.x)];\n"
+                                    "at += bones.y * (bone * gl_Vertex);\n"
+                                    "normal += bones.y * (mat3(bone) * gl_Normal);\n}\n"
+                                  : "vec4 at = gl_Vertex;\nvec3 normal = gl_Normal;\n";
     const std::string palette =
         "uniform mat4 matrixPalette[" + std::to_string(bones) + "];\nin vec4 boneWeight0;\n";
     const std::string text =
-        "#version 330 compatibility\n" + shaderText("light.glsl") + (hardware ? palette : "") + "out vec2 " + part +
-        "Coord;\nout vec3 " + part + "Light;\nvoid main() {\n" + place +
-        "vec4 eyePosition = gl_ModelViewMatrix * at;\n" + part +
-        "Light = gl_MultiTexCoord0.z * " + part + "Shade(eyePosition.xyz, normalize(gl_NormalMatrix * normal));\n" +
-        part + "Coord = gl_MultiTexCoord0.xy;\ngl_Position = gl_ProjectionMatrix * eyePosition;\n}\n";
+        "#version 330 compatibility\n" + shaderText("light.glsl") + (hardware ? palette : "") + "out vec2 " +
+        part + "Coord;\nout vec3 " + part + "Light;\nvoid main() {\n" + place +
+        "vec4 eyePosition = gl_ModelViewMatrix * at;\n" + part + "Light = gl_MultiTexCoord0.z * " + part +
+        "Shade(eyePosition.xyz, normalize(gl_NormalMatrix * normal));\n" + part +
+        "Coord = gl_MultiTexCoord0.xy;\ngl_Position = gl_ProjectionMatrix * eyePosition;\n}\n";
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->addShader(new osg::Shader(osg::Shader::VERTEX, text));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shaderText(part + ".frag")));
@@ -192,15 +193,18 @@ osg::ref_ptr<osgAnimation::Skeleton> skeletonOf(const Skeleton& wood, const Tree
     for (std::size_t unit = 0; unit < wood.units.size(); ++unit) {
         const int parent = wood.units[unit].parent;
         const osg::Vec3 base = toOsg(scale.axes * wood.units[unit].base);
-        const osg::Vec3 from = parent < 0 ? osg::Vec3() : toOsg(scale.axes * wood.units[static_cast<std::size_t>(parent)].base);
+        const osg::Vec3 from =
+            parent < 0 ? osg::Vec3() : toOsg(scale.axes * wood.units[static_cast<std::size_t>(parent)].base);
         osg::ref_ptr<osgAnimation::Bone> bone = new osgAnimation::Bone(boneName(unit));
         bone->setInvBindMatrixInSkeletonSpace(osg::Matrix::translate(-base));
         osg::ref_ptr<osgAnimation::UpdateBone> update = new osgAnimation::UpdateBone(boneName(unit));
         turns.push_back(new osgAnimation::StackedQuaternionElement("turn"));
-        update->getStackedTransforms().push_back(new osgAnimation::StackedTranslateElement("base", base - from));
+        update->getStackedTransforms().push_back(
+            new osgAnimation::StackedTranslateElement("base", base - from));
         update->getStackedTransforms().push_back(turns.back());
         bone->setUpdateCallback(update);
-        (parent < 0 ? static_cast<osg::Group*>(skeleton) : bones[static_cast<std::size_t>(parent)])->addChild(bone);
+        (parent < 0 ? static_cast<osg::Group*>(skeleton) : bones[static_cast<std::size_t>(parent)])
+            ->addChild(bone);
         bones.push_back(bone);
     }
     return skeleton;

@@ -36,7 +36,8 @@ BenchCounts count(const BenchStage& stage, const BenchScene& scene, int trees) {
     counts.units = times * of.units;
     if (stage.geometry <= BenchStage::BUFFERED_LINES) {
         counts.vertices = times * of.skeletonPoints;
-        counts.lines = times * of.units * static_cast<std::uint64_t>(scene.model->skeleton.ringsPerBranch - 1);
+        counts.lines =
+            times * of.units * static_cast<std::uint64_t>(scene.model->skeleton.ringsPerBranch - 1);
     } else {
         counts.vertices = times * of.totalVertices();
         counts.triangles = times * of.totalTriangles();

@@ -53,8 +53,8 @@ struct BenchScene {
 /// Reference trees of the thesis in rows, 6 m apart.
 BenchScene createBenchScene(const BenchStage& stage, int trees);
 
-/// A wind for them in the form of the thesis' forestWind array (§4.2), which turns round every 30 steps, so that
-/// the trees sway about their rest.
+/// A wind for them in the form of the thesis' forestWind array (§4.2), which turns round every 30 steps, so
+/// that the trees sway about their rest.
 class BenchWinds {
 public:
     BenchWinds();

@@ -14,7 +14,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int warmUp = 4; // rounds
+constexpr int warmUp = 4;             // rounds
 constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anything beyond
 
 /// What the process has of the allocator.
@@ -120,14 +120,15 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
 Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
                                               BenchDriver& driver) {
     BenchView few;
-    makeForest([] { return createWood(fewTrees); }, few); // first of all: what every forest shares is there then
+    makeForest([] { return createWood(fewTrees); },
+               few); // first of all: what every forest shares is there then
     few = {};
     makeForest([] { return createWood(fewTrees); }, few);
     std::vector<BenchScale> results;
     for (const int count : trees) {
         Result<BenchView> view = runBenchView(
-            "made trees", [=] { return createWood(static_cast<std::size_t>(count)); }, BenchViewpoint::Over, false,
-            settings, driver);
+            "made trees", [=] { return createWood(static_cast<std::size_t>(count)); }, BenchViewpoint::Over,
+            false, settings, driver);
         if (!view)
             return view.problems();
         BenchScale scale;
@@ -135,9 +136,10 @@ Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees, con
         const auto own = [](const BenchView& forest) {
             return static_cast<double>(forest.forestBytes) - static_cast<double>(forest.archetypeBytes);
         };
-        scale.bytesPerTree = scale.view.trees > fewTrees
-                                 ? (own(scale.view) - own(few)) / static_cast<double>(scale.view.trees - fewTrees)
-                                 : std::nan("");
+        scale.bytesPerTree =
+            scale.view.trees > fewTrees
+                ? (own(scale.view) - own(few)) / static_cast<double>(scale.view.trees - fewTrees)
+                : std::nan("");
         results.push_back(std::move(scale));
     }
     return results;

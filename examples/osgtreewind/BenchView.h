@@ -23,8 +23,9 @@ struct BenchView {
     double shapesSeconds = 0.0;     ///< Of that, about: meshes of all tiers, impostors painted.
     double firstFrameSeconds = 0.0; ///< Shaders compile, buffers and textures go to the GPU.
     std::size_t forestBytes = 0;    ///< Main memory that the Forest took, before anything was drawn.
-    std::array<std::size_t, osgTreeWind::tierCount> tiers{}; ///< Trees drawn by tier; one across two counts twice.
-    BenchTimes drawn, inFull, tree;                          ///< Round by round; `inFull` in each 10th, or none.
+    std::array<std::size_t, osgTreeWind::tierCount>
+        tiers{};                    ///< Trees drawn by tier; one across two counts twice.
+    BenchTimes drawn, inFull, tree; ///< Round by round; `inFull` in each 10th, or none.
     static constexpr int roundsPerFull = 10;
 
     double loadSeconds() const { return forestSeconds + firstFrameSeconds; }
@@ -43,5 +44,5 @@ struct BenchScale {
 };
 
 /// @return one for each number of trees.
-osgTreeWind::Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees,
-                                                           const BenchSettings& settings, BenchDriver& driver);
+osgTreeWind::Result<std::vector<BenchScale>>
+runBenchScale(const std::vector<int>& trees, const BenchSettings& settings, BenchDriver& driver);

@@ -23,8 +23,7 @@ namespace {
 using namespace osgTreeWind;
 
 struct RenderOptions {
-    std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(),
-                      pose, tiers;
+    std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(), pose, tiers;
     int frames = 1, samples = 4, width = 0, height = 0;
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
@@ -153,7 +152,8 @@ ExitCode render(RenderOptions options) {
         std::cerr << "--pose " << options.pose << ": for a law of a branch, not \"modal\"\n";
         return BadInput;
     }
-    viewer.getCamera()->setLODScale(static_cast<float>(factor)); // pixels are those of the picture, not samples
+    viewer.getCamera()->setLODScale(
+        static_cast<float>(factor)); // pixels are those of the picture, not samples
     viewer.setSceneData(scene);
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);
@@ -219,9 +219,10 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")
         ->check(CLI::IsMember({"on", "off"}));
     command
-        ->add_option("--pose", options->pose,
-                     "Under a law of a branch: where angles come from, and whether transforms move branches;\n"
-                     "all as published when not given")
+        ->add_option(
+            "--pose", options->pose,
+            "Under a law of a branch: where angles come from, and whether transforms move branches;\n"
+            "all as published when not given")
         ->check(CLI::IsMember({"cpu", "gpu", "scenegraph"}));
     command->footer(
         "The same file and arguments give the same pixels.\n"

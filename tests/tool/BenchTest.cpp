@@ -17,6 +17,14 @@ using nlohmann::json;
 
 const std::vector<std::string> stages = {"cpu",        "cpu-vbo",         "gpu",     "gpu-skin",
                                          "gpu-leaves", "gpu-tree-leaves", "gpu-tree"};
+const std::vector<std::string> laterStages = {"resident", "resident-full", "osganimation-hw",
+                                              "osganimation-sw"};
+
+std::vector<std::string> allStages() {
+    std::vector<std::string> all = stages;
+    all.insert(all.end(), laterStages.begin(), laterStages.end());
+    return all;
+}
 
 /// One run of two pairs of small frames, for all these tests.
 class BenchTest : public ::testing::Test {
@@ -24,7 +32,7 @@ protected:
     static void SetUpTestSuite() {
         folder = std::make_unique<TemporaryFolder>();
         outcome = runTool({"bench", "--trees", "1", "--frames", "2", "--size", "64x64", "--forest-trees",
-                           "300", "-o", "results.json", "--chart", "chart.svg"},
+                           "300", "--scale-trees", "300", "-o", "results.json", "--chart", "chart.svg"},
                           folder->path());
         report = json::parse(contentOf(folder->path() + "/results.json"), nullptr, false);
     }
@@ -60,7 +68,7 @@ TEST_F(BenchTest, MeasuresEveryStage) {
     std::vector<std::string> measured;
     for (const json& result : report["results"])
         measured.push_back(result["stage"]);
-    EXPECT_EQ(measured, stages);
+    EXPECT_EQ(measured, allStages());
 }
 
 TEST_F(BenchTest, SaysWhereAndHowItMeasured) {
@@ -83,7 +91,8 @@ TEST_F(BenchTest, CountsOneTreeAsTheThesisDoes) {
     }
     EXPECT_EQ(result("gpu-skin")["counts"]["vertices"], 15616);
     EXPECT_EQ(result("gpu-skin")["counts"]["triangles"], 29280);
-    for (const char* stage : {"gpu-leaves", "gpu-tree-leaves", "gpu-tree"}) {
+    for (const char* stage :
+         {"gpu-leaves", "gpu-tree-leaves", "gpu-tree", "resident", "osganimation-hw", "osganimation-sw"}) {
         EXPECT_EQ(result(stage)["counts"]["vertices"], 38656);
         EXPECT_EQ(result(stage)["counts"]["triangles"], 40800);
     }
@@ -96,11 +105,24 @@ TEST_F(BenchTest, MovesWhatTheStageSaysByTransforms) {
     EXPECT_EQ(result("gpu-leaves")["counts"]["transforms"], tree + branches + leaves);
     EXPECT_EQ(result("gpu-tree-leaves")["counts"]["transforms"], tree + branches);
     EXPECT_EQ(result("gpu-tree")["counts"]["transforms"], tree);
+    EXPECT_EQ(result("resident")["counts"]["transforms"], 0);
+    EXPECT_EQ(result("osganimation-hw")["counts"]["transforms"],
+              2 * tree + branches); // its place, its skeleton
+    EXPECT_EQ(result("osganimation-sw")["counts"]["transforms"], 2 * tree + branches);
 }
 
 TEST_F(BenchTest, TakesAnglesFromWhereTheStageSays) {
     for (const std::string& stage : stages)
         EXPECT_EQ(result(stage)["angles"], stage.substr(0, 3)) << stage;
+    EXPECT_EQ(result("resident")["angles"], "gpu");
+    EXPECT_EQ(result("osganimation-hw")["angles"], "recorded");
+}
+
+TEST_F(BenchTest, MovesTreesByTheLawThatTheStageIsOf) {
+    for (const std::string& stage : stages)
+        EXPECT_EQ(result(stage)["law"], "thesis") << stage;
+    for (const std::string& stage : laterStages)
+        EXPECT_EQ(result(stage)["law"], "modal") << stage;
 }
 
 TEST_F(BenchTest, PutsTheThesisTablesBeside) {
@@ -129,9 +151,9 @@ TEST_F(BenchTest, GivesFramesOverSeconds) {
 
 TEST_F(BenchTest, GivesOrderedSpreadsOfEveryTime) {
     for (const json& result : report["results"]) {
-        std::vector<json> spreads = {result["ratioToStatic"]};
+        std::vector<json> spreads = {result["ratioToStatic"], result["processorRatioToStatic"]};
         for (const char* variant : {"moving", "static"})
-            for (const char* time : {"frameMs", "updateMs", "cullMs", "drawMs"})
+            for (const char* time : {"frameMs", "processorMs", "updateMs", "cullMs", "drawMs"})
                 spreads.push_back(result[variant][time]);
         for (const json& spread : spreads) {
             ASSERT_TRUE(spread["median"].is_number()) << result;
@@ -143,7 +165,7 @@ TEST_F(BenchTest, GivesOrderedSpreadsOfEveryTime) {
 }
 
 TEST_F(BenchTest, PrintsARowForEachResult) {
-    for (const std::string& stage : stages)
+    for (const std::string& stage : allStages())
         EXPECT_NE(outcome.out.find("| `" + stage + "` | 1 |"), std::string::npos) << stage;
 }
 
@@ -196,6 +218,54 @@ TEST_F(BenchTest, StepsAForestUnderModalBesideOneUnderDamped) {
     EXPECT_NE(outcome.out.find("\nmodal over damped: "), std::string::npos) << outcome.out;
 }
 
+/// Trees drawn by all tiers.
+std::size_t drawnTrees(const json& view) {
+    std::size_t trees = 0;
+    for (const json& tier : view["tiers"])
+        trees += tier.get<std::size_t>();
+    return trees;
+}
+
+TEST_F(BenchTest, DrawsAWoodBesideOneTree) {
+    ASSERT_EQ(report["scale"].size(), 1u);
+    const json& wood = report["scale"][0];
+    EXPECT_EQ(wood["trees"], 300);
+    EXPECT_EQ(wood["shapes"], 15); // five species
+    EXPECT_EQ(wood["view"], "over");
+    EXPECT_GE(drawnTrees(wood), 300u); // all in view; a change-over counts twice
+    EXPECT_GT(wood["bytesPerTree"].get<double>(), 100.0);
+    EXPECT_GT(wood["loadSeconds"], wood["loadParts"]["forest"]);
+    EXPECT_GT(wood["ratioToTree"]["median"], 0.0);
+    EXPECT_TRUE(wood["inFull"].is_null());
+    EXPECT_TRUE(report["views"].empty()); // no file was given
+    EXPECT_NE(outcome.out.find("\n| made trees | over | 300 | "), std::string::npos) << outcome.out;
+}
+
+TEST(BenchUsageTest, DrawsTheForestOfAFileAndNothingElse) {
+    const TemporaryFolder folder;
+    const Outcome outcome = runTool(
+        {"bench", "--forest", example("forest.treewind"), "--frames", "2", "--size", "64x64", "-o", "r.json"},
+        folder.path());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
+    EXPECT_TRUE(report["results"].empty());
+    EXPECT_TRUE(report["kernels"].empty());
+    ASSERT_EQ(report["views"].size(), 2u);
+    EXPECT_EQ(report["views"][0]["view"], "over");
+    EXPECT_EQ(report["views"][1]["view"], "home");
+    for (const json& view : report["views"]) {
+        EXPECT_EQ(view["forest"], example("forest.treewind"));
+        EXPECT_GE(drawnTrees(view), view["trees"].get<std::size_t>());
+        EXPECT_GT(view["inFullRatioToTree"]["median"], 0.0);
+    }
+}
+
+TEST(BenchUsageTest, AViewIsThatOfAFile) {
+    const Outcome refused = runTool({"bench", "--stage", "view"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_EQ(refused.err, "--stage view: expected --forest FILE\n");
+}
+
 TEST(BenchUsageTest, LawsNeedNoGraphics) {
     const TemporaryFolder folder;
     const Outcome outcome =
@@ -221,7 +291,7 @@ TEST(BenchUsageTest, StepsTheForestOfAFileUnderDamped) {
 
 TEST_F(BenchTest, DrawsAChartOfEveryStage) {
     const std::string chart = contentOf(folder->path() + "/chart.svg");
-    for (const std::string& stage : stages)
+    for (const std::string& stage : allStages())
         EXPECT_NE(chart.find('>' + stage + "</text>"), std::string::npos) << stage;
     osg::ref_ptr<osg::Image> picture = osgDB::readRefImageFile(folder->path() + "/chart.png");
     ASSERT_TRUE(picture);
@@ -248,8 +318,8 @@ TEST(BenchUsageTest, MeasuresOneStageWithSeveralNumbersOfTrees) {
 
 TEST(BenchUsageTest, RefusesWhatItCannotMeasure) {
     const std::vector<std::vector<std::string>> cases = {
-        {"--trees", "0"},    {"--trees", "x"},         {"--frames", "0"},      {"--size", "0x9"},
-        {"--stage", "fast"}, {"--chart", "chart.gif"}, {"--forest-trees", "0"}};
+        {"--trees", "0"},    {"--trees", "x"},         {"--frames", "0"},       {"--size", "0x9"},
+        {"--stage", "fast"}, {"--chart", "chart.gif"}, {"--forest-trees", "0"}, {"--scale-trees", "0"}};
     for (const std::vector<std::string>& words : cases) {
         std::vector<std::string> line = {"bench"};
         line.insert(line.end(), words.begin(), words.end());

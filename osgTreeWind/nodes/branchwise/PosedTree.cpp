@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/branchwise/PosedTree.h>
 
-#include <osgTreeWind/motion/Rotations.h>
+#include <osgTreeWind/motion/PosedPoints.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -37,7 +37,7 @@ void PosedTree::follow(std::shared_ptr<const void> owner, const TreeMotion& moti
 }
 
 glm::vec3 PosedTree::skinPoint(const SkinVertex& vertex, const UnitPose& pose) const {
-    return pose.apply(_scale.axes * vertex.centre + _scale.radius * vertex.radius * vertex.outward);
+    return posedSkinPoint(vertex, _scale, pose);
 }
 
 glm::quat PosedTree::leafTurn(std::size_t leaf) const {
@@ -50,8 +50,7 @@ void PosedTree::leafPoints(std::size_t leaf, glm::vec3* corners) const {
     const glm::quat turn = leafTurn(leaf);
     const UnitPose unitPose = pose(static_cast<std::size_t>(cluster.unit));
     for (std::size_t i = 0; i < verticesPerLeafCluster; ++i)
-        corners[i] = unitPose.apply(_scale.axes * cluster.anchor +
-                                    turn * (_scale.leaf * cluster.size * _model->leafMesh[i].corner));
+        corners[i] = posedLeafPoint(cluster, _model->leafMesh[i].corner, turn, _scale, unitPose);
 }
 
 bool PosedTree::growBounds() {
