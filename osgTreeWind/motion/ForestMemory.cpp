@@ -10,6 +10,9 @@
 #include <fstream>
 #include <limits>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 namespace osgTreeWind {
 namespace {
 
@@ -19,15 +22,16 @@ std::uint64_t unitBytes(MotionLaw law) {
         2 * sizeof(glm::vec3) + 3 * sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
     return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(Laws::DampedBranch) : sizeof(Laws::ThesisBranch));
 }
-/// Of a tree under `modal`: its state, and what a Forest asks of each of its units.
+/// Of a tree under `modal`: its state.
 constexpr std::uint64_t modalBytes = 310;
-constexpr std::uint64_t unitValueBytes =
-    sizeof(glm::vec2) + sizeof(glm::vec3) + sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
 constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
 constexpr std::uint64_t treeBytes = sizeof(PlacedTree) + sizeof(TreePlacement);
 
 // Of nodes, measured: a tree with its uniforms and drawables, and the texels of its units and leaves, which
 // the graphics driver may hold once more.
+// Under `modal` a tree stands in a cell and, if drawn, in lists of two frames with what its pose is made of.
+constexpr std::uint64_t instanceBytes = 1000, posesInTexture = 4096,
+                        unitPoseBytes = 2 * 4 * sizeof(glm::vec4), impostorBytes = 8000000;
 constexpr std::uint64_t treeNodeBytes = 8000, unitTexelBytes = 2 * 32, leafTexelBytes = 2 * 16;
 
 std::uint64_t shapeBytes(const TreeCounts& counts) {
@@ -86,9 +90,14 @@ ForestMemory forestMemory(const ForestDescription& description) {
             shapes * shapeBytes(counts) +
             trees[i] * (treeBytes + (modal ? modalBytes
                                            : counts.units * unitBytes(description.law) + leaves * leafBytes));
-        memory.nodes += shapes * geometryBytes(counts) +
-                        trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes +
-                                    (modal ? counts.units * unitValueBytes + leaves * leafBytes : 0));
+        if (modal) // up to the finest tier once more in the coarser ones
+            memory.nodes += trees[i] * instanceBytes +
+                            shapes * (2 * geometryBytes(counts) + impostorBytes +
+                                      std::min(trees[i], posesInTexture) * counts.units * unitPoseBytes);
+        else
+            memory.nodes +=
+                shapes * geometryBytes(counts) +
+                trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes);
     }
     return memory;
 }
@@ -96,11 +105,20 @@ ForestMemory forestMemory(const ForestDescription& description) {
 std::uint64_t memoryLimit() {
     if (const auto limit = environmentLimit())
         return *limit;
+    std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
     std::ifstream machine("/proc/meminfo");
     for (std::string key; machine >> key; machine.ignore(256, '\n'))
         if (std::uint64_t kilobytes = 0; key == "MemAvailable:" && machine >> kilobytes)
-            return 1024 * kilobytes;
-    return std::numeric_limits<std::uint64_t>::max();
+            limit = 1024 * kilobytes;
+    rlimit space{};
+    if (getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY) { // ulimit -v
+        std::uint64_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const std::uint64_t used = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+        limit =
+            std::min<std::uint64_t>(limit, space.rlim_cur - std::min<std::uint64_t>(used, space.rlim_cur));
+    }
+    return limit;
 }
 
 std::string problemOfMemory(const ForestDescription& description, bool withNodes) {
