@@ -5,22 +5,37 @@
 
 namespace osgTreeWind {
 
+CullLists::CullLists() {
+    for (osg::ref_ptr<osg::StateSet>& state : _bandStates)
+        state = new osg::StateSet;
+}
+
+std::size_t CullLists::bandOf(float distance) {
+    std::size_t band = 0;
+    for (float end = 60.0f; band + 1 < bands && distance >= end; end *= 2.0f)
+        ++band;
+    return band;
+}
+
 void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place) {
     _frame = frame;
     _place = place;
     _used = 0;
     _near.clear();
-    _open.assign(shapes * tierCount, 0);
+    _shapes = shapes;
+    _open.assign(bands * shapes * tierCount, 0);
 }
 
-InstanceList& CullLists::list(std::size_t shape, Tier tier, const PosePass* passes, PosePage* page) {
-    std::size_t& open = _open[shape * tierCount + static_cast<std::size_t>(tier)];
+InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, const PosePass* passes,
+                              PosePage* page) {
+    std::size_t& open = _open[(band * _shapes + shape) * tierCount + static_cast<std::size_t>(tier)];
     if (open != 0 && _lists[open - 1].trees->page == page)
         return *_lists[open - 1].trees;
     if (_used == _lists.size())
         _lists.emplace_back();
     List& list = _lists[_used++];
     open = _used;
+    list.band = band;
     list.shape = shape;
     list.tier = tier;
     list.trees->clear();

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <osgTreeWind/nodes/InstancedDraw.h>
+#include <osgTreeWind/nodes/TreeCells.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
 
 #include <osgUtil/RenderStage>
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -20,8 +22,10 @@ namespace osgTreeWind {
 /// allocated once it is large enough.
 class CullLists : public osgUtil::RenderStage {
 public:
+    CullLists();
+
     struct List {
-        std::size_t shape = 0;
+        std::size_t band = 0, shape = 0;
         Tier tier = Tier::Full;
         osg::ref_ptr<InstanceList> trees = new InstanceList;
         osg::ref_ptr<InstancedDraw> bark = new InstancedDraw; ///< Of impostors the whole.
@@ -32,8 +36,16 @@ public:
     void begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place);
     unsigned frame() const { return _frame; }
 
-    /// The list that trees of this shape and tier go to, and of this page if they have poses.
-    InstanceList& list(std::size_t shape, Tier tier, const PosePass* passes, PosePage* page);
+    /// Trees are drawn band by band, so that near ones hide the far ones behind them.
+    static constexpr std::size_t bands = 6;
+    /// That of trees in this distance, metres: the first one up to 60 m, each of the others twice as deep.
+    static std::size_t bandOf(float distance);
+
+    /// The list that trees of this band, shape and tier go to, and of this page if they have poses.
+    InstanceList& list(std::size_t band, std::size_t shape, Tier tier, const PosePass* passes, PosePage* page);
+
+    /// Memory for cells that are seen, by distance.
+    std::vector<std::pair<float, const TreeCells::Cell*>>& seenCells() { return _seenCells; }
 
     /// Trees that are seen from near, for the next update.
     std::vector<std::uint32_t>& near() { return _near; }
@@ -43,6 +55,8 @@ public:
 
     /// State of the trees, filled in before they are drawn.
     osg::StateSet* shading() const { return _shading.get(); }
+    /// That of a band, which says nothing, and has OSG draw one band after the other.
+    osg::StateSet* bandState(std::size_t band) const { return _bandStates[band].get(); }
 
     /// Adds the trees in all lists.
     void countTrees(std::array<std::size_t, tierCount>& trees) const;
@@ -53,12 +67,14 @@ public:
 
 private:
     unsigned _frame = ~0u;
-    std::size_t _used = 0;
+    std::size_t _used = 0, _shapes = 0;
     osg::ref_ptr<osgUtil::StateGraph> _place;
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
+    std::array<osg::ref_ptr<osg::StateSet>, bands> _bandStates;
+    std::vector<std::pair<float, const TreeCells::Cell*>> _seenCells;
     std::vector<List> _lists;
     std::vector<std::size_t>
-        _open; ///< By shape and tier, the list that is filled now; 0: none, else one more.
+        _open; ///< By band, shape and tier, the list that is filled now; 0: none, else one more.
     std::vector<std::uint32_t> _near;
 };
 

@@ -16,7 +16,7 @@ std::uint32_t TreeCells::cellAt(const osg::Vec3& foot) {
     const auto row = static_cast<std::int32_t>(std::floor(foot.y() / side));
     const std::uint64_t ground = std::uint64_t(static_cast<std::uint32_t>(column)) << 32u |
                                  static_cast<std::uint32_t>(row);
-    const auto [found, isNew] = _byGround.emplace(ground, static_cast<std::uint32_t>(_cells.size()));
+    const auto [found, isNew] = _byGround.try_emplace(ground, static_cast<std::uint32_t>(_cells.size()));
     if (isNew)
         _cells.emplace_back();
     return found->second;

@@ -8,31 +8,46 @@
 
 namespace osgTreeWind {
 
+namespace {
+
+/// 0 within it.
+float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
+    osg::Vec3 away;
+    for (int i = 0; i < 3; ++i)
+        away[i] = std::max({box._min[i] - point[i], 0.0f, point[i] - box._max[i]});
+    return away.length();
+}
+
+} // namespace
+
 void TreeStandCull::run() {
     lists.begin(frame, drawing.shapes.size(), visitor.getCurrentStateGraph());
     const ViewFrustum view(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();
-    for (const TreeCells::Cell& cell : cells.cells()) {
-        if (cell.trees.empty())
-            continue;
-        const ViewFrustum::Side side = view.sideOf(cell.box);
-        if (side == ViewFrustum::Outside)
-            continue;
-        seeCell(view, cell, side);
+    auto& seen = lists.seenCells();
+    seen.clear();
+    for (const TreeCells::Cell& cell : cells.cells())
+        if (!cell.trees.empty() && view.sideOf(cell.box) != ViewFrustum::Outside)
+            seen.emplace_back(distanceFrom(eye, cell.box), &cell);
+    std::sort(seen.begin(), seen.end());
+    for (const auto& [distance, cell] : seen) {
+        band = CullLists::bandOf(distance);
+        seeCell(view, *cell);
         if (!nearFar)
             continue;
-        if (!cell.box.contains(eye)) {
-            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), cell.box);
+        if (distance > 0.0f) {
+            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), cell->box);
             continue;
         }
-        for (const TreeCells::Tree& tree : cell.trees) // not as near as the cell, which is all about the eye
+        for (const TreeCells::Tree& tree : cell->trees) // not as near as the cell, which is all about the eye
             visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::boxOf(tree));
     }
     handOver();
 }
 
-void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side) {
+void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell) {
+    const ViewFrustum::Side side = view.sideOf(cell.box);
     for (const TreeCells::Tree& tree : cell.trees) {
         const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, 0.5f * tree.height);
         if (side == ViewFrustum::Across) {
@@ -61,7 +76,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
     if (tier == Tier::Impostor) {
         const Tier kind = tree.leaves < 0.5f ? Tier::BareImpostor : Tier::Impostor;
         const glm::vec2 lean = simulation.modal()->lean(number);
-        lists.list(tree.model, kind, nullptr, nullptr)
+        lists.list(band, tree.model, kind, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
                   {lean.x, lean.y, fade, own}});
@@ -69,7 +84,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
     }
     const PosePass::Row row =
         passes[tree.model]->row(frame, number, [&](PoseRequest& request) { ask(tree, number, request); });
-    InstanceList& list = lists.list(tree.model, tier, passes[tree.model], row.page);
+    InstanceList& list = lists.list(band, tree.model, tier, passes[tree.model], row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
@@ -114,17 +129,18 @@ void TreeStandCull::handOver() {
     for (std::size_t i = 0; i < lists.size(); ++i) {
         CullLists::List& list = lists[i];
         list.trees->values->dirty();
+        osg::StateSet* const inBand = lists.bandState(list.band);
         const StandShape& shape = *drawing.shapes[list.shape];
         const SpeciesLooks& looks = drawing.looks[shape.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorShape& impostor = *shape.impostor(list.tier);
-            draw(impostor.geometry(), *list.bark, *list.trees, {impostor.stateSet()});
+            draw(impostor.geometry(), *list.bark, *list.trees, {inBand, impostor.stateSet()});
             continue;
         }
         draw(shape.bark(list.tier), *list.bark, *list.trees,
-             {looks.bark, shape.state(list.tier), looks.ownBark});
+             {inBand, looks.bark, shape.state(list.tier), looks.ownBark});
         draw(shape.leaves(list.tier), *list.leaves, *list.trees,
-             {looks.leaves, shape.state(list.tier), looks.ownLeaves});
+             {inBand, looks.leaves, shape.state(list.tier), looks.ownLeaves});
     }
     visitor.popStateSet();
     visitor.popStateSet();

@@ -25,11 +25,12 @@ public:
     const TreeCells& cells;
     const std::vector<osg::Vec3>& flutter; ///< By species.
     CullLists& lists;
+    std::size_t band = 0; ///< Of the cell at hand.
 
     void run();
 
 private:
-    void seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side);
+    void seeCell(const ViewFrustum& view, const TreeCells::Cell& cell);
     void seeTree(const TreeCells::Tree& tree, float pixels);
     void addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade);
     void ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const;

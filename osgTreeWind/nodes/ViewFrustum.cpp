@@ -5,8 +5,13 @@ namespace osgTreeWind {
 
 ViewFrustum::ViewFrustum(osgUtil::CullVisitor& visitor) {
     osg::CullingSet& culling = visitor.getCurrentCullingSet();
-    // OSG's gives a diameter for a radius.
-    _pixelSize = culling.getPixelSizeVector() * (2.0f * std::max(visitor.getLODScale(), 1.0e-6f));
+    // OSG's own pixel sizes grow with the angle of view.
+    const osg::Matrix &toEye = *visitor.getModelViewMatrix(), &toClip = *visitor.getProjectionMatrix();
+    const osg::Matrix both = toEye * toClip;
+    const double upward = osg::Vec3d(toEye(2, 0), toEye(2, 1), toEye(2, 2)).length();
+    const double pixels = upward * toClip(1, 1) * 0.5 * visitor.getViewport()->height();
+    _pixelSize = osg::Vec4d(both(0, 3), both(1, 3), both(2, 3), both(3, 3)) *
+                 (std::max(visitor.getLODScale(), 1.0e-6f) / std::max(std::abs(pixels), 1.0e-9));
     if (!(visitor.getCullingMode() & osg::CullSettings::VIEW_FRUSTUM_SIDES_CULLING))
         return;
     unsigned bit = 1;

@@ -28,7 +28,8 @@ public:
         return true;
     }
 
-    /// Pixels that a length covers about a point, LOD scale included; huge near the eye.
+    /// Pixels that something upright of that length covers about a point, LOD scale included; huge near the
+    /// eye.
     float pixels(const osg::Vec3& point, float length) const {
         return length / std::max(std::abs(distance(_pixelSize, point)), 1.0e-9f);
     }

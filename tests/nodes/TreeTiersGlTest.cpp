@@ -95,7 +95,7 @@ TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
             pictures.push_back(pictureFrom(eye, {0, 140, 8}, 8 / 30.0));
             if (tiers) {
                 const auto listed = _forest->getStand()->listedTrees();
-                EXPECT_GT(listed[3], 2u) << "no impostors in the test";
+                EXPECT_GT(listed[3], 0u) << "no impostors in the test";
             }
         }
         EXPECT_LT(meanDifference(blockMeans(pictures[0]), blockMeans(pictures[1])), 3.0);
