@@ -3,7 +3,8 @@
 // One of the four nearest pictures for each pixel, as often as it is near, and each pixel as often as it is covered:
 // nothing is blended, so that the order in which trees are drawn does not matter.
 
-#include "light.glsl"
+#pragma import_defines(FADING)
+
 #include "dither.glsl"
 #include "scene.glsl"
 
@@ -13,7 +14,9 @@ uniform vec4 impostorSize;
 
 flat in vec4 pictureViews;
 flat in vec3 pictureParts;
-flat in vec2 treeTurn;
+flat in vec3 barkLight;
+flat in vec3 leafLightMore;
+flat in mat3 lightByNormal;
 in vec2 pictureCoord;
 in vec3 pictureEye;
 
@@ -28,8 +31,10 @@ void main() {
     vec2 texels = pictureCoord * (vec2(textureSize(impostorColors, 0)) / impostorSize.zw);
     vec2 dx = dFdx(texels);
     vec2 dy = dFdy(texels);
+#ifdef FADING
     if (dithered(pictureParts.z))
         discard;
+#endif
 
     float chance = evenNoise();
     float column = drawn(chance, pictureParts.x) ? pictureViews.y : pictureViews.x;
@@ -42,9 +47,6 @@ void main() {
         discard;
 
     vec4 surface = textureLod(impostorNormals, coord, lod) / color.a;
-    vec3 normal = 2.0 * surface.xyz - 1.0;
-    normal.xy = mat2(treeTurn, -treeTurn.y, treeTurn.x) * normal.xy;
-    vec3 direction = normalize(gl_NormalMatrix * normal);
-    vec3 light = mix(barkShade(pictureEye, direction), leafShade(pictureEye, length(normal) * direction), surface.a);
+    vec3 light = barkLight + surface.a * leafLightMore + lightByNormal * (2.0 * surface.xyz - 1.0);
     gl_FragColor = vec4(sceneColor(color.rgb / color.a * light, pictureEye), 1.0);
 }

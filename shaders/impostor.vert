@@ -3,6 +3,8 @@
 // A tree as a picture that faces the eye and leans with the tree.
 // gl_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
 
+#include "light.glsl"
+
 in vec4 treePlace; // foot, heading
 in vec4 treeSize;  // scale across and along the trunk, of radii, of leaves
 in vec4 treeState; // lean of the top (x, y), fade, own number
@@ -13,7 +15,9 @@ uniform float leanPower;         // of the height that a lean follows
 
 flat out vec4 pictureViews; // columns and rows of the nearest pictures
 flat out vec3 pictureParts; // share of the second column, of the second row; fade
-flat out vec2 treeTurn;     // cosine and sine of the heading
+flat out vec3 barkLight;    // linearLight(), of normals in the tree's frame
+flat out vec3 leafLightMore;
+flat out mat3 lightByNormal;
 out vec2 pictureCoord;
 out vec3 pictureEye;
 
@@ -58,7 +62,12 @@ void main() {
     vec4 eyePosition = gl_ModelViewMatrix * vec4(point, 1.0);
     pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * gl_Vertex.x, gl_Vertex.y));
     pictureEye = eyePosition.xyz;
-    treeTurn = vec2(cos(treePlace.w), sin(treePlace.w));
+    vec4 middle = gl_ModelViewMatrix * vec4(treePlace.xyz + vec3(0.0, 0.0, 0.5 * height), 1.0);
+    linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal);
+    vec2 turn = vec2(cos(treePlace.w), sin(treePlace.w));
+    mat3 heading = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
+    lightByNormal = lightByNormal * mat3(normalize(gl_NormalMatrix[0]), normalize(gl_NormalMatrix[1]),
+                                         normalize(gl_NormalMatrix[2])) * heading;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;
 }

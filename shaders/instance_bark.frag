@@ -1,6 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
+#pragma import_defines(FADING)
+
 #include "dither.glsl"
 #include "scene.glsl"
 
@@ -13,8 +15,10 @@ in vec3 scenePosition;
 flat in float treeFade;
 
 void main() {
+#ifdef FADING
     if (dithered(treeFade))
         discard;
+#endif
     float shade = texture(barkTexture, barkCoord).r;
     float inside = gl_FrontFacing ? 1.0 : 0.4;
     gl_FragColor = vec4(sceneColor(inside * shade * barkColor * barkLight, scenePosition), 1.0);

@@ -1,6 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
+#pragma import_defines(FADING)
+
 #include "dither.glsl"
 #include "scene.glsl"
 
@@ -15,7 +17,11 @@ flat in float treeFade;
 
 void main() {
     vec4 leaf = texture(leafTexture, leafCoord, leafTextureBias);
-    if (leaf.a < 0.5 || dithered(treeFade)) // leafAlphaThreshold of TreeTextures.cpp
+    if (leaf.a < 0.5) // leafAlphaThreshold of TreeTextures.cpp
         discard;
+#ifdef FADING
+    if (dithered(treeFade))
+        discard;
+#endif
     gl_FragColor = vec4(sceneColor(leaf.rgb * leafColor * leafLight, scenePosition), 1.0);
 }

@@ -64,3 +64,25 @@ vec3 leafShade(vec3 eyePosition, vec3 eyeNormal) {
         }
     return light;
 }
+
+/// The same for a picture of a tree, where one evaluation serves all normals: light is `bark` + leaf * `leafMore` +
+/// `byNormal` * normal, leaf 1 or 0. Exact for leaves; bark takes the line nearest to max(cosine, 0).
+void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 byNormal) {
+    bark = vec3(1.0);
+    leafMore = vec3(0.0);
+    byNormal = mat3(0.0);
+#ifndef UNLIT
+    vec3 eyeUp = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
+    bark = ambientLight(vec3(0.0));
+    byNormal = outerProduct(ambientLight(eyeUp) - bark, eyeUp);
+    for (int i = 0; i < 8; ++i)
+        if ((LIGHT_MASK >> i & 1) != 0) {
+            vec4 at = lightAt(i, eyePosition);
+            vec3 light = at.w * gl_LightSource[i].diffuse.rgb;
+            float against = max(dot(normalize(eyePosition), at.xyz), 0.0);
+            bark += 0.25 * light;
+            leafMore += (0.25 + 0.25 * against * against * against * against) * light;
+            byNormal += outerProduct(0.5 * light, at.xyz);
+        }
+#endif
+}

@@ -23,12 +23,12 @@ void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* p
     _used = 0;
     _near.clear();
     _shapes = shapes;
-    _open.assign(bands * shapes * tierCount, 0);
+    _open.assign(2 * bands * shapes * tierCount, 0);
 }
 
-InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, const PosePass* passes,
-                              PosePage* page) {
-    std::size_t& open = _open[(band * _shapes + shape) * tierCount + static_cast<std::size_t>(tier)];
+InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, bool fading,
+                              const PosePass* passes, PosePage* page) {
+    std::size_t& open = _open[2 * ((band * _shapes + shape) * tierCount + static_cast<std::size_t>(tier)) + fading];
     if (open != 0 && _lists[open - 1].trees->page == page)
         return *_lists[open - 1].trees;
     if (_used == _lists.size())
@@ -38,6 +38,7 @@ InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, co
     list.band = band;
     list.shape = shape;
     list.tier = tier;
+    list.fading = fading;
     list.trees->clear();
     list.trees->passes = passes;
     list.trees->page = page;

@@ -27,6 +27,7 @@ public:
     struct List {
         std::size_t band = 0, shape = 0;
         Tier tier = Tier::Full;
+        bool fading = false; ///< Whether its trees cross over to another tier.
         osg::ref_ptr<InstanceList> trees = new InstanceList;
         osg::ref_ptr<InstancedDraw> bark = new InstancedDraw; ///< Of impostors the whole.
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
@@ -42,7 +43,8 @@ public:
     static std::size_t bandOf(float distance);
 
     /// The list that trees of this band, shape and tier go to, and of this page if they have poses.
-    InstanceList& list(std::size_t band, std::size_t shape, Tier tier, const PosePass* passes, PosePage* page);
+    InstanceList& list(std::size_t band, std::size_t shape, Tier tier, bool fading, const PosePass* passes,
+                       PosePage* page);
 
     /// Memory for cells that are seen, by distance.
     std::vector<std::pair<float, const TreeCells::Cell*>>& seenCells() { return _seenCells; }
@@ -74,7 +76,7 @@ private:
     std::vector<std::pair<float, const TreeCells::Cell*>> _seenCells;
     std::vector<List> _lists;
     std::vector<std::size_t>
-        _open; ///< By band, shape and tier, the list that is filled now; 0: none, else one more.
+        _open; ///< By band, shape, tier and fading, the list that is filled now; 0: none, else one more.
     std::vector<std::uint32_t> _near;
 };
 

@@ -18,7 +18,7 @@ public:
 
     /// @param program createProgram("impostor", "impostor"), shared by all shapes. @param segments of the
     /// strip up the tree, at least 1: how finely it bends.
-    ImpostorShape(ImpostorPictures pictures, osg::Program* program, int segments = 4);
+    ImpostorShape(ImpostorPictures pictures, osg::Program* program, int segments = 2);
 
     const ImpostorPictures& pictures() const { return _pictures; }
     osg::Geometry* geometry() const { return _geometry.get(); }

@@ -8,11 +8,12 @@
 namespace osgTreeWind {
 
 StandDrawing::StandDrawing(const PlacedForest& forest)
-    : shapes(forest.models().size()), state(new osg::StateSet), programs(new PosePrograms) {
+    : shapes(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet), programs(new PosePrograms) {
     SpeciesStyles styles;
     for (const Species& species : forest.description().species)
         looks.push_back(styles.looks(species));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
+    fading->setDefine("FADING");
     state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
     if (shapes.empty()) // nor a pool of threads

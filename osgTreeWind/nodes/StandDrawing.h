@@ -18,6 +18,7 @@ struct StandDrawing {
     std::vector<osg::ref_ptr<StandShape>> shapes; ///< By model.
     std::vector<SpeciesLooks> looks;              ///< By species.
     osg::ref_ptr<osg::StateSet> state;            ///< Of all trees with branches.
+    osg::ref_ptr<osg::StateSet> fading;           ///< Of trees that cross over to another tier.
     osg::ref_ptr<osg::Program> impostorProgram;
     osg::ref_ptr<PosePrograms> programs;
 

@@ -76,7 +76,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
     if (tier == Tier::Impostor) {
         const Tier kind = tree.leaves < 0.5f ? Tier::BareImpostor : Tier::Impostor;
         const glm::vec2 lean = simulation.modal()->lean(number);
-        lists.list(band, tree.model, kind, nullptr, nullptr)
+        lists.list(band, tree.model, kind, fade < 1.0f, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
                   {lean.x, lean.y, fade, own}});
@@ -84,7 +84,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
     }
     const PosePass::Row row =
         passes[tree.model]->row(frame, number, [&](PoseRequest& request) { ask(tree, number, request); });
-    InstanceList& list = lists.list(band, tree.model, tier, passes[tree.model], row.page);
+    InstanceList& list = lists.list(band, tree.model, tier, fade < 1.0f, passes[tree.model], row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
@@ -130,17 +130,18 @@ void TreeStandCull::handOver() {
         CullLists::List& list = lists[i];
         list.trees->values->dirty();
         osg::StateSet* const inBand = lists.bandState(list.band);
+        osg::StateSet* const fading = list.fading ? drawing.fading.get() : nullptr;
         const StandShape& shape = *drawing.shapes[list.shape];
         const SpeciesLooks& looks = drawing.looks[shape.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorShape& impostor = *shape.impostor(list.tier);
-            draw(impostor.geometry(), *list.bark, *list.trees, {inBand, impostor.stateSet()});
+            draw(impostor.geometry(), *list.bark, *list.trees, {inBand, fading, impostor.stateSet()});
             continue;
         }
         draw(shape.bark(list.tier), *list.bark, *list.trees,
-             {inBand, looks.bark, shape.state(list.tier), looks.ownBark});
+             {inBand, fading, looks.bark, shape.state(list.tier), looks.ownBark});
         draw(shape.leaves(list.tier), *list.leaves, *list.trees,
-             {inBand, looks.leaves, shape.state(list.tier), looks.ownLeaves});
+             {inBand, fading, looks.leaves, shape.state(list.tier), looks.ownLeaves});
     }
     visitor.popStateSet();
     visitor.popStateSet();
