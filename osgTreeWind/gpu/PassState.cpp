@@ -11,10 +11,10 @@ PassState::PassState(osg::State& state) : _state(state), _gl(*state.get<osg::GLE
     glGetIntegerv(GL_CURRENT_PROGRAM, &_formerProgram);
     glPushAttrib(GL_ALL_ATTRIB_BITS); // texture bindings and the active unit included
     _gl.glActiveTexture(GL_TEXTURE0);
-    for (const GLenum mode : {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_ALPHA_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
-                              GL_FRAMEBUFFER_SRGB, GL_COLOR_LOGIC_OP, GL_POLYGON_STIPPLE, GL_POLYGON_OFFSET_FILL,
-                              GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4,
-                              GL_CLIP_PLANE5})
+    for (const GLenum mode :
+         {GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_ALPHA_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+          GL_FRAMEBUFFER_SRGB, GL_COLOR_LOGIC_OP, GL_POLYGON_STIPPLE, GL_POLYGON_OFFSET_FILL, GL_CLIP_PLANE0,
+          GL_CLIP_PLANE1, GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5})
         glDisable(mode);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -16,8 +16,8 @@ struct TreeDetail {
     int quads = quadsPerLeafCluster; ///< Of each, the first ones, 1 to 3.
     float leafArea = 1.0f;           ///< Over that of the whole tree: large leaves hide each other less, > 0.
 
-    static constexpr TreeDetail full() { return {}; }                               ///< 38,656
-    static constexpr TreeDetail reducedOnce() { return {{5, 4}, 0.23f, 3, 0.76f}; } ///< about a fifth
+    static constexpr TreeDetail full() { return {}; }                                ///< 38,656
+    static constexpr TreeDetail reducedOnce() { return {{5, 4}, 0.23f, 3, 0.76f}; }  ///< about a fifth
     static constexpr TreeDetail reducedTwice() { return {{2, 3}, 0.16f, 1, 0.58f}; } ///< about a twentieth
 };
 

@@ -11,12 +11,14 @@ namespace osgTreeWind {
 /// Bytes of main memory that a forest is going to need, near enough to say no before it is asked for.
 struct ForestMemory {
     std::uint64_t simulation = 0; ///< Shapes, parameters and states: ForestSimulation.
-    std::uint64_t nodes = 0;      ///< What Forest adds: geometry, textures of poses; under a law of a branch a node a tree.
+    std::uint64_t nodes =
+        0; ///< What Forest adds: geometry, textures of poses; under a law of a branch a node a tree.
 };
 ForestMemory forestMemory(const ForestDescription& description);
 
 /// What may be asked for: the environment's OSGTREEWIND_MAX_MEMORY, bytes or a number with k, M, G or T, else
-/// what the machine has available now and the process may have (ulimit -v). The largest number where neither is known.
+/// what the machine has available now and the process may have (ulimit -v). The largest number where neither
+/// is known.
 std::uint64_t memoryLimit();
 
 /// How much is needed and what the limit is; empty where it fits. @param withNodes for a Forest, else for a

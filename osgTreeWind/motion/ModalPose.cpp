@@ -60,8 +60,8 @@ void ModalMotion::patchSpeeds(std::size_t tree, float* speeds) const {
     const ModalShape& shape = this->shape(tree);
     for (std::size_t p = 0; p < shape.patches.size(); ++p) {
         const std::size_t first = 2 * shape.modes.size() + 3 * p;
-        speeds[p] = glm::length(
-            glm::vec3(number(tree, first), number(tree, first + 1), number(tree, first + 2)));
+        speeds[p] =
+            glm::length(glm::vec3(number(tree, first), number(tree, first + 1), number(tree, first + 2)));
     }
 }
 

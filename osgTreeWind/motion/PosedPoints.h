@@ -13,7 +13,8 @@ inline glm::vec3 posedSkinPoint(const SkinVertex& vertex, const TreeScale& scale
     return pose.apply(scale.axes * vertex.centre + scale.radius * vertex.radius * vertex.outward);
 }
 
-/// The same for a corner of a leaf cluster. @param turn from the leaf frame to the tree's rest axes, flutter included.
+/// The same for a corner of a leaf cluster. @param turn from the leaf frame to the tree's rest axes, flutter
+/// included.
 /// @param pose of the cluster's unit.
 inline glm::vec3 posedLeafPoint(const LeafCluster& leaf, const glm::vec3& corner, const glm::quat& turn,
                                 const TreeScale& scale, const UnitPose& pose) {

@@ -28,7 +28,8 @@ void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* p
 
 InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, bool fading,
                               const PosePass* passes, PosePage* page) {
-    std::size_t& open = _open[2 * ((band * _shapes + shape) * tierCount + static_cast<std::size_t>(tier)) + fading];
+    std::size_t& open =
+        _open[2 * ((band * _shapes + shape) * tierCount + static_cast<std::size_t>(tier)) + fading];
     if (open != 0 && _lists[open - 1].trees->page == page)
         return *_lists[open - 1].trees;
     if (_used == _lists.size())

@@ -15,8 +15,8 @@
 namespace osgTreeWind {
 
 /// What one cull of a stand by one camera has seen: lists of trees, and the draws that they take. As a stage
-/// before those draws it works out the poses they need, which others that draw the same trees in the same frame
-/// and context find done, and puts what the scene says of light into their state.
+/// before those draws it works out the poses they need, which others that draw the same trees in the same
+/// frame and context find done, and puts what the scene says of light into their state.
 ///
 /// Whoever may still draw of it refers to it as a stage; then it may be filled again, and nothing is
 /// allocated once it is large enough.

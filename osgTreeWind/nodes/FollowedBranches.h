@@ -10,8 +10,8 @@
 
 namespace osgTreeWind {
 
-/// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A part of a
-/// Forest.
+/// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A
+/// part of a Forest.
 class FollowedBranches : public osg::Group {
 public:
     FollowedBranches();

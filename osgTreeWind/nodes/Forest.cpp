@@ -55,7 +55,7 @@ private:
 };
 
 constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
-constexpr unsigned framesUnseen = 2; // below a LOD: until it counts as hidden
+constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidden
 
 } // namespace
 

@@ -16,16 +16,16 @@ namespace osgTreeWind {
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 ///
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's
-/// simulation time; a paused time holds the trees, and one below a Switch that is off rests. Under the law `modal`
-/// trees are instances (TreeStand); a law of a branch has them drawn the thesis' way (BranchwiseForest). Other nodes
-/// may be its children too. Below a transform it gets the wind of where it really stands; with two parents, that of
-/// the first one.
+/// simulation time; a paused time holds the trees, and one below a Switch that is off rests. Under the law
+/// `modal` trees are instances (TreeStand); a law of a branch has them drawn the thesis' way
+/// (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of where it
+/// really stands; with two parents, that of the first one.
 class Forest : public osg::Group {
 public:
     Forest();
     explicit Forest(ForestDescription description);
-    /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other children
-    /// go by `copyop`; branches that are followed are not copied.
+    /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
+    /// children go by `copyop`; branches that are followed are not copied.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
 
@@ -36,8 +36,8 @@ public:
     /// As given, but without its trees; its wind is the one it came with, whatever setWind() did since.
     const ForestDescription& getDescription() const { return _simulation->description(); }
 
-    /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any time, also
-    /// while a description is set: whichever of the two comes last counts.
+    /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any
+    /// time, also while a description is set: whichever of the two comes last counts.
     void setWind(WindFieldPtr wind);
     WindFieldPtr getWind() const;
 
@@ -45,9 +45,9 @@ public:
     /// far from the world's origin.
     osg::Vec3d getOrigin() const;
 
-    // Trees that come and go, in update or between frames, at a cost that does not depend on how many there are
-    // (ForestSimulation says more). Under the law `modal` only; elsewhere nothing happens, and the answer is noTree or
-    // false.
+    // Trees that come and go, in update or between frames, at a cost that does not depend on how many there
+    // are (ForestSimulation says more). Under the law `modal` only; elsewhere nothing happens, and the answer
+    // is noTree or false.
 
     /// @param placement in world coordinates. @return an id that lasts.
     TreeId addTree(const TreePlacement& placement);
@@ -59,18 +59,19 @@ public:
     /// Trees there are now.
     std::size_t getNumTrees() const { return _treeCount; }
 
-    /// A transform that goes where a branch goes, in the same frame: what is below it stands in the coordinates of
-    /// its tree at rest, in metres. The same one for the same branch; null where there is none. It stays where it was
-    /// when its tree is removed. In update or between frames.
+    /// A transform that goes where a branch goes, in the same frame: what is below it stands in the
+    /// coordinates of its tree at rest, in metres. The same one for the same branch; null where there is
+    /// none. It stays where it was when its tree is removed. In update or between frames.
     BranchTransform* branch(TreeId tree, unsigned unit);
 
-    /// Puts state after that of a species' bark or leaves (index into the description's); null takes it away. One
-    /// with a program of its own replaces ours. Under `modal`; not during a traversal.
+    /// Puts state after that of a species' bark or leaves (index into the description's); null takes it away.
+    /// One with a program of its own replaces ours. Under `modal`; not during a traversal.
     void setBarkState(std::size_t species, osg::StateSet* state);
     void setLeafState(std::size_t species, osg::StateSet* state);
-    /// Draws the trees of a model (index into getSimulation().models()) from these, at every tier with branches, null
-    /// for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
-    /// instance_leaf.vert, the index of the unit that moves a vertex among them. Under `modal`; not during a traversal.
+    /// Draws the trees of a model (index into getSimulation().models()) from these, at every tier with
+    /// branches, null for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
+    /// instance_leaf.vert, the index of the unit that moves a vertex among them. Under `modal`; not during a
+    /// traversal.
     void setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
 
     /// Whether a child is a part of the forest; all others are yours.

@@ -12,11 +12,12 @@ namespace osgTreeWind {
 struct TreeInstance {
     float place[4]; ///< Foot in the forest's frame; tangent of half its heading (impostors: the heading).
     float size[4];  ///< Scale of lengths across and upward, of radii, of leaf clusters.
-    float state[4]; ///< Row of its poses, fade, its own number, share of its leaves (impostors: lean x, lean y, fade,
-                    ///< its own number).
+    float state[4]; ///< Row of its poses, fade, its own number, share of its leaves (impostors: lean x, lean
+                    ///< y, fade, its own number).
 };
 
-/// Trees of one shape and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at a time.
+/// Trees of one shape and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at
+/// a time.
 struct InstanceList : osg::Referenced {
     InstanceList();
     void add(const TreeInstance& tree);

@@ -10,8 +10,8 @@
 
 namespace osgTreeWind {
 
-/// A tree as an intersection visitor met it: posed as it stood then, in the forest's frame. The `drawable` of a hit
-/// on a tree of a TreeStand:
+/// A tree as an intersection visitor met it: posed as it stood then, in the forest's frame. The `drawable` of
+/// a hit on a tree of a TreeStand:
 ///
 ///     if (auto* tree = dynamic_cast<const PickedTree*>(hit.drawable.get()))
 ///         use(tree->getTree(), tree->getUnit(hit.primitiveIndex));

@@ -8,7 +8,8 @@
 namespace osgTreeWind {
 
 StandDrawing::StandDrawing(const PlacedForest& forest)
-    : shapes(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet), programs(new PosePrograms) {
+    : shapes(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
+      programs(new PosePrograms) {
     SpeciesStyles styles;
     for (const Species& species : forest.description().species)
         looks.push_back(styles.looks(species));

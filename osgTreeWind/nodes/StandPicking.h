@@ -8,8 +8,8 @@
 
 namespace osgTreeWind {
 
-/// Has an intersection visitor meet the trees that it may hit, each as a PickedTree. Between frames, or in any
-/// traversal that does not move the trees.
+/// Has an intersection visitor meet the trees that it may hit, each as a PickedTree. Between frames, or in
+/// any traversal that does not move the trees.
 void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulation& simulation,
                     const TreeCells& cells);
 

@@ -43,7 +43,8 @@ StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geomet
     std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
 }
 
-void StandShape::paintBare(const TreeModel& model, const Appearance& appearance, osg::Program* impostorProgram) {
+void StandShape::paintBare(const TreeModel& model, const Appearance& appearance,
+                           osg::Program* impostorProgram) {
     if (_impostors[1] || !_impostors[0])
         return;
     ImpostorSettings settings;

@@ -14,8 +14,8 @@ namespace osgTreeWind {
 class StandShape : public osg::Referenced {
 public:
     /// @param species that it is a shape of.
-    StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance, const ForestDrawing& drawing,
-               osg::Program* impostorProgram);
+    StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance,
+               const ForestDrawing& drawing, osg::Program* impostorProgram);
     /// As another one, but drawn from these at every tier; null for none.
     StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves);
 

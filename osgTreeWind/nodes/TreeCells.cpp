@@ -14,8 +14,8 @@ osg::BoundingBox TreeCells::boxOf(const Tree& tree) {
 std::uint32_t TreeCells::cellAt(const osg::Vec3& foot) {
     const auto column = static_cast<std::int32_t>(std::floor(foot.x() / side));
     const auto row = static_cast<std::int32_t>(std::floor(foot.y() / side));
-    const std::uint64_t ground = std::uint64_t(static_cast<std::uint32_t>(column)) << 32u |
-                                 static_cast<std::uint32_t>(row);
+    const std::uint64_t ground =
+        std::uint64_t(static_cast<std::uint32_t>(column)) << 32u | static_cast<std::uint32_t>(row);
     const auto [found, isNew] = _byGround.try_emplace(ground, static_cast<std::uint32_t>(_cells.size()));
     if (isNew)
         _cells.emplace_back();

@@ -10,8 +10,8 @@
 
 namespace osgTreeWind {
 
-/// Trees by the ground they stand on: square cells that culling takes or leaves at once. Putting, moving and taking
-/// a tree costs the same however many there are. Changed in update only.
+/// Trees by the ground they stand on: square cells that culling takes or leaves at once. Putting, moving and
+/// taking a tree costs the same however many there are. Changed in update only.
 class TreeCells {
 public:
     /// A tree as culling sees it; metres, the forest's frame.
@@ -23,8 +23,8 @@ public:
     };
     struct Cell {
         std::vector<Tree> trees;
-        osg::BoundingBox box;       ///< Of all trees as far as they sway.
-        bool stale = false;         ///< Whether the box may be too large, a tree having left.
+        osg::BoundingBox box; ///< Of all trees as far as they sway.
+        bool stale = false;   ///< Whether the box may be too large, a tree having left.
     };
     static constexpr float side = 48.0f; ///< Of a cell, metres.
 

@@ -16,7 +16,8 @@ namespace osgTreeWind {
 /// Bark in vertex buffers, as shaders/branchwise/bark.vert and shaders/instance_bark.vert describe them.
 osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin);
 
-/// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert and shaders/instance_leaf.vert describe them.
+/// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert and shaders/instance_leaf.vert describe
+/// them.
 /// @param crown of the tree, which shades them.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,

@@ -104,9 +104,8 @@ void TreeStand::update(unsigned frame, double time) {
                                    Attention& attention = _attention[tree];
                                    const bool isNear = _simulation->trees()[tree].alive &&
                                                        modal.level(tree) == ModalMotion::Level::Near;
-                                   if (isNear &&
-                                       (attention.kept ||
-                                        static_cast<std::uint8_t>(frame - attention.seen) < framesNear))
+                                   if (isNear && (attention.kept || static_cast<std::uint8_t>(
+                                                                        frame - attention.seen) < framesNear))
                                        return false;
                                    if (isNear)
                                        _simulation->setLevel(tree, ModalMotion::Level::Far);

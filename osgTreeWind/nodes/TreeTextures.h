@@ -18,6 +18,7 @@ osg::ref_ptr<osg::Image> needleImage();
 osg::ref_ptr<osg::Image> barkImage();
 
 /// One of them as a texture with mipmaps. @param along how it goes on along the branch.
-osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image, osg::Texture::WrapMode along);
+osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
+                                             osg::Texture::WrapMode along);
 
 } // namespace osgTreeWind

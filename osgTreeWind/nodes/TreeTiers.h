@@ -19,8 +19,8 @@ constexpr int branchTiers = 3; ///< The first ones, which draw branches.
 /// The tiers of a tree at its size on the screen: one, or two across a change-over.
 struct TierChoice {
     Tier tier = Tier::Full;
-    /// Shaders/dither.glsl: 1 where it is drawn alone, else the share of pixels it is drawn on; the next coarser tier
-    /// then has the others, with -fade.
+    /// Shaders/dither.glsl: 1 where it is drawn alone, else the share of pixels it is drawn on; the next
+    /// coarser tier then has the others, with -fade.
     float fade = 1.0f;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Lets a stock OSG program, osgviewer for one, run without a display:
 //   LD_PRELOAD=libosgTreeWindHeadless.so:libOSMesa.so.8 OSG_RUN_FRAME_COUNT=10 osgviewer scene.osgt
-// The windows it asks for become offscreen contexts that nobody sees. They send no events but one: to quit, after
-// OSG_RUN_FRAME_COUNT frames, to programs with a frame loop of their own, where OSG does not look at it.
+// The windows it asks for become offscreen contexts that nobody sees. They send no events but one: to quit,
+// after OSG_RUN_FRAME_COUNT frames, to programs with a frame loop of their own, where OSG does not look at
+// it.
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/Notify>

@@ -86,7 +86,8 @@ protected:
 } // namespace
 
 TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
-    for (const osg::Vec3d& eye : {osg::Vec3d(0, -60, 3), osg::Vec3d(40, -150, 60), osg::Vec3d(-80, 100, 25)}) {
+    for (const osg::Vec3d& eye :
+         {osg::Vec3d(0, -60, 3), osg::Vec3d(40, -150, 60), osg::Vec3d(-80, 100, 25)}) {
         std::vector<Picture> pictures;
         for (const bool tiers : {true, false}) {
             show(wood(24, tiers));
@@ -104,7 +105,8 @@ TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
 }
 
 TEST_F(TreeTiersGlTest, nothingPopsInAFlight) {
-    const int frames = std::getenv("OSGTREEWIND_FLIGHT") ? std::atoi(std::getenv("OSGTREEWIND_FLIGHT")) : 30; // a longer one by hand
+    const int frames = std::getenv("OSGTREEWIND_FLIGHT") ? std::atoi(std::getenv("OSGTREEWIND_FLIGHT"))
+                                                         : 30; // a longer one by hand
     std::vector<double> jumps[2];
     for (const bool tiers : {true, false}) {
         show(wood(18, tiers));
