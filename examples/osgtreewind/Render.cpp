@@ -146,8 +146,7 @@ ExitCode render(RenderOptions options) {
     viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     placeCamera(*viewer.getCamera(), options, forest->getBound());
     if (BranchwiseForest* branchwise = forest->getBranchwise()) {
-        if (!options.pose.empty())
-            choosePose(*branchwise, options.pose);
+        choosePose(*branchwise, options.pose.empty() ? "cpu" : options.pose);
     } else if (!options.pose.empty()) {
         std::cerr << "--pose " << options.pose << ": for a law of a branch, not \"modal\"\n";
         return BadInput;

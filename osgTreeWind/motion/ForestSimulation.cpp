@@ -28,7 +28,7 @@ Executor executorFor(const SimulationOptions& options, std::size_t trees) {
 } // namespace
 
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
-    : _forest(placed(std::move(description), options)), _level(options.level),
+    : _forest(placed(std::move(description), options)), _level(options.level), _withLeaves(options.leaves),
       _leaves(_forest, options.leaves && _forest.description().law != MotionLaw::Modal),
       _wind(_forest.description().wind) {
     if (this->description().law != MotionLaw::Modal) {
@@ -44,8 +44,8 @@ ForestSimulation::ForestSimulation(ForestDescription description, const Simulati
 }
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
-    : _forest(other._forest), _level(other._level), _leaves(_forest, !other._leaves.states().empty()),
-      _wind(other.wind()) {
+    : _forest(other._forest), _level(other._level), _withLeaves(other._withLeaves),
+      _leaves(_forest, !other._leaves.states().empty()), _wind(other.wind()) {
     if (other._modal)
         _modal = other._modal->restarted();
     else
@@ -189,24 +189,30 @@ TreeMotion ForestSimulation::motion(std::size_t index, UnitValues& values) const
     const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
     const std::size_t units = skeleton.units.size();
     const std::vector<LeafCluster>& leaves = _forest.modelOf(tree).leaves;
-    values.resize(units, leaves.size());
+    values.resize(units, _withLeaves ? leaves.size() : 0);
     _modal->angles(index, values.angles.data());
     _modal->winds(index, values.winds.data());
     for (std::size_t i = 0; i < units; ++i)
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
     swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
-    const LeafMotion& leaf = _forest.speciesOf(tree).leaf;
-    StatelessFlutter{{leaves.data(), leaves.size()},
-                     {values.winds.data(), units},
-                     flutterPhases(_time.value_or(0.0), leaf),
-                     flutterLimits(leaf),
-                     ownNumber(tree.seed)}
-        .run(values.leaves.data());
+    if (_withLeaves)
+        flutter(tree, values);
     return {{values.poses.data(), units},
             {values.rotations.data(), units},
             {values.states.data(), units},
             {values.winds.data(), units},
-            {values.leaves.data(), leaves.size()}};
+            {values.leaves.data(), values.leaves.size()}};
+}
+
+void ForestSimulation::flutter(const PlacedTree& tree, UnitValues& values) const {
+    const std::vector<LeafCluster>& leaves = _forest.modelOf(tree).leaves;
+    const LeafMotion& leaf = _forest.speciesOf(tree).leaf;
+    StatelessFlutter{{leaves.data(), leaves.size()},
+                     {values.winds.data(), values.winds.size()},
+                     flutterPhases(_time.value_or(0.0), leaf),
+                     flutterLimits(leaf),
+                     ownNumber(tree.seed)}
+        .run(values.leaves.data());
 }
 
 TreeMotion ForestSimulation::branchwiseMotion(std::size_t tree) const {

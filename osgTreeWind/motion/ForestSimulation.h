@@ -102,6 +102,7 @@ private:
     void meetWind(double time);
     void stepModal(double time, double elapsed);
     UnitValues& valuesOf(std::size_t tree) const;
+    void flutter(const PlacedTree& tree, UnitValues& values) const;
     TreeMotion branchwiseMotion(std::size_t tree) const;
 
     PlacedForest _forest;
@@ -110,7 +111,8 @@ private:
     std::unique_ptr<ModalMotion> _modal;                         ///< or that one.
     mutable std::mutex _valuesMutex;                             // guards _values
     mutable std::unordered_map<std::size_t, UnitValues> _values; ///< Under `modal`, of trees asked for.
-    LeafFlutter _leaves;
+    bool _withLeaves;
+    LeafFlutter _leaves; ///< Of laws of a branch.
     std::optional<double> _time;
     mutable std::mutex _windMutex; // guards _wind
     WindFieldPtr _wind;

@@ -8,7 +8,7 @@ namespace osgTreeWind {
 
 /// How a ForestSimulation works.
 struct SimulationOptions {
-    bool leaves = true; ///< Whether leaves flutter under the laws of a branch; `modal` keeps none of them.
+    bool leaves = true; ///< Whether leaves flutter.
     /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
     /// memory of near ones, from the start.
     ModalLevel level = ModalLevel::Near;

@@ -101,6 +101,7 @@ protected:
         group->addChild(geometry);
         group->setCullingActive(false);
         group->setStateSet(new osg::StateSet(*shape.stateSet()));
+        group->getStateSet()->setDefine("FADING");
         group->getStateSet()->addUniform(new osg::Uniform("leanPower", 1.5f));
         return group;
     }
