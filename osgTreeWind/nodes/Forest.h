@@ -65,7 +65,9 @@ public:
     BranchTransform* branch(TreeId tree, unsigned unit);
 
     /// Puts state after that of a species' bark or leaves (index into the description's); null takes it away.
-    /// One with a program of its own replaces ours. Under `modal`; not during a traversal.
+    /// One with a program of its own replaces ours: it finds a tree's `treePlace`, `treeSize` and `treeState`
+    /// at the attribute locations 12, 13 and 14 (shaders/instance.glsl). Under `modal`; not during a
+    /// traversal.
     void setBarkState(std::size_t species, osg::StateSet* state);
     void setLeafState(std::size_t species, osg::StateSet* state);
     /// Draws the trees of a model (index into getSimulation().models()) from these, at every tier with
