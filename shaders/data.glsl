@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Arrays kept in RGBA32F textures (osgTreeWind/gpu/DataTexture.h).
+// Arrays kept in RGBA32F textures, 2048 texels wide (osgTreeWind/gpu/DataTexture.h). Shifts, since dividing whole
+// numbers is slow.
 
 vec4 dataTexel(sampler2D data, int index) {
-    int width = textureSize(data, 0).x;
-    return texelFetch(data, ivec2(index % width, index / width), 0);
+    return texelFetch(data, ivec2(index & 2047, index >> 11), 0);
 }
 
 /// A whole number of 32 bits kept as two floats, low half first.

@@ -9,8 +9,7 @@ in vec4 treeState; // row of its poses, fade (dither.glsl), its own number in [0
 
 uniform sampler2D poseRotations;    // quaternions
 uniform sampler2D poseTranslations; // metres; speed of the wind at the unit, m/s
-uniform int unitWidth;
-uniform int unitRows;
+uniform int unitRows;               // of a tree, each of up to 2048 units
 
 flat out float treeFade;
 
@@ -21,7 +20,7 @@ struct UnitPose {
 };
 
 UnitPose unitPose(int unit) {
-    ivec2 texel = ivec2(unit % unitWidth, int(treeState.x) * unitRows + unit / unitWidth);
+    ivec2 texel = ivec2(unit & 2047, int(treeState.x) * unitRows + (unit >> 11));
     vec4 moved = texelFetch(poseTranslations, texel, 0);
     return UnitPose(texelFetch(poseRotations, texel, 0), moved.xyz, moved.w);
 }

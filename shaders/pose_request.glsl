@@ -4,8 +4,7 @@
 uniform sampler2D poseRequests; // a row a tree, see below
 uniform sampler2D treeUnits;    // two texels a unit of the shape: base, parent; tip
 uniform int unitCount;
-uniform int unitWidth; // units in a row of the target; a tree takes as many rows as it needs
-uniform int unitRows;
+uniform int unitRows; // of the target that a tree takes, each of up to 2048 units
 
 vec4 request(int tree, int texel) { return texelFetch(poseRequests, ivec2(texel, tree), 0); }
 
@@ -18,9 +17,9 @@ float patchSpeed(int tree, int patchIndex) { return request(tree, 13 + patchInde
 /// Tree and unit that a fragment stands for; unit >= unitCount: none.
 ivec2 treeAndUnit() {
     ivec2 at = ivec2(gl_FragCoord.xy);
-    return ivec2(at.y / unitRows, at.y % unitRows * unitWidth + at.x);
+    return ivec2(at.y / unitRows, (at.y % unitRows << 11) + at.x);
 }
 
 ivec2 texelOfUnit(int tree, int unit) {
-    return ivec2(unit % unitWidth, tree * unitRows + unit / unitWidth);
+    return ivec2(unit & 2047, tree * unitRows + (unit >> 11));
 }

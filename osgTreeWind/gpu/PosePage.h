@@ -25,7 +25,7 @@ struct PoseRequest {
 };
 static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 
-/// How the units of a tree lie in textures of poses.
+/// How the units of a tree lie in textures of poses (shaders/pose_request.glsl).
 struct PoseLayout {
     explicit PoseLayout(std::size_t units)
         : width(static_cast<int>(std::clamp<std::size_t>(units, 1, 2048))),

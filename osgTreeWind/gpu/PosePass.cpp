@@ -247,7 +247,6 @@ PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) c
         pass.bind(0, "poseRequests", context.requests);
         pass.bind(1, "treeUnits", context.units);
         pass.set("unitCount", _units);
-        pass.set("unitWidth", _layout.width);
         pass.set("unitRows", _layout.rows);
     };
     begin(*_programs->turns, *context.turnTarget);

@@ -25,7 +25,6 @@ StandShape::StandShape(const TreeModel& model, std::size_t species, const Appear
         if (!model.leaves.empty())
             _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
         _states[tier] = new osg::StateSet;
-        _states[tier]->addUniform(new osg::Uniform("unitWidth", layout.width));
         _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
         _states[tier]->addUniform(new osg::Uniform("leafTextureBias", leaves.textureBias));
     }
