@@ -1,14 +1,14 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
-#pragma import_defines(FADING)
+// LEAF_TEXTURE_BIAS: of enlarged clusters (model/TreeDetail.h).
+#pragma import_defines(FADING, LEAF_TEXTURE_BIAS)
 
 #include "dither.glsl"
 #include "scene.glsl"
 
 uniform sampler2D leafTexture; // colour variation, alpha: shape
 uniform vec3 leafColor;
-uniform float leafTextureBias; // of enlarged clusters (model/TreeDetail.h)
 
 in vec2 leafCoord;
 in vec3 leafLight;
@@ -16,7 +16,11 @@ in vec3 scenePosition;
 flat in float treeFade;
 
 void main() {
-    vec4 leaf = texture(leafTexture, leafCoord, leafTextureBias);
+#ifdef LEAF_TEXTURE_BIAS
+    vec4 leaf = texture(leafTexture, leafCoord, LEAF_TEXTURE_BIAS);
+#else
+    vec4 leaf = texture(leafTexture, leafCoord);
+#endif
     if (leaf.a < 0.5) // leafAlphaThreshold of TreeTextures.cpp
         discard;
 #ifdef FADING

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 
 namespace osgTreeWind {
 
@@ -26,7 +27,8 @@ StandShape::StandShape(const TreeModel& model, std::size_t species, const Appear
             _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
         _states[tier] = new osg::StateSet;
         _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
-        _states[tier]->addUniform(new osg::Uniform("leafTextureBias", leaves.textureBias));
+        if (!whole) // a bias makes sampling slow, even one of 0
+            _states[tier]->setDefine("LEAF_TEXTURE_BIAS", std::to_string(leaves.textureBias));
     }
     if (drawing.tiers && drawing.impostor > 0.0f)
         _impostors[0] = new ImpostorShape(paintImpostor(model, appearance), impostorProgram);
