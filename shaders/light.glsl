@@ -34,6 +34,12 @@ vec4 lightAt(int i, vec3 eyePosition) {
     return vec4(toLight, left);
 }
 
+/// Share of a light that leaves let through to the eye from here.
+float lightThrough(vec3 eyePosition, vec3 toLight) {
+    float against = max(dot(normalize(eyePosition), toLight), 0.0);
+    return 0.25 * against * against * against * against;
+}
+
 /// Light on bark.
 vec3 barkShade(vec3 eyePosition, vec3 eyeNormal) {
 #ifdef UNLIT
@@ -58,8 +64,7 @@ vec3 leafShade(vec3 eyePosition, vec3 eyeNormal) {
     for (int i = 0; i < 8; ++i)
         if ((LIGHT_MASK >> i & 1) != 0) {
             vec4 at = lightAt(i, eyePosition);
-            float against = max(dot(normalize(eyePosition), at.xyz), 0.0);
-            float through = 0.25 * against * against * against * against;
+            float through = lightThrough(eyePosition, at.xyz);
             light += at.w * (max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + through) * gl_LightSource[i].diffuse.rgb;
         }
     return light;
@@ -79,9 +84,8 @@ void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 by
         if ((LIGHT_MASK >> i & 1) != 0) {
             vec4 at = lightAt(i, eyePosition);
             vec3 light = at.w * gl_LightSource[i].diffuse.rgb;
-            float against = max(dot(normalize(eyePosition), at.xyz), 0.0);
             bark += 0.25 * light;
-            leafMore += (0.25 + 0.25 * against * against * against * against) * light;
+            leafMore += (0.25 + lightThrough(eyePosition, at.xyz)) * light;
             byNormal += outerProduct(0.5 * light, at.xyz);
         }
 #endif

@@ -7,22 +7,30 @@
 namespace osgTreeWind {
 
 DataTexture::DataTexture(const char* name, std::size_t texels)
-    : _image(new osg::Image), _texture(new osg::Texture2D) {
-    const std::size_t rows = std::max<std::size_t>((texels + width - 1) / width, 1);
-    _image->allocateImage(width, static_cast<int>(rows), 1, GL_RGBA, GL_FLOAT);
+    : _image(new osg::Image), _texture(makeFloatTexture(name)) {
+    _image->allocateImage(width, rowsFor(texels), 1, GL_RGBA, GL_FLOAT);
     _image->setInternalTextureFormat(GL_RGBA32F_ARB);
     _image->setDataVariance(osg::Object::DYNAMIC);
     std::memset(_image->data(), 0, _image->getTotalSizeInBytes());
 
-    _texture->setName(name);
     _texture->setDataVariance(osg::Object::DYNAMIC);
     _texture->setImage(_image);
-    _texture->setInternalFormat(GL_RGBA32F_ARB);
-    _texture->setResizeNonPowerOfTwoHint(false);
-    _texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
-    _texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
-    _texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    _texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+}
+
+int DataTexture::rowsFor(std::size_t texels) {
+    return static_cast<int>(std::max<std::size_t>((texels + width - 1) / width, 1));
+}
+
+osg::ref_ptr<osg::Texture2D> makeFloatTexture(const char* name) {
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setName(name);
+    texture->setInternalFormat(GL_RGBA32F_ARB);
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
 }
 
 void DataTexture::write(const std::vector<glm::vec4>& texels) const {

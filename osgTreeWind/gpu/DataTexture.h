@@ -11,12 +11,15 @@
 namespace osgTreeWind {
 
 /// An array of RGBA32F texels as a texture: element i stands at (i % width, i / width). Shaders read it with
-/// `texelFetch` (shaders/branchwise/tree.glsl). Filled on the CPU, or the target of a pass.
+/// dataTexel() (shaders/data.glsl). Filled on the CPU, or the target of a pass.
 class DataTexture {
 public:
     static constexpr int width = 2048, mostRows = 16384;
     /// More would be a texture that OpenGL does not hold, and OSG would rescale.
     static constexpr std::size_t mostTexels = std::size_t(width) * mostRows;
+
+    /// Rows that so many texels take, at least 1.
+    static int rowsFor(std::size_t texels);
 
     /// @param name of the texture, for people who look at the scene.
     DataTexture(const char* name, std::size_t texels);
@@ -39,6 +42,9 @@ private:
     osg::ref_ptr<osg::Image> _image;
     osg::ref_ptr<osg::Texture2D> _texture;
 };
+
+/// A texture of RGBA32F texels that are fetched one by one, without image or size.
+osg::ref_ptr<osg::Texture2D> makeFloatTexture(const char* name);
 
 /// Gives a texture of data to the shaders below `state`, as `sampler` in a texture unit. Protected, since a
 /// shadow technique, say, overrides textures of the scene above.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/PosePass.h>
 
+#include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/PassState.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
@@ -14,22 +15,13 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr int mostSide = 16384; // of a texture that OpenGL 3.3 on any machine of today holds
-constexpr int matrixWidth = 2048;
 constexpr std::size_t mostPageTrees = 4096;
 
 osg::ref_ptr<osg::Texture2D> floatTexture(const char* name, int width, int height) {
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
-    texture->setName(name);
+    osg::ref_ptr<osg::Texture2D> texture = makeFloatTexture(name);
     texture->setTextureSize(width, height);
-    texture->setInternalFormat(GL_RGBA32F_ARB);
     texture->setSourceFormat(GL_RGBA);
     texture->setSourceType(GL_FLOAT);
-    texture->setResizeNonPowerOfTwoHint(false);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     return texture;
 }
 
@@ -44,11 +36,6 @@ osg::ref_ptr<osg::FrameBufferObject> target(osg::Texture2D* first, osg::Texture2
 void uploadRows(const void* texels, int width, int firstRow, int rows) {
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0); // as osg::Texture sets it before each image of its own
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, firstRow, width, rows, GL_RGBA, GL_FLOAT, texels);
-}
-
-int rowsFor(std::size_t texels, int width) {
-    const auto across = static_cast<std::size_t>(width);
-    return static_cast<int>(std::max<std::size_t>((texels + across - 1) / across, 1));
 }
 
 /// The next power of two, so that what grows is seldom made anew.
@@ -112,13 +99,14 @@ struct PosePass::Context {
 
 PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
     : _programs(programs), _units(static_cast<int>(skeleton.units.size())), _layout(skeleton.units.size()),
-      _pageTrees(
-          std::clamp<std::size_t>(static_cast<std::size_t>(mostSide / _layout.rows), 1, mostPageTrees)) {
+      _pageTrees(std::clamp<std::size_t>(static_cast<std::size_t>(DataTexture::mostRows / _layout.rows), 1,
+                                         mostPageTrees)) {
     for (const BranchUnit& unit : skeleton.units) {
         _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
         _unitTexels.emplace_back(unit.tip, 0.0f);
     }
-    _unitTexels.resize(static_cast<std::size_t>(rowsFor(_unitTexels.size(), matrixWidth)) * matrixWidth);
+    _unitTexels.resize(static_cast<std::size_t>(DataTexture::rowsFor(_unitTexels.size())) *
+                       DataTexture::width);
 }
 
 PosePass::~PosePass() = default;
@@ -134,10 +122,10 @@ void PosePass::refer(const ModalShape& shape, PoseRequest& request) {
         return;
     const std::size_t size = shape.joints / 2 * (2 * texels + 1);
     if (columns > PoseRequest::mostColumns || shape.patches.size() > PoseRequest::mostPatches ||
-        _matrices.size() + size > std::size_t(matrixWidth) * 8192) { // numbers of texels stay exact as floats
+        _matrices.size() + size >
+            std::size_t(DataTexture::width) * 8192) { // numbers of texels stay exact as floats
         OSG_WARN << "osgTreeWind: a texture has no room for more archetypes of one shape; trees of the ones "
-                    "beyond "
-                    "it stand still"
+                    "beyond it stand still"
                  << std::endl;
         found->second = -1;
         request.firstTexel = -1.0f;
@@ -263,9 +251,10 @@ PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) c
 /// Whatever the passes read and this context does not have yet.
 void PosePass::upload(osg::State& state, Context& context, const PosePage& page) const {
     if (!context.units) {
-        context.units = floatTexture("tree units", matrixWidth, rowsFor(_unitTexels.size(), matrixWidth));
+        context.units =
+            floatTexture("tree units", DataTexture::width, DataTexture::rowsFor(_unitTexels.size()));
         context.units->apply(state);
-        uploadRows(_unitTexels.data(), matrixWidth, 0, context.units->getTextureHeight());
+        uploadRows(_unitTexels.data(), DataTexture::width, 0, context.units->getTextureHeight());
     }
     const auto trees = static_cast<int>(page.requests.size());
     constexpr auto requestWidth = static_cast<int>(PoseRequest::texels);
@@ -275,19 +264,20 @@ void PosePass::upload(osg::State& state, Context& context, const PosePage& page)
     uploadRows(page.requests.data(), requestWidth, 0, trees);
 
     const std::lock_guard<std::mutex> lock(_matrixMutex);
-    const int rows = rowsFor(_matrices.size(), matrixWidth);
+    const int rows = DataTexture::rowsFor(_matrices.size());
     if (rows > context.matrixRows) {
         context.matrixRows = roomFor(rows);
-        context.matrices = floatTexture("modal matrices", matrixWidth, context.matrixRows);
+        context.matrices = floatTexture("modal matrices", DataTexture::width, context.matrixRows);
         context.matrixTexels = 0;
     }
     if (_matrices.size() > context.matrixTexels) {
         context.matrices->apply(state);
-        const std::size_t firstRow = context.matrixTexels / matrixWidth;
-        std::vector<glm::vec4> texels(_matrices.begin() + static_cast<std::ptrdiff_t>(firstRow * matrixWidth),
-                                      _matrices.end());
-        texels.resize((static_cast<std::size_t>(rows) - firstRow) * matrixWidth);
-        uploadRows(texels.data(), matrixWidth, static_cast<int>(firstRow), rows - static_cast<int>(firstRow));
+        const std::size_t firstRow = context.matrixTexels / DataTexture::width;
+        std::vector<glm::vec4> texels(
+            _matrices.begin() + static_cast<std::ptrdiff_t>(firstRow * DataTexture::width), _matrices.end());
+        texels.resize((static_cast<std::size_t>(rows) - firstRow) * DataTexture::width);
+        uploadRows(texels.data(), DataTexture::width, static_cast<int>(firstRow),
+                   rows - static_cast<int>(firstRow));
         context.matrixTexels = _matrices.size();
     }
 }

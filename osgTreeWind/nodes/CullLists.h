@@ -4,12 +4,12 @@
 #include <osgTreeWind/nodes/InstancedDraw.h>
 #include <osgTreeWind/nodes/TreeCells.h>
 #include <osgTreeWind/nodes/TreeTiers.h>
+#include <osgTreeWind/nodes/ViewFrustum.h>
 
 #include <osgUtil/RenderStage>
 
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -46,8 +46,13 @@ public:
     InstanceList& list(std::size_t band, std::size_t shape, Tier tier, bool fading, const PosePass* passes,
                        PosePage* page);
 
-    /// Memory for cells that are seen, by distance.
-    std::vector<std::pair<float, const TreeCells::Cell*>>& seenCells() { return _seenCells; }
+    struct SeenCell {
+        float distance;
+        const TreeCells::Cell* cell;
+        ViewFrustum::Side side;
+    };
+    /// Memory for cells that are seen.
+    std::vector<SeenCell>& seenCells() { return _seenCells; }
 
     /// Trees that are seen from near, for the next update.
     std::vector<std::uint32_t>& near() { return _near; }
@@ -73,7 +78,7 @@ private:
     osg::ref_ptr<osgUtil::StateGraph> _place;
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::array<osg::ref_ptr<osg::StateSet>, bands> _bandStates;
-    std::vector<std::pair<float, const TreeCells::Cell*>> _seenCells;
+    std::vector<SeenCell> _seenCells;
     std::vector<List> _lists;
     std::vector<std::size_t>
         _open; ///< By band, shape, tier and fading, the list that is filled now; 0: none, else one more.

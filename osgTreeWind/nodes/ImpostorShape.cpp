@@ -2,8 +2,7 @@
 #include <osgTreeWind/nodes/ImpostorShape.h>
 
 #include <osgTreeWind/gpu/DistinctArrays.h>
-
-#include <osg/Texture2D>
+#include <osgTreeWind/nodes/TreeTextures.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,12 +26,7 @@ osg::ref_ptr<osg::Geometry> strip(int segments) {
 }
 
 osg::ref_ptr<osg::Texture2D> texture(const char* name, osg::Image* image) {
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setName(name);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    osg::ref_ptr<osg::Texture2D> texture = makeTreeTexture(name, image, osg::Texture::CLAMP_TO_EDGE);
     texture->setResizeNonPowerOfTwoHint(false);
     return texture;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/InstanceList.h>
 
-#include <cstring>
-
 namespace osgTreeWind {
 
 InstanceList::InstanceList() : values(new osg::FloatArray) {

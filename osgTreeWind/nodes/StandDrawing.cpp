@@ -13,9 +13,9 @@ StandDrawing::StandDrawing(const PlacedForest& forest)
     SpeciesStyles styles;
     for (const Species& species : forest.description().species)
         looks.push_back(styles.looks(species));
-    state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
     fading->setDefine("FADING");
     state->addUniform(new osg::Uniform("leanPower", leanPower));
+    state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
     if (shapes.empty()) // nor a pool of threads
         return;

@@ -9,7 +9,6 @@
 #include <osgUtil/IntersectionVisitor>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace osgTreeWind {
 
@@ -28,12 +29,15 @@ void TreeStandCull::run() {
     auto& seen = lists.seenCells();
     seen.clear();
     for (const TreeCells::Cell& cell : cells.cells())
-        if (!cell.trees.empty() && view.sideOf(cell.box) != ViewFrustum::Outside)
-            seen.emplace_back(distanceFrom(eye, cell.box), &cell);
-    std::sort(seen.begin(), seen.end());
-    for (const auto& [distance, cell] : seen) {
+        if (!cell.trees.empty())
+            if (const ViewFrustum::Side side = view.sideOf(cell.box); side != ViewFrustum::Outside)
+                seen.push_back({distanceFrom(eye, cell.box), &cell, side});
+    std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.distance, a.cell) < std::tie(b.distance, b.cell);
+    });
+    for (const auto& [distance, cell, side] : seen) {
         band = CullLists::bandOf(distance);
-        seeCell(view, *cell);
+        seeCell(view, *cell, side);
         if (!nearFar)
             continue;
         if (distance > 0.0f) {
@@ -46,8 +50,7 @@ void TreeStandCull::run() {
     handOver();
 }
 
-void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell) {
-    const ViewFrustum::Side side = view.sideOf(cell.box);
+void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side) {
     for (const TreeCells::Tree& tree : cell.trees) {
         const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, 0.5f * tree.height);
         if (side == ViewFrustum::Across) {

@@ -30,7 +30,7 @@ public:
     void run();
 
 private:
-    void seeCell(const ViewFrustum& view, const TreeCells::Cell& cell);
+    void seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side);
     void seeTree(const TreeCells::Tree& tree, float pixels);
     void addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade);
     void ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const;
