@@ -85,7 +85,28 @@ void readLeafMotion(TableReader& table, LeafMotion& leaf) {
 void readAppearance(TableReader& table, Appearance& appearance) {
     table.read("bark", appearance.bark, within(0, 1));
     table.read("leaves", appearance.leaves, within(0, 1));
-    table.read("needles", appearance.needles);
+    table.readChoice<LeafForm>("leaf_form", appearance.leafForm,
+                               {{"blade", LeafForm::Blade},
+                                {"lobed", LeafForm::Lobed},
+                                {"ovate", LeafForm::Ovate},
+                                {"rhombic", LeafForm::Rhombic},
+                                {"palmate", LeafForm::Palmate},
+                                {"pinnate", LeafForm::Pinnate},
+                                {"heart", LeafForm::Heart},
+                                {"round", LeafForm::Round},
+                                {"fingered", LeafForm::Fingered},
+                                {"fan", LeafForm::Fan},
+                                {"needles", LeafForm::Needles},
+                                {"bundles", LeafForm::Bundles},
+                                {"tufts", LeafForm::Tufts},
+                                {"frond", LeafForm::Frond}});
+    table.readChoice<BarkForm>("bark_form", appearance.barkForm,
+                               {{"furrowed", BarkForm::Furrowed},
+                                {"plated", BarkForm::Plated},
+                                {"smooth", BarkForm::Smooth},
+                                {"banded", BarkForm::Banded},
+                                {"flaking", BarkForm::Flaking},
+                                {"ringed", BarkForm::Ringed}});
 }
 
 void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {

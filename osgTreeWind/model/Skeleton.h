@@ -15,6 +15,7 @@ struct BranchUnit {
     glm::vec3 tip{0.0f};     ///< End point at rest.
     float baseRadius = 0.0f; ///< Metres.
     float tipRadius = 0.0f;  ///< Metres.
+    float attach = 1.0f;     ///< Where along its parent it springs, (0, 1]; 1: at its end.
 };
 
 /// The rest geometry of a tree's wood as centre lines: the thesis' `verticesForLeaves` (§2.2).

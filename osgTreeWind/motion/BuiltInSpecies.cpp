@@ -106,7 +106,8 @@ BuiltInSpecies entry(std::vector<std::string> names, TreeParameters form, float 
     built.species.wood.crownDrag = drag.c;
     built.species.wood.streamlining = drag.n;
     built.species.wood.streamlinedTo = drag.upTo;
-    built.species.appearance = {bark, leaves, false};
+    built.species.appearance.bark = bark;
+    built.species.appearance.leaves = leaves;
     built.names = std::move(names);
     built.source = source;
     return built;
@@ -126,7 +127,7 @@ BuiltInSpecies conifer(std::vector<std::string> names, const TreeParameters& for
     species.crown.openPerDiameter = 17.0f;
     species.leaf.maxAngleX = species.leaf.maxAngleZ = glm::radians(7.0f);
     species.leaf.maxRotation = glm::radians(9.0f);
-    species.appearance.needles = true;
+    species.appearance.leafForm = LeafForm::Needles;
     return built;
 }
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/TreeModel.h>
-
-#include <glm/vec3.hpp>
+#include <osgTreeWind/motion/Appearance.h>
 
 #include <string>
 
@@ -65,13 +64,6 @@ struct LeafMotion {
     float factor = 1.0f;         ///< `fact`, [0, 1].
     float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation that goes with the X motion.
     float noiseFrequency = 1.3f; ///< Hz, >= 0.
-};
-
-/// Linear RGB colours, each in [0, 1].
-struct Appearance {
-    glm::vec3 bark{0.40f, 0.33f, 0.27f};
-    glm::vec3 leaves{0.38f, 0.50f, 0.20f};
-    bool needles = false; ///< Leaf texture: sprays of needles instead of blades.
 };
 
 /// A kind of tree: how it grows, moves and looks.

@@ -15,9 +15,9 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) {
         _leafProgram = createProgram("instance_leaf", "instance_leaf");
         _bark = makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT);
     }
-    osg::ref_ptr<osg::Texture2D>& foliage = appearance.needles ? _needles : _blades;
+    osg::ref_ptr<osg::Texture2D>& foliage = appearance.needles() ? _needles : _blades;
     if (!foliage)
-        foliage = makeTreeTexture("leaves", appearance.needles ? needleImage() : bladeImage(),
+        foliage = makeTreeTexture("leaves", appearance.needles() ? needleImage() : bladeImage(),
                                   osg::Texture::CLAMP_TO_EDGE);
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, nullptr, nullptr};
     looks.bark->setAttributeAndModes(_barkProgram);

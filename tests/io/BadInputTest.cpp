@@ -153,8 +153,8 @@ const BadInput badInputs[] = {
      "array of 3 numbers, found 2"},
     {"ColourTooBright", species("[species.appearance]\nbark = [0.1, 0.2, @255]\n"), "species.appearance.bark",
      "in [0, 1], found 255"},
-    {"NeedlesAsNumber", species("[species.appearance]\nneedles = @1\n"), "species.appearance.needles",
-     "expected true or false, found 1"},
+    {"LeafFormNotKnown", species("[species.appearance]\nleaf_form = @\"needle\"\n"),
+     "species.appearance.leaf_form", "or \"frond\", found the text \"needle\""},
     {"UnknownNestedKey", species("[species.tree]\n@level = 3\n"), "species.tree.level",
      "did you mean levels?"},
 

@@ -16,7 +16,7 @@ TEST(BuiltInSpecies, ThereAreAtLeastTwelveAndEachHasASource) {
     std::size_t conifers = 0;
     for (const BuiltInSpecies& built : all) {
         EXPECT_FALSE(built.source.empty()) << built.species.name;
-        conifers += built.species.appearance.needles;
+        conifers += built.species.appearance.needles();
     }
     EXPECT_GE(all.size(), 12u);
     EXPECT_GE(conifers, 5u);
@@ -57,7 +57,7 @@ TEST(BuiltInSpecies, ConifersHaveTheVolumesOfForestry) {
     // Stem over trunk section at breast height times height: 0.4 to 0.5 (form factor); branches 0.15 to 0.2
     // of the wood (Jenkins et al. 2003).
     for (const BuiltInSpecies& built : builtInSpecies()) {
-        if (!built.species.appearance.needles)
+        if (!built.species.appearance.needles())
             continue;
         const TreeModel model = makeTreeModel(built.species.tree, 0);
         const TreeScale scale = fitTree(model, {20.0f, 0.3f, 0.0f});

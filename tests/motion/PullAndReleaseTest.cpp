@@ -88,7 +88,7 @@ TEST(PullAndRelease, InLeafTheAirDampsATreeMore) {
     for (const BuiltInSpecies& built : builtInSpecies())
         for (const float height : {12.0f, 20.0f, 28.0f}) {
             const double damping = pullAndRelease(built.species, sized(height, 1.5f * height))->dampingRatio;
-            EXPECT_GT(damping, built.species.appearance.needles ? 0.056 : 0.06) << built.species.name;
+            EXPECT_GT(damping, built.species.appearance.needles() ? 0.056 : 0.06) << built.species.name;
             EXPECT_LT(damping, 0.15) << built.species.name;
         }
 }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace osgTreeWind {
+
+/// What the sprays on a leaf texture are made of, by genus.
+enum class LeafForm {
+    Blade,    ///< Plain pointed blades: any broadleaf.
+    Lobed,    ///< Oak.
+    Ovate,    ///< Beech, hornbeam, elm.
+    Rhombic,  ///< Birch.
+    Palmate,  ///< Maple, plane.
+    Pinnate,  ///< Ash, honey locust: leaflets along a stalk.
+    Heart,    ///< Lime.
+    Round,    ///< Aspen, poplar.
+    Fingered, ///< Horse chestnut: leaflets like fingers.
+    Fan,      ///< Ginkgo.
+    Needles,  ///< Spruce, fir: combs.
+    Bundles,  ///< Pine.
+    Tufts,    ///< Larch.
+    Frond,    ///< Palm.
+};
+
+/// What the surface of bark is like.
+enum class BarkForm {
+    Furrowed, ///< Ridges along the stem: oak, ash, any tree.
+    Plated,   ///< Plates: pine, spruce.
+    Smooth,   ///< Beech.
+    Banded,   ///< Birch: white, with dark bands across.
+    Flaking,  ///< Plane: patches of several colours.
+    Ringed,   ///< Palm.
+};
+
+/// How a kind of tree looks. Linear RGB colours, each in [0, 1].
+struct Appearance {
+    glm::vec3 bark{0.40f, 0.33f, 0.27f};
+    glm::vec3 leaves{0.38f, 0.50f, 0.20f};
+    LeafForm leafForm = LeafForm::Blade;
+    BarkForm barkForm = BarkForm::Furrowed;
+
+    bool needles() const { return leafForm >= LeafForm::Needles && leafForm <= LeafForm::Tufts; }
+};
+
+} // namespace osgTreeWind
