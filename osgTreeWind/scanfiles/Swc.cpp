@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/scanfiles/ScanFormats.h>
+#include <osgTreeWind/scanfiles/ScanLinks.h>
+#include <osgTreeWind/scanfiles/ScanRows.h>
+
+#include <cmath>
+#include <unordered_map>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Radii at points as those of cylinders with the volume of truncated cones.
+void roundOff(std::vector<ScanPoint>& points) {
+    std::unordered_map<int, double> radii;
+    for (const ScanPoint& point : points)
+        radii.emplace(point.name.id, point.radius);
+    for (ScanPoint& point : points)
+        if (const auto parent = radii.find(point.name.parent); parent != radii.end()) {
+            const double a = parent->second, b = point.radius;
+            point.radius = std::sqrt((a * a + a * b + b * b) / 3.0);
+        }
+}
+
+} // namespace
+
+Result<ScanFile> readSwc(std::string_view text, const std::string& file) {
+    constexpr int most = 1000000000;
+    ScanRows rows(text, file);
+    std::vector<ScanPoint> points;
+    while (rows.good() && rows.next()) {
+        const std::size_t count = rows.words().size();
+        if (count != 7)
+            rows.failLine("expected 7 numbers: id, type, x, y, z, radius, parent; found " +
+                          std::to_string(count) + " words");
+        else if (points.size() > maxScanCylinders)
+            rows.failLine("expected at most " + std::to_string(maxScanCylinders) + " points");
+        if (!rows.good())
+            break;
+        ScanPoint point;
+        point.name.id = rows.whole(0, "a whole number from 0 on", 0, most);
+        for (int i = 0; i < 3; ++i)
+            point.place[i] = rows.number(2 + static_cast<std::size_t>(i), "metres within 1e9", -1e9, 1e9);
+        point.radius = rows.number(5, "a radius above 0 and of at most 10 m", 1e-9, 10.0);
+        point.name.parent = rows.whole(6, "the id of a point, or -1", -1, most);
+        point.name.line = rows.line();
+        points.push_back(point);
+    }
+    if (!rows.good())
+        return rows.problem();
+    roundOff(points);
+    Result<ScanCylinders> tree = cylindersOf(points, file);
+    if (!tree)
+        return tree.problems();
+    return ScanFile{"SWC", {std::move(tree.value())}};
+}
+
+} // namespace osgTreeWind
