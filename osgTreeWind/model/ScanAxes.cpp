@@ -19,7 +19,8 @@ double lengthOf(const ScanCylinder& cylinder) {
     return glm::distance(cylinder.start, cylinder.end);
 }
 
-/// Non-increasing sections (pool adjacent violators): neighbours in the wrong order become one, of their mean.
+/// Non-increasing sections (pool adjacent violators): neighbours in the wrong order become one, of their
+/// mean.
 void taper(std::vector<double>& radii, const ScanLine& line) {
     struct Pool {
         double section, length; // radius^2, its mean
@@ -98,9 +99,12 @@ private:
             const double gap = glm::distance(_cylinders[child].start, cylinder.end);
             return std::make_pair(gap < cylinder.radius, _borne[child]);
         };
-        for (const std::size_t child : _children[at])
-            if (_next[at] == none || rank(child) > rank(_next[at]))
+        for (const std::size_t child : _children[at]) {
+            const glm::dvec3 ahead = _cylinders[child].start - cylinder.end;
+            const bool isBeside = !rank(child).first && glm::dot(ahead, cylinder.end - cylinder.start) < 0.0;
+            if (!isBeside && (_next[at] == none || rank(child) > rank(_next[at])))
                 _next[at] = child;
+        }
     }
 
     /// Adds the axis that begins with cylinder `first`.

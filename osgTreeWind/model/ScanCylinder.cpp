@@ -78,6 +78,8 @@ std::optional<Diagnostic> problemOfSize(const ScanCylinders& cylinders, const Sc
 } // namespace
 
 std::optional<Diagnostic> problemOfScan(const ScanCylinders& cylinders) {
+    if (cylinders.empty())
+        return Diagnostic{{}, 0, 0, {}, "expected at least one cylinder"};
     const ScanCylinder* root = nullptr;
     for (const ScanCylinder& cylinder : cylinders) {
         if (const std::string wrong = problemOfForm(cylinder); !wrong.empty())

@@ -22,40 +22,41 @@ double frustum(double length, double a, double b) {
     return pi / 3.0 * length * (a * a + a * b + b * b);
 }
 
-/// Into how many units an axis is cut: none is longer than `longest`, nor much longer than straight.
-std::size_t unitsOf(const ScanLine& line, double longest) {
-    constexpr double straightest = 0.93; // of chord over arc: an arc of 75 degrees
-    const auto isStraight = [&](std::size_t count) {
-        const double piece = line.length() / static_cast<double>(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const double from = piece * static_cast<double>(i);
-            if (glm::distance(line.at(from), line.at(from + piece)) < straightest * piece)
-                return false;
-        }
-        return true;
-    };
+/// Arc lengths at which an axis is cut into units, both ends among them: halves of halves, until none is
+/// longer than `longest` or crooked.
+std::vector<double> cutsOf(const ScanLine& line, double longest) {
+    constexpr double straightest = 0.88; // of chord over arc: an arc of 100 degrees
     constexpr double most = 64.0;
-    auto count = static_cast<std::size_t>(glm::clamp(std::ceil(line.length() / longest), 1.0, most));
-    const std::size_t enough = 3 * count;
-    while (count < enough && !isStraight(count))
-        ++count;
-    return count;
+    longest = std::max(longest, line.length() / most);
+    std::vector<double> cuts = {0.0}, ends = {line.length()}; // those to come, the next one last
+    while (!ends.empty()) {
+        const double from = cuts.back(), to = ends.back(), length = to - from;
+        const bool isCrooked = glm::distance(line.at(from), line.at(to)) < straightest * length;
+        if (length > longest || (isCrooked && length > 0.25 * longest)) {
+            ends.push_back(0.5 * (from + to));
+        } else {
+            cuts.push_back(to);
+            ends.pop_back();
+        }
+    }
+    return cuts;
 }
 
-/// Radii at the ends of `count` units in a row, fitted to those of the axis by least squares, tapering.
-std::vector<double> fittedRadii(const ScanAxis& axis, std::size_t count) {
-    const double piece = axis.line.length() / static_cast<double>(count);
-    // Normal equations of a line with bends at the ends of units; tridiagonal.
+/// Radii at the cuts, fitted to those of the axis by least squares, tapering.
+std::vector<double> fittedRadii(const ScanAxis& axis, const std::vector<double>& cuts) {
+    const std::size_t count = cuts.size() - 1;
+    // Normal equations of a line with bends at the cuts; tridiagonal.
     std::vector<double> diagonal(count + 1, 0.0), beside(count + 1, 0.0), right(count + 1, 0.0);
     std::size_t stretch = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double from = piece * static_cast<double>(i), to = from + piece;
+        const double from = cuts[i], to = cuts[i + 1], length = to - from;
         double t = 0.0;
         for (;; ++stretch) {
             const double end = axis.line.arc[stretch + 1];
             const bool isLast = end >= to || stretch + 1 == axis.radii.size();
-            const double u = isLast ? 1.0 : (end - from) / piece;
-            const double first = u - t, second = 0.5 * (u * u - t * t), third = (u * u * u - t * t * t) / 3.0;
+            const double u = isLast ? 1.0 : (end - from) / length;
+            const double first = length * (u - t), second = length * 0.5 * (u * u - t * t),
+                         third = length * (u * u * u - t * t * t) / 3.0;
             diagonal[i] += first - 2.0 * second + third;
             diagonal[i + 1] += third;
             beside[i] += second - third;
@@ -83,7 +84,7 @@ std::vector<double> fittedRadii(const ScanAxis& axis, std::size_t count) {
 class SkeletonMaker {
 public:
     SkeletonMaker(std::vector<ScanAxis> axes, const ScanDetail& detail)
-        : _axes(std::move(axes)), _detail(detail), _branches(_axes.size()) {
+        : _axes(std::move(axes)), _detail(detail), _branches(_axes.size()), _cuts(_axes.size()) {
         _detail.ringsPerBranch = glm::clamp(detail.ringsPerBranch, 2, 64);
         _detail.mostUnits = std::min<std::size_t>(detail.mostUnits, 4096);
         for (const ScanAxis& axis : _axes)
@@ -99,7 +100,7 @@ public:
         for (std::size_t i = 0; i < _axes.size(); ++i) {
             report.cylinders += _axes[i].cylinders;
             report.cylinderVolume += _axes[i].volume;
-            report.taken += _units[i] > 0 ? _axes[i].cylinders : 0;
+            report.taken += isTaken(i) ? _axes[i].cylinders : 0;
         }
         report.units = _tree.skeleton.units.size();
         report.height = _height;
@@ -111,7 +112,7 @@ public:
 private:
     /// Decides which axes are taken, and as how many units each.
     void choose() {
-        const double longest = 0.12 * _height;
+        const double longest = 0.125 * _height;
         std::vector<double> thickness(_axes.size());
         std::vector<std::size_t> order(_axes.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -123,13 +124,13 @@ private:
         }
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return thickness[a] > thickness[b]; });
-        _units.assign(_axes.size(), 0);
         std::size_t count = 0;
         const auto take = [&](std::size_t i) {
-            const std::size_t units = unitsOf(_axes[i].line, longest);
-            if (count > 0 && count + units > _detail.mostUnits)
+            std::vector<double> cuts = cutsOf(_axes[i].line, longest);
+            if (count > 0 && count + cuts.size() - 1 > _detail.mostUnits)
                 return false;
-            count += _units[i] = units;
+            count += cuts.size() - 1;
+            _cuts[i] = std::move(cuts);
             if (_axes[i].parent >= 0)
                 _branches[static_cast<std::size_t>(_axes[i].parent)].push_back(i);
             return true;
@@ -138,7 +139,7 @@ private:
             if (!take(i))
                 break;
         for (const std::size_t i : order) {
-            if (_units[i] > 0 || _units[static_cast<std::size_t>(_axes[i].parent)] == 0 ||
+            if (isTaken(i) || !isTaken(static_cast<std::size_t>(_axes[i].parent)) ||
                 _axes[i].line.length() < shortest * _height)
                 continue;
             if (thickness[i] < _detail.thinnest || !take(i))
@@ -152,26 +153,30 @@ private:
 
     /// The axes from the trunk to the highest point.
     std::vector<std::size_t> wayUp() const {
-        const auto top = [](const ScanAxis& axis) {
-            double z = axis.line.points.front().z;
-            for (const glm::dvec3& point : axis.line.points)
-                z = std::max(z, point.z);
-            return z;
-        };
-        const auto lower = [&](const ScanAxis& a, const ScanAxis& b) { return top(a) < top(b); };
-        const auto highest = std::max_element(_axes.begin(), _axes.end(), lower) - _axes.begin();
+        const auto reaches = [&](const glm::dvec3& point) { return point.z >= _height; };
+        std::size_t highest = 0;
+        for (std::size_t i = 0; i < _axes.size(); ++i)
+            if (std::any_of(_axes[i].line.points.begin(), _axes[i].line.points.end(), reaches))
+                highest = i;
         std::vector<std::size_t> way;
         for (int i = static_cast<int>(highest); i >= 0; i = _axes[static_cast<std::size_t>(i)].parent)
             way.push_back(static_cast<std::size_t>(i));
         return {way.rbegin(), way.rend()};
     }
 
-    /// Radii at the ends of the axis' units: of the volume of its cylinders, at most `thickest`.
-    std::vector<double> radiiOf(const ScanAxis& axis, std::size_t count, double thickest) const {
-        std::vector<double> radii = fittedRadii(axis, count);
+    bool isTaken(std::size_t axis) const { return !_cuts[axis].empty(); }
+
+    /// Radii at the cuts of an axis: of the volume of its cylinders, at most `thickest`.
+    std::vector<double> radiiOf(std::size_t index, double thickest) const {
+        const ScanAxis& axis = _axes[index];
+        const std::vector<double>& cuts = _cuts[index];
+        std::vector<double> radii = fittedRadii(axis, cuts);
         double volume = 0.0;
-        for (std::size_t i = 0; i < count; ++i)
-            volume += frustum(axis.line.length() / static_cast<double>(count), radii[i], radii[i + 1]);
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const double arc = cuts[i + 1] - cuts[i],
+                         chord = glm::distance(axis.line.at(cuts[i]), axis.line.at(cuts[i + 1]));
+            volume += frustum(0.5 * (arc + chord), radii[i], radii[i + 1]);
+        }
         const double factor = std::sqrt(axis.volume / volume);
         for (double& radius : radii)
             radius = glm::clamp(factor * radius, 1e-5 * _height, thickest);
@@ -182,12 +187,12 @@ private:
     /// @param attach on the unit `parent`.
     void grow(std::size_t index, int parent, float attach) {
         const ScanAxis& axis = _axes[index];
-        const std::size_t count = _units[index];
-        const double piece = axis.line.length() / static_cast<double>(count);
+        const std::vector<double>& cuts = _cuts[index];
         const double thickest = parent < 0 ? axis.radii.front() * 2.0 : radiusAt(parent, attach);
-        const std::vector<double> radii = radiiOf(axis, count, thickest);
+        const std::vector<double> radii = radiiOf(index, thickest);
         auto branch = _branches[index].begin();
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const double from = cuts[i], to = cuts[i + 1];
             BranchUnit unit;
             unit.parent = parent;
             unit.level = axis.order;
@@ -195,12 +200,10 @@ private:
             unit.base = parent < 0 ? glm::vec3(0.0f) : pointAt(parent, unit.attach);
             unit.baseRadius = static_cast<float>(radii[i]);
             unit.tipRadius = static_cast<float>(radii[i + 1]);
-            const double from = piece * static_cast<double>(i);
-            parent = add(unit, axis.line, from, from + piece);
-            for (; branch != _branches[index].end() &&
-                   (_axes[*branch].attach <= from + piece || i + 1 == count);
-                 ++branch) {
-                const double t = (_axes[*branch].attach - from) / piece;
+            parent = add(unit, axis.line, from, to);
+            const bool isLast = i + 2 == cuts.size();
+            for (; branch != _branches[index].end() && (isLast || _axes[*branch].attach <= to); ++branch) {
+                const double t = (_axes[*branch].attach - from) / (to - from);
                 grow(*branch, parent, static_cast<float>(glm::clamp(t, 0.02, 1.0)));
             }
         }
@@ -256,7 +259,7 @@ private:
     std::vector<ScanAxis> _axes;
     ScanDetail _detail;
     std::vector<std::vector<std::size_t>> _branches; ///< Axes taken that spring from an axis, upward.
-    std::vector<std::size_t> _units;                 ///< Of each axis; 0: pruned.
+    std::vector<std::vector<double>> _cuts;          ///< Of each axis; none: pruned.
     double _height = 0.0;
     ScannedTree _tree;
 };

@@ -4,11 +4,13 @@
 #include <osgTreeWind/model/BranchSkin.h>
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/RecursiveTree.h>
+#include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeExtents.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace osgTreeWind {
@@ -16,6 +18,8 @@ namespace osgTreeWind {
 /// Everything that shapes a tree.
 struct TreeParameters {
     RecursiveTreeParameters wood;
+    /// In place of `wood`: variant v takes scan v modulo their number. Null or at least one.
+    std::shared_ptr<const std::vector<ScannedTree>> scans;
     LeafParameters leaves;
 };
 
@@ -44,6 +48,8 @@ struct TreeCounts {
 
 TreeCounts countTree(const TreeModel& model);
 /// The same numbers without growing the tree; all are exact.
-TreeCounts countTree(const TreeParameters& parameters);
+TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
+/// Of each number the largest among variants 0 to `shapes` - 1.
+TreeCounts countLargest(const TreeParameters& parameters, int shapes);
 
 } // namespace osgTreeWind

@@ -18,7 +18,7 @@ struct Section {
 };
 
 struct Layout {
-    std::size_t ofTree = 0;    ///< Values before the first segment.
+    std::size_t ofTree = 0; ///< Values before the first segment.
     Section first, others;
 };
 
@@ -54,8 +54,8 @@ ScanPoint readSegment(ScanRows& rows, std::size_t at, const Section& section, in
     if (section.parent != none && id == 0)
         rows.whole(at + section.parent, "-1, for a first segment springs from no other", -1, -1);
     else if (section.parent != none)
-        point.name.parent = rows.whole(at + section.parent, "the place of a segment in its line, from 0 on", 0,
-                                       static_cast<int>(maxScanCylinders));
+        point.name.parent = rows.whole(at + section.parent, "the place of a segment in its line, from 0 on",
+                                       0, static_cast<int>(maxScanCylinders));
     return point;
 }
 

@@ -47,9 +47,10 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
         return problem(file, "expected a scanned tree, found only blank lines and comments");
     const Reader reader = readerOf(rows);
     if (!reader) {
-        rows.fail(0, expectedFound("a scanned tree: TreeQSM's cylinders as text, a CSV of SimpleForest, a tree "
-                                   "file of RayCloudTools, or SWC",
-                                   rows.words().front()));
+        rows.fail(0,
+                  expectedFound("a scanned tree: TreeQSM's cylinders as text, a CSV of SimpleForest, a tree "
+                                "file of RayCloudTools, or SWC",
+                                rows.words().front()));
         return rows.problem();
     }
     Result<ScanFile> scan = reader(text, file);

@@ -20,8 +20,8 @@ Result<ScanFile> readSimpleForest(std::string_view text, const std::string& file
 /// A line of names, x,y,z,radius,parent_id among them, then one line a tree: the values of all its segments,
 /// one after the other. A segment is the cylinder from its parent's x, y, z to its own; the first is a point.
 Result<ScanFile> readRayCloudTree(std::string_view text, const std::string& file);
-/// id, type, x, y, z, radius, parent (-1: the root): points. A cylinder has the volume of the truncated cone
-/// between two of them.
+/// id, type, x, y, z, radius, parent (-1: the root): points. A cylinder leads from the parent to a point, and
+/// has the radius of that point.
 Result<ScanFile> readSwc(std::string_view text, const std::string& file);
 
 } // namespace osgTreeWind

@@ -67,7 +67,8 @@ Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const st
             parent = trunk;
     }
     if (cylinders.empty())
-        return Diagnostic{file, names.empty() ? 0 : names.front().line, 0, {}, "expected more than one point"};
+        return Diagnostic{
+            file, names.empty() ? 0 : names.front().line, 0, {}, "expected more than one point"};
     return cylinders;
 }
 

@@ -3,26 +3,7 @@
 #include <osgTreeWind/scanfiles/ScanLinks.h>
 #include <osgTreeWind/scanfiles/ScanRows.h>
 
-#include <cmath>
-#include <unordered_map>
-
 namespace osgTreeWind {
-
-namespace {
-
-/// Radii at points as those of cylinders with the volume of truncated cones.
-void roundOff(std::vector<ScanPoint>& points) {
-    std::unordered_map<int, double> radii;
-    for (const ScanPoint& point : points)
-        radii.emplace(point.name.id, point.radius);
-    for (ScanPoint& point : points)
-        if (const auto parent = radii.find(point.name.parent); parent != radii.end()) {
-            const double a = parent->second, b = point.radius;
-            point.radius = std::sqrt((a * a + a * b + b * b) / 3.0);
-        }
-}
-
-} // namespace
 
 Result<ScanFile> readSwc(std::string_view text, const std::string& file) {
     constexpr int most = 1000000000;
@@ -48,7 +29,6 @@ Result<ScanFile> readSwc(std::string_view text, const std::string& file) {
     }
     if (!rows.good())
         return rows.problem();
-    roundOff(points);
     Result<ScanCylinders> tree = cylindersOf(points, file);
     if (!tree)
         return tree.problems();
