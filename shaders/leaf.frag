@@ -1,6 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
+#include "encode.glsl"
+
 uniform sampler2D leafTexture; // colour variation, alpha: shape
 uniform vec3 leafColor;
 
@@ -11,5 +13,5 @@ void main() {
     vec4 leaf = texture(leafTexture, leafCoord);
     if (leaf.a < 0.5) // leafAlphaThreshold of TreeTextures.cpp
         discard;
-    gl_FragColor = vec4(leaf.rgb * leafColor * leafLight, 1.0);
+    gl_FragColor = vec4(encoded(leaf.rgb * leafColor * leafLight), 1.0);
 }
