@@ -1,6 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
+#include "encode.glsl"
 #include "leaf_texture.glsl"
 
 uniform sampler2D leafTexture; // leaf_texture.glsl
@@ -13,5 +14,5 @@ void main() {
     vec4 leaf = texture(leafTexture, leafCoord);
     if (leaf.a < 0.5) // LeafTexels::alphaThreshold
         discard;
-    gl_FragColor = vec4(leafTint(leaf) * leafColor * leafLight, 1.0);
+    gl_FragColor = vec4(encoded(leafTint(leaf) * leafColor * leafLight), 1.0);
 }

@@ -117,7 +117,7 @@ BuiltInSpecies conifer(std::vector<std::string> names, const TreeParameters& for
                        float density, const Drag& drag, const Stand& stand, const glm::vec3& leaves,
                        const char* source) {
     BuiltInSpecies built =
-        entry(std::move(names), form, modulus, density, drag, stand, {0.35f, 0.26f, 0.21f}, leaves, source);
+        entry(std::move(names), form, modulus, density, drag, stand, {0.16f, 0.12f, 0.10f}, leaves, source);
     Species& species = built.species;
     species.wood.leafArea = 1300.0f; // Jenkins et al. 2003: 280 kg of dry needles per m^2; 4.6 m^2 per kg
     species.wood.leafMass = 0.45f;
@@ -147,10 +147,10 @@ std::vector<BuiltInSpecies> builtInSpecies() {
     pine.wood.radiusRatio = 0.48f;
     TreeParameters larch = coniferForm(5, 0.22f, 0.15f, 85.0f, 0.3f);
     larch.wood.radiusRatio = 0.5f;
-    const glm::vec3 dark{0.22f, 0.35f, 0.20f}, blueGreen{0.26f, 0.40f, 0.33f}, light{0.40f, 0.52f, 0.22f};
-    const glm::vec3 grey{0.42f, 0.38f, 0.34f}, brown{0.34f, 0.29f, 0.24f}, white{0.70f, 0.70f, 0.68f};
-    const glm::vec3 green{0.34f, 0.48f, 0.18f}, fresh{0.42f, 0.54f, 0.22f}, deep{0.30f, 0.44f, 0.16f};
-    const glm::vec3 needles{0.25f, 0.37f, 0.19f};
+    const glm::vec3 dark{0.08f, 0.15f, 0.06f}, blueGreen{0.09f, 0.17f, 0.11f}, light{0.14f, 0.22f, 0.06f};
+    const glm::vec3 grey{0.19f, 0.17f, 0.15f}, brown{0.15f, 0.13f, 0.11f}, white{0.53f, 0.53f, 0.51f};
+    const glm::vec3 green{0.11f, 0.20f, 0.05f}, fresh{0.15f, 0.23f, 0.06f}, deep{0.11f, 0.18f, 0.04f};
+    const glm::vec3 needles{0.09f, 0.15f, 0.06f};
     return {
         conifer({"Norway spruce", "spruce", "Picea abies", "Picea"}, spruce, 6.3e9f, 850, {2.35f, 0.51f, 25},
                 {129, 0.58f, 11.5f}, dark, forestGales),
