@@ -27,15 +27,17 @@ struct Habit {
     float variation = 0.3f; ///< Of a leaf's direction.
 };
 
+/// @param lean from upright toward the right.
+glm::vec2 direction(float lean) {
+    return {glm::sin(lean), glm::cos(lean)};
+}
+
 struct Shoot {
     glm::vec2 foot;
     float lean, bend, length, width;
 
     float leanAt(float t) const { return lean + bend * t; }
-    glm::vec2 at(float t) const {
-        const float middle = lean + 0.5f * bend * t;
-        return foot + length * t * glm::vec2(glm::sin(middle), glm::cos(middle));
-    }
+    glm::vec2 at(float t) const { return foot + length * t * direction(lean + 0.5f * bend * t); }
 };
 
 Habit habitOf(LeafForm form) {
@@ -237,9 +239,8 @@ private:
         const float size = 0.8f + 0.35f * _random.uniform();
         for (int attempt = 0; attempt < 3; ++attempt) {
             const float own = shoot + lean + _habit.variation * _random.symmetric();
-            const glm::vec2 way{glm::sin(own), glm::cos(own)};
-            const glm::vec2 place = foot + size * _habit.petiole * way;
-            if (!onCard(place + size * _habit.length * way))
+            const glm::vec2 place = foot + size * _habit.petiole * direction(own);
+            if (!fits(place, own, size * _habit.length))
                 continue;
             _brightness = 0.52f + 0.48f * _random.uniform();
             _hue = 0.5f + 0.4f * _random.symmetric();
@@ -279,12 +280,18 @@ private:
     }
 
     void addBlade(const glm::vec2& foot, float lean, float length) {
-        const glm::vec2 way{glm::sin(lean), glm::cos(lean)};
         if (_form == LeafForm::Frond)
-            while (length > 0.05f && !onCard(foot + length * way))
+            while (length > 0.05f && !fits(foot, lean, length))
                 length *= 0.9f;
-        if (onCard(foot + length * way))
+        if (fits(foot, lean, length))
             _blades.push_back({foot, lean, length, _brightness, _hue});
+    }
+
+    bool fits(const glm::vec2& foot, float lean, float length) const {
+        const glm::vec2 along = length * direction(lean), side{along.y, -along.x};
+        return std::all_of(_outline.begin(), _outline.end(), [&](const glm::vec2& p) {
+            return onCard(foot + p.y * along + p.x * side) && onCard(foot + p.y * along - p.x * side);
+        });
     }
 
     /// A midrib up the card, leaflets on both sides, the longest below the middle.
