@@ -31,6 +31,12 @@ double atLeast(double value, double least) {
     return value > least ? value : least;
 }
 
+/// The slice of a unit that has bent last before `attach`.
+std::size_t sliceAt(std::size_t unit, float attach) {
+    const double slice = std::clamp(static_cast<double>(attach), 0.0, 1.0) * slicesPerUnit - 0.5;
+    return unit * slicesPerUnit + static_cast<std::size_t>(std::max(slice, 0.0));
+}
+
 std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale,
                             const std::vector<UnitLoad>& loads) {
     constexpr double count = slicesPerUnit;
@@ -49,7 +55,7 @@ std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale,
             if (i > 0)
                 slice.parent = slices.size() - 1;
             else if (unit.parent >= 0)
-                slice.parent = (static_cast<std::size_t>(unit.parent) + 1) * slicesPerUnit - 1;
+                slice.parent = sliceAt(static_cast<std::size_t>(unit.parent), unit.attach);
             else
                 slice.parent = slices.size();
             slice.rootGive = load.rootGive;

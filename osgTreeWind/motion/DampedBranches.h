@@ -13,8 +13,7 @@ namespace osgTreeWind {
 
 /// What every unit of a tree is to the law `damped`. Each unit moves all that it carries, at its true
 /// distance: the static deflection is that of the bent wood under the drag of all parts, and the frequency
-/// that of the first mode of its axis with everything upon it (docs/validation.md has the derivation). Leaves
-/// are shared out by the pipe model: a unit bears leaf area as its cross-section exceeds its branches'.
+/// that of the first mode of its axis with everything upon it (docs/validation.md has the derivation).
 /// @param leaves share of its leaves that the tree bears, [0, 1].
 std::vector<Laws::DampedBranch> makeDampedBranches(const TreeModel& model, const TreeScale& scale,
                                                    const Species& species, float leaves = 1.0f);

@@ -40,20 +40,13 @@ float trunkSection(const Skeleton& skeleton, const TreeScale& scale) {
 
 /// Share of the tree's leaves on each unit.
 std::vector<float> leafShares(const TreeModel& model) {
-    const std::vector<BranchUnit>& units = model.skeleton.units;
-    std::vector<bool> bears(units.size());
-    for (const LeafCluster& cluster : model.leaves)
-        bears[static_cast<std::size_t>(cluster.unit)] = true;
-    std::vector<float> shares(units.size());
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        const float section = units[i].baseRadius * units[i].baseRadius;
-        shares[i] += section;
-        if (units[i].parent >= 0)
-            shares[static_cast<std::size_t>(units[i].parent)] -= section;
-    }
+    std::vector<float> shares(model.skeleton.units.size());
     float sum = 0.0f;
-    for (std::size_t i = 0; i < units.size(); ++i)
-        sum += shares[i] = bears[i] ? std::max(shares[i], 0.0f) : 0.0f;
+    for (const LeafCluster& cluster : model.leaves) {
+        const float area = cluster.size * cluster.size;
+        shares[static_cast<std::size_t>(cluster.unit)] += area;
+        sum += area;
+    }
     for (float& share : shares)
         share = sum > 0.0f ? share / sum : 0.0f;
     return shares;

@@ -20,8 +20,8 @@ struct UnitLoad {
     float stiffness = 1.0f; ///< K of the joint at its base (jointStiffness()) and of its roots, N m/rad.
 };
 
-/// Loads of every unit of a tree. Leaves, and the drag of a crown that was measured, are shared out by the
-/// pipe model: a unit bears leaf area as its cross-section exceeds its branches'.
+/// Loads of every unit of a tree. Leaves, and the drag of a crown that was measured, are where leaves are
+/// drawn, by the area of their clusters.
 /// @param leaves share of its leaves that the tree bears, 0 bare to 1; bare wood has a drag of its own, all
 /// branches of it.
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,

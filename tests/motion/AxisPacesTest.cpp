@@ -111,6 +111,19 @@ TEST(AxisPaces, ALimpTwigDoesNotSetThePaceOfItsTrunk) {
     EXPECT_NEAR(both[0] / alone, 1.0, 0.02);
 }
 
+TEST(AxisPaces, WhatSpringsAlongAUnitSwaysAsIfTheUnitEndedThere) {
+    const auto withStub = [](int units, float parent, float attach) {
+        TreeModel model = pole(units, 10, 0.2, 0.2);
+        BranchUnit stub{static_cast<int>(parent), 1, {0, 0, 5}, {0.5f, 0, 5}, 0.2f, 0.2f};
+        stub.attach = attach;
+        model.skeleton.units.push_back(stub);
+        return axisPaces(model, {}, bare(model), 0.0)[0];
+    };
+    const double exact = withStub(40, 19, 1.0f);
+    EXPECT_NEAR(withStub(5, 2, 0.5f) / exact, 1.0, 0.01);
+    EXPECT_NEAR(withStub(1, 0, 0.5f) / exact, 1.0, 0.04);
+}
+
 TEST(AxisPaces, JointsOfAnAxisBendAsItsWoodUnderAForceAtTheTip) {
     // An even pole in three: together they must move the tip by F L^3 / (3 E I).
     double shift = 0.0;

@@ -67,6 +67,26 @@ TEST(JointTree, APoleOfManyUnitsSwaysNearlyAsACantilever) {
     }
 }
 
+/// A pole of many units with a heavy stub at that height, where one unit ends or along the only one.
+double paceWithStub(int units, float height) {
+    TreeModel model = poleOf(units);
+    const float at = height / length * static_cast<float>(units);
+    BranchUnit stub;
+    stub.parent = std::min(static_cast<int>(at), units - 1);
+    stub.attach = at - static_cast<float>(stub.parent);
+    stub.level = 1;
+    stub.base = {0.0f, 0.0f, height};
+    stub.tip = {0.5f, 0.0f, height};
+    stub.baseRadius = stub.tipRadius = 2.0f * radius;
+    model.skeleton.units.push_back(stub);
+    return slowestModes(makeJointTree(model, {}, Species()), 1)[0].speed;
+}
+
+TEST(JointTree, WhatSpringsAlongAUnitSwaysAsIfTheUnitEndedThere) {
+    for (const float height : {1.7f, 4.3f, 6.7f})
+        EXPECT_NEAR(paceWithStub(6, height) / paceWithStub(80, height), 1.0, 0.06) << height << " m up";
+}
+
 TEST(JointTree, JointsGiveAsThoseOfDamped) {
     const GrownTree oak("oak", {15, 0.3f, 0});
     const JointTree tree = oak.joints();
