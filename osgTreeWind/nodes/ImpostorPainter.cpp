@@ -101,7 +101,7 @@ public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings), _leaves(leafPieces(model, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton)), _barkColor(meanBark(appearance)),
-          _stencils(appearance.needles() ? *needleImage() : *bladeImage()),
+          _stencils(*leafImage(appearance.leafForm)),
           _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();
