@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/motion/SpeciesForms.h>
 
 #include <glm/trigonometric.hpp>
@@ -125,7 +126,7 @@ std::vector<BuiltInSpecies> builtInSpecies() {
     const glm::vec3 resin{0.35f, 0.26f, 0.21f}, orange{0.46f, 0.27f, 0.17f}, pale{0.55f, 0.55f, 0.47f};
     const Look spruce{B::Plated, resin, L::Needles, dark}, fir{B::Smooth, grey, L::Needles, dark};
     const Look pine{B::Plated, brown, L::Bundles, needles};
-    return {
+    std::vector<BuiltInSpecies> all = {
         conifer({"Norway spruce", "spruce", "Picea abies", "Picea"}, F::Spruce, 6.3e9f, 850, {2.35f, 0.51f, 25},
                 {129, 0.58f, 11.5f}, spruce, forestGales),
         conifer({"Sitka spruce", "Picea sitchensis"}, F::SitkaSpruce, 5.9e9f, 850, {2.35f, 0.51f, 25},
@@ -193,6 +194,9 @@ std::vector<BuiltInSpecies> builtInSpecies() {
               F::Broadleaf, 9.0e9f, 900, broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Blade, green},
               "means of green hardwoods, Forest Products Laboratory 2010; drag: ForestGALES"),
     };
+    for (BuiltInSpecies& built : all)
+        built.species.tree.leaves.area = cardArea(built.species);
+    return all;
 }
 
 std::optional<Species> findBuiltInSpecies(const std::string& name) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/Appearance.h>
+#include <osgTreeWind/motion/Species.h>
 
 namespace osgTreeWind {
 
@@ -43,6 +43,12 @@ constexpr float leafCoverage(LeafForm form) {
 /// Share of a leaf card that its twigs cover when bare: sprays are painted to it.
 constexpr float twigCoverage(LeafForm form) {
     return form == LeafForm::Frond ? 0.02f : form == LeafForm::Fingered ? 0.05f : 0.07f;
+}
+
+/// Area that the leaf cards of a tree need, one side, over its trunk's cross-section, so that the leaves on them
+/// have WoodParameters::leafArea.
+inline float cardArea(const Species& species) {
+    return species.wood.leafArea / leafCoverage(species.appearance.leafForm);
 }
 
 } // namespace osgTreeWind

@@ -43,8 +43,10 @@ TreeParameters treeOf(const Crown& crown, const Angles& boughs, const Angles& br
     turn(tree.branches, branches);
     turn(tree.twigs, twigs);
     LeafParameters& leaves = form.leaves;
-    leaves.clusters = 1900;
-    leaves.bare = 0.5f;
+    leaves.clusters = 1300;
+    leaves.bare = 0.4f;
+    leaves.length = 0.45f;
+    leaves.width = 0.36f;
     return form;
 }
 
@@ -58,19 +60,18 @@ TreeParameters broadleaf(const Crown& crown, const Angles& boughs, const Angles&
     tree.trunkCrook = 0.3f * crook;
     tree.forks = 3;
     tree.forkInclination = deg(28.0f);
-    tree.boughs.count = 12;
-    tree.boughs.units = 2;
+    tree.boughs.count = 13;
     tree.boughs.crook = crook;
     tree.boughs.taper = 0.35f;
     tree.boughs.lengthVariation = 0.15f;
-    tree.branches.count = 7;
+    tree.branches.count = 8;
     tree.branches.start = 0.2f;
-    tree.branches.length = 0.62f;
+    tree.branches.length = 0.75f;
     tree.branches.lengthVariation = 0.3f;
     tree.branches.crook = crook;
-    tree.twigs.count = 3;
-    tree.twigs.start = 0.25f;
-    tree.twigs.length = 0.62f;
+    tree.twigs.count = 4;
+    tree.twigs.start = 0.2f;
+    tree.twigs.length = 0.8f;
     tree.twigs.lengthVariation = 0.3f;
     tree.twigs.crook = 0.6f * crook;
     form.leaves.inclination = deg(leafAngle);
@@ -83,15 +84,15 @@ TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, cons
     TreeParameters form = treeOf(crown, bough, branches, {});
     GrownTreeParameters& tree = *form.grown;
     tree.trunkUnits = 8;
-    tree.trunkTaper = 0.16f;
+    tree.trunkTaper = 0.2f;
     tree.trunkCrook = 0.02f;
     tree.forks = 1;
     tree.forkInclination = 0.0f;
     tree.whorl = 5;
     tree.boughs.count = boughs;
     tree.boughs.crook = 0.06f;
-    tree.boughs.sections = 0.75f;
-    tree.boughs.taper = 0.3f;
+    tree.boughs.sections = 1.4f;
+    tree.boughs.taper = 0.4f;
     tree.boughs.lengthVariation = 0.2f;
     tree.boughs.inclinationVariation = 0.12f;
     tree.branches.count = 5;
