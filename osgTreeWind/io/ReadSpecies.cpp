@@ -2,9 +2,9 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace osgTreeWind {
@@ -41,7 +41,8 @@ void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
 }
 
 void readLeafShape(TableReader& table, LeafParameters& leaves) {
-    table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64));
+    if (table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64)))
+        leaves.clusters = 0;
     table.read("first_level", leaves.firstLevel, within(0, 9));
     table.read("length", leaves.length, within(0.001, 10));
     table.read("width", leaves.width, within(0.001, 10));
@@ -141,20 +142,13 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     return true;
 }
 
-/// Leaves of a scanned tree, which knows of none: on its outer branches, so many as on any other tree.
-LeafParameters leavesOfScans(const std::vector<ScannedTree>& scans) {
-    int last = 9;
-    std::size_t most = 1;
+/// Leaves of scanned trees, which know of none: so many as on a built-in tree, on all thin wood.
+LeafParameters leavesOfScans() {
     LeafParameters leaves;
-    for (const ScannedTree& scan : scans) {
-        int deepest = 0;
-        for (const BranchUnit& unit : scan.skeleton.units)
-            deepest = std::max(deepest, unit.level);
-        last = std::min(last, deepest);
-        most = std::max(most, scan.skeleton.units.size());
-    }
-    leaves.firstLevel = std::clamp(last - 1, 0, 2);
-    leaves.clustersPerBranch = std::clamp(1900 / static_cast<int>(most), 1, 16);
+    leaves.firstLevel = 0;
+    leaves.clusters = 1300;
+    leaves.thickest = 0.12f;
+    leaves.inclination = 0.6f;
     return leaves;
 }
 
@@ -174,7 +168,7 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     if (scans.empty())
         return table.problem("scan", "expected at least one file");
     species.shapes = static_cast<int>(scans.size());
-    species.tree.leaves = leavesOfScans(scans);
+    species.tree.leaves = leavesOfScans();
     species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 
@@ -197,11 +191,17 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     table.read("shapes", species.shapes, within(1, mostShapes));
     readScans(table, reading, species);
     table.table("tree", [&](TableReader& t) { readWoodShape(t, species.tree.wood); });
-    table.table("leaves", [&](TableReader& t) { readLeafShape(t, species.tree.leaves); });
+    bool leafSize = false;
+    table.table("leaves", [&](TableReader& t) {
+        readLeafShape(t, species.tree.leaves);
+        leafSize = t.has("length") || t.has("width");
+    });
     table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
     table.table("branch", [&](TableReader& t) { readBranchMotion(t, species.branch); });
     table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
     table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance); });
+    if (species.tree.scans && !leafSize)
+        species.tree.leaves.area = cardArea(species);
     reading.forest.species.push_back(std::move(species));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/BranchSkin.h>
+#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/RecursiveTree.h>
 #include <osgTreeWind/model/ScannedTree.h>
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
@@ -18,7 +20,8 @@ namespace osgTreeWind {
 /// Everything that shapes a tree.
 struct TreeParameters {
     RecursiveTreeParameters wood;
-    /// In place of `wood`: variant v takes scan v modulo their number. Null or at least one.
+    std::optional<GrownTreeParameters> grown; ///< In place of `wood`.
+    /// In place of both: variant v takes scan v modulo their number. Null or at least one.
     std::shared_ptr<const std::vector<ScannedTree>> scans;
     LeafParameters leaves;
 };
@@ -32,7 +35,7 @@ struct TreeModel {
     TreeExtents extents; ///< makeTreeExtents() of the above, for measureTree() and fitTree().
 };
 
-/// Grows skeleton, skin and leaves. Both seeds of `parameters` are offset by `variant`.
+/// Grows skeleton, skin and leaves. All seeds of `parameters` are offset by `variant`.
 TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
 
 /// What a tree is made of. Vertices are unique ones; triangles are what is drawn.
@@ -47,7 +50,7 @@ struct TreeCounts {
 };
 
 TreeCounts countTree(const TreeModel& model);
-/// The same numbers without growing the tree; all are exact.
+/// The same numbers without growing skin and leaves; all are exact.
 TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
 /// Of each number the largest among variants 0 to `shapes` - 1.
 TreeCounts countLargest(const TreeParameters& parameters, int shapes);
