@@ -142,12 +142,12 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     return true;
 }
 
-/// Leaves of scanned trees, which know of none: so many as on a built-in tree, on all thin wood.
+/// Leaves of scanned trees, which know of none: so many as on a built-in tree, on the thinner wood.
 LeafParameters leavesOfScans() {
     LeafParameters leaves;
     leaves.firstLevel = 0;
     leaves.clusters = 1300;
-    leaves.thickest = 0.12f;
+    leaves.thinWood = 0.6f;
     leaves.inclination = 0.6f;
     return leaves;
 }
