@@ -47,8 +47,9 @@ LeafStencils::LeafStencils(const osg::Image& texture) : _texels(texture.s()) {
             glm::vec4 color = filtered(texture, mipmap, at);
             if (part > 0.0f)
                 color = glm::mix(color, filtered(texture, mipmap + 1, at), part);
-            _levels[i].solid[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
-            _levels[i].colors[static_cast<std::size_t>(cell)] = leafTint(color.r, color.g);
+            _levels[i].leaves[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
+            _levels[i].twigs[static_cast<std::size_t>(cell)] = color.b >= LeafTexels::alphaThreshold;
+            _levels[i].tints[static_cast<std::size_t>(cell)] = leafTint(color.r, color.g);
         }
     }
 }

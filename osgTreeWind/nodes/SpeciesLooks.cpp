@@ -30,6 +30,7 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) {
     looks.leaves->setTextureAttribute(0, foliage);
     looks.leaves->addUniform(new osg::Uniform("leafTexture", 0));
     looks.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
+    looks.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
     looks.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
