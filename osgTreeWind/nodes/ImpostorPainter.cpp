@@ -90,12 +90,13 @@ std::vector<BarkPiece> barkPieces(const Skeleton& skeleton) {
     return pieces;
 }
 
+/// As shaders/bark_texture.glsl, in the mean.
 glm::vec3 meanBark(const Appearance& appearance) {
-    const osg::ref_ptr<osg::Image> image = barkImage();
-    double sum = 0.0;
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance.barkForm);
+    glm::vec3 sum(0.0f);
     for (int i = 0; i < image->s() * image->t(); ++i)
-        sum += image->data()[i];
-    return appearance.bark * static_cast<float>(sum / (255.0 * image->s() * image->t()));
+        sum += texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
+    return appearance.bark * sum / static_cast<float>(image->s() * image->t());
 }
 
 class Painter {

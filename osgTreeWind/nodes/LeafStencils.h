@@ -13,7 +13,7 @@ namespace osgTreeWind {
 class LeafStencils {
 public:
     struct Level {
-        TreeRaster::Stencil leaves, twigs; ///< In leaf, and bare.
+        TreeRaster::Stencil leaves, twigs;                                  ///< In leaf, and bare.
         std::array<glm::vec3, TreeRaster::cells * TreeRaster::cells> tints; ///< Of leaves.
     };
 
