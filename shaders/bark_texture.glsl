@@ -2,7 +2,7 @@
 // What a texel of bark means (osgTreeWind/nodes/BarkRelief.h).
 #pragma import_defines(LIGHT_MASK, UNLIT)
 
-#include "texel_tint.glsl"
+#include "law/tint.glsl"
 
 uniform sampler2D barkTexture; // brightness, height, hue
 uniform vec3 barkColor;

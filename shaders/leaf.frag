@@ -1,6 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
+#include "encode.glsl"
 #include "leaf_texture.glsl"
 
 in vec2 leafCoord;
@@ -11,5 +12,5 @@ void main() {
     vec4 leaf = texture(leafTexture, leafCoord);
     if (leafAlpha(leaf, leafBorne) < 0.5) // LeafTexels::alphaThreshold
         discard;
-    gl_FragColor = vec4(leafAlbedo(leaf, leafBorne) * leafLight, 1.0);
+    gl_FragColor = vec4(encoded(leafAlbedo(leaf, leafBorne) * leafLight), 1.0);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a texel of a leaf texture means (osgTreeWind/nodes/LeafTexels.h).
 
-#include "texel_tint.glsl"
+#include "law/tint.glsl"
 
 uniform sampler2D leafTexture; // brightness, hue, alpha of bare twigs, alpha of leaves and twigs
 uniform vec3 leafColor;

@@ -82,7 +82,13 @@ void readLeafMotion(TableReader& table, LeafMotion& leaf) {
     table.read("noise_frequency", leaf.noiseFrequency, within(0, 100));
 }
 
-void readAppearance(TableReader& table, Appearance& appearance) {
+void readPicture(TableReader& table, const char* key, ForestReading& reading, std::string& path) {
+    if (table.has(key))
+        if (const auto file = reading.open(table, key))
+            path = file->path;
+}
+
+void readAppearance(TableReader& table, Appearance& appearance, ForestReading& reading) {
     table.read("bark", appearance.bark, within(0, 1));
     table.read("leaves", appearance.leaves, within(0, 1));
     table.readChoice<LeafForm>("leaf_form", appearance.leafForm,
@@ -107,6 +113,8 @@ void readAppearance(TableReader& table, Appearance& appearance) {
                                 {"banded", BarkForm::Banded},
                                 {"flaking", BarkForm::Flaking},
                                 {"ringed", BarkForm::Ringed}});
+    readPicture(table, "leaf_image", reading, appearance.leafImage);
+    readPicture(table, "bark_image", reading, appearance.barkImage);
 }
 
 void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
@@ -131,7 +139,7 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
     table.table("branch", [&](TableReader& t) { readBranchMotion(t, species.branch); });
     table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
-    table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance); });
+    table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance, reading); });
     reading.forest.species.push_back(std::move(species));
 }
 

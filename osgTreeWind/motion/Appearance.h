@@ -3,6 +3,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <string>
+
 namespace osgTreeWind {
 
 /// What the sprays on a leaf texture are made of, by genus.
@@ -35,14 +37,16 @@ enum class BarkForm {
 
 /// How a kind of tree looks. Linear RGB colours, each in [0, 1].
 struct Appearance {
-    glm::vec3 bark{0.40f, 0.33f, 0.27f};
-    glm::vec3 leaves{0.38f, 0.50f, 0.20f};
+    glm::vec3 bark{0.18f, 0.15f, 0.12f};
+    glm::vec3 leaves{0.13f, 0.21f, 0.05f};
     LeafForm leafForm = LeafForm::Blade;
     BarkForm barkForm = BarkForm::Furrowed;
+    std::string leafImage; ///< A picture file to take instead of what we paint: nodes/TreePicture.h.
+    std::string barkImage;
 
     /// Of twigs: darker than the bark of the stem, and never white.
     glm::vec3 twigs() const {
-        return barkForm == BarkForm::Banded ? glm::vec3(0.16f, 0.09f, 0.07f) : 0.6f * bark;
+        return barkForm == BarkForm::Banded ? glm::vec3(0.06f, 0.035f, 0.028f) : 0.6f * bark;
     }
     bool needles() const { return leafForm >= LeafForm::Needles && leafForm <= LeafForm::Tufts; }
 };

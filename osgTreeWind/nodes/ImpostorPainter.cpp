@@ -2,6 +2,7 @@
 #include <osgTreeWind/nodes/ImpostorPainter.h>
 
 #include <osgTreeWind/model/CrownEllipsoid.h>
+#include <osgTreeWind/motion/Laws.h>
 #include <osgTreeWind/nodes/ImpostorAtlas.h>
 #include <osgTreeWind/nodes/LeafStencils.h>
 #include <osgTreeWind/nodes/TreeTextures.h>
@@ -56,14 +57,14 @@ ImpostorSettings clamped(ImpostorSettings s) {
 std::vector<LeafPiece> leafPieces(const TreeModel& model, const Appearance& appearance, float share) {
     const CrownEllipsoid ellipsoid(model.leaves);
     std::vector<LeafPiece> pieces;
-    float index = 0.0f;
-    std::size_t cluster = 0;
+    std::size_t next = 0;
     for (const LeafCluster& leaf : model.leaves) {
-        const float own = glm::fract(0.754878f * index++);
-        const bool borne = isBorne(cluster++, share);
+        const std::size_t index = next++;
+        const bool borne = isBorne(index, share);
         const glm::vec4 crown = ellipsoid.at(leaf.anchor);
         const glm::vec3 outward(crown);
-        const glm::vec3 color = (0.88f + 0.24f * own) * glm::mix(0.65f, 1.0f, crown.w) *
+        const glm::vec3 color = glm::mix(0.65f, 1.0f, crown.w) *
+                                Laws().clusterTint(0.0f, static_cast<float>(index)) *
                                 (borne ? appearance.leaves : appearance.twigs());
         for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
             const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
@@ -92,10 +93,10 @@ std::vector<BarkPiece> barkPieces(const Skeleton& skeleton) {
 
 /// As shaders/bark_texture.glsl, in the mean.
 glm::vec3 meanBark(const Appearance& appearance) {
-    const osg::ref_ptr<osg::Image> image = barkImage(appearance.barkForm);
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
     glm::vec3 sum(0.0f);
     for (int i = 0; i < image->s() * image->t(); ++i)
-        sum += texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
+        sum += Laws().texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
     return appearance.bark * sum / static_cast<float>(image->s() * image->t());
 }
 
@@ -104,7 +105,7 @@ public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings), _leaves(leafPieces(model, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton)), _barkColor(meanBark(appearance)),
-          _stencils(*leafImage(appearance.leafForm)), _raster(settings.pixels * settings.samples),
+          _stencils(*leafImage(appearance)), _raster(settings.pixels * settings.samples),
           _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();

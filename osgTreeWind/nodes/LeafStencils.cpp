@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/LeafStencils.h>
 
+#include <osgTreeWind/motion/Laws.h>
 #include <osgTreeWind/nodes/LeafTexels.h>
-#include <osgTreeWind/nodes/TreeTextures.h>
 
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
@@ -45,7 +45,7 @@ LeafStencils::LeafStencils(const osg::Image& texture) : _texels(texture.s()) {
                 color = glm::mix(color, filtered(texture, mipmap + 1, at), part);
             _levels[i].leaves[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
             _levels[i].twigs[static_cast<std::size_t>(cell)] = color.b >= LeafTexels::alphaThreshold;
-            _levels[i].tints[static_cast<std::size_t>(cell)] = texelTint(color.r, color.g);
+            _levels[i].tints[static_cast<std::size_t>(cell)] = Laws().texelTint(color.r, color.g);
         }
     }
 }

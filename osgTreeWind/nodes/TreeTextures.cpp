@@ -3,6 +3,9 @@
 
 #include <osgTreeWind/nodes/BarkRelief.h>
 #include <osgTreeWind/nodes/LeafSpray.h>
+#include <osgTreeWind/nodes/TreePicture.h>
+
+#include <osg/observer_ptr>
 
 #include <array>
 #include <mutex>
@@ -26,16 +29,41 @@ private:
     std::array<osg::ref_ptr<osg::Image>, count> _images;
 };
 
+/// Pictures of files, read once as long as somebody has them.
+class ReadOnce {
+public:
+    template <typename Read>
+    osg::ref_ptr<osg::Image> image(const std::string& path, Read read) {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        osg::ref_ptr<osg::Image> image;
+        if (!_images[path].lock(image))
+            _images[path] = image = read(path);
+        return image;
+    }
+
+private:
+    std::mutex _mutex;
+    std::map<std::string, osg::observer_ptr<osg::Image>> _images;
+};
+
 } // namespace
 
-osg::ref_ptr<osg::Image> leafImage(LeafForm form) {
+osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
+    static ReadOnce pictures;
+    if (!appearance.leafImage.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
+            return picture;
     static PaintedOnce<LeafForm, static_cast<std::size_t>(LeafForm::Frond) + 1> images;
-    return images.image(form, [](LeafForm f) { return makeLeafImage(paintSpray(f)); });
+    return images.image(appearance.leafForm, [](LeafForm form) { return makeLeafImage(paintSpray(form)); });
 }
 
-osg::ref_ptr<osg::Image> barkImage(BarkForm form) {
+osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
+    static ReadOnce pictures;
+    if (!appearance.barkImage.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.barkImage, readBarkPicture))
+            return picture;
     static PaintedOnce<BarkForm, static_cast<std::size_t>(BarkForm::Ringed) + 1> images;
-    return images.image(form, paintBark);
+    return images.image(appearance.barkForm, paintBark);
 }
 
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
@@ -46,6 +74,22 @@ osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
     texture->setWrap(osg::Texture::WRAP_T, along);
+    return texture;
+}
+
+osg::Texture2D* TreeTextures::leaves(const Appearance& appearance) {
+    const osg::ref_ptr<osg::Image> image = leafImage(appearance);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
+    if (!texture)
+        texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
+}
+
+osg::Texture2D* TreeTextures::bark(const Appearance& appearance) {
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
+    if (!texture)
+        texture = makeTreeTexture("bark", image, osg::Texture::REPEAT);
     return texture;
 }
 

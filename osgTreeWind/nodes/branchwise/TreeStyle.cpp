@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/nodes/TreeTextures.h>
 
 namespace osgTreeWind {
 
@@ -12,16 +11,9 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
         _barkProgram = createProgram("branchwise/bark", "bark");
         _leafProgram = createProgram("branchwise/leaf", "leaf");
     }
-    osg::ref_ptr<osg::Texture2D>& bark = _bark[appearance.barkForm];
-    if (!bark)
-        bark = makeTreeTexture("bark", barkImage(appearance.barkForm), osg::Texture::REPEAT);
-    osg::ref_ptr<osg::Texture2D>& foliage = _leaves[appearance.leafForm];
-    if (!foliage)
-        foliage = makeTreeTexture("leaves", leafImage(appearance.leafForm), osg::Texture::CLAMP_TO_EDGE);
-
     TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr, nullptr};
     style.bark->setAttributeAndModes(_barkProgram);
-    style.bark->setTextureAttribute(0, bark);
+    style.bark->setTextureAttribute(0, _textures.bark(appearance));
     style.bark->addUniform(new osg::Uniform("barkTexture", 0));
     style.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
     style.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
@@ -30,7 +22,7 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
     style.branchBark->addUniform(new osg::Uniform("treeFirstUnit", -1));
 
     style.leaves->setAttributeAndModes(_leafProgram);
-    style.leaves->setTextureAttribute(0, foliage);
+    style.leaves->setTextureAttribute(0, _textures.leaves(appearance));
     style.leaves->addUniform(new osg::Uniform("leafTexture", 0));
     style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
     style.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
