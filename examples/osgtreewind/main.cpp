@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
     addRenderCommand(app, exitCode);
     addSimulateCommand(app, exitCode);
     addSwayCommand(app, exitCode);
+    addPortraitCommand(app, exitCode);
     addBenchCommand(app, exitCode);
     addWindCommand(app, exitCode);
     try {

@@ -43,6 +43,7 @@ struct BranchSkin {
     std::vector<SkinVertex> drawOrder() const;
 };
 
+/// The foot of the stem is wider by the skeleton's flare, in five roots, up to 1.2 m or a tenth of the tree.
 /// @param detail fewer sides stand farther out, so that a branch is as wide as ever in the mean over all
 /// directions it is seen from.
 BranchSkin makeBranchSkin(const Skeleton& skeleton, const SkinDetail& detail = {});

@@ -22,7 +22,8 @@ struct BranchUnit {
 /// Units stand in depth-first access order (Fig 4.5); every parent comes before its children.
 /// Generic: any maker (recursive generator, species form, scan) may fill it.
 struct Skeleton {
-    int ringsPerBranch = 16;       ///< `numBreaks`: points of one unit, at least 2.
+    int ringsPerBranch = 16; ///< `numBreaks`: points of one unit, at least 2.
+    float flare = 0.0f;      ///< How much wider bark is at the foot of the stem, over its radius, [0, 3].
     std::vector<BranchUnit> units; ///< In access order.
     std::vector<glm::vec3> points; ///< units.size() * ringsPerBranch, unit after unit, base to tip.
 

@@ -107,7 +107,7 @@ public:
         : _settings(settings), _crown(model.leaves, model.leafMesh),
           _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
-          _stencils(appearance.needles() ? *needleImage() : *bladeImage()),
+          _stencils(*leafImage(appearance.leafForm)),
           _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();

@@ -55,6 +55,39 @@ TEST(BranchSkin, RingsLieAcrossTheBranchAtItsRadius) {
     }
 }
 
+TEST(BranchSkin, TheFootOfAStemFlaresBelowBreastHeight) {
+    Skeleton skeleton = makeRecursiveTree(regularTree());
+    const BranchSkin plain = makeBranchSkin(skeleton);
+    skeleton.flare = 0.6f;
+    const BranchSkin flared = makeBranchSkin(skeleton);
+    float widest = 0.0f, mean = 0.0f;
+    for (std::size_t i = 0; i < plain.vertices.size(); ++i) {
+        const float ratio = flared.vertices[i].radius / plain.vertices[i].radius;
+        if (i < 8) {
+            widest = std::max(widest, ratio);
+            mean += ratio / 8.0f;
+        }
+        ASSERT_GE(ratio, 1.0f);
+        if (plain.vertices[i].centre.z >= 1.2f || plain.vertices[i].unit > 1.0f) {
+            ASSERT_EQ(ratio, 1.0f) << "at " << plain.vertices[i].centre.z << " m";
+        }
+    }
+    EXPECT_NEAR(mean, 1.0f + 0.6f * 0.99f, 0.01f); // 100^1 - 1 over 100
+    EXPECT_GT(widest, 1.1f * mean) << "roots should stand out";
+}
+
+TEST(BranchSkin, BarkGoesOnFromWhereABranchSprings) {
+    Skeleton skeleton = makeRecursiveTree(regularTree());
+    BranchUnit& branch = skeleton.units[2];
+    branch.attach = 0.25f;
+    const std::size_t parent = static_cast<std::size_t>(branch.parent);
+    const BranchSkin skin = makeBranchSkin(skeleton);
+    const std::size_t perUnit = static_cast<std::size_t>(skeleton.ringsPerBranch) * 8;
+    const float start = skin.vertices[parent * perUnit].uv.y,
+                end = skin.vertices[(parent + 1) * perUnit - 1].uv.y;
+    EXPECT_FLOAT_EQ(skin.vertices[2 * perUnit].uv.y, start + 0.25f * (end - start));
+}
+
 TEST(BranchSkin, RingsOfAStraightBranchAreRegularOctagons) {
     const BranchSkin skin = makeBranchSkin(makeRecursiveTree(regularTree()));
     for (std::size_t ring = 0; ring < skin.vertices.size(); ring += 8)
