@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/Appearance.h>
+#include <osgTreeWind/motion/Species.h>
 
 namespace osgTreeWind {
 
@@ -22,6 +22,12 @@ constexpr float leafCoverage(LeafForm form) {
 }
 constexpr float twigCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].twigs;
+}
+
+/// Area that the leaf cards of a tree need, one side, over its trunk's cross-section, so that the leaves on them
+/// have WoodParameters::leafArea.
+inline float cardArea(const Species& species) {
+    return species.wood.leafArea / leafCoverage(species.appearance.leafForm);
 }
 
 } // namespace osgTreeWind
