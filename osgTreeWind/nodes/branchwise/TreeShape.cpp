@@ -20,9 +20,11 @@ std::vector<unsigned> unitsWithoutLeaves(const TreeModel& model) {
 } // namespace
 
 TreeShape::TreeShape(std::shared_ptr<const TreeModel> model)
-    : _model(std::move(model)), _skin(makeSkinGeometry(_model->skin)),
-      _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, CrownEllipsoid(_model->leaves))),
-      _leafCluster(new LeafClusterDrawable(*_model)), _unitSkins(_model->skeleton.units.size()) {
+    : _model(std::move(model)), _leafCluster(new LeafClusterDrawable(*_model)),
+      _unitSkins(_model->skeleton.units.size()) {
+    const CrownShade crown(_model->leaves, _model->leafMesh);
+    _skin = makeSkinGeometry(_model->skin, crown);
+    _leaves = makeLeafGeometry(_model->leaves, _model->leafMesh, crown);
     _bareSkin = skinOf(unitsWithoutLeaves(*_model));
 }
 
