@@ -25,6 +25,7 @@ struct LeafPiece {
     glm::vec3 corner, across, along; ///< Metres, tree frame.
     glm::vec3 color;
     LightLobe light;
+    bool borne; ///< Or bare twigs.
 };
 
 /// A stretch of a branch.
@@ -59,14 +60,14 @@ ImpostorSettings clamped(ImpostorSettings s) {
 std::vector<LeafPiece> leafPieces(const TreeModel& model, const CrownShade& crown,
                                   const Appearance& appearance, float share) {
     std::vector<LeafPiece> pieces;
-    float next = 0.0f;
+    std::size_t cluster = 0;
     for (const LeafCluster& leaf : model.leaves) {
-        const float index = next++;
-        if (glm::fract(0.618034f * index) >= share)
-            continue;
+        const auto index = static_cast<float>(cluster);
+        const bool borne = isBorne(cluster++, share);
         const glm::vec3 outward = crown.outward(leaf.anchor);
         const CrownShade::Light light = crown.at(leaf.anchor);
-        const glm::vec3 color = Laws().clusterTint(0.0f, index) * appearance.leaves;
+        const glm::vec3 color =
+            borne ? Laws().clusterTint(0.0f, index) * appearance.leaves : appearance.twigs();
         for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
             const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
             const glm::vec3 corner = model.leafMesh[i].corner,
@@ -74,7 +75,7 @@ std::vector<LeafPiece> leafPieces(const TreeModel& model, const CrownShade& crow
             const float side = glm::sign(glm::dot(blade, outward));
             pieces.push_back({leaf.anchor + turned(corner), turned(model.leafMesh[i + 1].corner - corner),
                               turned(model.leafMesh[i + 3].corner - corner), color,
-                              LightLobe(light, glm::normalize(outward + 0.5f * side * blade), true)});
+                              LightLobe(light, glm::normalize(outward + 0.5f * side * blade), true), borne});
         }
     }
     return pieces;
@@ -93,12 +94,13 @@ std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& cr
     return pieces;
 }
 
+/// As shaders/bark_texture.glsl, in the mean.
 glm::vec3 meanBark(const Appearance& appearance) {
-    const osg::ref_ptr<osg::Image> image = barkImage();
-    double sum = 0.0;
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance.barkForm);
+    glm::vec3 sum(0.0f);
     for (int i = 0; i < image->s() * image->t(); ++i)
-        sum += image->data()[i];
-    return appearance.bark * static_cast<float>(sum / (255.0 * image->s() * image->t()));
+        sum += texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
+    return appearance.bark * sum / static_cast<float>(image->s() * image->t());
 }
 
 class Painter {
@@ -107,8 +109,8 @@ public:
         : _settings(settings), _crown(model.leaves, model.leafMesh),
           _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
-          _stencils(*leafImage(appearance.leafForm)),
-          _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
+          _stencils(*leafImage(appearance.leafForm)), _raster(settings.pixels * settings.samples),
+          _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();
     }
@@ -210,7 +212,7 @@ private:
             const std::size_t level = _stencils.levelOf(share);
             _levels[item] = static_cast<std::uint8_t>(level);
             _raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
-                         _stencils.level(level).solid, item++);
+                         piece.borne ? _stencils.level(level).leaves : _stencils.level(level).twigs, item++);
         }
         for (std::size_t i = 0; i < _bark.size(); ++i) {
             const BarkPiece& piece = _bark[i];
@@ -260,7 +262,9 @@ private:
         if (sample.item < _leaves.size()) {
             const LeafPiece& leaf = _leaves[sample.item];
             const LeafStencils::Level& level = _stencils.level(_levels[sample.item]);
-            sum.add(level.colors[static_cast<std::size_t>(sample.cell)] * leaf.color, leaf.light, 1.0f);
+            const glm::vec3 tint =
+                leaf.borne ? level.tints[static_cast<std::size_t>(sample.cell)] : glm::vec3(1.0f);
+            sum.add(tint * leaf.color, leaf.light, 1.0f);
             return;
         }
         const std::size_t piece = sample.item - _leaves.size();
