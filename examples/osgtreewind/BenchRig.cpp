@@ -6,6 +6,7 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/model/CrownShade.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/motion/PosedPoints.h>
 #include <osgTreeWind/nodes/SpeciesLooks.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
@@ -143,7 +144,7 @@ RestGeometry restBark(const TreeModel& model, const TreeScale& scale) {
 
 RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
     RestGeometry rest;
-    const CrownShade crown(model.leaves, model.leafMesh);
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(LeafForm::Blade));
     for (std::size_t i = 0; i < model.leaves.size(); ++i) {
         const LeafCluster& leaf = model.leaves[i];
         const glm::vec3 outward = crown.outward(leaf.anchor);
@@ -153,8 +154,7 @@ RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
             const glm::vec3 blade = leaf.orientation * v.normal;
             const float side = glm::dot(blade, outward) < 0.0f ? -0.5f : 0.5f;
             rest.add(posedLeafPoint(leaf, v.corner, leaf.orientation, scale, {}),
-                     glm::normalize(outward + side * blade), v.uv, leaf.unit,
-                     (0.88f + 0.24f * own) * sky);
+                     glm::normalize(outward + side * blade), v.uv, leaf.unit, (0.88f + 0.24f * own) * sky);
         }
     }
     rest.setTriangles(leafIndices(model.leaves.size()));

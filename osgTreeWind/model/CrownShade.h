@@ -26,7 +26,7 @@ public:
     CrownShade() = default;
     /// @param coverage share of a cluster's quads that is leaf.
     CrownShade(const std::vector<LeafCluster>& leaves,
-               const std::array<LeafVertex, verticesPerLeafCluster>& mesh, float coverage = 0.4f);
+               const std::array<LeafVertex, verticesPerLeafCluster>& mesh, float coverage);
 
     Light at(const glm::vec3& point) const;
     /// Out of the ellipsoid that the anchors of the leaves fill; unit length.

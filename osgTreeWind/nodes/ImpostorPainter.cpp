@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/model/CrownShade.h>
 #include <osgTreeWind/motion/Laws.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/nodes/ImpostorAtlas.h>
 #include <osgTreeWind/nodes/LeafStencils.h>
 #include <osgTreeWind/nodes/LightLobe.h>
@@ -106,7 +107,7 @@ glm::vec3 meanBark(const Appearance& appearance) {
 class Painter {
 public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
-        : _settings(settings), _crown(model.leaves, model.leafMesh),
+        : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
           _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
           _stencils(*leafImage(appearance.leafForm)), _raster(settings.pixels * settings.samples),

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/TreeDetail.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace osgTreeWind {
 StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance,
                        const ForestDrawing& drawing, osg::Program* impostorProgram)
     : _species(species) {
-    const CrownShade crown(model.leaves, model.leafMesh);
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
     const TreeDetail details[branchTiers] = {TreeDetail::full(), TreeDetail::reducedOnce(),
                                              TreeDetail::reducedTwice()};

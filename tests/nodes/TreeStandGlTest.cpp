@@ -4,6 +4,7 @@
 #include "Pictures.h"
 
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/motion/PosedPoints.h>
 #include <osgTreeWind/nodes/PickedTree.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
@@ -239,7 +240,7 @@ TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     osg::ref_ptr<Forest> forest = new Forest(description), plain = new Forest(description);
     const std::vector<TreeModel>& models = forest->getSimulation().models();
     for (std::size_t model = 0; model < models.size(); ++model) {
-        const CrownShade crown(models[model].leaves, models[model].leafMesh);
+        const CrownShade crown(models[model].leaves, models[model].leafMesh, leafCoverage(LeafForm::Blade));
         forest->setGeometry(model, makeSkinGeometry(models[model].skin, crown),
                             makeLeafGeometry(models[model].leaves, models[model].leafMesh, crown));
     }
