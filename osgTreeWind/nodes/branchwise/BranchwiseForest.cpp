@@ -46,7 +46,7 @@ std::string BranchwiseForest::problemOf(const ForestDescription& description) {
         return {};
     std::vector<std::size_t> units, leaves;
     for (const Species& species : description.species) {
-        const TreeCounts counts = countTree(species.tree);
+        const TreeCounts counts = countLargest(species.tree, species.shapes);
         units.push_back(counts.units);
         leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
     }
