@@ -32,10 +32,10 @@ void main() {
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading());
-    vec3 own = treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w);
+    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
+    vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
     leafLight = own * leafShade(eyePosition.xyz, eyeDirection(pose, normal), shade);
     leafCoord = gl_MultiTexCoord0.xy;
-    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     gl_ClipVertex = eyePosition;

@@ -35,10 +35,10 @@ void main() {
     vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, normal));
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), vec2(1.0, 0.0));
-    vec3 own = treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w);
+    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
+    vec3 own = mix(vec3(1.0), treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w), leafBorne);
     leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
 
-    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
     leafCoord = gl_MultiTexCoord0.xy;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;
