@@ -88,10 +88,10 @@ TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, cons
     tree.trunkCrook = 0.02f;
     tree.forks = 1;
     tree.forkInclination = 0.0f;
-    tree.whorl = 5;
     tree.boughs.count = boughs;
     tree.boughs.crook = 0.06f;
     tree.boughs.sections = 1.4f;
+    tree.boughs.power = 1.4f;
     tree.boughs.taper = 0.4f;
     tree.boughs.lengthVariation = 0.2f;
     tree.boughs.inclinationVariation = 0.12f;
@@ -102,7 +102,8 @@ TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, cons
     tree.branches.crook = 0.08f;
     tree.branches.sections = 0.6f;
     tree.twigs.count = 0;
-    form.leaves.bare = 0.12f;
+    form.leaves.bare = 0.1f;
+    form.leaves.inclination = deg(45.0f);
     return form;
 }
 
@@ -110,9 +111,8 @@ TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, cons
 TreeParameters pine(const Crown& crown, int boughs, const Angles& bough, const Angles& branches, float crook) {
     TreeParameters form = conifer(crown, boughs, bough, branches, 0.2f);
     GrownTreeParameters& tree = *form.grown;
-    tree.trunkTaper = 0.3f;
     tree.whorl = 3;
-    tree.boughs.units = 2;
+    tree.boughs.sections = 1.8f;
     tree.boughs.crook = crook;
     tree.branches.count = 8;
     tree.branches.length = 0.55f;
@@ -120,6 +120,7 @@ TreeParameters pine(const Crown& crown, int boughs, const Angles& bough, const A
     form.leaves.bare = 0.45f;
     form.leaves.length = form.leaves.width = 0.5f;
     form.leaves.droop = -0.2f;
+    form.leaves.inclination = 0.0f;
     return form;
 }
 
@@ -150,60 +151,59 @@ TreeParameters speciesForm(SpeciesForm form) {
     TreeParameters tree;
     switch (form) {
     case SpeciesForm::Spruce: // boughs hang and turn up at their ends, branches hang from them
-        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.08f, 0.95f}, 60, {100, 55, -22, 45}, {55, 45, -50, -30}, 0.9f);
+        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.08f, 0.92f}, 60, {100, 55, -22, 45}, {55, 45, -50, -30}, 0.9f);
         tree.leaves.droop = 0.7f;
         break;
     case SpeciesForm::SitkaSpruce:
-        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.12f, 0.95f}, 60, {88, 50, 0, 15}, {55, 45, -30, -20}, 0.9f);
+        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.06f, 0.9f}, 60, {88, 50, 0, 15}, {55, 45, -30, -20}, 0.9f);
         tree.leaves.droop = 0.4f;
         break;
     case SpeciesForm::WhiteSpruce:
-        tree = conifer({18, 0.3f, 5.2f, S::Cone, 0.05f, 0.95f}, 60, {95, 50, -5, 30}, {50, 45, -10, 0}, 0.8f);
+        tree = conifer({18, 0.3f, 5.2f, S::Cone, 0.05f, 0.92f}, 60, {95, 50, -5, 30}, {50, 45, -10, 0}, 0.8f);
         tree.leaves.droop = 0.2f;
         break;
     case SpeciesForm::DouglasFir:
-        tree = conifer({22, 0.36f, 7.4f, S::Cone, 0.15f, 0.95f}, 55, {92, 45, -10, 35}, {50, 40, -25, -15}, 0.7f);
+        tree = conifer({22, 0.36f, 7.4f, S::Cone, 0.15f, 0.92f}, 55, {92, 45, -10, 35}, {50, 40, -25, -15}, 0.7f);
         tree.leaves.droop = 0.4f;
         break;
     case SpeciesForm::Fir: // flat tiers
-        tree = conifer({20, 0.34f, 6.6f, S::Cone, 0.1f, 0.95f}, 60, {88, 60, 0, 5}, {55, 50, 0, 0}, 1.0f);
+        tree = conifer({20, 0.34f, 6.6f, S::Cone, 0.1f, 0.92f}, 60, {88, 60, 0, 5}, {55, 50, 0, 0}, 1.0f);
         tree.grown->whorl = 6;
         tree.leaves.droop = 0.0f;
         tree.leaves.inclination = deg(25);
         break;
     case SpeciesForm::BalsamFir: // a spire
-        tree = conifer({18, 0.3f, 4.8f, S::Cone, 0.05f, 0.95f}, 60, {88, 55, 0, 10}, {55, 50, 0, 0}, 1.0f);
+        tree = conifer({18, 0.3f, 4.8f, S::Cone, 0.05f, 0.92f}, 60, {88, 55, 0, 10}, {55, 50, 0, 0}, 1.0f);
         tree.grown->whorl = 6;
         tree.leaves.droop = 0.0f;
         tree.leaves.inclination = deg(25);
         break;
     case SpeciesForm::Hemlock:
         tree = conifer({20, 0.32f, 7.0f, S::Cone, 0.08f, 0.94f}, 58, {80, 45, -15, -35}, {50, 45, -25, -30}, 0.9f);
-        tree.grown->whorl = 2;
         tree.grown->forkInclination = deg(15);
         tree.leaves.droop = 0.5f;
         tree.leaves.inclination = deg(25);
         break;
     case SpeciesForm::Larch: // open, twigs hang
-        tree = conifer({20, 0.32f, 6.8f, S::Cone, 0.15f, 0.95f}, 50, {95, 55, -10, 30}, {60, 55, -70, -20}, 0.6f);
-        tree.grown->whorl = 2;
+        tree = conifer({20, 0.32f, 6.8f, S::Cone, 0.15f, 0.92f}, 50, {95, 55, -10, 30}, {60, 55, -70, -20}, 0.6f);
+        tree.leaves.inclination = 0.0f;
         tree.leaves.droop = 0.3f;
         break;
     case SpeciesForm::Conifer:
-        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.1f, 0.95f}, 60, {92, 50, -8, 25}, {55, 45, -25, -15}, 0.8f);
+        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.1f, 0.92f}, 60, {92, 50, -8, 25}, {55, 45, -25, -15}, 0.8f);
         tree.leaves.droop = 0.3f;
         break;
     case SpeciesForm::ScotsPine: // an umbrella on a long bare stem
-        tree = pine({18, 0.34f, 7.4f, S::Hemisphere, 0.58f, 0.92f}, 22, {80, 45, 10, 20}, {55, 40, 25, 20}, 0.45f);
+        tree = pine({18, 0.34f, 7.4f, S::Hemisphere, 0.5f, 0.88f}, 22, {80, 45, 10, 20}, {55, 40, 25, 20}, 0.45f);
         break;
     case SpeciesForm::LodgepolePine:
-        tree = pine({18, 0.28f, 5.4f, S::TaperedCylinder, 0.4f, 0.95f}, 26, {75, 40, 15, 25}, {50, 40, 25, 20}, 0.2f);
+        tree = pine({18, 0.28f, 5.4f, S::TaperedCylinder, 0.25f, 0.9f}, 26, {75, 40, 15, 25}, {50, 40, 25, 20}, 0.2f);
         break;
     case SpeciesForm::CorsicanPine:
-        tree = pine({18, 0.34f, 7.2f, S::TendFlame, 0.35f, 0.94f}, 26, {82, 45, 5, 25}, {50, 40, 25, 20}, 0.2f);
+        tree = pine({18, 0.34f, 7.2f, S::TendFlame, 0.25f, 0.9f}, 26, {82, 45, 5, 25}, {50, 40, 25, 20}, 0.2f);
         break;
     case SpeciesForm::RadiataPine:
-        tree = pine({20, 0.4f, 8.6f, S::Hemisphere, 0.3f, 0.94f}, 26, {75, 40, 10, 20}, {55, 40, 20, 20}, 0.35f);
+        tree = pine({20, 0.4f, 8.6f, S::Hemisphere, 0.18f, 0.9f}, 26, {75, 40, 10, 20}, {55, 40, 20, 20}, 0.35f);
         break;
     case SpeciesForm::Birch: // slender, twigs hang
         tree = broadleaf({16, 0.3f, 7.4f, S::TendFlame, 0.22f, 0.88f}, {50, 35, 10, -35}, {45, 40, -10, -60},
