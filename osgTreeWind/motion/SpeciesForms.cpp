@@ -90,7 +90,7 @@ TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, cons
     tree.forkInclination = 0.0f;
     tree.boughs.count = boughs;
     tree.boughs.crook = 0.06f;
-    tree.boughs.sections = 1.4f;
+    tree.boughs.sections = 1.25f;
     tree.boughs.power = 1.4f;
     tree.boughs.taper = 0.4f;
     tree.boughs.lengthVariation = 0.2f;
@@ -112,7 +112,7 @@ TreeParameters pine(const Crown& crown, int boughs, const Angles& bough, const A
     TreeParameters form = conifer(crown, boughs, bough, branches, 0.2f);
     GrownTreeParameters& tree = *form.grown;
     tree.whorl = 3;
-    tree.boughs.sections = 1.8f;
+    tree.boughs.sections = 1.3f;
     tree.boughs.crook = crook;
     tree.branches.count = 8;
     tree.branches.length = 0.55f;
@@ -190,11 +190,13 @@ TreeParameters speciesForm(SpeciesForm form) {
         tree.leaves.droop = 0.3f;
         break;
     case SpeciesForm::Conifer:
-        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.1f, 0.92f}, 60, {92, 50, -8, 25}, {55, 45, -25, -15}, 0.8f);
+        tree = conifer({20, 0.32f, 6.6f, S::Cone, 0.15f, 0.92f}, 60, {92, 50, -8, 25}, {55, 45, -25, -15}, 0.8f);
         tree.leaves.droop = 0.3f;
         break;
     case SpeciesForm::ScotsPine: // an umbrella on a long bare stem
-        tree = pine({18, 0.34f, 7.4f, S::Hemisphere, 0.5f, 0.88f}, 22, {80, 45, 10, 20}, {55, 40, 25, 20}, 0.45f);
+        tree = pine({18, 0.34f, 7.4f, S::Hemisphere, 0.43f, 0.9f}, 22, {80, 45, 10, 20}, {55, 40, 25, 20}, 0.45f);
+        tree.grown->trunkTaper = 0.3f;
+        tree.grown->boughs.sections = 1.9f;
         break;
     case SpeciesForm::LodgepolePine:
         tree = pine({18, 0.28f, 5.4f, S::TaperedCylinder, 0.25f, 0.9f}, 26, {75, 40, 15, 25}, {50, 40, 25, 20}, 0.2f);
@@ -204,6 +206,7 @@ TreeParameters speciesForm(SpeciesForm form) {
         break;
     case SpeciesForm::RadiataPine:
         tree = pine({20, 0.4f, 8.6f, S::Hemisphere, 0.18f, 0.9f}, 26, {75, 40, 10, 20}, {55, 40, 20, 20}, 0.35f);
+        tree.grown->boughs.sections = 0.9f;
         break;
     case SpeciesForm::Birch: // slender, twigs hang
         tree = broadleaf({16, 0.3f, 7.4f, S::TendFlame, 0.22f, 0.88f}, {50, 35, 10, -35}, {45, 40, -10, -60},
@@ -211,7 +214,6 @@ TreeParameters speciesForm(SpeciesForm form) {
         tree.grown->trunkTaper = 0.3f;
         tree.grown->forks = 2;
         tree.grown->boughs.count = 18;
-        tree.grown->boughs.units = 1;
         break;
     case SpeciesForm::Beech: // a dense dome of boughs that arch out
         tree = broadleaf({18, 0.42f, 10.4f, S::Sphere, 0.12f, 0.75f}, {62, 30, 5, -20}, {50, 45, -5, -10},
@@ -220,7 +222,7 @@ TreeParameters speciesForm(SpeciesForm form) {
         tree.grown->branches.flat = tree.grown->twigs.flat = 0.6f;
         break;
     case SpeciesForm::Oak: // few wide crooked limbs
-        tree = broadleaf({15, 0.44f, 10.8f, S::Sphere, 0.16f, 0.55f}, {80, 50, 15, 5}, {60, 50, 20, 0},
+        tree = broadleaf({15, 0.44f, 10.0f, S::Sphere, 0.16f, 0.55f}, {80, 50, 15, 5}, {60, 50, 20, 0},
                          {60, 50, 10, 0}, 0.75f, 35, 0.1f);
         tree.grown->boughs.count = 11;
         tree.grown->forks = 4;
@@ -231,49 +233,53 @@ TreeParameters speciesForm(SpeciesForm form) {
                          {50, 45, 10, 0}, 0.35f, 27, 0.2f);
         break;
     case SpeciesForm::Ash: // open, limbs ascend, their ends turn up
-        tree = broadleaf({18, 0.4f, 9.6f, S::Sphere, 0.25f, 0.6f}, {50, 35, -5, 30}, {45, 40, -10, 45},
+        tree = broadleaf({18, 0.4f, 9.0f, S::Sphere, 0.25f, 0.6f}, {50, 35, -5, 30}, {45, 40, -10, 45},
                          {45, 40, 0, 40}, 0.25f, 30, 0.2f);
         tree.grown->boughs.count = 10;
         break;
     case SpeciesForm::Sycamore: // a broad dense dome
-        tree = broadleaf({17, 0.44f, 11.0f, S::Sphere, 0.15f, 0.62f}, {70, 40, 15, 5}, {50, 45, 10, 0},
+        tree = broadleaf({17, 0.44f, 10.0f, S::Sphere, 0.15f, 0.62f}, {70, 40, 15, 5}, {50, 45, 10, 0},
                          {50, 45, 5, 0}, 0.3f, 27, 0.2f);
         tree.grown->boughs.count = 13;
         break;
     case SpeciesForm::RedMaple:
-        tree = broadleaf({16, 0.36f, 8.6f, S::TendFlame, 0.2f, 0.65f}, {50, 30, 10, 15}, {45, 40, 15, 10},
+        tree = broadleaf({16, 0.36f, 8.2f, S::TendFlame, 0.2f, 0.65f}, {50, 30, 10, 15}, {45, 40, 15, 10},
                          {45, 40, 10, 5}, 0.25f, 27, 0.3f);
         break;
     case SpeciesForm::NorwayMaple: // dense, round
-        tree = broadleaf({13, 0.4f, 9.8f, S::Sphere, 0.16f, 0.6f}, {65, 40, 10, 10}, {50, 45, 10, 5},
+        tree = broadleaf({13, 0.4f, 9.2f, S::Sphere, 0.16f, 0.6f}, {65, 40, 10, 10}, {50, 45, 10, 5},
                          {50, 45, 5, 0}, 0.25f, 27, 0.3f);
         tree.grown->boughs.count = 13;
         break;
     case SpeciesForm::Aspen: // a small round crown on a slender stem
-        tree = broadleaf({15, 0.24f, 5.2f, S::Sphere, 0.4f, 0.85f}, {65, 40, 5, 15}, {50, 45, 10, 5},
+        tree = broadleaf({15, 0.24f, 4.8f, S::Sphere, 0.4f, 0.85f}, {65, 40, 5, 15}, {50, 45, 10, 5},
                          {50, 45, 0, 0}, 0.35f, 37, 0.4f);
         tree.grown->trunkTaper = 0.35f;
         tree.grown->boughs.count = 15;
-        tree.grown->boughs.units = 1;
         break;
     case SpeciesForm::Lime: // heart-shaped and dense, lower boughs arch down
-        tree = broadleaf({18, 0.42f, 9.6f, S::TendFlame, 0.1f, 0.75f}, {75, 30, 5, -45}, {50, 45, -10, -20},
+        tree = broadleaf({18, 0.42f, 9.6f, S::TendFlame, 0.1f, 0.85f}, {75, 30, 5, -45}, {50, 45, -10, -20},
                          {50, 45, -20, -10}, 0.3f, 30, 0.4f);
         tree.grown->boughs.count = 16;
+        tree.grown->boughs.sections = 1.2f;
+        tree.grown->boughs.taper = 0.5f;
+        tree.grown->branches.count = 7;
+        tree.grown->twigs.count = 2;
         break;
     case SpeciesForm::Poplar: // a column of upright boughs
-        tree = broadleaf({22, 0.42f, 4.2f, S::TendFlame, 0.06f, 0.9f}, {28, 15, 15, 0}, {22, 18, 15, 0},
+        tree = broadleaf({24, 0.42f, 3.6f, S::TendFlame, 0.06f, 0.9f}, {28, 15, 15, 0}, {22, 18, 15, 0},
                          {25, 20, 10, 0}, 0.15f, 45, 0.2f);
         tree.grown->trunkTaper = 0.3f;
         tree.grown->trunkUnits = 6;
         tree.grown->forks = 2;
         tree.grown->forkInclination = deg(8);
         tree.grown->boughs.count = 24;
-        tree.grown->branches.count = 5;
-        tree.grown->twigs.count = 1;
+        tree.grown->branches.count = 6;
+        tree.grown->branches.start = 0.1f;
+        tree.grown->twigs.count = 2;
         break;
     case SpeciesForm::Plane:
-        tree = broadleaf({19, 0.5f, 12.2f, S::Sphere, 0.2f, 0.55f}, {65, 40, 10, -25}, {50, 45, 0, -25},
+        tree = broadleaf({19, 0.5f, 10.8f, S::Sphere, 0.2f, 0.55f}, {65, 40, 10, -25}, {50, 45, 0, -25},
                          {50, 45, -10, -20}, 0.45f, 30, 0.4f);
         tree.grown->boughs.count = 11;
         tree.grown->forks = 4;
@@ -296,14 +302,15 @@ TreeParameters speciesForm(SpeciesForm form) {
                          {45, 40, 10, 0}, 0.2f, 40, 0.1f);
         tree.grown->trunkTaper = 0.25f;
         tree.grown->forks = 1;
-        tree.grown->boughs.count = 18;
-        tree.grown->boughs.units = 1;
+        tree.grown->boughs.count = 20;
+        tree.grown->branches.count = 6;
+        tree.grown->twigs.count = 2;
         break;
     case SpeciesForm::Palm:
         tree = palm();
         break;
     case SpeciesForm::Broadleaf:
-        tree = broadleaf({15, 0.38f, 9.2f, S::Sphere, 0.2f, 0.62f}, {65, 40, 10, 10}, {50, 45, 10, 0},
+        tree = broadleaf({15, 0.38f, 8.4f, S::Sphere, 0.2f, 0.62f}, {65, 40, 10, 10}, {50, 45, 10, 0},
                          {50, 45, 5, 0}, 0.35f, 35, 0.3f);
         break;
     }
