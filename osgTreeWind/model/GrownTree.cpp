@@ -28,9 +28,9 @@ glm::vec3 risen(const glm::vec3& heading, float angle) {
     const glm::vec3 goal = angle < 0.0f ? -up : up;
     const glm::vec3 across = goal - heading * glm::dot(goal, heading);
     const float left = glm::length(across), turn = std::abs(angle);
-    if (left < 1e-4f || (glm::dot(goal, heading) > 0.0f && left <= sine(turn)))
+    if (glm::dot(goal, heading) > 0.0f && left <= sine(turn))
         return goal;
-    return glm::normalize(cosine(turn) * heading + sine(turn) / left * across);
+    return glm::normalize(cosine(turn) * heading + sine(turn) * directionOr(across, perpendicular(heading)));
 }
 
 /// A direction at `inclination` from `axis`. @param flat presses it to the left or right of the axis.
@@ -86,13 +86,18 @@ private:
         const float step = crook * 0.7f / std::sqrt(count);
         std::vector<glm::vec3> points{glm::vec3(0.0f)};
         points.reserve(static_cast<std::size_t>(segments) + 1);
-        glm::vec3 turn(0.0f);
+        glm::vec3 winding(0.0f);
+        float risenBy = 0.0f;
         for (int i = 0; i < segments; ++i) {
+            const float middle = (static_cast<float>(i) + 0.5f) / count;
+            const float riseTo =
+                2.0f * (std::min(middle, 0.5f) * rise + std::max(middle - 0.5f, 0.0f) * riseOutside);
+            heading = risen(heading, glm::clamp(riseTo - risenBy, -2.0f, 2.0f));
+            risenBy = riseTo;
             points.push_back(points.back() + heading / count);
             const float x = _random.symmetric(), y = _random.symmetric(), z = _random.symmetric();
-            turn = 0.6f * turn + step * glm::vec3(x, y, z);
-            heading = risen(heading, 2.0f / count * (2 * i < segments ? rise : riseOutside));
-            heading = directionOr(heading + turn, heading);
+            winding = 0.6f * winding + step * glm::vec3(x, y, z);
+            heading = directionOr(heading + winding, heading);
         }
         return points;
     }

@@ -44,7 +44,7 @@ struct GrownTreeParameters {
     float crownBase = 0.3f;  ///< Height of the lowest bough over that of the tree, [0, 0.95].
     float crownWidth = 10.0f; ///< Where it is widest, at most 4 heights, at least 0.01 of it.
     int whorl = 1;            ///< Boughs at about one height, 1 to 32.
-    GrownBranches boughs, branches, twigs;
+    GrownBranches boughs{12}, branches{8}, twigs{2};
     int ringsPerBranch = 8; ///< 2 to 64.
     std::uint32_t seed = 1; ///< One seed gives one tree, bit for bit, on every machine.
 };

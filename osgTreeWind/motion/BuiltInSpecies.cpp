@@ -141,7 +141,7 @@ std::vector<BuiltInSpecies> builtInSpecies() {
                 {3.07f, 0.75f, 25}, {143, 0.70f, 12.0f}, {B::Plated, orange, L::Bundles, blueGreen}, forestGales),
         conifer({"lodgepole pine", "Pinus contorta"}, F::LodgepolePine, 6.4e9f, 850, {2.48f, 0.63f, 25},
                 {144, 0.59f, 10.7f}, pine, forestGales),
-        conifer({"Corsican pine", "black pine", "Austrian pine", "Pinus nigra"}, F::CorsicanPine, 7.0e9f, 850,
+        conifer({"Corsican pine", "black pine", "Austrian pine", "Pinus nigra", "Pinus ponderosa"}, F::CorsicanPine, 7.0e9f, 850,
                 {2.57f, 0.61f, 25}, {113, 0.68f, 12.5f}, {B::Plated, grey, L::Bundles, dark}, forestGales),
         conifer({"radiata pine", "Monterey pine", "Pinus radiata"}, F::RadiataPine, 6.8e9f, 1002,
                 {2.35f, 0.51f, 25}, {86, 2.96f, 6.4f}, pine, forestGales),
