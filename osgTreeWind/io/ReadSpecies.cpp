@@ -224,7 +224,7 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     const bool given = table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front());
     if (!given)
         return;
-    for (const char* key : {"tree", "shapes"})
+    for (const char* key : {"tree", "growth", "shapes"})
         if (table.has(key))
             return table.problem(key, "expected none beside scan, whose trees are the shapes");
     std::vector<ScannedTree> scans;
