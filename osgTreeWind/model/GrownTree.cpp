@@ -178,7 +178,7 @@ private:
     float alongCrown(int i, int count, int level) {
         const int whorl = level == 1 ? _p.whorl : 1;
         const int whorls = std::max((count + whorl - 1) / whorl, 1);
-        const float scatter = whorl > 1 ? 0.15f : 1.0f;
+        const float scatter = whorl > 1 ? 0.4f : 1.0f;
         return (static_cast<float>(i / whorl) + 0.5f + 0.5f * scatter * _random.symmetric()) /
                static_cast<float>(whorls);
     }
