@@ -4,6 +4,9 @@
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/LeafCoverage.h>
+#include <osgTreeWind/scanfiles/ScanFile.h>
+
+#include <filesystem>
 
 namespace osgTreeWind {
 
@@ -93,7 +96,8 @@ void readGrowth(TableReader& table, GrownTreeParameters& tree) {
 }
 
 void readLeafShape(TableReader& table, LeafParameters& leaves) {
-    table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64));
+    if (table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64)))
+        leaves.clusters = 0;
     table.read("clusters", leaves.clusters, within(0, 100000));
     table.read("bare", leaves.bare, within(0, 0.95));
     table.read("first_level", leaves.firstLevel, within(0, 9));
@@ -141,7 +145,13 @@ void readLeafMotion(TableReader& table, LeafMotion& leaf) {
     table.read("noise_frequency", leaf.noiseFrequency, within(0, 100));
 }
 
-void readAppearance(TableReader& table, Appearance& appearance) {
+void readPicture(TableReader& table, const char* key, ForestReading& reading, std::string& path) {
+    if (table.has(key))
+        if (const auto file = reading.open(table, key))
+            path = file->path;
+}
+
+void readAppearance(TableReader& table, Appearance& appearance, ForestReading& reading) {
     table.read("bark", appearance.bark, within(0, 1));
     table.read("leaves", appearance.leaves, within(0, 1));
     table.readChoice<LeafForm>("leaf_form", appearance.leafForm,
@@ -166,6 +176,66 @@ void readAppearance(TableReader& table, Appearance& appearance) {
                                 {"banded", BarkForm::Banded},
                                 {"flaking", BarkForm::Flaking},
                                 {"ringed", BarkForm::Ringed}});
+    readPicture(table, "leaf_image", reading, appearance.leafImage);
+    readPicture(table, "bark_image", reading, appearance.barkImage);
+}
+
+constexpr int mostShapes = 64;
+
+/// Adds the trees of a file that `scan` names. False after a problem.
+bool addScans(TableReader& table, ForestReading& reading, const std::string& name,
+              std::vector<ScannedTree>& scans) {
+    const auto found = reading.open(table, "scan", name);
+    if (!found)
+        return false;
+    const Result<ScanFile> file = readScanFile(found->path);
+    if (!file) {
+        table.problem("scan", file.problems().front().text());
+        return false;
+    }
+    const std::vector<ScanCylinders>& trees = file.value().trees;
+    if (scans.size() + trees.size() > mostShapes) {
+        table.problem("scan", "expected at most 64 trees in all files, found more in " + found->path);
+        return false;
+    }
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        scans.push_back(makeScannedTree(trees[i]).value());
+        ScanReport& report = scans.back().report;
+        report.source = std::filesystem::path(found->path).filename().string();
+        if (trees.size() > 1)
+            report.source += ", tree " + std::to_string(i + 1);
+    }
+    return true;
+}
+
+/// Leaves of scanned trees, which know of none: so many as on a built-in tree, on all thin wood.
+LeafParameters leavesOfScans() {
+    LeafParameters leaves;
+    leaves.firstLevel = 0;
+    leaves.clusters = 1300;
+    leaves.thickest = 0.12f;
+    leaves.inclination = 0.6f;
+    return leaves;
+}
+
+/// `scan`: a file of measured trees, or several. They are the shapes.
+void readScans(TableReader& table, ForestReading& reading, Species& species) {
+    std::vector<std::string> names(1);
+    const bool given = table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front());
+    if (!given)
+        return;
+    for (const char* key : {"tree", "shapes"})
+        if (table.has(key))
+            return table.problem(key, "expected none beside scan, whose trees are the shapes");
+    std::vector<ScannedTree> scans;
+    for (const std::string& name : names)
+        if (!addScans(table, reading, name, scans))
+            return;
+    if (scans.empty())
+        return table.problem("scan", "expected at least one file");
+    species.shapes = static_cast<int>(scans.size());
+    species.tree.leaves = leavesOfScans();
+    species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 
 void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
@@ -191,7 +261,8 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     for (const std::string& alias : aliases)
         addName(table, reading, "aliases", alias);
 
-    table.read("shapes", species.shapes, within(1, 64));
+    table.read("shapes", species.shapes, within(1, mostShapes));
+    readScans(table, reading, species);
     table.table("tree", [&](TableReader& t) {
         species.tree.grown.reset();
         readWoodShape(t, species.tree.wood);
@@ -201,12 +272,17 @@ void readSpecies(TableReader& table, ForestReading& reading) {
             species.tree.leaves.clusters = usualGrownClusters;
         readGrowth(t, species.tree.grown ? *species.tree.grown : species.tree.grown.emplace());
     });
-    table.table("leaves", [&](TableReader& t) { readLeafShape(t, species.tree.leaves); });
+    bool leafSize = false;
+    table.table("leaves", [&](TableReader& t) {
+        readLeafShape(t, species.tree.leaves);
+        leafSize = t.has("length") || t.has("width");
+    });
     table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
     table.table("branch", [&](TableReader& t) { readBranchMotion(t, species.branch); });
     table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
-    table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance); });
-    species.tree.leaves.area = species.tree.grown ? cardArea(species) : 0.0f;
+    table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance, reading); });
+    const bool meant = (species.tree.grown || species.tree.scans) && !leafSize;
+    species.tree.leaves.area = meant ? cardArea(species) : 0.0f;
     reading.forest.species.push_back(std::move(species));
 }
 

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/model/Skeleton.h>
 
+#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 
@@ -18,6 +19,8 @@ struct LeafParameters {
     int clusters = 0; ///< Of the whole tree, spread evenly along its branches; 0: clustersPerBranch holds. 0 to 100,000.
     float bare = 0.0f; ///< Of `clusters`: share of a branch at firstLevel without any, from its base, [0, 0.95]; on
                        ///< further levels less, on the outermost 0.
+    float thickest = 1.0f; ///< Of `clusters`: radius of the wood that bears some, over the trunk's at the
+                           ///< ground, at most; [0.001, 1]. 1: any.
     int firstLevel = 1;         ///< Lowest branch level that bears leaves (the trunk is 0), 0 to 9.
     float length = 0.5f; ///< Cluster length along its petiole at the outermost level, metres, [0.001, 100].
     float width = 0.45f; ///< Cluster width, metres, [0.001, 100].
@@ -45,6 +48,12 @@ struct LeafCluster {
 
 /// Clusters in access order, unit after unit. Parameters are clamped().
 std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafParameters& parameters);
+
+/// Whether a tree that bears a share of its leaves, [0, 1], has those of a cluster. As
+/// shaders/instance_leaf.vert.
+inline bool isBorne(std::size_t cluster, float share) {
+    return glm::fract(0.618034f * static_cast<float>(cluster)) < share;
+}
 
 /// A corner of one of the three quads that make up a cluster, in the leaf frame.
 struct LeafVertex {

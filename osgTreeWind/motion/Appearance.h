@@ -3,6 +3,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <string>
+
 namespace osgTreeWind {
 
 /// What the sprays on a leaf texture are made of, by genus.
@@ -39,7 +41,13 @@ struct Appearance {
     glm::vec3 leaves{0.13f, 0.21f, 0.05f};
     LeafForm leafForm = LeafForm::Blade;
     BarkForm barkForm = BarkForm::Furrowed;
+    std::string leafImage; ///< A picture file to take instead of what we paint: nodes/TreePicture.h.
+    std::string barkImage;
 
+    /// Of twigs: darker than the bark of the stem, and never white.
+    glm::vec3 twigs() const {
+        return barkForm == BarkForm::Banded ? glm::vec3(0.06f, 0.035f, 0.028f) : 0.6f * bark;
+    }
     bool needles() const { return leafForm >= LeafForm::Needles && leafForm <= LeafForm::Tufts; }
 };
 

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <osgTreeWind/motion/Species.h>
+#include <osgTreeWind/nodes/TreeTextures.h>
 
 #include <osg/Program>
 #include <osg/StateSet>
-#include <osg/Texture2D>
-
-#include <map>
 
 namespace osgTreeWind {
 
@@ -25,8 +23,7 @@ public:
 
 private:
     osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
-    osg::ref_ptr<osg::Texture2D> _bark;
-    std::map<LeafForm, osg::ref_ptr<osg::Texture2D>> _leaves;
+    TreeTextures _textures;
 };
 
 } // namespace osgTreeWind

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/TreeDetail.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace osgTreeWind {
 StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance,
                        const ForestDrawing& drawing, osg::Program* impostorProgram)
     : _species(species) {
-    const CrownEllipsoid crown(model.leaves);
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
     const TreeDetail details[branchTiers] = {TreeDetail::full(), TreeDetail::reducedOnce(),
                                              TreeDetail::reducedTwice()};
@@ -22,7 +23,7 @@ StandShape::StandShape(const TreeModel& model, std::size_t species, const Appear
         const bool whole = tier == static_cast<int>(Tier::Full);
         const ThinnedLeaves leaves = thinnedLeaves(model.leaves, model.leafMesh, details[tier]);
         _bark[tier] =
-            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin));
+            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin), crown);
         if (!model.leaves.empty())
             _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
         _states[tier] = new osg::StateSet;

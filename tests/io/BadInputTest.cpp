@@ -207,6 +207,12 @@ const BadInput badInputs[] = {
     {"RatioAndSize", scatter("height = 9\ncrown_width = 4\ncrown_ratio = @0.5\n"), "scatter.crown_ratio",
      "give either this or crown_width"},
 
+    {"LeafImageAbsent", species("appearance.leaf_image = @\"no.png\"\n"), "species.appearance.leaf_image",
+     "no file \"no.png\" in "},
+    {"LeafImageIsNumber", species("appearance.leaf_image = @7\n"), "species.appearance.leaf_image", "text"},
+    {"BarkImageIsFolder", species("appearance.bark_image = @\".\"\n"), "species.appearance.bark_image",
+     "no file"},
+
     // [inventory]
     {"InventoryAbsent", head + "[inventory]\nfile = @\"no.csv\"\ncolumns = {x = \"x\", y = \"y\"}\n",
      "inventory.file", "no file \"no.csv\" in "},

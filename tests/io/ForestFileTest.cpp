@@ -200,6 +200,17 @@ TEST(ForestFile, DrawingIsReadAndKeepsWhatIsNotGiven) {
     EXPECT_EQ(drawing.blend, 0.5f);
 }
 
+TEST(ForestFile, PicturesOfASpeciesAreFoundAsOtherFilesAre) {
+    const TemporaryFolder folder;
+    const std::string spray = folder.write("spray.png", "found by name only");
+    const ForestDescription forest = forestOf(
+        "[[species]]\nname = \"oak\"\nappearance.leaf_image = \"spray.png\"\n[[tree]]\nposition = [0, 0]\n",
+        folder.path());
+    ASSERT_EQ(forest.species.size(), 1u);
+    EXPECT_EQ(forest.species[0].appearance.leafImage, spray);
+    EXPECT_EQ(forest.species[0].appearance.barkImage, "");
+}
+
 TEST(ForestFile, FindsFilesBesideTheDocumentThenInSearch) {
     const TemporaryFolder folder, other;
     other.write("a.csv", "x,y\n1,2\n");

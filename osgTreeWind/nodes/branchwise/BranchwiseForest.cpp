@@ -23,12 +23,16 @@ constexpr unsigned leafAnglesTextureUnit = 5;
 } // namespace
 
 osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed, float own) {
-    Pictures& pictures = _pictures[tree.model];
+    const bool bare = tree.leaves < 0.5f;
+    Pictures& pictures = _pictures[2 * tree.model + bare];
     if (!pictures.shape) {
         if (!_pictureProgram)
             _pictureProgram = createProgram("impostor", "impostor");
+        ImpostorSettings settings;
+        settings.leaves = bare ? 0.0f : 1.0f;
         const Species& species = _simulation->description().species[tree.species];
-        pictures.shape = new ImpostorShape(paintImpostor(posed.model(), species.appearance), _pictureProgram);
+        pictures.shape =
+            new ImpostorShape(paintImpostor(posed.model(), species.appearance, settings), _pictureProgram);
         pictures.state = new SharedStateSet(*pictures.shape->stateSet());
         pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
     }
@@ -42,7 +46,7 @@ std::string BranchwiseForest::problemOf(const ForestDescription& description) {
         return {};
     std::vector<std::size_t> units, leaves;
     for (const Species& species : description.species) {
-        const TreeCounts counts = countTree(species.tree);
+        const TreeCounts counts = countLargest(species.tree, species.shapes);
         units.push_back(counts.units);
         leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
     }
@@ -70,10 +74,14 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     TreeStyles styles;
     for (const Species& species : simulation.description().species)
         _styles.push_back(styles.style(species.appearance));
-    for (const TreeModel& model : simulation.models())
-        _shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
+    for (std::size_t i = 0; i < simulation.models().size(); ++i) {
+        const Species& species = simulation.description().species[simulation.forest().speciesOfModel(i)];
+        _shapes.push_back(
+            new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &simulation.models()[i]),
+                          species.appearance.leafForm));
+    }
 
-    _pictures.resize(simulation.models().size());
+    _pictures.resize(2 * simulation.models().size());
     _stand = new osg::Group;
     _stand->setName("trees");
     _stand->setDataVariance(osg::Object::DYNAMIC);
@@ -85,6 +93,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
         const float own = Random(tree.seed).uniform();
         node->setOwnNumber(own);
+        node->setLeaves(tree.leaves);
         node->setBillboard(billboard(tree, *node->getPosedTree(), own));
         node->getPosedTree()->follow(_simulation, simulation.motion(i));
         node->setBranchwise(_branchDrawing == BRANCH_DRAWING);

@@ -103,7 +103,7 @@ private:
 
     std::shared_ptr<ForestSimulation> _simulation;
     std::vector<osg::ref_ptr<TreeShape>> _shapes; ///< By model.
-    std::vector<Pictures> _pictures;              ///< By model.
+    std::vector<Pictures> _pictures;              ///< By model, then whether it is bare.
     osg::ref_ptr<osg::Program> _pictureProgram;
     std::vector<TreeStyle> _styles;  ///< By species.
     osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
