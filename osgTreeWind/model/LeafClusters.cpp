@@ -62,7 +62,8 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
                     taper = units[i].baseRadius - units[i].tipRadius;
         const float below = thick < taper ? length[i] * thick / taper : thick > 0.0f ? length[i] : 0.0f;
         if (outerness >= 0.0f)
-            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], below), length[i]};
+            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], below),
+                            length[i]};
     }
     return stretches;
 }
@@ -89,7 +90,8 @@ float leafAngle(Random& random, float mean) {
 /// `outward` as far as the faces let it.
 glm::quat sprayFrame(const glm::vec3& outward, float angle, float azimuth) {
     const glm::vec3 normal{sine(angle) * cosine(azimuth), sine(angle) * sine(azimuth), cosine(angle)};
-    const glm::vec3 petiole = directionOr(outward - normal * glm::dot(normal, outward), perpendicular(normal));
+    const glm::vec3 petiole =
+        directionOr(outward - normal * glm::dot(normal, outward), perpendicular(normal));
     return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
 }
 
@@ -119,7 +121,8 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
             const glm::vec3 e1 = perpendicular(tangent);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
             const glm::vec3 aside = cosine(around) * e1 + sine(around) * glm::cross(tangent, e1);
-            const glm::vec3 petiole = directionOr(aside + 0.8f * tangent - glm::vec3(0, 0, p.droop * 1.2f), aside);
+            const glm::vec3 petiole =
+                directionOr(aside + 0.8f * tangent - glm::vec3(0, 0, p.droop * 1.2f), aside);
 
             LeafCluster cluster;
             cluster.anchor = glm::mix(skeleton.point(index, ring), skeleton.point(index, ring + 1),
@@ -149,8 +152,8 @@ QuadPlace fanQuad(int quad) {
     return {0.0f, {cosine(turn), sine(turn), 0.0f}, cosine(0.5f) * glm::vec3(0, 0, 1) + sine(0.5f) * away};
 }
 
-/// Of a flat spray: the first quad goes straight on from further out, the others to both sides, a little out of
-/// its plane.
+/// Of a flat spray: the first quad goes straight on from further out, the others to both sides, a little out
+/// of its plane.
 QuadPlace sprayQuad(int quad) {
     if (quad == 0)
         return {0.4f, {1, 0, 0}, {0, 0, 1}};

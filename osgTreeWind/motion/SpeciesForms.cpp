@@ -51,8 +51,8 @@ TreeParameters treeOf(const Crown& crown, const Angles& boughs, const Angles& br
 }
 
 /// A broadleaf: its trunk dissolves into limbs.
-TreeParameters broadleaf(const Crown& crown, const Angles& boughs, const Angles& branches, const Angles& twigs,
-                         float crook, float leafAngle, float droop) {
+TreeParameters broadleaf(const Crown& crown, const Angles& boughs, const Angles& branches,
+                         const Angles& twigs, float crook, float leafAngle, float droop) {
     TreeParameters form = treeOf(crown, boughs, branches, twigs);
     GrownTreeParameters& tree = *form.grown;
     tree.trunkUnits = 4;
@@ -80,7 +80,8 @@ TreeParameters broadleaf(const Crown& crown, const Angles& boughs, const Angles&
 }
 
 /// A conifer: boughs up a straight trunk that goes on to the top; branches on their left and right.
-TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, const Angles& branches, float flat) {
+TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, const Angles& branches,
+                       float flat) {
     TreeParameters form = treeOf(crown, bough, branches, {});
     GrownTreeParameters& tree = *form.grown;
     tree.trunkUnits = 8;
@@ -93,7 +94,7 @@ TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, cons
     tree.boughs.sections = 1.2f;
     tree.boughs.power = 1.4f;
     tree.boughs.taper = 0.4f;
-    tree.boughs.lengthVariation = 0.2f;
+    tree.boughs.lengthVariation = 0.1f;
     tree.boughs.inclinationVariation = 0.12f;
     tree.branches.count = 5;
     tree.branches.start = 0.25f;
@@ -109,7 +110,8 @@ TreeParameters conifer(const Crown& crown, int boughs, const Angles& bough, cons
 }
 
 /// A pine: a long bare stem, few boughs, tufts at their ends.
-TreeParameters pine(const Crown& crown, int boughs, const Angles& bough, const Angles& branches, float crook) {
+TreeParameters pine(const Crown& crown, int boughs, const Angles& bough, const Angles& branches,
+                    float crook) {
     TreeParameters form = conifer(crown, boughs, bough, branches, 0.2f);
     GrownTreeParameters& tree = *form.grown;
     tree.whorl = 3;
@@ -153,19 +155,23 @@ TreeParameters speciesForm(SpeciesForm form) {
     TreeParameters tree;
     switch (form) {
     case SpeciesForm::Spruce: // boughs hang and turn up at their ends, branches hang from them
-        tree = conifer({18, 0.42f, 6.6f, S::Cone, 0.08f, 0.92f}, 60, {100, 55, -22, 45}, {55, 45, -50, -30}, 0.9f);
+        tree = conifer({18, 0.42f, 6.6f, S::Cone, 0.08f, 0.92f}, 60, {100, 55, -22, 45}, {55, 45, -50, -30},
+                       0.9f);
         tree.leaves.droop = 0.7f;
         break;
     case SpeciesForm::SitkaSpruce:
-        tree = conifer({18, 0.42f, 6.4f, S::Cone, 0.06f, 0.9f}, 60, {88, 50, 0, 15}, {55, 45, -30, -20}, 0.9f);
+        tree =
+            conifer({18, 0.42f, 6.4f, S::Cone, 0.06f, 0.9f}, 60, {88, 50, 0, 15}, {55, 45, -30, -20}, 0.9f);
         tree.leaves.droop = 0.4f;
         break;
     case SpeciesForm::WhiteSpruce:
-        tree = conifer({15, 0.36f, 5.0f, S::Cone, 0.05f, 0.92f}, 60, {95, 50, -5, 30}, {50, 45, -10, 0}, 0.8f);
+        tree =
+            conifer({15, 0.36f, 5.0f, S::Cone, 0.05f, 0.92f}, 60, {95, 50, -5, 30}, {50, 45, -10, 0}, 0.8f);
         tree.leaves.droop = 0.2f;
         break;
     case SpeciesForm::DouglasFir:
-        tree = conifer({20, 0.46f, 7.2f, S::Cone, 0.15f, 0.92f}, 55, {92, 45, -10, 35}, {50, 40, -25, -15}, 0.7f);
+        tree = conifer({20, 0.46f, 7.2f, S::Cone, 0.15f, 0.92f}, 55, {92, 45, -10, 35}, {50, 40, -25, -15},
+                       0.7f);
         tree.leaves.droop = 0.4f;
         break;
     case SpeciesForm::Fir: // flat tiers
@@ -181,22 +187,25 @@ TreeParameters speciesForm(SpeciesForm form) {
         tree.leaves.inclination = deg(25);
         break;
     case SpeciesForm::Hemlock:
-        tree = conifer({18, 0.42f, 7.0f, S::Cone, 0.08f, 0.94f}, 58, {80, 45, -15, -35}, {50, 45, -25, -30}, 0.9f);
+        tree = conifer({18, 0.42f, 7.0f, S::Cone, 0.08f, 0.94f}, 58, {80, 45, -15, -35}, {50, 45, -25, -30},
+                       0.9f);
         tree.grown->forkInclination = deg(15);
         tree.leaves.droop = 0.5f;
         tree.leaves.inclination = deg(25);
         break;
     case SpeciesForm::Larch: // open, twigs hang
-        tree = conifer({18, 0.4f, 6.6f, S::Cone, 0.15f, 0.92f}, 50, {95, 55, -10, 30}, {60, 55, -70, -20}, 0.6f);
+        tree =
+            conifer({18, 0.4f, 6.6f, S::Cone, 0.15f, 0.92f}, 50, {95, 55, -10, 30}, {60, 55, -70, -20}, 0.6f);
         tree.leaves.inclination = 0.0f;
         tree.leaves.droop = 0.3f;
         break;
     case SpeciesForm::Conifer:
-        tree = conifer({18, 0.42f, 6.6f, S::Cone, 0.2f, 0.92f}, 60, {92, 50, -8, 25}, {55, 45, -25, -15}, 0.8f);
+        tree =
+            conifer({18, 0.42f, 6.6f, S::Cone, 0.2f, 0.92f}, 60, {92, 50, -8, 25}, {55, 45, -25, -15}, 0.8f);
         tree.leaves.droop = 0.3f;
         break;
     case SpeciesForm::ScotsPine: // an umbrella on a long bare stem
-        tree = pine({16, 0.34f, 7.4f, S::Sphere, 0.42f, 0.86f}, 20, {85, 55, 5, 20}, {55, 45, 20, 20}, 0.45f);
+        tree = pine({15, 0.34f, 8.2f, S::Sphere, 0.47f, 0.86f}, 20, {85, 55, 5, 20}, {55, 45, 20, 20}, 0.45f);
         tree.grown->forks = 4;
         tree.grown->forkInclination = deg(38);
         tree.grown->trunkTaper = 0.3f;
@@ -206,10 +215,12 @@ TreeParameters speciesForm(SpeciesForm form) {
         tree = pine({16, 0.3f, 5.4f, S::Cone, 0.22f, 0.9f}, 28, {80, 50, 10, 25}, {50, 40, 25, 20}, 0.2f);
         break;
     case SpeciesForm::CorsicanPine:
-        tree = pine({16, 0.38f, 7.0f, S::TendFlame, 0.22f, 0.9f}, 30, {85, 55, 0, 25}, {50, 40, 25, 20}, 0.2f);
+        tree =
+            pine({16, 0.38f, 7.0f, S::TendFlame, 0.22f, 0.9f}, 30, {85, 55, 0, 25}, {50, 40, 25, 20}, 0.2f);
         break;
     case SpeciesForm::RadiataPine:
-        tree = pine({18, 0.42f, 8.4f, S::Hemisphere, 0.18f, 0.9f}, 26, {75, 40, 10, 20}, {55, 40, 20, 20}, 0.35f);
+        tree = pine({18, 0.42f, 8.4f, S::Hemisphere, 0.18f, 0.9f}, 26, {75, 40, 10, 20}, {55, 40, 20, 20},
+                    0.35f);
         tree.grown->boughs.sections = 0.9f;
         break;
     case SpeciesForm::Birch: // slender, twigs hang
@@ -264,8 +275,8 @@ TreeParameters speciesForm(SpeciesForm form) {
         tree.grown->boughs.count = 15;
         break;
     case SpeciesForm::Lime: // heart-shaped and dense, lower boughs arch down
-        tree = broadleaf({15.5f, 0.56f, 9.4f, S::TendFlame, 0.1f, 0.85f}, {75, 30, 5, -45}, {50, 45, -10, -20},
-                         {50, 45, -20, -10}, 0.3f, 30, 0.4f);
+        tree = broadleaf({15.5f, 0.56f, 9.4f, S::TendFlame, 0.1f, 0.85f}, {75, 30, 5, -45},
+                         {50, 45, -10, -20}, {50, 45, -20, -10}, 0.3f, 30, 0.4f);
         tree.grown->boughs.count = 22;
         tree.grown->boughs.sections = 1.2f;
         tree.grown->boughs.taper = 0.5f;
