@@ -37,8 +37,8 @@ glm::vec3 risen(const glm::vec3& heading, float angle) {
 glm::vec3 springing(const glm::vec3& axis, float inclination, float azimuth, float flat) {
     const glm::vec3 left = directionOr(glm::cross(up, axis), perpendicular(axis));
     const glm::vec3 above = glm::cross(axis, left);
-    const glm::vec3 aside = directionOr(
-        cosine(azimuth) * left + (1.0f - flat) * sine(azimuth) * above, cosine(azimuth) < 0.0f ? -left : left);
+    const glm::vec3 aside = directionOr(cosine(azimuth) * left + (1.0f - flat) * sine(azimuth) * above,
+                                        cosine(azimuth) < 0.0f ? -left : left);
     return glm::normalize(cosine(inclination) * axis + sine(inclination) * aside);
 }
 
@@ -105,11 +105,12 @@ private:
     /// How far a bough can grow along its way until it reaches the outline of the crown.
     float lengthToOutline(const glm::vec3& base, const std::vector<glm::vec3>& course) const {
         const float depth = _p.height * (1.0f - _p.crownBase);
+        const float lowest = std::max(_p.height - depth - 0.25f * _p.crownWidth, 0.0f);
         const auto outside = [&](float length) {
             return std::any_of(course.begin(), course.end(), [&](const glm::vec3& point) {
                 const glm::vec3 p = base + length * point;
                 const float reach = std::sqrt(p.x * p.x + p.y * p.y);
-                return p.z > _p.height ||
+                return p.z > _p.height || p.z < lowest ||
                        reach > 0.5f * _p.crownWidth * crownWidth(_p.shape, (_p.height - p.z) / depth);
             });
         };
@@ -139,19 +140,20 @@ private:
             const bool fork = level == 1 && i >= count - _p.forks;
             const float along = fork ? 1.0f : alongCrown(i, count - (level == 1 ? _p.forks : 0), level);
             child.place = glm::mix(start, 1.0f, along);
-            const float azimuth = glm::two_pi<float>() *
-                                  (static_cast<float>(strata[static_cast<std::size_t>(i)]) + _random.uniform()) /
-                                  static_cast<float>(count);
+            const float azimuth =
+                glm::two_pi<float>() *
+                (static_cast<float>(strata[static_cast<std::size_t>(i)]) + _random.uniform()) /
+                static_cast<float>(count);
             const float usual =
                 fork ? _p.forkInclination : glm::mix(kind.inclination, kind.inclinationEnd, along);
             const float inclination = usual + kind.inclinationVariation * _random.symmetric();
             const auto [base, tangent] = at(axis, child.place);
             child.points = course(springing(tangent, inclination, azimuth, kind.flat), kind.rise,
                                   kind.riseOutside, kind.crook, kind.units);
-            const float whole = level == 1 ? lengthToOutline(base, child.points)
-                                           : axis.length * (1.0f - 0.6f * child.place);
-            child.length = std::max(
-                whole * kind.length * (1.0f - kind.lengthVariation * _random.uniform()), _shortest);
+            const float whole =
+                level == 1 ? lengthToOutline(base, child.points) : axis.length * (1.0f - 0.6f * child.place);
+            child.length =
+                std::max(whole * kind.length * (1.0f - kind.lengthVariation * _random.uniform()), _shortest);
             for (glm::vec3& point : child.points)
                 point = base + child.length * point;
             sum += power(child.length, 2.0f * kind.power);
@@ -178,7 +180,7 @@ private:
     float alongCrown(int i, int count, int level) {
         const int whorl = level == 1 ? _p.whorl : 1;
         const int whorls = std::max((count + whorl - 1) / whorl, 1);
-        const float scatter = whorl > 1 ? 0.15f : 1.0f;
+        const float scatter = whorl > 1 ? 0.4f : 1.0f;
         return (static_cast<float>(i / whorl) + 0.5f + 0.5f * scatter * _random.symmetric()) /
                static_cast<float>(whorls);
     }
@@ -217,7 +219,8 @@ private:
         for (int i = 0; i < units; ++i) {
             const float from = static_cast<float>(i) / static_cast<float>(units);
             const float to = static_cast<float>(i + 1) / static_cast<float>(units);
-            const auto first = axis.points.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(i) * segments);
+            const auto first =
+                axis.points.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(i) * segments);
             const auto last = first + static_cast<std::ptrdiff_t>(segments);
             BranchUnit unit;
             unit.parent = parent;

@@ -24,8 +24,8 @@ constexpr float twigCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].twigs;
 }
 
-/// Area that the leaf cards of a tree need, one side, over its trunk's cross-section, so that the leaves on them
-/// have WoodParameters::leafArea.
+/// Area that the leaf cards of a tree need, one side, over its trunk's cross-section, so that the leaves on
+/// them have WoodParameters::leafArea.
 inline float cardArea(const Species& species) {
     return species.wood.leafArea / leafCoverage(species.appearance.leafForm);
 }

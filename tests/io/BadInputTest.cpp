@@ -146,7 +146,8 @@ const BadInput badInputs[] = {
     {"StemTooThick", species("[species.growth]\nheight = 2\nradius = @0.6\n"), "species.growth.radius",
      "at most a quarter of the height"},
     {"TwigsTooMany",
-     species("@[species.growth]\nboughs = { count = 200 }\nbranches = { count = 200 }\ntwigs = { count = 200 }\n"),
+     species("@[species.growth]\nboughs = { count = 200 }\nbranches = { count = 200 }\ntwigs = { count = 200 "
+             "}\n"),
      "species.growth", "more than 1048576 skeleton points"},
     {"TrunkThickerThanTall", species("[species.tree]\nlength = 0.5\nradius = @0.6\n"), "species.tree.radius",
      "half the trunk"},

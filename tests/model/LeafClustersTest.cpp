@@ -212,7 +212,8 @@ TEST(LeafSprays, LeaveTheInnerPartOfABoughBare) {
     leaves.bare = 0.6f;
     for (const LeafCluster& cluster : makeLeafClusters(skeleton, leaves)) {
         const BranchUnit& unit = skeleton.units[static_cast<std::size_t>(cluster.unit)];
-        const bool innerBough = unit.level == 1 && skeleton.units[static_cast<std::size_t>(unit.parent)].level == 0;
+        const bool innerBough =
+            unit.level == 1 && skeleton.units[static_cast<std::size_t>(unit.parent)].level == 0;
         ASSERT_FALSE(innerBough) << "the inner half of a bough of two units";
     }
 }

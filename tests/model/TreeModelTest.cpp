@@ -77,7 +77,8 @@ TEST(TreeModel, CountsOfGrownTreesAreKnownWithoutLeaves) {
         for (const int firstLevel : {1, 3, 9}) {
             p.leaves.clusters = clusters;
             p.leaves.firstLevel = firstLevel;
-            EXPECT_EQ(values(countTree(p)), values(countTree(makeTreeModel(p)))) << clusters << ' ' << firstLevel;
+            EXPECT_EQ(values(countTree(p)), values(countTree(makeTreeModel(p))))
+                << clusters << ' ' << firstLevel;
         }
 }
 
