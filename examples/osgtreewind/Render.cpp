@@ -27,6 +27,7 @@ struct RenderOptions {
     int frames = 1, samples = 4, width = 0, height = 0;
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
+    std::optional<float> season;
 };
 
 int samplesAcross(const RenderOptions& options) {
@@ -127,6 +128,7 @@ ExitCode render(RenderOptions options) {
         return BadInput;
     if (!options.tiers.empty())
         description->drawing.tiers = options.tiers == "on";
+    description->season = options.season.value_or(description->season);
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
     osg::ref_ptr<osg::Group> scene = createSetting(*forest);
 
@@ -209,6 +211,7 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--fov", options->fov, "Vertical field of view, degrees")
         ->check(within(1.0, 170.0))
         ->capture_default_str();
+    addSeasonOption(*command, options->season);
     command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges: 1, 4, 9 or 16")
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();

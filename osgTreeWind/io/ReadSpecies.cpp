@@ -85,6 +85,10 @@ void readLeafMotion(TableReader& table, LeafMotion& leaf) {
 void readAppearance(TableReader& table, Appearance& appearance) {
     table.read("bark", appearance.bark, within(0, 1));
     table.read("leaves", appearance.leaves, within(0, 1));
+    table.read("spring_leaves", appearance.springLeaves, within(0, 1));
+    table.read("autumn_leaves", appearance.autumnLeaves, within(0, 1));
+    if (bool evergreen = false; table.read("evergreen", evergreen))
+        appearance.evergreen = evergreen;
     table.readChoice<LeafForm>("leaf_form", appearance.leafForm,
                                {{"blade", LeafForm::Blade},
                                 {"lobed", LeafForm::Lobed},

@@ -3,6 +3,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
+
 namespace osgTreeWind {
 
 /// What the sprays on a leaf texture are made of, by genus.
@@ -36,11 +38,17 @@ enum class BarkForm {
 /// How a kind of tree looks. Linear RGB colours, each in [0, 1].
 struct Appearance {
     glm::vec3 bark{0.40f, 0.33f, 0.27f};
-    glm::vec3 leaves{0.38f, 0.50f, 0.20f};
+    glm::vec3 leaves{0.38f, 0.50f, 0.20f};       ///< In summer.
+    glm::vec3 springLeaves{0.19f, 0.29f, 0.06f}; ///< As they unfold,
+    glm::vec3 autumnLeaves{0.32f, 0.17f, 0.03f}; ///< and before they fall.
+    std::optional<bool> evergreen;               ///< Not given: as the form of its leaves says.
     LeafForm leafForm = LeafForm::Blade;
     BarkForm barkForm = BarkForm::Furrowed;
 
     bool needles() const { return leafForm >= LeafForm::Needles && leafForm <= LeafForm::Tufts; }
+    bool isEvergreen() const {
+        return evergreen.value_or((needles() && leafForm != LeafForm::Tufts) || leafForm == LeafForm::Frond);
+    }
 };
 
 } // namespace osgTreeWind

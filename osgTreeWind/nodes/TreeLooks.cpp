@@ -143,8 +143,8 @@ glm::vec2 quadsOf(const TreeModel& model) {
             const glm::vec3 normal = glm::cross(edge(1), edge(3));
             const float area = glm::length(normal);
             if (area > 0.0f)
-                sum += area * glm::vec2(1.0f, glm::degrees(glm::acos(
-                                                  glm::min(glm::abs(normal.z) / area, 1.0f))));
+                sum += area *
+                       glm::vec2(1.0f, glm::degrees(glm::acos(glm::min(glm::abs(normal.z) / area, 1.0f))));
         }
     return sum;
 }
@@ -179,7 +179,8 @@ struct LeafColors {
         };
         for (int y = 0; y < pictures.pixels; ++y) // the lower row is that of the horizon
             for (int x = 0; x < pictures.azimuths * pictures.pixels; ++x) {
-                const glm::vec4 color = texel(*pictures.colors, x, y), normal = texel(*pictures.normals, x, y);
+                const glm::vec4 color = texel(*pictures.colors, x, y),
+                                normal = texel(*pictures.normals, x, y);
                 if (color.a < 1.0f || normal.a < 1.0f)
                     continue;
                 const float sunny = 0.5f + 0.5f * glm::dot(2.0f * glm::vec3(normal) - 1.0f, toSun);

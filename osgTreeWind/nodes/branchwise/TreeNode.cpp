@@ -6,6 +6,8 @@
 
 #include <osgUtil/IntersectionVisitor>
 
+#include <glm/common.hpp>
+
 namespace osgTreeWind {
 namespace {
 
@@ -36,6 +38,7 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
         setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
     if (other._tree) {
         build(other._shape, other._style, other._tree->scale());
+        setLeaves(other._share);
         _lod->setRanges(other._lod->getRanges());
         setBranchwise(other._branchwise);
         setLeafwise(other._leafwise);
@@ -62,6 +65,7 @@ void TreeNode::build(TreeShape* shape, const TreeStyle& style, const TreeScale& 
     state->addUniform(new osg::Uniform("treeAxes", toOsg(scale.axes)));
     state->addUniform(new osg::Uniform("treeSizes", osg::Vec2(scale.radius, scale.leaf)));
     setTexels(atRest, atRest);
+    setLeaves(_share);
 }
 
 unsigned TreeNode::getNumBranches() const {
@@ -143,10 +147,24 @@ void TreeNode::makeTransforms() {
     for (const LeafCluster& cluster : _tree->model().leaves) {
         osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
         leaf->setDataVariance(osg::Object::DYNAMIC);
-        leaf->setStateSet(_style.leafCluster);
         leaf->addChild(_shape->leafCluster());
         branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
         _leafTransforms.push_back(leaf);
+    }
+    styleLeaves();
+}
+
+void TreeNode::setLeaves(float share) {
+    _share = share;
+    getOrCreateStateSet()->getOrCreateUniform("treeLeaves", osg::Uniform::FLOAT)->set(share);
+    styleLeaves();
+}
+
+/// As shaders/branchwise/leaf.vert does it.
+void TreeNode::styleLeaves() {
+    for (std::size_t i = 0; i < _leafTransforms.size(); ++i) {
+        const bool borne = glm::fract(0.618034f * static_cast<float>(i)) < _share;
+        _leafTransforms[i]->setStateSet(borne ? _style.leafCluster : _style.bareCluster);
     }
 }
 

@@ -56,6 +56,9 @@ public:
     /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
     void setOwnNumber(float number);
 
+    /// Share of its leaves that it bears, [0, 1]. Not during a traversal.
+    void setLeaves(float share);
+
     /// What is drawn at the level BILLBOARD.
     void setBillboard(osg::Drawable* picture);
 
@@ -81,6 +84,7 @@ private:
     void turnBranches(bool all);
     void turnLeaves();
     void bringUpToDate();
+    void styleLeaves();
     bool hasTransforms() const { return _branchwise || _leafwise; }
 
     osg::ref_ptr<TreeShape> _shape;
@@ -90,6 +94,7 @@ private:
     osg::ref_ptr<osg::Drawable> _skin, _leaves, _bareSkin;
     std::vector<Branch> _branches;                                   ///< By unit; null those not needed yet.
     std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms; ///< Empty until they are looked at.
+    float _share = 1.0f;                                             ///< Of leaves that it bears.
     bool _branchwise = false, _leafwise = false;
     bool _full = false; ///< Whether the transforms of FULL are there.
 };

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/Season.h>
 #include <osgTreeWind/nodes/TreeTextures.h>
 
 namespace osgTreeWind {
@@ -15,10 +16,11 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
     }
     osg::ref_ptr<osg::Texture2D>& foliage = appearance.needles() ? _needles : _blades;
     if (!foliage)
-        foliage = appearance.needles() ? makeTreeTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)
-                                     : makeTreeTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE);
+        foliage = appearance.needles()
+                      ? makeTreeTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)
+                      : makeTreeTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE);
 
-    TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr};
+    TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr, nullptr};
     style.bark->setAttributeAndModes(_barkProgram);
     style.bark->setTextureAttribute(0, _bark);
     style.bark->addUniform(new osg::Uniform("barkTexture", 0));
@@ -37,11 +39,18 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
     style.leafCluster->addUniform(new osg::Uniform("treeFirstUnit", -1));
     style.leafCluster->addUniform(new osg::Uniform("treeFirstLeaf", -1));
     style.leafCluster->addUniform(new osg::Uniform("treeSizes", osg::Vec2(1.0f, 1.0f)));
+    style.bareCluster = new SharedStateSet(*style.leafCluster);
+    style.leafCluster->addUniform(new osg::Uniform("treeLeaves", 1.0f));
+    style.bareCluster->addUniform(new osg::Uniform("treeLeaves", 0.0f));
     return style;
 }
 
+void TreeStyle::showSeason(const Appearance& appearance, float season) const {
+    leaves->getUniform("leafColor")->set(toOsg(leafColor(appearance, season))); // which all of them share
+}
+
 void TreeStyle::releaseGLObjects(osg::State* state) const {
-    for (const osg::ref_ptr<SharedStateSet>& shared : {bark, branchBark, leaves, leafCluster})
+    for (const osg::ref_ptr<SharedStateSet>& shared : {bark, branchBark, leaves, leafCluster, bareCluster})
         shared->releaseShared(state);
 }
 
