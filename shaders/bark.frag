@@ -1,6 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
+#include "encode.glsl"
+
 uniform sampler2D barkTexture; // grey
 uniform vec3 barkColor;
 
@@ -10,5 +12,5 @@ in vec3 barkLight;
 void main() {
     float shade = texture(barkTexture, barkCoord).r;
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    gl_FragColor = vec4(inside * shade * barkColor * barkLight, 1.0);
+    gl_FragColor = vec4(encoded(inside * shade * barkColor * barkLight), 1.0);
 }

@@ -3,6 +3,7 @@
 // A tree as a picture that faces the eye and leans with the tree.
 // gl_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
 
+#include "law/tint.glsl"
 #include "light.glsl"
 
 in vec4 treePlace; // foot, heading
@@ -68,6 +69,11 @@ void main() {
     mat3 heading = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
     lightByNormal = lightByNormal * mat3(normalize(gl_NormalMatrix[0]), normalize(gl_NormalMatrix[1]),
                                          normalize(gl_NormalMatrix[2])) * heading;
+    vec3 tint = treeTint(treeState.w);
+    barkLight *= tint;
+    leafLightMore *= tint;
+    for (int i = 0; i < 3; ++i)
+        lightByNormal[i] *= tint;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;
 }

@@ -5,9 +5,10 @@
 #pragma import_defines(FADING, LEAF_TEXTURE_BIAS)
 
 #include "dither.glsl"
+#include "leaf_texture.glsl"
 #include "scene.glsl"
 
-uniform sampler2D leafTexture; // colour variation, alpha: shape
+uniform sampler2D leafTexture; // leaf_texture.glsl
 uniform vec3 leafColor;
 
 in vec2 leafCoord;
@@ -21,11 +22,11 @@ void main() {
 #else
     vec4 leaf = texture(leafTexture, leafCoord);
 #endif
-    if (leaf.a < 0.5) // leafAlphaThreshold of TreeTextures.cpp
+    if (leaf.a < 0.5) // LeafTexels::alphaThreshold
         discard;
 #ifdef FADING
     if (dithered(treeFade))
         discard;
 #endif
-    gl_FragColor = vec4(sceneColor(leaf.rgb * leafColor * leafLight, scenePosition), 1.0);
+    gl_FragColor = vec4(sceneColor(leafTint(leaf) * leafColor * leafLight, scenePosition), 1.0);
 }

@@ -8,6 +8,7 @@
 #include "real.glsl"
 #include "law/limits.glsl"
 #include "law/flutter.glsl"
+#include "law/tint.glsl"
 #include "instance.glsl"
 #include "light.glsl"
 
@@ -30,7 +31,7 @@ void main() {
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
     float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
-    float own = 0.88 + 0.24 * fract(treeState.z + 0.754878 * gl_MultiTexCoord0.w);
+    vec3 own = treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w);
     leafLight = own * open * leafShade(eyePosition.xyz, eyeDirection(pose, normal));
     leafCoord = gl_MultiTexCoord0.xy;
     treeFade = treeState.y;

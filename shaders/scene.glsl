@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the scene does to a fragment: shadows that fall on it, and fog (osgTreeWind/nodes/SceneShading.h says which).
+// What the scene does to a fragment: shadows that fall on it, the encoding of its colour, and fog, which is mixed in as
+// OpenGL does, in the values that are written (osgTreeWind/nodes/SceneShading.h says which).
 // SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
 #pragma import_defines(FOG_MODE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
+
+#include "encode.glsl"
 
 #ifdef SHADOW_MAP
 uniform sampler2DShadow osgShadow_shadowTexture;
@@ -53,7 +56,7 @@ float fogLeft(vec3 eyePosition) {
 
 /// The colour of a fragment as it is seen.
 vec3 sceneColor(vec3 color, vec3 eyePosition) {
-    vec3 lit = color * lightLeft(eyePosition);
+    vec3 lit = encoded(color * lightLeft(eyePosition));
 #ifdef FOG_MODE
     lit = mix(gl_Fog.color.rgb, lit, fogLeft(eyePosition));
 #endif

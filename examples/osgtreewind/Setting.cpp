@@ -170,7 +170,7 @@ osg::ref_ptr<osg::Geometry> createShadows(Forest& forest) {
 osg::ref_ptr<osg::LightSource> createSun() {
     osg::ref_ptr<osg::LightSource> sun = new osg::LightSource;
     sun->getLight()->setPosition(osg::Vec4(sunDirection, 0.0f));
-    sun->getLight()->setAmbient(osg::Vec4(0.34f, 0.37f, 0.42f, 1.0f));
+    sun->getLight()->setAmbient(osg::Vec4(0.32f, 0.37f, 0.45f, 1.0f));
     sun->getLight()->setDiffuse(osg::Vec4(1.25f, 1.18f, 1.02f, 1.0f));
     return sun;
 }

@@ -26,24 +26,154 @@ glm::quat leafFrame(const glm::vec3& petiole, float roll) {
     return swing * glm::quat(cosine(0.5f * roll), sine(0.5f * roll) * z);
 }
 
+int lastLevelOf(const Skeleton& skeleton) {
+    int last = 0;
+    for (const BranchUnit& unit : skeleton.units)
+        last = std::max(last, unit.level);
+    return last;
+}
+
+/// The part of a unit that bears clusters: metres along it from its base, none if `to` is not beyond `from`.
+struct Stretch {
+    float from = 0.0f, to = 0.0f;
+};
+
+std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParameters& p) {
+    const std::vector<BranchUnit>& units = skeleton.units;
+    const auto levels = static_cast<float>(std::max(lastLevelOf(skeleton) - p.firstLevel, 1));
+    std::vector<float> length(units.size()), before(units.size()); // of the unit; of its branch below it
+    std::vector<float> branch(units.size()); // length of the branch that begins with the unit
+    std::vector<std::size_t> first(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        for (int ring = 1; ring < skeleton.ringsPerBranch; ++ring)
+            length[i] += glm::distance(skeleton.point(i, ring - 1), skeleton.point(i, ring));
+        first[i] = i;
+        const auto parent = static_cast<std::size_t>(std::max(units[i].parent, 0));
+        if (units[i].parent >= 0 && units[parent].level == units[i].level) {
+            first[i] = first[parent];
+            before[i] = branch[first[i]];
+        }
+        branch[first[i]] += length[i];
+    }
+    std::vector<Stretch> stretches(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const float outerness = static_cast<float>(units[i].level - p.firstLevel) / levels;
+        if (outerness >= 0.0f)
+            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], 0.0f), length[i]};
+    }
+    return stretches;
+}
+
+/// Jöhnk's draw from a beta distribution on (0, 1).
+float betaOf(Random& random, float alpha, float beta) {
+    for (int tries = 0; tries < 1000; ++tries) {
+        const float x = power(random.uniform(), 1.0f / alpha), y = power(random.uniform(), 1.0f / beta);
+        if (x + y > 0.0f && x + y <= 1.0f)
+            return x / (x + y);
+    }
+    return alpha / (alpha + beta);
+}
+
+/// Angle of a leaf face from the horizontal: leaf angles follow a beta distribution (Goel and Strebel 1984),
+/// here with a standard deviation of 13 to 20 degrees, as measured crowns have.
+float leafAngle(Random& random, float mean) {
+    constexpr float concentration = 4.0f;
+    const float m = mean / glm::half_pi<float>();
+    return glm::half_pi<float>() * betaOf(random, concentration * m, concentration * (1.0f - m));
+}
+
+/// The leaf frame of a flat spray whose faces have that angle from the horizontal: its petiole points along
+/// `outward` as far as the faces let it.
+glm::quat sprayFrame(const glm::vec3& outward, float angle, float azimuth) {
+    const glm::vec3 normal{sine(angle) * cosine(azimuth), sine(angle) * sine(azimuth), cosine(angle)};
+    const glm::vec3 petiole = directionOr(outward - normal * glm::dot(normal, outward), perpendicular(normal));
+    return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
+}
+
+/// Clusters evenly along all leafy stretches.
+std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafParameters& p) {
+    const std::vector<Stretch> stretches = leafyStretches(skeleton, p);
+    float whole = 0.0f;
+    for (const Stretch& stretch : stretches)
+        whole += std::max(stretch.to - stretch.from, 0.0f);
+    std::vector<LeafCluster> clusters;
+    if (!(whole > 0.0f))
+        return clusters;
+    clusters.reserve(static_cast<std::size_t>(p.clusters));
+    const float spacing = whole / static_cast<float>(p.clusters);
+    Random random(p.seed), angles(p.seed ^ 0x5eafull << 32);
+    float passed = 0.0f;
+    for (std::size_t index = 0; index < stretches.size(); ++index) {
+        const Stretch& stretch = stretches[index];
+        passed += std::max(stretch.to - stretch.from, 0.0f);
+        const float start = random.uniform() * glm::two_pi<float>();
+        for (int i = 0; static_cast<float>(clusters.size()) * spacing < passed - 0.5f * spacing; ++i) {
+            const float left = passed - (static_cast<float>(clusters.size()) + 0.5f) * spacing;
+            const float t = glm::clamp((stretch.to - left) / stretch.to, 0.0f, 1.0f);
+            const float place = t * static_cast<float>(skeleton.ringsPerBranch - 1);
+            const int ring = std::min(static_cast<int>(place), skeleton.ringsPerBranch - 2);
+            const glm::vec3 tangent = skeleton.tangent(index, ring);
+            const glm::vec3 e1 = perpendicular(tangent);
+            const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
+            const glm::vec3 aside = cosine(around) * e1 + sine(around) * glm::cross(tangent, e1);
+            const glm::vec3 petiole = directionOr(aside + 0.8f * tangent - glm::vec3(0, 0, p.droop * 1.2f), aside);
+
+            LeafCluster cluster;
+            cluster.anchor = glm::mix(skeleton.point(index, ring), skeleton.point(index, ring + 1),
+                                      place - static_cast<float>(ring));
+            cluster.unit = static_cast<int>(index);
+            const float turn = random.symmetric() * glm::pi<float>();
+            cluster.orientation = p.inclination > 0.0f
+                                      ? sprayFrame(petiole, leafAngle(angles, p.inclination), turn)
+                                      : leafFrame(petiole, turn);
+            cluster.size = 1.0f + 0.25f * random.symmetric();
+            clusters.push_back(cluster);
+        }
+    }
+    return clusters;
+}
+
+/// Axes of one of the quads: across it and along it.
+struct QuadAxes {
+    glm::vec3 side, along;
+};
+
+/// Of a fan about the petiole; each quad leans away from it so that the cluster fills a volume.
+QuadAxes fanQuad(int quad) {
+    const float turn = glm::two_pi<float>() * static_cast<float>(quad) / quadsPerLeafCluster;
+    const glm::vec3 away{-sine(turn), cosine(turn), 0.0f};
+    return {{cosine(turn), sine(turn), 0.0f}, cosine(0.5f) * glm::vec3(0, 0, 1) + sine(0.5f) * away};
+}
+
+/// Of a flat spray: the first quad goes straight on, the others to both sides, a little out of its plane.
+QuadAxes sprayQuad(int quad) {
+    const float turn = quad == 0 ? 0.0f : quad == 1 ? 0.87f : -0.87f, tilt = quad == 0 ? 0.0f : 0.1f;
+    const glm::vec3 along{sine(turn), 0.0f, cosine(turn)}, across{cosine(turn), 0.0f, -sine(turn)};
+    return {across, cosine(tilt) * along + sine(tilt) * glm::vec3(0, 1, 0)};
+}
+
 } // namespace
 
 LeafParameters clamped(LeafParameters p) {
     const LeafParameters usual;
     p.clustersPerBranch = glm::clamp(p.clustersPerBranch, 0, 64);
+    p.clusters = glm::clamp(p.clusters, 0, 100000);
+    p.bare = clampOr(p.bare, 0.0f, 0.95f, usual.bare);
     p.firstLevel = glm::clamp(p.firstLevel, 0, 9);
     p.length = clampOr(p.length, 0.001f, 100.0f, usual.length);
     p.width = clampOr(p.width, 0.001f, 100.0f, usual.width);
     p.innerSize = clampOr(p.innerSize, 0.01f, 1.0f, usual.innerSize);
     p.droop = clampOr(p.droop, -1.0f, 1.0f, usual.droop);
+    p.inclination = clampOr(p.inclination, 0.0f, 1.4f, usual.inclination);
+    p.area = clampOr(p.area, 0.0f, 1.0e6f, usual.area);
     return p;
 }
 
 std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafParameters& wanted) {
     const LeafParameters parameters = clamped(wanted);
-    int lastLevel = 0;
-    for (const BranchUnit& unit : skeleton.units)
-        lastLevel = std::max(lastLevel, unit.level);
+    if (parameters.clusters > 0)
+        return spreadClusters(skeleton, parameters);
+    const int lastLevel = lastLevelOf(skeleton);
     const float levels = static_cast<float>(std::max(lastLevel - parameters.firstLevel, 1));
     const int count = parameters.clustersPerBranch;
 
@@ -85,11 +215,7 @@ std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters
     std::array<LeafVertex, verticesPerLeafCluster> mesh;
     const float half = 0.5f * parameters.width;
     for (int quad = 0; quad < quadsPerLeafCluster; ++quad) {
-        // A fan about the petiole; each quad leans away from it so that the cluster fills a volume.
-        const float turn = glm::two_pi<float>() * static_cast<float>(quad) / quadsPerLeafCluster;
-        const glm::vec3 side{cosine(turn), sine(turn), 0.0f};
-        const glm::vec3 away{-sine(turn), cosine(turn), 0.0f};
-        const glm::vec3 along = cosine(0.5f) * glm::vec3(0, 0, 1) + sine(0.5f) * away;
+        const auto [side, along] = parameters.inclination > 0.0f ? sprayQuad(quad) : fanQuad(quad);
         const glm::vec3 normal = glm::cross(side, along);
         for (int corner = 0; corner < 4; ++corner) {
             const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};

@@ -15,11 +15,19 @@ namespace osgTreeWind {
 /// How leaves sit on a tree (thesis §2.4). The default makes 16 clusters of 3 quads on every branch.
 struct LeafParameters {
     int clustersPerBranch = 16; ///< 0 to 64; 0 for a bare tree.
+    int clusters = 0; ///< Of the whole tree, spread evenly along its branches; 0: clustersPerBranch holds. 0 to 100,000.
+    float bare = 0.0f; ///< Of `clusters`: share of a branch at firstLevel without any, from its base, [0, 0.95]; on
+                       ///< further levels less, on the outermost 0.
     int firstLevel = 1;         ///< Lowest branch level that bears leaves (the trunk is 0), 0 to 9.
     float length = 0.5f; ///< Cluster length along its petiole at the outermost level, metres, [0.001, 100].
     float width = 0.45f; ///< Cluster width, metres, [0.001, 100].
     float innerSize = 0.5f; ///< Size at `firstLevel` over size at the outermost level, [0.01, 1].
     float droop = 0.3f;     ///< 0: clusters stand off the branch; 1: they hang down; -1: they point up.
+    /// Of `clusters`: mean angle of leaf faces from the horizontal, radians, [0, 1.4]; each cluster is a flat
+    /// spray with its own. 0: clusters are fans, with faces to all sides.
+    float inclination = 0.0f;
+    float area = 0.0f; ///< Of all quads over the trunk's cross-section at breast height, [0, 1e6]; 0: length and
+                       ///< width hold as they are, else they tell the proportions.
     std::uint32_t seed = 1;
 };
 
@@ -35,7 +43,7 @@ struct LeafCluster {
     float size = 1.0f;           ///< Factor on the mesh of makeLeafMesh().
 };
 
-/// Clusters in access order: unit after unit, clustersPerBranch each. Parameters are clamped().
+/// Clusters in access order, unit after unit. Parameters are clamped().
 std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafParameters& parameters);
 
 /// A corner of one of the three quads that make up a cluster, in the leaf frame.
@@ -49,7 +57,8 @@ constexpr int quadsPerLeafCluster = 3;
 constexpr int verticesPerLeafCluster = quadsPerLeafCluster * 4;
 constexpr int trianglesPerLeafCluster = quadsPerLeafCluster * 2;
 
-/// The one shape all clusters share (the thesis' display list, §2.4.1): quads 4i .. 4i+3.
+/// The one shape all clusters share (the thesis' display list, §2.4.1): quads 4i .. 4i+3. A fan about the
+/// petiole, or with an inclination a flat spray.
 std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters& parameters);
 
 } // namespace osgTreeWind

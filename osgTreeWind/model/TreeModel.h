@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/BranchSkin.h>
+#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/RecursiveTree.h>
 #include <osgTreeWind/model/Skeleton.h>
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
@@ -16,6 +18,7 @@ namespace osgTreeWind {
 /// Everything that shapes a tree.
 struct TreeParameters {
     RecursiveTreeParameters wood;
+    std::optional<GrownTreeParameters> grown; ///< In place of `wood`.
     LeafParameters leaves;
 };
 
@@ -28,7 +31,7 @@ struct TreeModel {
     TreeExtents extents; ///< makeTreeExtents() of the above, for measureTree() and fitTree().
 };
 
-/// Grows skeleton, skin and leaves. Both seeds of `parameters` are offset by `variant`.
+/// Grows skeleton, skin and leaves. All seeds of `parameters` are offset by `variant`.
 TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
 
 /// What a tree is made of. Vertices are unique ones; triangles are what is drawn.
@@ -43,7 +46,7 @@ struct TreeCounts {
 };
 
 TreeCounts countTree(const TreeModel& model);
-/// The same numbers without growing the tree; all are exact.
+/// The same numbers without growing skin and leaves; all are exact. Of `grown`: those of variant 0.
 TreeCounts countTree(const TreeParameters& parameters);
 
 } // namespace osgTreeWind

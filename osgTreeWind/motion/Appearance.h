@@ -37,8 +37,8 @@ enum class BarkForm {
 
 /// How a kind of tree looks. Linear RGB colours, each in [0, 1].
 struct Appearance {
-    glm::vec3 bark{0.40f, 0.33f, 0.27f};
-    glm::vec3 leaves{0.38f, 0.50f, 0.20f};       ///< In summer.
+    glm::vec3 bark{0.18f, 0.15f, 0.12f};
+    glm::vec3 leaves{0.13f, 0.21f, 0.05f};       ///< In summer.
     glm::vec3 springLeaves{0.19f, 0.29f, 0.06f}; ///< As they unfold,
     glm::vec3 autumnLeaves{0.32f, 0.17f, 0.03f}; ///< and before they fall.
     std::optional<bool> evergreen;               ///< Not given: as the form of its leaves says.

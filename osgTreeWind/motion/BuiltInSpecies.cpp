@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 
+#include <osgTreeWind/motion/LeafCoverage.h>
+#include <osgTreeWind/motion/SpeciesForms.h>
+
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -19,6 +22,11 @@ constexpr const char* woodHandbook =
     "Forest Products Laboratory 2010 (Wood Handbook, tables 5-3 and 4-1), green modulus and density; drag: "
     "mean of the broadleaves of ForestGALES";
 
+constexpr const char* woodHandbookKin =
+    "Forest Products Laboratory 2010, green modulus and density of the nearest kin (cottonwood, American "
+    "sycamore, red and sugar maple, yellow buckeye, eastern white pine); drag: mean of the broadleaves of "
+    "ForestGALES";
+
 /// Drag C u^-n of a crown, measured up to a speed in m/s.
 struct Drag {
     float c, n, upTo;
@@ -26,57 +34,6 @@ struct Drag {
 
 /// Mean of C 10^-n and of n over birch, beech and oak.
 constexpr Drag broadleafDrag{2.36f, 0.877f, 20.0f};
-
-// Of all forms: a trunk's diameter at its top lies between a cone's and a paraboloid's.
-
-/// A broadleaf: half its height is crown (ForestGALES: crown depths of birch, beech and oak 20 m high are
-/// 0.47 to 0.51 of it), and the cross-sections of three branches make up that of the wood they spring from,
-/// base to base (Leonardo's rule; Eloy 2011): taper * radiusRatio = 1 / sqrt(3).
-TreeParameters broadleafForm(float inclination, float droop, float crook) {
-    TreeParameters form;
-    RecursiveTreeParameters& wood = form.wood;
-    wood.trunkUnits = 3;
-    wood.bareUnits = 2;
-    wood.length = 1.7f;
-    wood.boughLength = 0.3f;
-    wood.taper = 0.65f;
-    wood.radiusRatio = 0.888f;
-    wood.radius = 0.15f;
-    wood.inclination = glm::radians(inclination);
-    wood.crook = crook;
-    form.leaves.droop = droop;
-    return form;
-}
-
-/// A conifer: whorls up a straight trunk; branches are 0.17 of the volume of its wood (Jenkins et al. 2003:
-/// 0.18 at 35 cm).
-TreeParameters coniferForm(int bareUnits, float bough, float crownTaper, float inclination, float droop) {
-    TreeParameters form;
-    RecursiveTreeParameters& wood = form.wood;
-    wood.trunkUnits = 12;
-    wood.bareUnits = bareUnits;
-    wood.levels = 2;
-    wood.childrenPerBranch = 4;
-    wood.length = 1.0f;
-    wood.boughLength = bough;
-    wood.lengthRatio = 0.45f;
-    wood.crownTaper = crownTaper;
-    wood.inclination = glm::radians(inclination);
-    wood.inclinationGrowth = 0.6f;
-    wood.leader = 0.9f;
-    wood.follow = 0.8f;
-    wood.radius = 0.16f;
-    wood.taper = 0.2f;
-    wood.radiusRatio = 0.41f;
-    wood.crook = 0.03f;
-    wood.jitter = 0.12f;
-    LeafParameters& leaves = form.leaves;
-    leaves.length = 0.6f;
-    leaves.width = 0.5f;
-    leaves.innerSize = 0.9f;
-    leaves.droop = droop;
-    return form;
-}
 
 /// What ForestGALES knows of a species' foot and crown: overturning moment over stem mass (freely draining
 /// mineral soil, roots of all depths), crown width from diameter.
@@ -87,12 +44,19 @@ struct Stand {
 /// Means over birch, beech and oak.
 constexpr Stand broadleafStand{178, 0.71f, 18.0f};
 
-BuiltInSpecies entry(std::vector<std::string> names, TreeParameters form, float modulus, float density,
-                     const Drag& drag, const Stand& stand, const glm::vec3& bark, const glm::vec3& leaves,
-                     const char* source) {
+/// Linear colours.
+struct Look {
+    BarkForm barkForm;
+    glm::vec3 bark;
+    LeafForm leafForm;
+    glm::vec3 leaves;
+};
+
+BuiltInSpecies entry(std::vector<std::string> names, SpeciesForm form, float modulus, float density,
+                     const Drag& drag, const Stand& stand, const Look& look, const char* source) {
     BuiltInSpecies built;
     built.species.name = names.front();
-    built.species.tree = form;
+    built.species.tree = speciesForm(form);
     built.species.wood.elasticModulus = modulus;
     built.species.wood.density = density;
     built.species.wood.underBark = 0.93f; // Miles and Smith 2009: bark is some 15 % of the volume of the wood
@@ -106,18 +70,18 @@ BuiltInSpecies entry(std::vector<std::string> names, TreeParameters form, float 
     built.species.wood.crownDrag = drag.c;
     built.species.wood.streamlining = drag.n;
     built.species.wood.streamlinedTo = drag.upTo;
-    built.species.appearance.bark = bark;
-    built.species.appearance.leaves = leaves;
+    built.species.appearance.bark = look.bark;
+    built.species.appearance.barkForm = look.barkForm;
+    built.species.appearance.leaves = look.leaves;
+    built.species.appearance.leafForm = look.leafForm;
     built.names = std::move(names);
     built.source = source;
     return built;
 }
 
-BuiltInSpecies conifer(std::vector<std::string> names, const TreeParameters& form, float modulus,
-                       float density, const Drag& drag, const Stand& stand, const glm::vec3& leaves,
-                       const char* source) {
-    BuiltInSpecies built =
-        entry(std::move(names), form, modulus, density, drag, stand, {0.35f, 0.26f, 0.21f}, leaves, source);
+BuiltInSpecies conifer(std::vector<std::string> names, SpeciesForm form, float modulus, float density,
+                       const Drag& drag, const Stand& stand, const Look& look, const char* source) {
+    BuiltInSpecies built = entry(std::move(names), form, modulus, density, drag, stand, look, source);
     Species& species = built.species;
     species.wood.leafArea = 1300.0f; // Jenkins et al. 2003: 280 kg of dry needles per m^2; 4.6 m^2 per kg
     species.wood.leafMass = 0.45f;
@@ -127,7 +91,19 @@ BuiltInSpecies conifer(std::vector<std::string> names, const TreeParameters& for
     species.crown.openPerDiameter = 17.0f;
     species.leaf.maxAngleX = species.leaf.maxAngleZ = glm::radians(7.0f);
     species.leaf.maxRotation = glm::radians(9.0f);
-    species.appearance.leafForm = LeafForm::Needles;
+    return built;
+}
+
+/// No branches but fronds, no crown that grows wider.
+BuiltInSpecies palm(std::vector<std::string> names, const Look& look, const char* source) {
+    BuiltInSpecies built = entry(std::move(names), SpeciesForm::Palm, 5.0e9f, 900, {0, 0, 25}, broadleafStand, look, source);
+    Species& species = built.species;
+    species.wood.underBark = species.wood.wholeStem = species.wood.branchModulus = 1.0f;
+    species.wood.modulusPower = 0.0f;
+    species.wood.branchWood = WoodAllometry::Drawn;
+    species.wood.leafArea = 450.0f; // some 45 fronds of 1 m^2 on a stem of 35 cm
+    species.wood.leafMass = 0.4f;
+    species.crown = {};
     return built;
 }
 
@@ -140,77 +116,97 @@ bool sameName(const std::string& a, const std::string& b) {
 } // namespace
 
 std::vector<BuiltInSpecies> builtInSpecies() {
-    const TreeParameters spruce = coniferForm(4, 0.24f, 0.1f, 88.0f, 0.3f);
-    const TreeParameters fir = coniferForm(4, 0.22f, 0.15f, 80.0f, 0.1f);
-    TreeParameters pine = coniferForm(6, 0.22f, 0.45f, 68.0f, -0.1f);
-    pine.wood.taper = 0.3f;
-    pine.wood.radiusRatio = 0.48f;
-    TreeParameters larch = coniferForm(5, 0.22f, 0.15f, 85.0f, 0.3f);
-    larch.wood.radiusRatio = 0.5f;
-    const glm::vec3 dark{0.22f, 0.35f, 0.20f}, blueGreen{0.26f, 0.40f, 0.33f}, light{0.40f, 0.52f, 0.22f};
-    const glm::vec3 grey{0.42f, 0.38f, 0.34f}, brown{0.34f, 0.29f, 0.24f}, white{0.70f, 0.70f, 0.68f};
-    const glm::vec3 green{0.34f, 0.48f, 0.18f}, fresh{0.42f, 0.54f, 0.22f}, deep{0.30f, 0.44f, 0.16f};
-    const glm::vec3 needles{0.25f, 0.37f, 0.19f};
-    return {
-        conifer({"Norway spruce", "spruce", "Picea abies", "Picea"}, spruce, 6.3e9f, 850, {2.35f, 0.51f, 25},
-                {129, 0.58f, 11.5f}, dark, forestGales),
-        conifer({"Sitka spruce", "Picea sitchensis"}, spruce, 5.9e9f, 850, {2.35f, 0.51f, 25},
-                {156, 0.64f, 13.5f}, blueGreen, forestGales),
-        conifer({"Douglas fir", "Douglas-fir", "Pseudotsuga menziesii", "Pseudotsuga"}, fir, 8.3e9f, 850,
-                {2.4f, 0.7f, 25}, {149, 1.83f, 10.9f}, dark, forestGales),
-        conifer({"grand fir", "fir", "Abies grandis", "Abies"}, fir, 5.7e9f, 850, {4.7f, 0.74f, 25},
-                {174, 2.16f, 7.7f}, dark, forestGales),
-        conifer({"western hemlock", "hemlock", "Tsuga heterophylla", "Tsuga"}, spruce, 8.9e9f, 850,
-                {1.51f, 0.68f, 25}, {153, 1.29f, 11.7f}, dark, forestGales),
-        conifer({"Scots pine", "pine", "Pinus sylvestris", "Pinus"}, pine, 7.3e9f, 850, {3.07f, 0.75f, 25},
-                {143, 0.70f, 12.0f}, needles, forestGales),
-        conifer({"lodgepole pine", "Pinus contorta"}, pine, 6.4e9f, 850, {2.48f, 0.63f, 25},
-                {144, 0.59f, 10.7f}, needles, forestGales),
-        conifer({"Corsican pine", "black pine", "Pinus nigra"}, pine, 7.0e9f, 850, {2.57f, 0.61f, 25},
-                {113, 0.68f, 12.5f}, needles, forestGales),
-        conifer({"radiata pine", "Monterey pine", "Pinus radiata"}, pine, 6.8e9f, 1002, {2.35f, 0.51f, 25},
-                {86, 2.96f, 6.4f}, needles, forestGales),
-        conifer({"white spruce", "Picea glauca"}, spruce, 1.0e10f, 850, {2.35f, 0.51f, 20},
-                {207, 0.77f, 12.0f}, dark, forestGales),
-        conifer({"balsam fir", "Abies balsamea"}, fir, 7.8e9f, 616, {2.4f, 0.7f, 20}, {189, 0.88f, 11.0f},
-                dark, forestGales),
-        conifer({"European larch", "larch", "Larix decidua", "Larix"}, larch, 7.9e9f, 850, {3.07f, 0.75f, 25},
-                {149, 0.60f, 15.2f}, light, forestGales),
-        entry({"silver birch", "birch", "Betula pendula", "Betula pubescens", "Betula"},
-              broadleafForm(32, 0.7f, 0.05f), 9.9e9f, 900, {1.963f, 0.881f, 20}, {131, 0.88f, 17.0f}, white,
-              fresh, forestGales),
-        entry({"beech", "European beech", "Fagus sylvatica", "Fagus"}, broadleafForm(38, 0.2f, 0.05f), 9.8e9f,
-              1158, {2.414f, 0.904f, 20}, {202, 0.88f, 18.0f}, grey, deep, forestGales),
+    using F = SpeciesForm;
+    using B = BarkForm;
+    using L = LeafForm;
+    const glm::vec3 dark{0.08f, 0.15f, 0.06f}, blueGreen{0.09f, 0.17f, 0.11f}, light{0.14f, 0.22f, 0.06f};
+    const glm::vec3 grey{0.19f, 0.17f, 0.15f}, brown{0.15f, 0.13f, 0.11f}, white{0.53f, 0.53f, 0.51f};
+    const glm::vec3 green{0.11f, 0.20f, 0.05f}, fresh{0.15f, 0.23f, 0.06f}, deep{0.11f, 0.18f, 0.04f};
+    const glm::vec3 needles{0.09f, 0.15f, 0.06f}, yellowish{0.18f, 0.25f, 0.06f};
+    const glm::vec3 resin{0.16f, 0.12f, 0.10f}, orange{0.24f, 0.12f, 0.07f}, pale{0.30f, 0.30f, 0.25f};
+    const Look spruce{B::Plated, resin, L::Needles, dark}, fir{B::Smooth, grey, L::Needles, dark};
+    const Look pine{B::Plated, brown, L::Bundles, needles};
+    std::vector<BuiltInSpecies> all = {
+        conifer({"Norway spruce", "spruce", "Picea abies", "Picea"}, F::Spruce, 6.3e9f, 850, {2.35f, 0.51f, 25},
+                {129, 0.58f, 11.5f}, spruce, forestGales),
+        conifer({"Sitka spruce", "Picea sitchensis"}, F::SitkaSpruce, 5.9e9f, 850, {2.35f, 0.51f, 25},
+                {156, 0.64f, 13.5f}, {B::Plated, resin, L::Needles, blueGreen}, forestGales),
+        conifer({"Douglas fir", "Douglas-fir", "Pseudotsuga menziesii", "Pseudotsuga"}, F::DouglasFir, 8.3e9f,
+                850, {2.4f, 0.7f, 25}, {149, 1.83f, 10.9f}, {B::Furrowed, resin, L::Needles, dark}, forestGales),
+        conifer({"grand fir", "fir", "Abies grandis", "Abies"}, F::Fir, 5.7e9f, 850, {4.7f, 0.74f, 25},
+                {174, 2.16f, 7.7f}, fir, forestGales),
+        conifer({"western hemlock", "hemlock", "Tsuga heterophylla", "Tsuga"}, F::Hemlock, 8.9e9f, 850,
+                {1.51f, 0.68f, 25}, {153, 1.29f, 11.7f}, {B::Furrowed, resin, L::Needles, dark}, forestGales),
+        conifer({"Scots pine", "pine", "Pinus sylvestris", "Pinus"}, F::ScotsPine, 7.3e9f, 850,
+                {3.07f, 0.75f, 25}, {143, 0.70f, 12.0f}, {B::Plated, orange, L::Bundles, blueGreen}, forestGales),
+        conifer({"lodgepole pine", "Pinus contorta"}, F::LodgepolePine, 6.4e9f, 850, {2.48f, 0.63f, 25},
+                {144, 0.59f, 10.7f}, pine, forestGales),
+        conifer({"Corsican pine", "black pine", "Austrian pine", "Pinus nigra"}, F::CorsicanPine, 7.0e9f, 850,
+                {2.57f, 0.61f, 25}, {113, 0.68f, 12.5f}, {B::Plated, grey, L::Bundles, dark}, forestGales),
+        conifer({"radiata pine", "Monterey pine", "Pinus radiata"}, F::RadiataPine, 6.8e9f, 1002,
+                {2.35f, 0.51f, 25}, {86, 2.96f, 6.4f}, pine, forestGales),
+        conifer({"white spruce", "Picea glauca", "blue spruce", "Picea pungens"}, F::WhiteSpruce, 1.0e10f, 850,
+                {2.35f, 0.51f, 20}, {207, 0.77f, 12.0f}, {B::Plated, grey, L::Needles, blueGreen}, forestGales),
+        conifer({"balsam fir", "Abies balsamea"}, F::BalsamFir, 7.8e9f, 616, {2.4f, 0.7f, 20},
+                {189, 0.88f, 11.0f}, fir, forestGales),
+        conifer({"European larch", "larch", "Larix decidua", "Larix"}, F::Larch, 7.9e9f, 850,
+                {3.07f, 0.75f, 25}, {149, 0.60f, 15.2f}, {B::Plated, resin, L::Tufts, light}, forestGales),
+        entry({"silver birch", "birch", "Betula pendula", "Betula pubescens", "Betula"}, F::Birch, 9.9e9f, 900,
+              {1.963f, 0.881f, 20}, {131, 0.88f, 17.0f}, {B::Banded, white, L::Rhombic, fresh}, forestGales),
+        entry({"beech", "European beech", "Fagus sylvatica", "Fagus"}, F::Beech, 9.8e9f, 1158,
+              {2.414f, 0.904f, 20}, {202, 0.88f, 18.0f}, {B::Smooth, grey, L::Ovate, deep}, forestGales),
         entry({"oak", "English oak", "pedunculate oak", "sessile oak", "Quercus robur", "Quercus petraea",
                "Quercus"},
-              broadleafForm(50, 0.3f, 0.09f), 8.3e9f, 1158, {2.658f, 0.846f, 20}, {202, 0.36f, 19.0f}, brown,
-              green, forestGales),
-        entry({"ash", "European ash", "Fraxinus excelsior", "Fraxinus"}, broadleafForm(38, 0.4f, 0.05f),
-              9.5e9f, 800, broadleafDrag, broadleafStand, grey, green, lavers),
-        entry({"sycamore", "sycamore maple", "Acer pseudoplatanus", "Acer"}, broadleafForm(42, 0.3f, 0.05f),
-              8.4e9f, 830, broadleafDrag, broadleafStand, grey, deep, lavers),
-        entry({"red maple", "Acer rubrum"}, broadleafForm(40, 0.3f, 0.05f), 9.6e9f, 830, broadleafDrag,
-              broadleafStand, grey, green, woodHandbook),
-        entry({"red oak", "northern red oak", "Quercus rubra"}, broadleafForm(46, 0.3f, 0.07f), 9.3e9f, 980,
-              broadleafDrag, broadleafStand, brown, green, woodHandbook),
-        entry({"aspen", "quaking aspen", "Populus tremuloides", "Populus tremula"},
-              broadleafForm(30, 0.3f, 0.04f), 5.9e9f, 730, broadleafDrag, broadleafStand, white, fresh,
+              F::Oak, 8.3e9f, 1158, {2.658f, 0.846f, 20}, {202, 0.36f, 19.0f},
+              {B::Furrowed, brown, L::Lobed, green}, forestGales),
+        entry({"ash", "European ash", "Fraxinus excelsior", "Fraxinus"}, F::Ash, 9.5e9f, 800, broadleafDrag,
+              broadleafStand, {B::Furrowed, grey, L::Pinnate, green}, lavers),
+        entry({"sycamore", "sycamore maple", "Acer pseudoplatanus", "Acer"}, F::Sycamore, 8.4e9f, 830,
+              broadleafDrag, broadleafStand, {B::Smooth, grey, L::Palmate, deep}, lavers),
+        entry({"red maple", "Acer rubrum", "silver maple", "Acer saccharinum"}, F::RedMaple, 9.6e9f, 830,
+              broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Palmate, green}, woodHandbook),
+        entry({"red oak", "northern red oak", "Quercus rubra"}, F::RedOak, 9.3e9f, 980, broadleafDrag,
+              broadleafStand, {B::Furrowed, brown, L::Lobed, green}, woodHandbook),
+        entry({"aspen", "quaking aspen", "Populus tremuloides", "Populus tremula", "Populus"}, F::Aspen, 5.9e9f,
+              730, broadleafDrag, broadleafStand, {B::Smooth, pale, L::Round, fresh}, woodHandbook),
+        entry({"linden", "lime", "basswood", "Tilia americana", "Tilia cordata", "Tilia"}, F::Lime, 7.2e9f, 660,
+              broadleafDrag, broadleafStand, {B::Furrowed, brown, L::Heart, fresh}, woodHandbook),
+        entry({"poplar", "Lombardy poplar", "black poplar", "Populus nigra"}, F::Poplar, 7.0e9f, 940,
+              broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Round, green}, woodHandbookKin),
+        entry({"London plane", "plane", "Platanus x acerifolia", "Platanus x hispanica", "Platanus"}, F::Plane,
+              7.3e9f, 1020, broadleafDrag, broadleafStand, {B::Flaking, pale, L::Palmate, green}, woodHandbookKin),
+        entry({"honey locust", "Gleditsia triacanthos", "Gleditsia", "Robinia", "Gymnocladus"}, F::HoneyLocust,
+              8.9e9f, 980, broadleafDrag, broadleafStand, {B::Furrowed, brown, L::Pinnate, yellowish},
               woodHandbook),
-        entry({"linden", "lime", "basswood", "Tilia americana", "Tilia cordata", "Tilia"},
-              broadleafForm(38, 0.4f, 0.05f), 7.2e9f, 660, broadleafDrag, broadleafStand, brown, fresh,
-              woodHandbook),
-        conifer({"conifer"}, spruce, 7.1e9f, 850, {2.6f, 0.63f, 25}, {144, 0.9f, 11.5f}, dark,
-                "near the means of the conifers of ForestGALES above"),
-        entry({"broadleaf"}, broadleafForm(42, 0.3f, 0.05f), 9.0e9f, 900, broadleafDrag, broadleafStand, grey,
-              green, "means of green hardwoods, Forest Products Laboratory 2010; drag: ForestGALES"),
+        entry({"Norway maple", "Acer platanoides"}, F::NorwayMaple, 10.1e9f, 890, broadleafDrag, broadleafStand,
+              {B::Furrowed, grey, L::Palmate, deep}, woodHandbookKin),
+        entry({"horse chestnut", "horse-chestnut", "Aesculus hippocastanum", "Aesculus"}, F::HorseChestnut,
+              6.8e9f, 800, broadleafDrag, broadleafStand, {B::Plated, brown, L::Fingered, deep}, woodHandbookKin),
+        entry({"ginkgo", "Ginkgo biloba", "Ginkgo"}, F::Ginkgo, 6.8e9f, 800, broadleafDrag, broadleafStand,
+              {B::Furrowed, grey, L::Fan, yellowish}, woodHandbookKin),
+        palm({"palm", "Mexican fan palm", "Washingtonia robusta", "Washingtonia", "Phoenix", "Arecaceae"},
+             {B::Ringed, {0.36f, 0.32f, 0.27f}, L::Frond, green},
+             "our estimate within Rich 1987 (stems of palms: 0.1 to 20 GPa); drag by leaf area"),
+        conifer({"conifer", "Cedrus", "Juniperus"}, F::Conifer, 7.1e9f, 850, {2.6f, 0.63f, 25},
+                {144, 0.9f, 11.5f}, spruce, "near the means of the conifers of ForestGALES above"),
+        entry({"broadleaf", "Ulmus", "Morus", "Zelkova", "Pyrus", "Malus", "Prunus", "Crataegus", "Cercis",
+               "Carpinus", "Koelreuteria", "Magnolia", "Liriodendron", "Liquidambar", "Rhus"},
+              F::Broadleaf, 9.0e9f, 900, broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Blade, green},
+              "means of green hardwoods, Forest Products Laboratory 2010; drag: ForestGALES"),
     };
+    for (BuiltInSpecies& built : all)
+        built.species.tree.leaves.area = cardArea(built.species);
+    return all;
 }
 
 std::optional<Species> findBuiltInSpecies(const std::string& name) {
-    for (BuiltInSpecies& built : builtInSpecies())
-        for (const std::string& own : built.names)
-            if (sameName(own, name))
-                return std::move(built.species);
+    const std::string genus = name.substr(0, name.find(' '));
+    std::vector<BuiltInSpecies> all = builtInSpecies();
+    for (const std::string& wanted : {name, genus})
+        for (BuiltInSpecies& built : all)
+            for (const std::string& own : built.names)
+                if (sameName(own, wanted))
+                    return std::move(built.species);
     return {};
 }
 

@@ -2,6 +2,7 @@
 #include <osgTreeWind/nodes/ImpostorPainter.h>
 
 #include <osgTreeWind/model/CrownEllipsoid.h>
+#include <osgTreeWind/motion/Laws.h>
 #include <osgTreeWind/nodes/ImpostorAtlas.h>
 #include <osgTreeWind/nodes/LeafStencils.h>
 #include <osgTreeWind/nodes/TreeTextures.h>
@@ -55,14 +56,15 @@ ImpostorSettings clamped(ImpostorSettings s) {
 std::vector<LeafPiece> leafPieces(const TreeModel& model, const Appearance& appearance, float share) {
     const CrownEllipsoid ellipsoid(model.leaves);
     std::vector<LeafPiece> pieces;
-    float index = 0.0f;
+    float next = 0.0f;
     for (const LeafCluster& leaf : model.leaves) {
-        const float own = glm::fract(0.754878f * index++);
-        if (glm::fract(0.618034f * (index - 1.0f)) >= share)
+        const float index = next++;
+        if (glm::fract(0.618034f * index) >= share)
             continue;
         const glm::vec4 crown = ellipsoid.at(leaf.anchor);
         const glm::vec3 outward(crown);
-        const glm::vec3 color = (0.88f + 0.24f * own) * glm::mix(0.65f, 1.0f, crown.w) * appearance.leaves;
+        const glm::vec3 color =
+            glm::mix(0.65f, 1.0f, crown.w) * Laws().clusterTint(0.0f, index) * appearance.leaves;
         for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
             const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
             const glm::vec3 corner = model.leafMesh[i].corner,
@@ -101,7 +103,7 @@ public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings), _leaves(leafPieces(model, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton)), _barkColor(meanBark(appearance)),
-          _stencils(appearance.needles() ? *needleImage() : *bladeImage()),
+          _stencils(*leafImage(appearance.leafForm)),
           _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();

@@ -91,6 +91,8 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place) {
         define("UNLIT", "1");
     if (isOn(above.mode(GL_FOG)))
         define("FOG_MODE", fogMode(above.fog()));
+    if (isOn(above.mode(GL_FRAMEBUFFER_SRGB)))
+        define("LINEAR_COLORS", "1");
     const std::string shadowMap = above.number("osgShadow_shadowTexture");
     if (!shadowMap.empty())
         define("SHADOW_MAP", shadowMap);

@@ -18,10 +18,9 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) {
         _leafProgram = createProgram("instance_leaf", "instance_leaf");
         _bark = makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT);
     }
-    osg::ref_ptr<osg::Texture2D>& foliage = appearance.needles() ? _needles : _blades;
+    osg::ref_ptr<osg::Texture2D>& foliage = _leaves[appearance.leafForm];
     if (!foliage)
-        foliage = makeTreeTexture("leaves", appearance.needles() ? needleImage() : bladeImage(),
-                                  osg::Texture::CLAMP_TO_EDGE);
+        foliage = makeTreeTexture("leaves", leafImage(appearance.leafForm), osg::Texture::CLAMP_TO_EDGE);
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet, nullptr, nullptr};
     looks.bark->setAttributeAndModes(_barkProgram);
     looks.bark->setTextureAttribute(0, _bark);

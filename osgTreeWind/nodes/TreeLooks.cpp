@@ -31,7 +31,7 @@ struct LeafMasks {
         for (int i = 0; i < texture.s() * texture.t(); ++i) {
             const unsigned char* texel = texture.data() + 4 * i;
             both.solid.push_back(texel[3] >= 128);
-            twigs.solid.push_back(texel[3] >= 128 && texel[0] > texel[1] + 10); // brown
+            twigs.solid.push_back(texel[2] >= 128);
         }
     }
     float leafCoverage() const { return both.coverage() - twigs.coverage(); }
@@ -207,7 +207,7 @@ struct LeafColors {
 } // namespace
 
 TreeLooks measureLooks(const Species& species) {
-    const LeafMasks masks(species.appearance.needles() ? *needleImage() : *bladeImage());
+    const LeafMasks masks(*leafImage(species.appearance.leafForm));
     TreeLooks looks;
     LeafColors colors;
     glm::vec2 sky(0.0f), quads(0.0f);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/motion/Appearance.h>
+
 #include <osg/Image>
 #include <osg/Texture2D>
 
@@ -9,11 +11,8 @@ namespace osgTreeWind {
 // Textures the project draws itself, once for the whole program: the images are shared, not to be changed.
 // Any thread may ask for them.
 
-/// A spray of leaf blades on a twig, the twig running up the middle. RGBA: brightness about 0.8, alpha the
-/// shape.
-osg::ref_ptr<osg::Image> bladeImage();
-/// A spray of needles on a twig.
-osg::ref_ptr<osg::Image> needleImage();
+/// A leaf card of a form (LeafTexels.h says what its channels are), painted when first asked for.
+osg::ref_ptr<osg::Image> leafImage(LeafForm form);
 /// Furrowed bark, grey, to be repeated along the branch and mirrored around it.
 osg::ref_ptr<osg::Image> barkImage();
 

@@ -6,6 +6,7 @@
 // gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
 
 #include "branchwise/tree.glsl"
+#include "law/tint.glsl"
 #include "light.glsl"
 
 uniform sampler2D leafAngles; // a texel a leaf: motionAngleX, motionAngleZ, totalRotaAngle
@@ -32,7 +33,7 @@ void main() {
     vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, normal));
     float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
-    float own = 0.88 + 0.24 * fract(treeOwn + 0.754878 * gl_MultiTexCoord0.w);
+    vec3 own = treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w);
     leafLight = own * open * leafShade(eyePosition.xyz, eyeNormal);
 
     leafCoord = gl_MultiTexCoord0.xy;

@@ -14,11 +14,9 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
         _leafProgram = createProgram("branchwise/leaf", "leaf");
         _bark = makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT);
     }
-    osg::ref_ptr<osg::Texture2D>& foliage = appearance.needles() ? _needles : _blades;
+    osg::ref_ptr<osg::Texture2D>& foliage = _leaves[appearance.leafForm];
     if (!foliage)
-        foliage = appearance.needles()
-                      ? makeTreeTexture("needles", needleImage(), osg::Texture::CLAMP_TO_EDGE)
-                      : makeTreeTexture("blades", bladeImage(), osg::Texture::CLAMP_TO_EDGE);
+        foliage = makeTreeTexture("leaves", leafImage(appearance.leafForm), osg::Texture::CLAMP_TO_EDGE);
 
     TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr, nullptr};
     style.bark->setAttributeAndModes(_barkProgram);

@@ -7,6 +7,8 @@
 #include <osg/StateSet>
 #include <osg/Texture2D>
 
+#include <map>
+
 namespace osgTreeWind {
 
 /// State that many trees share: no tree that is released takes it along. Its owner calls releaseShared().
@@ -41,7 +43,8 @@ public:
 
 private:
     osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
-    osg::ref_ptr<osg::Texture2D> _bark, _blades, _needles;
+    osg::ref_ptr<osg::Texture2D> _bark;
+    std::map<LeafForm, osg::ref_ptr<osg::Texture2D>> _leaves;
 };
 
 } // namespace osgTreeWind
