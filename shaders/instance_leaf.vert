@@ -18,6 +18,7 @@ uniform vec3 flutterPhases;
 out vec2 leafCoord;
 out vec3 leafLight;
 out vec3 scenePosition;
+flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
@@ -34,10 +35,9 @@ void main() {
     vec3 own = treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w);
     leafLight = own * open * leafShade(eyePosition.xyz, eyeDirection(pose, normal));
     leafCoord = gl_MultiTexCoord0.xy;
+    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;
-    if (fract(0.618034 * gl_MultiTexCoord0.w) >= treeState.w) // one that the tree does not bear
-        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

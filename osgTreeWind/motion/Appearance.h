@@ -45,6 +45,10 @@ struct Appearance {
     LeafForm leafForm = LeafForm::Blade;
     BarkForm barkForm = BarkForm::Furrowed;
 
+    /// Of twigs: darker than the bark of the stem, and never white.
+    glm::vec3 twigs() const {
+        return barkForm == BarkForm::Banded ? glm::vec3(0.16f, 0.09f, 0.07f) : 0.6f * bark;
+    }
     bool needles() const { return leafForm >= LeafForm::Needles && leafForm <= LeafForm::Tufts; }
     bool isEvergreen() const {
         return evergreen.value_or((needles() && leafForm != LeafForm::Tufts) || leafForm == LeafForm::Frond);

@@ -23,6 +23,7 @@ namespace {
 struct LeafPiece {
     glm::vec3 corner, across, along; ///< Metres, tree frame.
     glm::vec3 color, normal;
+    bool borne; ///< Or bare twigs.
 };
 
 /// A stretch of a branch.
@@ -56,15 +57,15 @@ ImpostorSettings clamped(ImpostorSettings s) {
 std::vector<LeafPiece> leafPieces(const TreeModel& model, const Appearance& appearance, float share) {
     const CrownEllipsoid ellipsoid(model.leaves);
     std::vector<LeafPiece> pieces;
-    float next = 0.0f;
+    std::size_t next = 0;
     for (const LeafCluster& leaf : model.leaves) {
-        const float index = next++;
-        if (glm::fract(0.618034f * index) >= share)
-            continue;
+        const std::size_t index = next++;
+        const bool borne = isBorne(index, share);
         const glm::vec4 crown = ellipsoid.at(leaf.anchor);
         const glm::vec3 outward(crown);
-        const glm::vec3 color =
-            glm::mix(0.65f, 1.0f, crown.w) * Laws().clusterTint(0.0f, index) * appearance.leaves;
+        const glm::vec3 color = glm::mix(0.65f, 1.0f, crown.w) *
+                                Laws().clusterTint(0.0f, static_cast<float>(index)) *
+                                (borne ? appearance.leaves : appearance.twigs());
         for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
             const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
             const glm::vec3 corner = model.leafMesh[i].corner,
@@ -72,7 +73,7 @@ std::vector<LeafPiece> leafPieces(const TreeModel& model, const Appearance& appe
             const float side = glm::sign(glm::dot(blade, outward));
             pieces.push_back({leaf.anchor + turned(corner), turned(model.leafMesh[i + 1].corner - corner),
                               turned(model.leafMesh[i + 3].corner - corner), color,
-                              glm::normalize(outward + 0.5f * side * blade)});
+                              glm::normalize(outward + 0.5f * side * blade), borne});
         }
     }
     return pieces;
@@ -90,12 +91,13 @@ std::vector<BarkPiece> barkPieces(const Skeleton& skeleton) {
     return pieces;
 }
 
+/// As shaders/bark_texture.glsl, in the mean.
 glm::vec3 meanBark(const Appearance& appearance) {
-    const osg::ref_ptr<osg::Image> image = barkImage();
-    double sum = 0.0;
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance.barkForm);
+    glm::vec3 sum(0.0f);
     for (int i = 0; i < image->s() * image->t(); ++i)
-        sum += image->data()[i];
-    return appearance.bark * static_cast<float>(sum / (255.0 * image->s() * image->t()));
+        sum += texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
+    return appearance.bark * sum / static_cast<float>(image->s() * image->t());
 }
 
 class Painter {
@@ -103,8 +105,8 @@ public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings), _leaves(leafPieces(model, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton)), _barkColor(meanBark(appearance)),
-          _stencils(*leafImage(appearance.leafForm)),
-          _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
+          _stencils(*leafImage(appearance.leafForm)), _raster(settings.pixels * settings.samples),
+          _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();
     }
@@ -205,7 +207,7 @@ private:
             const std::size_t level = _stencils.levelOf(share);
             _levels[item] = static_cast<std::uint8_t>(level);
             _raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
-                         _stencils.level(level).solid, item++);
+                         piece.borne ? _stencils.level(level).leaves : _stencils.level(level).twigs, item++);
         }
         for (std::size_t i = 0; i < _bark.size(); ++i) {
             const BarkPiece& piece = _bark[i];
@@ -243,7 +245,9 @@ private:
         if (sample.item < _leaves.size()) {
             const LeafPiece& leaf = _leaves[sample.item];
             const LeafStencils::Level& level = _stencils.level(_levels[sample.item]);
-            color += glm::vec4(level.colors[static_cast<std::size_t>(sample.cell)] * leaf.color, 1.0f);
+            const glm::vec3 tint =
+                leaf.borne ? level.tints[static_cast<std::size_t>(sample.cell)] : glm::vec3(1.0f);
+            color += glm::vec4(tint * leaf.color, 1.0f);
             normal += glm::vec4(0.5f + 0.5f * leaf.normal, 1.0f);
             return;
         }

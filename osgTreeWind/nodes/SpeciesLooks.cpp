@@ -13,17 +13,19 @@ namespace osgTreeWind {
 
 SpeciesLooks SpeciesStyles::looks(const Species& species) {
     const Appearance& appearance = species.appearance;
-    if (!_bark) {
+    if (!_barkProgram) {
         _barkProgram = createProgram("instance_bark", "instance_bark");
         _leafProgram = createProgram("instance_leaf", "instance_leaf");
-        _bark = makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT);
     }
+    osg::ref_ptr<osg::Texture2D>& bark = _bark[appearance.barkForm];
+    if (!bark)
+        bark = makeTreeTexture("bark", barkImage(appearance.barkForm), osg::Texture::REPEAT);
     osg::ref_ptr<osg::Texture2D>& foliage = _leaves[appearance.leafForm];
     if (!foliage)
         foliage = makeTreeTexture("leaves", leafImage(appearance.leafForm), osg::Texture::CLAMP_TO_EDGE);
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet, nullptr, nullptr};
     looks.bark->setAttributeAndModes(_barkProgram);
-    looks.bark->setTextureAttribute(0, _bark);
+    looks.bark->setTextureAttribute(0, bark);
     looks.bark->addUniform(new osg::Uniform("barkTexture", 0));
     looks.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
     looks.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
@@ -32,6 +34,7 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) {
     looks.leaves->setAttributeAndModes(_leafProgram);
     looks.leaves->setTextureAttribute(0, foliage);
     looks.leaves->addUniform(new osg::Uniform("leafTexture", 0));
+    looks.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
     looks.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);

@@ -31,7 +31,7 @@ public:
 
 private:
     osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
-    osg::ref_ptr<osg::Texture2D> _bark;
+    std::map<BarkForm, osg::ref_ptr<osg::Texture2D>> _bark;
     std::map<LeafForm, osg::ref_ptr<osg::Texture2D>> _leaves;
 };
 

@@ -11,10 +11,12 @@
 
 uniform sampler2D leafAngles; // a texel a leaf: motionAngleX, motionAngleZ, totalRotaAngle
 uniform float treeOwn;        // number of this tree, [0, 1): its shade
+uniform float treeLeaves;     // share of its leaves that this tree bears
 uniform int treeFirstLeaf;    // of this tree in leafAngles; negative: leaves stand at rest
 
 out vec2 leafCoord;
 out vec3 leafLight;
+flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
@@ -36,6 +38,7 @@ void main() {
     vec3 own = treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w);
     leafLight = own * open * leafShade(eyePosition.xyz, eyeNormal);
 
+    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
     leafCoord = gl_MultiTexCoord0.xy;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;

@@ -56,7 +56,8 @@ public:
     /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
     void setOwnNumber(float number);
 
-    /// Share of its leaves that it bears, [0, 1]. Not during a traversal.
+    /// Share of its leaves that the tree bears, [0, 1]; bare twigs are drawn where it has none. Not during a
+    /// traversal.
     void setLeaves(float share);
 
     /// What is drawn at the level BILLBOARD.
@@ -84,7 +85,6 @@ private:
     void turnBranches(bool all);
     void turnLeaves();
     void bringUpToDate();
-    void styleLeaves();
     bool hasTransforms() const { return _branchwise || _leafwise; }
 
     osg::ref_ptr<TreeShape> _shape;
@@ -94,7 +94,7 @@ private:
     osg::ref_ptr<osg::Drawable> _skin, _leaves, _bareSkin;
     std::vector<Branch> _branches;                                   ///< By unit; null those not needed yet.
     std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms; ///< Empty until they are looked at.
-    float _share = 1.0f;                                             ///< Of leaves that it bears.
+    float _leafShare = 1.0f;
     bool _branchwise = false, _leafwise = false;
     bool _full = false; ///< Whether the transforms of FULL are there.
 };

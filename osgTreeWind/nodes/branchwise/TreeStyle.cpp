@@ -9,18 +9,20 @@
 namespace osgTreeWind {
 
 TreeStyle TreeStyles::style(const Appearance& appearance) {
-    if (!_bark) {
+    if (!_barkProgram) {
         _barkProgram = createProgram("branchwise/bark", "bark");
         _leafProgram = createProgram("branchwise/leaf", "leaf");
-        _bark = makeTreeTexture("bark", barkImage(), osg::Texture::REPEAT);
     }
+    osg::ref_ptr<osg::Texture2D>& bark = _bark[appearance.barkForm];
+    if (!bark)
+        bark = makeTreeTexture("bark", barkImage(appearance.barkForm), osg::Texture::REPEAT);
     osg::ref_ptr<osg::Texture2D>& foliage = _leaves[appearance.leafForm];
     if (!foliage)
         foliage = makeTreeTexture("leaves", leafImage(appearance.leafForm), osg::Texture::CLAMP_TO_EDGE);
 
     TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr, nullptr};
     style.bark->setAttributeAndModes(_barkProgram);
-    style.bark->setTextureAttribute(0, _bark);
+    style.bark->setTextureAttribute(0, bark);
     style.bark->addUniform(new osg::Uniform("barkTexture", 0));
     style.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
     style.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
@@ -32,6 +34,7 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
     style.leaves->setTextureAttribute(0, foliage);
     style.leaves->addUniform(new osg::Uniform("leafTexture", 0));
     style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
+    style.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     style.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     style.leafCluster = new SharedStateSet(*style.leaves);
     style.leafCluster->addUniform(new osg::Uniform("treeFirstUnit", -1));
