@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
-#include "bark_texture.glsl"
 #include "encode.glsl"
+#include "bark_texture.glsl"
 
 in vec2 barkCoord;
 in vec3 barkLight;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // A corner of a leaf cluster in an instanced draw: turned by its flutter, then by its rest orientation, then with its
 // branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
-// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame;
-// gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
+// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
+// gl_MultiTexCoord3: outward of the crown, shade.
 
 #include "real.glsl"
 #include "law/limits.glsl"
@@ -31,9 +31,9 @@ void main() {
     vec3 blade = turnVector(turn, gl_MultiTexCoord2.xyz);
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
-    float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading());
     vec3 own = treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w);
-    leafLight = own * open * leafShade(eyePosition.xyz, eyeDirection(pose, normal));
+    leafLight = own * leafShade(eyePosition.xyz, eyeDirection(pose, normal), shade);
     leafCoord = gl_MultiTexCoord0.xy;
     leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
     treeFade = treeState.y;

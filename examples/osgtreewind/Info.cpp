@@ -28,6 +28,18 @@ Json toJson(const TreeCounts& counts, std::size_t trees) {
             {"totalTriangles", counts.totalTriangles()}};
 }
 
+Json toJson(const ScanReport& scan) {
+    return {{"source", scan.source},
+            {"cylinders", scan.cylinders},
+            {"taken", scan.taken},
+            {"pruned", scan.cylinders - scan.taken},
+            {"units", scan.units},
+            {"height", scan.height},
+            {"baseDiameter", scan.baseDiameter},
+            {"cylinderVolume", scan.cylinderVolume},
+            {"woodVolume", scan.woodVolume}};
+}
+
 Json toJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
@@ -88,22 +100,32 @@ Json memoryOf(const TreeCounts& shapes, const TreeCounts& all) {
 }
 
 Json describe(const ForestDescription& forest) {
-    std::vector<std::size_t> trees(forest.species.size(), 0);
+    std::vector<std::vector<std::size_t>> trees; // of each species and shape
+    for (const Species& species : forest.species)
+        trees.emplace_back(static_cast<std::size_t>(species.shapes), 0);
     for (const TreePlacement& tree : forest.trees)
-        ++trees[tree.species];
+        ++trees[tree.species][tree.seed % trees[tree.species].size()];
 
     Json species = Json::array();
     TreeCounts all, shapes;
     for (std::size_t i = 0; i < forest.species.size(); ++i) {
-        const TreeCounts one = countTree(forest.species[i].tree);
-        TreeCounts ofSpecies;
-        for (std::size_t n = 0; n < trees[i]; ++n)
-            ofSpecies += one;
-        for (int n = 0; n < forest.species[i].shapes && trees[i] > 0; ++n)
-            shapes += one;
+        TreeCounts ofSpecies, ofShapes;
+        std::size_t count = 0;
+        for (std::uint32_t shape = 0; shape < trees[i].size(); ++shape) {
+            const TreeCounts one = countTree(forest.species[i].tree, shape);
+            for (std::size_t n = 0; n < trees[i][shape]; ++n)
+                ofSpecies += one;
+            ofShapes += one;
+            count += trees[i][shape];
+        }
+        if (count > 0)
+            shapes += ofShapes;
         all += ofSpecies;
         Json entry = {{"name", forest.species[i].name}, {"shapes", forest.species[i].shapes}};
-        entry.update(toJson(ofSpecies, trees[i]));
+        entry.update(toJson(ofSpecies, count));
+        if (const auto& scans = forest.species[i].tree.scans)
+            for (const ScannedTree& scan : *scans)
+                entry["scans"].push_back(toJson(scan.report));
         species.push_back(entry);
     }
 
@@ -119,6 +141,19 @@ Json describe(const ForestDescription& forest) {
     }
     info["memory"] = memoryOf(shapes, all);
     return info;
+}
+
+/// What became of the scans of a species.
+void printScans(const Json& species) {
+    for (const Json& scan : species["scans"]) {
+        const auto number = [&](const char* key) { return scan[key].get<double>(); };
+        std::cout << "scan    " << species["name"].get<std::string>() << ": "
+                  << scan["source"].get<std::string>() << ", " << scan["cylinders"] << " cylinders, "
+                  << scan["pruned"] << " pruned; " << scan["units"] << " units, " << std::setprecision(3)
+                  << number("height") << " m high, " << number("baseDiameter") << " m thick at the ground, "
+                  << number("woodVolume") << " of " << number("cylinderVolume") << " m3 of wood"
+                  << std::setprecision(6) << '\n';
+    }
 }
 
 void printTable(const Json& info) {
@@ -141,6 +176,9 @@ void printTable(const Json& info) {
     for (const Json& species : info["species"])
         row(species["name"], species);
     row("total", info);
+    for (const Json& species : info["species"])
+        if (species.contains("scans"))
+            printScans(species);
     std::cout << "origin  " << info["origin"] << "\nbounds  " << info["bounds"] << "\nwind    "
               << info["wind"] << "\nmotion  " << info["motion"] << "\nmemory  " << info["memory"] << '\n';
 }

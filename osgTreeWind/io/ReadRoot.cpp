@@ -151,7 +151,8 @@ void dropUnusedDefault(ForestDescription& forest) {
 void checkShapes(TableReader& root, ForestReading& reading) {
     std::uint64_t vertices = 0;
     for (const Species& species : reading.forest.species)
-        vertices += countTree(species.tree).totalVertices() * static_cast<std::uint64_t>(species.shapes);
+        vertices += countLargest(species.tree, species.shapes).totalVertices() *
+                    static_cast<std::uint64_t>(species.shapes);
     if (vertices > ForestReading::mostVertices)
         root.problem("species", "the shapes of all species have " + std::to_string(vertices) +
                                     " vertices; at most " + std::to_string(ForestReading::mostVertices) +

@@ -2,6 +2,10 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
+#include <osgTreeWind/scanfiles/ScanFile.h>
+
+#include <filesystem>
 
 namespace osgTreeWind {
 
@@ -37,7 +41,8 @@ void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
 }
 
 void readLeafShape(TableReader& table, LeafParameters& leaves) {
-    table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64));
+    if (table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64)))
+        leaves.clusters = 0;
     table.read("first_level", leaves.firstLevel, within(0, 9));
     table.read("length", leaves.length, within(0.001, 10));
     table.read("width", leaves.width, within(0.001, 10));
@@ -113,6 +118,64 @@ void readAppearance(TableReader& table, Appearance& appearance) {
                                 {"ringed", BarkForm::Ringed}});
 }
 
+constexpr int mostShapes = 64;
+
+/// Adds the trees of a file that `scan` names. False after a problem.
+bool addScans(TableReader& table, ForestReading& reading, const std::string& name,
+              std::vector<ScannedTree>& scans) {
+    const auto found = reading.open(table, "scan", name);
+    if (!found)
+        return false;
+    const Result<ScanFile> file = readScanFile(found->path);
+    if (!file) {
+        table.problem("scan", file.problems().front().text());
+        return false;
+    }
+    const std::vector<ScanCylinders>& trees = file.value().trees;
+    if (scans.size() + trees.size() > mostShapes) {
+        table.problem("scan", "expected at most 64 trees in all files, found more in " + found->path);
+        return false;
+    }
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        scans.push_back(makeScannedTree(trees[i]).value());
+        ScanReport& report = scans.back().report;
+        report.source = std::filesystem::path(found->path).filename().string();
+        if (trees.size() > 1)
+            report.source += ", tree " + std::to_string(i + 1);
+    }
+    return true;
+}
+
+/// Leaves of scanned trees, which know of none: so many as on a built-in tree, on all thin wood.
+LeafParameters leavesOfScans() {
+    LeafParameters leaves;
+    leaves.firstLevel = 0;
+    leaves.clusters = 1300;
+    leaves.thickest = 0.12f;
+    leaves.inclination = 0.6f;
+    return leaves;
+}
+
+/// `scan`: a file of measured trees, or several. They are the shapes.
+void readScans(TableReader& table, ForestReading& reading, Species& species) {
+    std::vector<std::string> names(1);
+    const bool given = table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front());
+    if (!given)
+        return;
+    for (const char* key : {"tree", "shapes"})
+        if (table.has(key))
+            return table.problem(key, "expected none beside scan, whose trees are the shapes");
+    std::vector<ScannedTree> scans;
+    for (const std::string& name : names)
+        if (!addScans(table, reading, name, scans))
+            return;
+    if (scans.empty())
+        return table.problem("scan", "expected at least one file");
+    species.shapes = static_cast<int>(scans.size());
+    species.tree.leaves = leavesOfScans();
+    species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
+}
+
 void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
     if (!reading.speciesByName.emplace(foldedName(name), reading.forest.species.size()).second)
         table.problem(key, "the name " + inQuotes(name) + " is taken already");
@@ -129,13 +192,20 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     for (const std::string& alias : aliases)
         addName(table, reading, "aliases", alias);
 
-    table.read("shapes", species.shapes, within(1, 64));
+    table.read("shapes", species.shapes, within(1, mostShapes));
+    readScans(table, reading, species);
     table.table("tree", [&](TableReader& t) { readWoodShape(t, species.tree.wood); });
-    table.table("leaves", [&](TableReader& t) { readLeafShape(t, species.tree.leaves); });
+    bool leafSize = false;
+    table.table("leaves", [&](TableReader& t) {
+        readLeafShape(t, species.tree.leaves);
+        leafSize = t.has("length") || t.has("width");
+    });
     table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
     table.table("branch", [&](TableReader& t) { readBranchMotion(t, species.branch); });
     table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
     table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance); });
+    if (species.tree.scans && !leafSize)
+        species.tree.leaves.area = cardArea(species);
     reading.forest.species.push_back(std::move(species));
 }
 

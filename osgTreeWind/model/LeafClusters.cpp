@@ -58,8 +58,11 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
     std::vector<Stretch> stretches(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const float outerness = static_cast<float>(units[i].level - p.firstLevel) / levels;
+        const float thick = std::max(units[i].baseRadius - p.thickest * units.front().baseRadius, 0.0f),
+                    taper = units[i].baseRadius - units[i].tipRadius;
+        const float below = thick < taper ? length[i] * thick / taper : thick > 0.0f ? length[i] : 0.0f;
         if (outerness >= 0.0f)
-            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], 0.0f), length[i]};
+            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], below), length[i]};
     }
     return stretches;
 }
@@ -159,6 +162,7 @@ LeafParameters clamped(LeafParameters p) {
     p.clustersPerBranch = glm::clamp(p.clustersPerBranch, 0, 64);
     p.clusters = glm::clamp(p.clusters, 0, 100000);
     p.bare = clampOr(p.bare, 0.0f, 0.95f, usual.bare);
+    p.thickest = clampOr(p.thickest, 0.001f, 1.0f, usual.thickest);
     p.firstLevel = glm::clamp(p.firstLevel, 0, 9);
     p.length = clampOr(p.length, 0.001f, 100.0f, usual.length);
     p.width = clampOr(p.width, 0.001f, 100.0f, usual.width);

@@ -11,8 +11,17 @@
 namespace osgTreeWind {
 namespace {
 
-Skeleton makeSkeleton(const TreeParameters& parameters) {
-    return parameters.grown ? makeGrownTree(*parameters.grown) : makeRecursiveTree(parameters.wood);
+Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
+    if (parameters.scans)
+        return (*parameters.scans)[variant % parameters.scans->size()].skeleton;
+    if (parameters.grown) {
+        GrownTreeParameters grown = *parameters.grown;
+        grown.seed += variant;
+        return makeGrownTree(grown);
+    }
+    RecursiveTreeParameters wood = parameters.wood;
+    wood.seed += variant;
+    return makeRecursiveTree(wood);
 }
 
 /// Cross-section of the trunk at breast height (a tenth of a tree below 13 m), m^2.
@@ -23,8 +32,9 @@ float trunkSection(const Skeleton& skeleton) {
     const float breast = std::min(1.3f, 0.1f * height);
     for (const BranchUnit& unit : skeleton.units)
         if (unit.parent < 0 || (unit.level == 0 && breast >= unit.base.z))
-            radius = glm::mix(unit.baseRadius, unit.tipRadius,
-                              std::clamp((breast - unit.base.z) / std::max(unit.tip.z - unit.base.z, 1e-6f), 0.0f, 1.0f));
+            radius = glm::mix(
+                unit.baseRadius, unit.tipRadius,
+                std::clamp((breast - unit.base.z) / std::max(unit.tip.z - unit.base.z, 1e-6f), 0.0f, 1.0f));
     return glm::pi<float>() * radius * radius;
 }
 
@@ -44,18 +54,15 @@ void setArea(TreeModel& model, float area) {
 } // namespace
 
 TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant) {
-    TreeParameters p = parameters;
-    p.wood.seed += variant;
-    p.leaves.seed += variant;
-    if (p.grown)
-        p.grown->seed += variant;
+    LeafParameters leaves = clamped(parameters.leaves);
+    leaves.seed += variant;
     TreeModel model;
-    model.skeleton = makeSkeleton(p);
+    model.skeleton = makeSkeleton(parameters, variant);
     model.skin = makeBranchSkin(model.skeleton);
-    model.leaves = makeLeafClusters(model.skeleton, p.leaves);
-    model.leafMesh = makeLeafMesh(p.leaves);
-    if (const float area = clamped(p.leaves).area; area > 0.0f)
-        setArea(model, area * trunkSection(model.skeleton));
+    model.leaves = makeLeafClusters(model.skeleton, leaves);
+    model.leafMesh = makeLeafMesh(leaves);
+    if (leaves.area > 0.0f)
+        setArea(model, leaves.area * trunkSection(model.skeleton));
     model.extents = makeTreeExtents(model);
     return model;
 }
@@ -84,23 +91,23 @@ TreeCounts countTree(const TreeModel& model) {
     return counts;
 }
 
-TreeCounts countTree(const TreeParameters& parameters) {
-    const LeafParameters leaves = clamped(parameters.leaves);
+TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
+    LeafParameters leaves = clamped(parameters.leaves);
+    leaves.seed += variant;
     TreeCounts counts;
-    std::uint64_t leafyUnits = 0, rings = 0;
-    if (parameters.grown) {
-        const Skeleton skeleton = makeGrownTree(*parameters.grown);
+    std::uint64_t clusters = 0, rings = 0;
+    if (parameters.scans || parameters.grown) {
+        const Skeleton skeleton = makeSkeleton(parameters, variant);
         rings = static_cast<std::uint64_t>(skeleton.ringsPerBranch);
         counts.units = skeleton.units.size();
-        for (const BranchUnit& unit : skeleton.units) {
+        for (const BranchUnit& unit : skeleton.units)
             counts.branches += unit.level > 0;
-            leafyUnits += unit.level >= leaves.firstLevel;
-        }
+        clusters = makeLeafClusters(skeleton, leaves).size();
     } else {
         const RecursiveTreeParameters p = clamped(parameters.wood);
         rings = static_cast<std::uint64_t>(p.ringsPerBranch);
         counts.units = static_cast<std::uint64_t>(p.trunkUnits);
-        leafyUnits = leaves.firstLevel == 0 ? counts.units : 0;
+        std::uint64_t leafyUnits = leaves.firstLevel == 0 ? counts.units : 0;
         auto onLevel = static_cast<std::uint64_t>(branchingUnits(p));
         for (int level = 1; level <= p.levels; ++level) {
             onLevel *= static_cast<std::uint64_t>(p.childrenPerBranch);
@@ -109,16 +116,31 @@ TreeCounts countTree(const TreeParameters& parameters) {
                 leafyUnits += onLevel;
         }
         counts.units += counts.branches;
+        const auto ofTree = static_cast<std::uint64_t>(leaves.clusters);
+        const auto ofBranch = static_cast<std::uint64_t>(leaves.clustersPerBranch);
+        clusters = ofTree > 0 ? (leafyUnits > 0 ? ofTree : 0) : leafyUnits * ofBranch;
     }
-    const auto ofTree = static_cast<std::uint64_t>(leaves.clusters);
-    const auto ofBranch = static_cast<std::uint64_t>(leaves.clustersPerBranch);
-    const std::uint64_t clusters = ofTree > 0 ? (leafyUnits > 0 ? ofTree : 0) : leafyUnits * ofBranch;
     counts.skeletonPoints = counts.units * rings;
     counts.skinVertices = counts.skeletonPoints * BranchSkin::verticesPerRing;
     counts.skinTriangles = counts.units * (rings - 1) * BranchSkin::verticesPerRing * 2;
     counts.leafVertices = clusters * verticesPerLeafCluster;
     counts.leafTriangles = clusters * trianglesPerLeafCluster;
     return counts;
+}
+
+TreeCounts countLargest(const TreeParameters& parameters, int shapes) {
+    TreeCounts largest = countTree(parameters);
+    const int distinct = parameters.scans   ? std::min(shapes, static_cast<int>(parameters.scans->size()))
+                         : parameters.grown ? shapes
+                                            : 1;
+    for (int shape = 1; shape < distinct; ++shape) {
+        const TreeCounts counts = countTree(parameters, static_cast<std::uint32_t>(shape));
+        for (const auto number : {&TreeCounts::units, &TreeCounts::branches, &TreeCounts::skeletonPoints,
+                                  &TreeCounts::skinVertices, &TreeCounts::skinTriangles,
+                                  &TreeCounts::leafVertices, &TreeCounts::leafTriangles})
+            largest.*number = std::max(largest.*number, counts.*number);
+    }
+    return largest;
 }
 
 } // namespace osgTreeWind

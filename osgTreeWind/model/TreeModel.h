@@ -5,11 +5,13 @@
 #include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/RecursiveTree.h>
+#include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeExtents.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -19,6 +21,8 @@ namespace osgTreeWind {
 struct TreeParameters {
     RecursiveTreeParameters wood;
     std::optional<GrownTreeParameters> grown; ///< In place of `wood`.
+    /// In place of both: variant v takes scan v modulo their number. Null or at least one.
+    std::shared_ptr<const std::vector<ScannedTree>> scans;
     LeafParameters leaves;
 };
 
@@ -46,7 +50,9 @@ struct TreeCounts {
 };
 
 TreeCounts countTree(const TreeModel& model);
-/// The same numbers without growing skin and leaves; all are exact. Of `grown`: those of variant 0.
-TreeCounts countTree(const TreeParameters& parameters);
+/// The same numbers without growing skin and leaves; all are exact.
+TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
+/// Of each number the largest among variants 0 to `shapes` - 1.
+TreeCounts countLargest(const TreeParameters& parameters, int shapes);
 
 } // namespace osgTreeWind

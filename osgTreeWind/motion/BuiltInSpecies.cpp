@@ -122,8 +122,8 @@ std::vector<BuiltInSpecies> builtInSpecies() {
     const glm::vec3 dark{0.08f, 0.15f, 0.06f}, blueGreen{0.09f, 0.17f, 0.11f}, light{0.14f, 0.22f, 0.06f};
     const glm::vec3 grey{0.19f, 0.17f, 0.15f}, brown{0.15f, 0.13f, 0.11f}, white{0.53f, 0.53f, 0.51f};
     const glm::vec3 green{0.11f, 0.20f, 0.05f}, fresh{0.15f, 0.23f, 0.06f}, deep{0.11f, 0.18f, 0.04f};
-    const glm::vec3 needles{0.09f, 0.15f, 0.06f}, yellowish{0.18f, 0.25f, 0.06f};
-    const glm::vec3 resin{0.16f, 0.12f, 0.10f}, orange{0.24f, 0.12f, 0.07f}, pale{0.30f, 0.30f, 0.25f};
+    const glm::vec3 needles{0.09f, 0.15f, 0.06f}, yellowish{0.16f, 0.23f, 0.05f};
+    const glm::vec3 resin{0.16f, 0.12f, 0.10f}, orange{0.22f, 0.12f, 0.07f}, pale{0.28f, 0.28f, 0.24f};
     const Look spruce{B::Plated, resin, L::Needles, dark}, fir{B::Smooth, grey, L::Needles, dark};
     const Look pine{B::Plated, brown, L::Bundles, needles};
     std::vector<BuiltInSpecies> all = {
@@ -185,7 +185,7 @@ std::vector<BuiltInSpecies> builtInSpecies() {
         entry({"ginkgo", "Ginkgo biloba", "Ginkgo"}, F::Ginkgo, 6.8e9f, 800, broadleafDrag, broadleafStand,
               {B::Furrowed, grey, L::Fan, yellowish}, woodHandbookKin),
         palm({"palm", "Mexican fan palm", "Washingtonia robusta", "Washingtonia", "Phoenix", "Arecaceae"},
-             {B::Ringed, {0.36f, 0.32f, 0.27f}, L::Frond, green},
+             {B::Ringed, {0.16f, 0.14f, 0.12f}, L::Frond, green},
              "our estimate within Rich 1987 (stems of palms: 0.1 to 20 GPa); drag by leaf area"),
         conifer({"conifer", "Cedrus", "Juniperus"}, F::Conifer, 7.1e9f, 850, {2.6f, 0.63f, 25},
                 {144, 0.9f, 11.5f}, spruce, "near the means of the conifers of ForestGALES above"),

@@ -83,7 +83,7 @@ ForestMemory forestMemory(const ForestDescription& description) {
     ForestMemory memory;
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const Species& species = description.species[i];
-        const TreeCounts counts = countTree(species.tree);
+        const TreeCounts counts = countLargest(species.tree, species.shapes);
         const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
         const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, 64));
         memory.simulation +=

@@ -21,7 +21,9 @@ StandDrawing::StandDrawing(const PlacedForest& forest)
         return;
     impostorProgram = createProgram("impostor", "impostor");
     ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
-        shapes[model] = new StandShape(forest.models()[model], forest.speciesOfModel(model));
+        const std::size_t species = forest.speciesOfModel(model);
+        shapes[model] =
+            new StandShape(forest.models()[model], species, forest.description().species[species].appearance);
     });
     followSeason(forest);
 }

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/TreeDetail.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
 #include <algorithm>
@@ -11,8 +12,9 @@
 
 namespace osgTreeWind {
 
-StandShape::StandShape(const TreeModel& model, std::size_t species) : _species(species) {
-    const CrownEllipsoid crown(model.leaves);
+StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance)
+    : _species(species) {
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
     const TreeDetail details[branchTiers] = {TreeDetail::full(), TreeDetail::reducedOnce(),
                                              TreeDetail::reducedTwice()};
@@ -20,7 +22,7 @@ StandShape::StandShape(const TreeModel& model, std::size_t species) : _species(s
         const bool whole = tier == static_cast<int>(Tier::Full);
         const ThinnedLeaves leaves = thinnedLeaves(model.leaves, model.leafMesh, details[tier]);
         _bark[tier] =
-            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin));
+            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin), crown);
         if (!model.leaves.empty())
             _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
         _states[tier] = new osg::StateSet;

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 class StandShape : public osg::Referenced {
 public:
     /// @param species that it is a shape of.
-    StandShape(const TreeModel& model, std::size_t species);
+    StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance);
     /// As another one, but drawn from these at every tier; null for none.
     StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves);
 

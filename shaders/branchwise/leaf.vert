@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // A corner of a leaf cluster: turned by its own angles, then by its rest orientation, then with its branch.
 // gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
-// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame;
-// gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
+// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
+// gl_MultiTexCoord3: outward of the crown, shade.
 
 #include "branchwise/tree.glsl"
 #include "law/tint.glsl"
@@ -34,9 +34,9 @@ void main() {
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, normal));
-    float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), vec2(1.0, 0.0));
     vec3 own = treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w);
-    leafLight = own * open * leafShade(eyePosition.xyz, eyeNormal);
+    leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
 
     leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
     leafCoord = gl_MultiTexCoord0.xy;

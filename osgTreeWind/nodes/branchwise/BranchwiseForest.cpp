@@ -50,7 +50,7 @@ std::string BranchwiseForest::problemOf(const ForestDescription& description) {
         return {};
     std::vector<std::size_t> units, leaves;
     for (const Species& species : description.species) {
-        const TreeCounts counts = countTree(species.tree);
+        const TreeCounts counts = countLargest(species.tree, species.shapes);
         units.push_back(counts.units);
         leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
     }
@@ -78,8 +78,12 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     TreeStyles styles;
     for (const Species& species : simulation.description().species)
         _styles.push_back(styles.style(species.appearance));
-    for (const TreeModel& model : simulation.models())
-        _shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
+    for (std::size_t i = 0; i < simulation.models().size(); ++i) {
+        const Species& species = simulation.description().species[simulation.forest().speciesOfModel(i)];
+        _shapes.push_back(
+            new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &simulation.models()[i]),
+                          species.appearance.leafForm));
+    }
 
     _stand = new osg::Group;
     _stand->setName("trees");

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/model/ScanCylinder.h>
+
+#include <osgTreeWind/base/Number.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr double shortest = 1e-6, thickest = 10.0, lowest = 0.1, highest = 150.0, widest = 200.0; // metres
+
+Diagnostic problem(const ScanCylinder& cylinder, std::string message) {
+    return {{}, cylinder.line, 0, {}, std::move(message)};
+}
+
+std::string problemOfForm(const ScanCylinder& cylinder) {
+    if (!(cylinder.radius > 0.0 && cylinder.radius <= thickest))
+        return "expected a radius above 0 and of at most 10 m, found " + numberText(cylinder.radius);
+    if (!(glm::distance(cylinder.start, cylinder.end) >= shortest)) // NaN is none
+        return "expected a cylinder with a length";
+    return {};
+}
+
+/// Cylinders from which no way leads down to the root.
+std::vector<bool> unreached(const ScanCylinders& cylinders, std::size_t root) {
+    std::vector<std::vector<std::size_t>> children(cylinders.size());
+    for (std::size_t i = 0; i < cylinders.size(); ++i)
+        if (i != root)
+            children[static_cast<std::size_t>(cylinders[i].parent)].push_back(i);
+    std::vector<bool> lost(cylinders.size(), true);
+    for (std::vector<std::size_t> open = {root}; !open.empty();) {
+        const std::size_t next = open.back();
+        open.pop_back();
+        lost[next] = false;
+        open.insert(open.end(), children[next].begin(), children[next].end());
+    }
+    return lost;
+}
+
+/// The cylinder of lowest index on a loop, if there is one.
+std::optional<std::size_t> onLoop(const ScanCylinders& cylinders, std::size_t root) {
+    const std::vector<bool> lost = unreached(cylinders, root);
+    const auto found = std::find(lost.begin(), lost.end(), true);
+    if (found == lost.end())
+        return std::nullopt;
+    auto at = static_cast<std::size_t>(found - lost.begin());
+    for (std::size_t step = 0; step < cylinders.size(); ++step) // then it is on the loop for sure
+        at = static_cast<std::size_t>(cylinders[at].parent);
+    std::size_t first = at;
+    for (auto next = static_cast<std::size_t>(cylinders[at].parent); next != at;
+         next = static_cast<std::size_t>(cylinders[next].parent))
+        first = std::min(first, next);
+    return first;
+}
+
+std::optional<Diagnostic> problemOfSize(const ScanCylinders& cylinders, const ScanCylinder& root) {
+    glm::dvec3 low = root.start, high = low;
+    for (const ScanCylinder& cylinder : cylinders) {
+        low = glm::min(low, glm::min(cylinder.start, cylinder.end));
+        high = glm::max(high, glm::max(cylinder.start, cylinder.end));
+    }
+    const glm::dvec3 size = high - low;
+    const double height = high.z - root.start.z;
+    if (!(height >= lowest && height <= highest))
+        return problem(root, "expected a tree of 0.1 to 150 m above its foot, in metres, found " +
+                                 numberText(height));
+    if (std::max({size.x, size.y, size.z}) > widest)
+        return problem(root, "expected a tree of at most 200 m across, in metres, found " +
+                                 numberText(std::max({size.x, size.y, size.z})));
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Diagnostic> problemOfScan(const ScanCylinders& cylinders) {
+    if (cylinders.empty())
+        return Diagnostic{{}, 0, 0, {}, "expected at least one cylinder"};
+    const ScanCylinder* root = nullptr;
+    for (const ScanCylinder& cylinder : cylinders) {
+        if (const std::string wrong = problemOfForm(cylinder); !wrong.empty())
+            return problem(cylinder, wrong);
+        if (cylinder.parent < -1 || cylinder.parent >= static_cast<int>(cylinders.size()))
+            return problem(cylinder, "expected a parent among the cylinders");
+        if (cylinder.parent >= 0)
+            continue;
+        if (root)
+            return problem(cylinder,
+                           "expected one root, found another one than in line " + std::to_string(root->line));
+        root = &cylinder;
+    }
+    if (!root)
+        return Diagnostic{{}, 0, 0, {}, "expected a root: a cylinder that springs from no other"};
+    if (const auto looped = onLoop(cylinders, static_cast<std::size_t>(root - cylinders.data())))
+        return problem(cylinders[*looped], "expected parents that lead to the root, found a loop");
+    return problemOfSize(cylinders, *root);
+}
+
+} // namespace osgTreeWind

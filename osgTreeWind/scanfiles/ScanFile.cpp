@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/scanfiles/ScanFile.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/scanfiles/ScanFormats.h>
+#include <osgTreeWind/scanfiles/ScanRows.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace osgTreeWind {
+
+namespace {
+
+Diagnostic problem(const std::string& file, std::string message) {
+    return {file, 0, 0, {}, std::move(message)};
+}
+
+bool has(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+}
+
+using Reader = Result<ScanFile> (*)(std::string_view, const std::string&);
+
+/// The reader of the format that the first line is in; null for none.
+Reader readerOf(const ScanRows& rows) {
+    std::string line; // its words
+    for (const std::string_view word : rows.words())
+        line += lower(std::string(word)) + ' ';
+    if (has(line, "parentid") && has(line, "startx"))
+        return readSimpleForest;
+    if (has(line, "x y z radius "))
+        return readRayCloudTree;
+    if (has(line, "radius") && has(line, "axis") && has(line, "parent"))
+        return readTreeQsm;
+    if (!parseNumber(rows.words().front()))
+        return nullptr;
+    return rows.words().size() > 9 ? readTreeQsm : readSwc;
+}
+
+} // namespace
+
+Result<ScanFile> readScan(std::string_view text, const std::string& file) {
+    ScanRows rows(text, file);
+    if (!rows.next())
+        return problem(file, "expected a scanned tree, found only blank lines and comments");
+    const Reader reader = readerOf(rows);
+    if (!reader) {
+        rows.fail(0,
+                  expectedFound("a scanned tree: TreeQSM's cylinders as text, a CSV of SimpleForest, a tree "
+                                "file of RayCloudTools, or SWC",
+                                rows.words().front()));
+        return rows.problem();
+    }
+    Result<ScanFile> scan = reader(text, file);
+    if (!scan)
+        return scan;
+    for (const ScanCylinders& tree : scan.value().trees)
+        if (auto unsound = problemOfScan(tree)) {
+            unsound->file = file;
+            return std::move(*unsound);
+        }
+    return scan;
+}
+
+Result<ScanFile> readScanFile(const std::string& path) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (!error && size > maxScanBytes)
+        return problem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
+    std::ifstream input(path, std::ios::binary);
+    if (!input)
+        return problem(path, "cannot be read");
+    const Result<std::string> text = readText(input, path);
+    if (!text)
+        return text.problems();
+    return readScan(text.value(), path);
+}
+
+} // namespace osgTreeWind

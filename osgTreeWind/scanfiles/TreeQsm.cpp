@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/scanfiles/ScanFormats.h>
+#include <osgTreeWind/scanfiles/ScanLinks.h>
+#include <osgTreeWind/scanfiles/ScanRows.h>
+
+#include <glm/geometric.hpp>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// The cylinder in the words of a line. @return the number of its parent.
+int readCylinder(ScanRows& rows, ScanCylinder& cylinder) {
+    const auto vector = [&](std::size_t first, const char* what, double most) {
+        glm::dvec3 v(0.0);
+        for (int i = 0; i < 3; ++i)
+            v[i] = rows.number(first + static_cast<std::size_t>(i), what, -most, most);
+        return v;
+    };
+    cylinder.radius = rows.number(0, "a radius above 0 and of at most 10 m", 1e-9, 10.0);
+    const double length = rows.number(1, "a length above 0 and of at most 200 m", 1e-9, 200.0);
+    cylinder.start = vector(2, "metres within 1e9", 1e9);
+    const glm::dvec3 axis = vector(5, "a part of a direction of length 1", 1.01);
+    if (const double size = glm::length(axis); size < 0.9 || size > 1.1)
+        rows.fail(5, "expected a direction of length 1, found one of " + numberText(size));
+    else
+        cylinder.end = cylinder.start + axis * (length / size);
+    cylinder.line = rows.line();
+    return rows.whole(8, "the number of a cylinder as parent, or 0", 0, static_cast<int>(maxScanCylinders));
+}
+
+} // namespace
+
+Result<ScanFile> readTreeQsm(std::string_view text, const std::string& file) {
+    ScanFile scan{"TreeQSM", {{}}};
+    ScanCylinders& cylinders = scan.trees.front();
+    std::vector<ScanName> names;
+    std::size_t columns = 0;
+    ScanRows rows(text, file);
+    for (bool isFirst = true; rows.good() && rows.next(); isFirst = false) {
+        const std::size_t count = rows.words().size();
+        if (isFirst && !parseNumber(rows.words().front()))
+            continue; // the names
+        if (columns == 0)
+            columns = count;
+        if (count != columns || (columns != 15 && columns != 17))
+            rows.failLine("expected 15 or 17 columns, in all lines alike, found " + std::to_string(count));
+        else if (cylinders.size() == maxScanCylinders)
+            rows.failLine("expected at most " + std::to_string(maxScanCylinders) + " cylinders");
+        if (!rows.good())
+            break;
+        ScanCylinder cylinder;
+        const int parent = readCylinder(rows, cylinder);
+        names.push_back({static_cast<int>(names.size()) + 1, parent, rows.line()});
+        cylinders.push_back(cylinder);
+    }
+    if (!rows.good())
+        return rows.problem();
+    const Result<std::vector<int>> parents = parentsOf(names, 0, file);
+    if (!parents)
+        return parents.problems();
+    for (std::size_t i = 0; i < cylinders.size(); ++i)
+        cylinders[i].parent = parents.value()[i];
+    return scan;
+}
+
+} // namespace osgTreeWind

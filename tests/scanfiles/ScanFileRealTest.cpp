@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "../TestData.h"
+#include "../base/FirstProblem.h"
+
+#include <osgTreeWind/model/ScannedTree.h>
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/motion/CalmTree.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/ScaledUnit.h>
+#include <osgTreeWind/scanfiles/ScanFile.h>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+/// Scanned trees that nobody on this project wrote.
+namespace osgTreeWind {
+
+namespace {
+
+struct RealScan {
+    const char* file;
+    const char* format;
+    std::size_t cylinders;
+    double height, volume;   ///< Of the cylinders as a script of its own reads them: metres, m^3.
+    double slowest, fastest; ///< Hz, of the first mode of such a tree.
+};
+
+const RealScan realScans[] = {
+    {"qsm/Tree_1_TreeQSM.txt", "TreeQSM", 2271, 22.0356, 3.89906, 0.1, 0.6},
+    {"qsm/SimpleForest_QSM.csv", "SimpleForest", 1149, 3.70195, 0.0299737, 0.4, 3.0}};
+
+void PrintTo(const RealScan& scan, std::ostream* out) {
+    *out << scan.file;
+}
+
+} // namespace
+
+class RealScanTest : public testing::TestWithParam<RealScan> {
+protected:
+    ScannedTree tree;
+
+    void SetUp() override {
+        REQUIRE_REAL_DATA(path, GetParam().file);
+        const auto scan = readScanFile(path);
+        ASSERT_TRUE(scan) << firstProblem(scan);
+        EXPECT_EQ(scan.value().format, GetParam().format);
+        ASSERT_EQ(scan.value().trees.size(), 1u);
+        EXPECT_EQ(scan.value().trees.front().size(), GetParam().cylinders);
+        auto made = makeScannedTree(scan.value().trees.front());
+        ASSERT_TRUE(made) << firstProblem(made);
+        tree = std::move(made.value());
+    }
+    Species species() const {
+        Species species;
+        species.shapes = 1;
+        species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(1, tree);
+        return species;
+    }
+};
+
+TEST_P(RealScanTest, StandsAtTheOriginAsHighAsItsCylinders) {
+    EXPECT_EQ(tree.skeleton.units.front().base, glm::vec3(0.0f));
+    float low = 1e9f, high = 0.0f;
+    for (const glm::vec3& point : tree.skeleton.points) {
+        low = std::min(low, point.z);
+        high = std::max(high, point.z);
+    }
+    EXPECT_NEAR(low, 0.0, 0.01 * GetParam().height);
+    EXPECT_NEAR(high / GetParam().height, 1.0, 0.01);
+}
+
+TEST_P(RealScanTest, KeepsTheVolumeOfItsWoodAsDrawnAndAsSwayed) {
+    double swayed = 0.0;
+    for (const BranchUnit& unit : tree.skeleton.units)
+        swayed += static_cast<double>(ScaledUnit(unit, {}).volume());
+    EXPECT_NEAR(woodVolume(tree.skeleton) / GetParam().volume, 1.0, 0.05);
+    EXPECT_NEAR(swayed / GetParam().volume, 1.0, 0.05);
+    EXPECT_LE(tree.skeleton.units.size(), 400u);
+}
+
+TEST_P(RealScanTest, SwaysWithModesAtAPlausiblePace) {
+    const CalmTree calm(species(), TreePlacement{});
+    ASSERT_FALSE(calm.modes().empty());
+    const double frequency = calm.pace(0) / 6.283185;
+    EXPECT_GT(frequency, GetParam().slowest);
+    EXPECT_LT(frequency, GetParam().fastest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Trees, RealScanTest, testing::ValuesIn(realScans),
+                         [](const auto& info) { return std::string(info.param.format); });
+
+} // namespace osgTreeWind
