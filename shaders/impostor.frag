@@ -11,6 +11,7 @@
 uniform sampler2D impostorColors;  // times coverage, which is alpha
 uniform sampler2D impostorNormals; // LightLobe::way and 1 of leaves, 0 of bark, times coverage
 uniform vec4 impostorSize;
+uniform vec3 leafTint; // of the season, over the colour that was painted
 
 flat in vec4 pictureViews;
 flat in vec3 pictureParts;
@@ -48,5 +49,6 @@ void main() {
 
     vec4 surface = textureLod(impostorNormals, coord, lod) / color.a;
     vec3 light = barkLight + surface.a * leafLightMore + lightByNormal * (4.0 * surface.xyz - 2.0);
-    gl_FragColor = vec4(sceneColor(color.rgb / color.a * max(light, 0.0), pictureEye), 1.0);
+    vec3 tint = mix(vec3(1.0), leafTint, surface.a);
+    gl_FragColor = vec4(sceneColor(tint * color.rgb / color.a * max(light, 0.0), pictureEye), 1.0);
 }

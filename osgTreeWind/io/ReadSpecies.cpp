@@ -154,6 +154,10 @@ void readPicture(TableReader& table, const char* key, ForestReading& reading, st
 void readAppearance(TableReader& table, Appearance& appearance, ForestReading& reading) {
     table.read("bark", appearance.bark, within(0, 1));
     table.read("leaves", appearance.leaves, within(0, 1));
+    table.read("spring_leaves", appearance.springLeaves, within(0, 1));
+    table.read("autumn_leaves", appearance.autumnLeaves, within(0, 1));
+    if (bool evergreen = false; table.read("evergreen", evergreen))
+        appearance.evergreen = evergreen;
     table.readChoice<LeafForm>("leaf_form", appearance.leafForm,
                                {{"blade", LeafForm::Blade},
                                 {"lobed", LeafForm::Lobed},

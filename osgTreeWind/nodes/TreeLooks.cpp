@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/motion/UnitLoads.h>
 #include <osgTreeWind/nodes/ImpostorPainter.h>
+#include <osgTreeWind/nodes/LightLobe.h>
 #include <osgTreeWind/nodes/Silhouette.h>
 #include <osgTreeWind/nodes/TreeTextures.h>
 
@@ -170,21 +171,31 @@ struct LeafColors {
     double green = 0.0;
 
     void add(const TreeModel& model, const Appearance& appearance) {
+        // As `osgtreewind render` and shaders/light.glsl have them.
         const glm::vec3 toSun = glm::normalize(glm::vec3(0.45f, -0.5f, 0.74f)), sun{1.25f, 1.18f, 1.02f},
-                        sky{0.34f, 0.37f, 0.42f};
-        const ImpostorPictures pictures = paintImpostor(model, appearance, {4, 2, 256, 1, 1.0f});
+                        ambient{0.32f, 0.37f, 0.45f};
+        const glm::vec3 fromBelow = ambient * glm::vec3(0.75f, 0.72f, 0.62f),
+                        fromAbove = ambient * glm::vec3(1.1f, 1.2f, 1.35f);
+        const float brighter =
+            0.6f / std::max(std::max({appearance.leaves.r, appearance.leaves.g, appearance.leaves.b}),
+                            0.01f); // 8 bits are coarse
+        Appearance painted = appearance;
+        painted.leaves *= brighter;
+        const ImpostorPictures pictures = paintImpostor(model, painted, {4, 2, 256, 1, 1.0f});
         const auto texel = [](const osg::Image& image, int x, int y) {
             const unsigned char* t = image.data(static_cast<unsigned>(x), static_cast<unsigned>(y));
             return glm::vec4(t[0], t[1], t[2], t[3]) / 255.0f;
         };
         for (int y = 0; y < pictures.pixels; ++y) // the lower row is that of the horizon
             for (int x = 0; x < pictures.azimuths * pictures.pixels; ++x) {
-                const glm::vec4 color = texel(*pictures.colors, x, y),
-                                normal = texel(*pictures.normals, x, y);
-                if (color.a < 1.0f || normal.a < 1.0f)
+                const glm::vec4 color = texel(*pictures.colors, x, y), light = texel(*pictures.normals, x, y);
+                if (color.a < 1.0f || light.a < 1.0f)
                     continue;
-                const float sunny = 0.5f + 0.5f * glm::dot(2.0f * glm::vec3(normal) - 1.0f, toSun);
-                const glm::vec3 seen = encoded(glm::vec3(color) * (sky + sunny * sun));
+                const glm::vec3 way = LightLobe::longest * (2.0f * glm::vec3(light) - 1.0f);
+                const glm::vec3 sky = glm::mix(fromBelow, fromAbove, 0.5f + 0.5f * way.z);
+                const float sunny = 0.5f + 0.5f * glm::dot(way, toSun);
+                const glm::vec3 seen =
+                    encoded(glm::vec3(color) / brighter * glm::max(sky + sunny * sun, 0.0f));
                 const float sum = seen.r + seen.g + seen.b;
                 if (seen.r == seen.g && seen.g == seen.b)
                     continue;

@@ -56,6 +56,22 @@ TEST(ForestFile, ThesisExampleIsOneReferenceTree) {
     expectNear(forest.wind->velocity({}, 0.0), {4, 0, 0});
 }
 
+TEST(ForestFile, ASeasonIsAWordANumberOrADate) {
+    EXPECT_EQ(forestOf(tree).season, midsummer);
+    EXPECT_EQ(forestOf("season = \"autumn\"\n" + tree).season, midautumn);
+    EXPECT_EQ(forestOf("season = 1\n" + tree).season, midspring);
+    EXPECT_EQ(forestOf("season = 0.5\n" + tree).season, 0.5f);
+    EXPECT_NEAR(forestOf("season = 2024-08-06\n" + tree).season, midsummer, 0.02);
+    EXPECT_EQ(forestOf("season = 2024-11-05\n" + tree).season,
+              forestOf("season = \"2024-11-05\"\n" + tree).season);
+    const ForestDescription larch =
+        forestOf("[[species]]\nname = \"larch\"\nappearance = { leaf_form = \"needles\", evergreen = false, "
+                 "autumn_leaves = [0.5, 0.3, 0] }\n" +
+                 tree);
+    EXPECT_FALSE(larch.species[0].appearance.isEvergreen());
+    EXPECT_EQ(larch.species[0].appearance.autumnLeaves, glm::vec3(0.5f, 0.3f, 0.0f));
+}
+
 TEST(ForestFile, ForestExampleKeepsItsSpacing) {
     const ForestDescription forest = expectForest(readForestFile(examples + "forest.treewind"));
     ASSERT_EQ(forest.trees.size(), 40u);

@@ -6,6 +6,7 @@
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/nodes/SpeciesLooks.h>
 #include <osgTreeWind/nodes/branchwise/BillboardDrawable.h>
 
 #include <osg/Notify>
@@ -22,21 +23,24 @@ constexpr unsigned leafAnglesTextureUnit = 5;
 
 } // namespace
 
-osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed, float own) {
-    const bool bare = tree.leaves < 0.5f;
-    Pictures& pictures = _pictures[2 * tree.model + bare];
+osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed) {
+    const Tier tier = impostorTier(tree.leaves);
+    Pictures& pictures = _pictures[{tree.model, tier}];
     if (!pictures.shape) {
         if (!_pictureProgram)
             _pictureProgram = createProgram("impostor", "impostor");
-        ImpostorSettings settings;
-        settings.leaves = bare ? 0.0f : 1.0f;
         const Species& species = _simulation->description().species[tree.species];
+        ImpostorSettings settings;
+        settings.leaves = leavesOn(tier);
         pictures.shape =
             new ImpostorShape(paintImpostor(posed.model(), species.appearance, settings), _pictureProgram);
         pictures.state = new SharedStateSet(*pictures.shape->stateSet());
         pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
     }
-    osg::ref_ptr<osg::Drawable> drawable = new BillboardDrawable(pictures.shape->geometry(), &posed, own);
+    pictures.state->getOrCreateUniform("leafTint", osg::Uniform::FLOAT_VEC3)
+        ->set(seasonTint(_simulation->description().species[tree.species].appearance, _simulation->season()));
+    osg::ref_ptr<osg::Drawable> drawable =
+        new BillboardDrawable(pictures.shape->geometry(), &posed, Random(tree.seed).uniform());
     drawable->setStateSet(pictures.state);
     return drawable;
 }
@@ -81,7 +85,6 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
                           species.appearance.leafForm));
     }
 
-    _pictures.resize(2 * simulation.models().size());
     _stand = new osg::Group;
     _stand->setName("trees");
     _stand->setDataVariance(osg::Object::DYNAMIC);
@@ -91,10 +94,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
-        const float own = Random(tree.seed).uniform();
-        node->setOwnNumber(own);
-        node->setLeaves(tree.leaves);
-        node->setBillboard(billboard(tree, *node->getPosedTree(), own));
+        node->setOwnNumber(Random(tree.seed).uniform());
         node->getPosedTree()->follow(_simulation, simulation.motion(i));
         node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
         node->setLeafwise(_leafDrawing == LEAF_TRANSFORMS);
@@ -102,6 +102,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         _trees.push_back(node);
     }
     addChild(_stand);
+    showSeason();
 
     _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * simulation.forest().units);
     _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.forest().leaves);
@@ -119,6 +120,25 @@ BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::Cop
 }
 
 BranchwiseForest::~BranchwiseForest() = default;
+
+void BranchwiseForest::showSeason() {
+    const std::vector<Species>& species = _simulation->description().species;
+    for (std::size_t i = 0; i < species.size(); ++i)
+        _styles[i].showSeason(species[i].appearance, _simulation->season());
+    for (std::size_t i = 0; i < _trees.size(); ++i) {
+        const PlacedTree& tree = _simulation->trees()[i];
+        _trees[i]->setLeaves(tree.leaves);
+        _trees[i]->setBillboard(billboard(tree, *_trees[i]->getPosedTree()));
+    }
+}
+
+void BranchwiseForest::seasonChanged() {
+    showSeason();
+    if (_prePass) { // what units are to the law has changed
+        useCpuAngles();
+        startPasses();
+    }
+}
 
 void BranchwiseForest::takeSettings(const BranchwiseForest& other) {
     setAngleSource(other._wantedSource);
@@ -159,6 +179,11 @@ void BranchwiseForest::useCpuAngles() {
     bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
 }
 
+void BranchwiseForest::startPasses() {
+    _prePass = std::make_unique<AnglePrePass>(*_simulation);
+    bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
+}
+
 /// The passes start once a first frame has shown that the context can run them.
 void BranchwiseForest::chooseAngleSource() {
     if (_wantedSource == CPU_ANGLES || _prePass || !_simulation->branches() ||
@@ -168,8 +193,7 @@ void BranchwiseForest::chooseAngleSource() {
         _probe = new FloatTargetProbe;
     else if (_probe->answer() == FloatTargetProbe::SUPPORTED) {
         _probe = nullptr;
-        _prePass = std::make_unique<AnglePrePass>(*_simulation);
-        bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
+        startPasses();
     } else if (_probe->answer() == FloatTargetProbe::MISSING) {
         OSG_NOTICE << "osgTreeWind: no float render targets or vertex textures here; angles come from the CPU"
                    << std::endl;
@@ -191,7 +215,7 @@ void BranchwiseForest::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Group::resizeGLObjectBuffers(maxSize);
     for (const osg::ref_ptr<TreeShape>& shape : _shapes)
         shape->resizeGLObjectBuffers(maxSize);
-    for (const Pictures& pictures : _pictures)
+    for (const auto& [key, pictures] : _pictures)
         if (pictures.shape)
             pictures.shape->geometry()->resizeGLObjectBuffers(maxSize);
     if (_prePass)
@@ -204,7 +228,7 @@ void BranchwiseForest::releaseGLObjects(osg::State* state) const {
         shape->releaseGLObjects(state);
     for (const TreeStyle& style : _styles)
         style.releaseGLObjects(state);
-    for (const Pictures& pictures : _pictures)
+    for (const auto& [key, pictures] : _pictures)
         if (pictures.shape) {
             pictures.shape->geometry()->releaseGLObjects(state);
             pictures.state->releaseShared(state);

@@ -6,6 +6,7 @@
 
 #include <osgUtil/IntersectionVisitor>
 
+
 namespace osgTreeWind {
 namespace {
 

@@ -56,7 +56,8 @@ public:
     /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
     void setOwnNumber(float number);
 
-    /// Share of its leaves that the tree bears, [0, 1]; bare twigs are drawn where it has none.
+    /// Share of its leaves that the tree bears, [0, 1]; bare twigs are drawn where it has none. Not during a
+    /// traversal.
     void setLeaves(float share);
 
     /// What is drawn at the level BILLBOARD.

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/Season.h>
 
 namespace osgTreeWind {
 
@@ -35,6 +36,10 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
     style.leafCluster->addUniform(new osg::Uniform("treeLeaves", 1.0f));
     style.bareCluster->addUniform(new osg::Uniform("treeLeaves", 0.0f));
     return style;
+}
+
+void TreeStyle::showSeason(const Appearance& appearance, float season) const {
+    leaves->getUniform("leafColor")->set(toOsg(leafColor(appearance, season))); // which all of them share
 }
 
 void TreeStyle::releaseGLObjects(osg::State* state) const {

@@ -25,7 +25,10 @@ struct TreeStyle {
     osg::ref_ptr<SharedStateSet> branchBark;  ///< Of one unit, posed by the BranchTransform above it.
     osg::ref_ptr<SharedStateSet> leaves;      ///< Of a whole tree, posed by the shader.
     osg::ref_ptr<SharedStateSet> leafCluster; ///< Of one cluster, posed by the transforms above it.
-    osg::ref_ptr<SharedStateSet> bareCluster; ///< Of one without its leaves.
+    osg::ref_ptr<SharedStateSet> bareCluster; ///< The same without its leaves.
+
+    /// Colours of a season, for all that share this style. Not during a traversal.
+    void showSeason(const Appearance& appearance, float season) const;
 
     /// Of one context, or of all.
     void releaseGLObjects(osg::State* state) const;
