@@ -19,23 +19,24 @@ std::array<LeafVertex, verticesPerLeafCluster> mesh() {
 /// Small clusters, evenly in a box.
 CrownShade box() {
     std::vector<LeafCluster> leaves;
-    const glm::ivec3 counts(24, 36, 48);
+    const int steps = 32; // two a cell of the grid
     float area = 0.0f;
     for (std::size_t i = 0; i < mesh().size(); i += 4)
         area += glm::length(
             glm::cross(mesh()[i + 1].corner - mesh()[i].corner, mesh()[i + 3].corner - mesh()[i].corner));
     const float size = 1e-3f;
-    for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
-        const glm::vec3 at(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y));
+    for (int i = 0; i < (steps + 1) * (steps + 1) * (steps + 1); ++i) {
+        const glm::vec3 at(i % (steps + 1), i / (steps + 1) % (steps + 1), i / ((steps + 1) * (steps + 1)));
         LeafCluster leaf;
-        leaf.anchor = low + (high - low) * (at + 0.5f) / glm::vec3(counts);
+        leaf.anchor = low + (high - low) * at / static_cast<float>(steps);
         leaf.size = size;
+        for (int axis = 0; axis < 3; ++axis) // half of what is around it lies outside
+            if (at[axis] == 0.0f || at[axis] == static_cast<float>(steps))
+                leaf.size *= std::sqrt(0.5f);
         leaves.push_back(leaf);
     }
-    const glm::vec3 size3 = high - low;
-    const float coverage =
-        density * size3.x * size3.y * size3.z / (area * size * size * static_cast<float>(leaves.size()));
-    return CrownShade(leaves, mesh(), coverage);
+    const glm::vec3 step = (high - low) / static_cast<float>(steps);
+    return CrownShade(leaves, mesh(), density * step.x * step.y * step.z / (area * size * size));
 }
 
 double left(double path) {
@@ -49,8 +50,8 @@ TEST(CrownShade, AnEvenBoxLetsThroughWhatThePathLeaves) {
     for (const glm::vec3& p : {glm::vec3(0, 0, 4), glm::vec3(1, -2, 6.5), glm::vec3(-1.5, 2.5, 1)}) {
         const CrownShade::Light light = shade.at(p);
         for (int axis = 0; axis < 3; ++axis) {
-            EXPECT_NEAR(light.above[axis], left(static_cast<double>(high[axis] - p[axis])), 0.02) << axis;
-            EXPECT_NEAR(light.below[axis], left(static_cast<double>(p[axis] - low[axis])), 0.02) << axis;
+            EXPECT_NEAR(light.above[axis], left(static_cast<double>(high[axis] - p[axis])), 0.005) << axis;
+            EXPECT_NEAR(light.below[axis], left(static_cast<double>(p[axis] - low[axis])), 0.005) << axis;
         }
     }
 }
@@ -61,13 +62,13 @@ TEST(CrownShade, ADiagonalOfAnEvenBoxIsAsLongAsItIs) { // sky: 14 directions, up
     const double axis = 1.0 / 15.0, corner = 3.0 / 40.0;
     const double level = 2.0 * axis * 0.6 * (left(2.0) + left(3.0)), upright = axis * 1.2 * left(4.0);
     const double expected = (level + upright + corner * 4.8 * diagonal) / (axis * 3.6 + corner * 4.8);
-    EXPECT_NEAR(static_cast<double>(light.sky), expected, 0.02);
+    EXPECT_NEAR(static_cast<double>(light.sky), expected, 0.005);
 }
 
 TEST(CrownShade, FromOutsideTheCrownIsInTheWayOfItsOwnSide) {
     const CrownShade::Light light = box().at({0, 0, 9});
     EXPECT_NEAR(light.above.z, 1.0f, 1e-3f);
-    EXPECT_NEAR(light.below.z, left(8.0), 0.02);
+    EXPECT_NEAR(light.below.z, left(8.0), 0.005);
 }
 
 TEST(CrownShade, WithoutLeavesAllIsOpen) {
