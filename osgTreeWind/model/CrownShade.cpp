@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace osgTreeWind {
@@ -72,15 +73,18 @@ CrownShade::CrownShade(const std::vector<LeafCluster>& leaves,
     _cell = glm::max((last - first) / static_cast<float>(cells), glm::vec3(1e-3f));
 
     std::vector<float> density(nodes * nodes * nodes, 0.0f); // m^2 in m^3
-    const float area = 0.25f * coverage * areaOf(mesh) / quadsPerLeafCluster;
+    float size = 0.0f, area = coverage * areaOf(mesh);       // of a cluster
+    for (const LeafCluster& leaf : leaves)
+        size += leaf.size * leaf.size;
+    area = glm::min(area, mostLeafArea * glm::pi<float>() * _halfAxes.x * _halfAxes.y / size);
     for (const LeafCluster& leaf : leaves)
         for (std::size_t i = 0; i < mesh.size(); ++i) { // a quarter of a quad
             const std::size_t quad = i - i % 4;
             const glm::vec3 centre = 0.25f * (mesh[quad].corner + mesh[quad + 1].corner +
                                               mesh[quad + 2].corner + mesh[quad + 3].corner);
             const glm::vec3 point = 0.5f * (centre + mesh[i].corner);
-            spread(leaf.anchor + leaf.size * (leaf.orientation * point), area * leaf.size * leaf.size,
-                   density);
+            spread(leaf.anchor + leaf.size * (leaf.orientation * point),
+                   area * leaf.size * leaf.size / verticesPerLeafCluster, density);
         }
     for (std::size_t i = 0; i < density.size(); ++i) {
         const glm::ivec3 at(i % nodes, i / nodes % nodes, i / (nodes * nodes));

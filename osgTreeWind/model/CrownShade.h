@@ -15,6 +15,9 @@ class CrownShade {
 public:
     static constexpr float projection = 0.5f; ///< G, of leaves that face all ways alike.
 
+    /// Of a crown, m^2 over a m^2 of the ground below it; leaf cards of the thesis' trees would be more.
+    static constexpr float mostLeafArea = 5.0f;
+
     /// Light at a place in the tree, each 1 in the open.
     struct Light {
         glm::vec3 above{1.0f}; ///< What comes from +x, +y and +z.
