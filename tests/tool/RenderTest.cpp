@@ -89,7 +89,7 @@ TEST(Render, APersonStandsBeforeTheForestWithSkyAboveIt) {
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
         const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
         EXPECT_EQ(greenInRow(*image, 0.97), 0.0) << file << ": sky";
-        EXPECT_GT(greenInRow(*image, 0.4), 0.4) << file << ": trees";
+        EXPECT_GT(greenInRow(*image, 0.4), 0.3) << file << ": trees";
         EXPECT_GT(greenInRow(*image, 0.05), 0.95) << file << ": ground";
     }
 }
@@ -191,7 +191,7 @@ TEST(Render, EveryWayToThePoseGivesThePicture) {
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         // Branches are one frame late there; leaves below transforms are shaded without their crown.
         EXPECT_LT(meanDifference(*picture(folder, "cpu_5.png"), *picture(folder, pose + "_5.png")),
-                  pose == "gpu" ? 0.2 * moved : 3.0)
+                  pose == "gpu" ? 0.2 * moved : 3.5)
             << pose;
     }
 }
