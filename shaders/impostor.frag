@@ -9,8 +9,9 @@
 #include "scene.glsl"
 
 uniform sampler2D impostorColors;  // times coverage, which is alpha
-uniform sampler2D impostorNormals; // times coverage; alpha: 1 leaf, 0 bark
+uniform sampler2D impostorNormals; // LightLobe::way and 1 of leaves, 0 of bark, times coverage
 uniform vec4 impostorSize;
+uniform vec3 leafTint; // of the season, over the colour that was painted
 
 flat in vec4 pictureViews;
 flat in vec3 pictureParts;
@@ -47,6 +48,7 @@ void main() {
         discard;
 
     vec4 surface = textureLod(impostorNormals, coord, lod) / color.a;
-    vec3 light = barkLight + surface.a * leafLightMore + lightByNormal * (2.0 * surface.xyz - 1.0);
-    gl_FragColor = vec4(sceneColor(color.rgb / color.a * light, pictureEye), 1.0);
+    vec3 light = barkLight + surface.a * leafLightMore + lightByNormal * (4.0 * surface.xyz - 2.0);
+    vec3 tint = mix(vec3(1.0), leafTint, surface.a);
+    gl_FragColor = vec4(sceneColor(tint * color.rgb / color.a * max(light, 0.0), pictureEye), 1.0);
 }

@@ -25,13 +25,17 @@ UnitPose unitPose(int unit) {
     return UnitPose(texelFetch(poseRotations, texel, 0), moved.xyz, moved.w);
 }
 
-/// From the tree's own axes to the forest's.
-vec3 turnedByHeading(vec3 v) {
+/// Its cosine and sine.
+vec2 treeHeading() {
     float tangent = treePlace.w;
     float part = 2.0 / (1.0 + tangent * tangent);
-    float cosine = part - 1.0;
-    float sine = part * tangent;
-    return vec3(cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z);
+    return vec2(part - 1.0, part * tangent);
+}
+
+/// From the tree's own axes to the forest's.
+vec3 turnedByHeading(vec3 v) {
+    vec2 turn = treeHeading();
+    return vec3(turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y, v.z);
 }
 
 /// In eye space: a point of the tree's rest frame, scaled, that moves with a unit.

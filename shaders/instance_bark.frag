@@ -3,11 +3,9 @@
 
 #pragma import_defines(FADING)
 
+#include "bark_texture.glsl"
 #include "dither.glsl"
 #include "scene.glsl"
-
-uniform sampler2D barkTexture; // grey
-uniform vec3 barkColor;
 
 in vec2 barkCoord;
 in vec3 barkLight;
@@ -19,7 +17,6 @@ void main() {
     if (dithered(treeFade))
         discard;
 #endif
-    float shade = texture(barkTexture, barkCoord).r;
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    gl_FragColor = vec4(sceneColor(inside * shade * barkColor * barkLight, scenePosition), 1.0);
+    gl_FragColor = vec4(sceneColor(inside * barkAlbedo(barkCoord) * barkLight, scenePosition), 1.0);
 }

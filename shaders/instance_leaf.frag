@@ -8,13 +8,11 @@
 #include "leaf_texture.glsl"
 #include "scene.glsl"
 
-uniform sampler2D leafTexture; // leaf_texture.glsl
-uniform vec3 leafColor;
-
 in vec2 leafCoord;
 in vec3 leafLight;
 in vec3 scenePosition;
 flat in float treeFade;
+flat in float leafBorne;
 
 void main() {
 #ifdef LEAF_TEXTURE_BIAS
@@ -22,11 +20,11 @@ void main() {
 #else
     vec4 leaf = texture(leafTexture, leafCoord);
 #endif
-    if (leaf.a < 0.5) // LeafTexels::alphaThreshold
+    if (leafAlpha(leaf, leafBorne) < 0.5) // LeafTexels::alphaThreshold
         discard;
 #ifdef FADING
     if (dithered(treeFade))
         discard;
 #endif
-    gl_FragColor = vec4(sceneColor(leafTint(leaf) * leafColor * leafLight, scenePosition), 1.0);
+    gl_FragColor = vec4(sceneColor(leafAlbedo(leaf, leafBorne) * leafLight, scenePosition), 1.0);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // A corner of a leaf cluster in an instanced draw: turned by its flutter, then by its rest orientation, then with its
 // branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
-// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame;
-// gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
+// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
+// gl_MultiTexCoord3: outward of the crown, shade.
 
 #include "real.glsl"
 #include "law/limits.glsl"
@@ -18,6 +18,7 @@ uniform vec3 flutterPhases;
 out vec2 leafCoord;
 out vec3 leafLight;
 out vec3 scenePosition;
+flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
@@ -30,14 +31,13 @@ void main() {
     vec3 blade = turnVector(turn, gl_MultiTexCoord2.xyz);
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
-    float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
-    vec3 own = treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w);
-    leafLight = own * open * leafShade(eyePosition.xyz, eyeDirection(pose, normal));
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading());
+    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
+    vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
+    leafLight = own * leafShade(eyePosition.xyz, eyeDirection(pose, normal), shade);
     leafCoord = gl_MultiTexCoord0.xy;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;
-    if (fract(0.618034 * gl_MultiTexCoord0.w) >= treeState.w) // one that the tree does not bear
-        gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

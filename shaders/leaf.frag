@@ -4,15 +4,13 @@
 #include "encode.glsl"
 #include "leaf_texture.glsl"
 
-uniform sampler2D leafTexture; // leaf_texture.glsl
-uniform vec3 leafColor;
-
 in vec2 leafCoord;
 in vec3 leafLight;
+flat in float leafBorne;
 
 void main() {
     vec4 leaf = texture(leafTexture, leafCoord);
-    if (leaf.a < 0.5) // LeafTexels::alphaThreshold
+    if (leafAlpha(leaf, leafBorne) < 0.5) // LeafTexels::alphaThreshold
         discard;
-    gl_FragColor = vec4(encoded(leafTint(leaf) * leafColor * leafLight), 1.0);
+    gl_FragColor = vec4(encoded(leafAlbedo(leaf, leafBorne) * leafLight), 1.0);
 }

@@ -3,6 +3,8 @@
 // light that is on (osgTreeWind/nodes/SceneShading.h); light 0 where nobody says.
 #pragma import_defines(LIGHT_MASK, UNLIT)
 
+#include "law/shade.glsl"
+
 #ifndef LIGHT_MASK
 #define LIGHT_MASK 1
 #endif
@@ -34,43 +36,58 @@ vec4 lightAt(int i, vec3 eyePosition) {
     return vec4(toLight, left);
 }
 
-/// Share of a light that leaves let through to the eye from here.
-float lightThrough(vec3 eyePosition, vec3 toLight) {
+/// Share of a light that leaves let through to the eye from here, yellower than what they reflect.
+vec3 lightThrough(vec3 eyePosition, vec3 toLight) {
     float against = max(dot(normalize(eyePosition), toLight), 0.0);
-    return 0.25 * against * against * against * against;
+    return against * against * against * against * vec3(0.42, 0.40, 0.14);
+}
+
+/// What the crown leaves of the light at a place (law/shade.glsl), in the frame of a tree.
+struct Shade {
+    vec4 above;
+    vec4 below;
+    vec2 heading; // cosine and sine
+};
+
+/// Share of the light from a direction.
+float shareOf(vec3 toLight, Shade shade) {
+    vec3 d = toLight * gl_NormalMatrix; // by the inverse of the model-view matrix
+    vec2 turn = shade.heading;
+    return shareFrom(vec3(turn.x * d.x + turn.y * d.y, turn.x * d.y - turn.y * d.x, d.z), shade.above, shade.below);
 }
 
 /// Light on bark.
-vec3 barkShade(vec3 eyePosition, vec3 eyeNormal) {
+vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
 #ifdef UNLIT
     return vec3(1.0);
 #endif
-    vec3 light = ambientLight(eyeNormal);
+    vec3 light = shade.above.w * ambientLight(eyeNormal);
     for (int i = 0; i < 8; ++i)
         if ((LIGHT_MASK >> i & 1) != 0) {
             vec4 at = lightAt(i, eyePosition);
-            light += at.w * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
+            light += at.w * shareOf(at.xyz, shade) * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
         }
     return light;
 }
 
 /// Light on foliage, which is lit from both sides and lets light through. Linear in the normal, so that the mean of
 /// normals gives the mean of lights.
-vec3 leafShade(vec3 eyePosition, vec3 eyeNormal) {
+vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
 #ifdef UNLIT
     return vec3(1.0);
 #endif
-    vec3 light = ambientLight(eyeNormal);
+    vec3 light = shade.above.w * ambientLight(eyeNormal);
     for (int i = 0; i < 8; ++i)
         if ((LIGHT_MASK >> i & 1) != 0) {
             vec4 at = lightAt(i, eyePosition);
-            float through = lightThrough(eyePosition, at.xyz);
-            light += at.w * (max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + through) * gl_LightSource[i].diffuse.rgb;
+            vec3 lit = max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + lightThrough(eyePosition, at.xyz);
+            light += at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
         }
     return light;
 }
 
-/// The same for a picture of a tree, where one evaluation serves all normals: light is `bark` + leaf * `leafMore` +
+/// The same for a picture of a tree, which holds its shade (osgTreeWind/nodes/LightLobe.h); one evaluation serves all
+/// normals: light is `bark` + leaf * `leafMore` +
 /// `byNormal` * normal, leaf 1 or 0. Exact for leaves; bark takes the line nearest to max(cosine, 0).
 void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 byNormal) {
     bark = vec3(1.0);

@@ -5,7 +5,8 @@
 
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/model/CrownEllipsoid.h>
+#include <osgTreeWind/model/CrownShade.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/motion/PosedPoints.h>
 #include <osgTreeWind/nodes/SpeciesLooks.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
@@ -143,17 +144,17 @@ RestGeometry restBark(const TreeModel& model, const TreeScale& scale) {
 
 RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
     RestGeometry rest;
-    const CrownEllipsoid crown(model.leaves);
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(LeafForm::Blade));
     for (std::size_t i = 0; i < model.leaves.size(); ++i) {
         const LeafCluster& leaf = model.leaves[i];
-        const glm::vec4 place = crown.at(leaf.anchor);
+        const glm::vec3 outward = crown.outward(leaf.anchor);
+        const float sky = crown.at(leaf.anchor).sky;
         const auto own = static_cast<float>(std::fmod(0.754878 * static_cast<double>(i), 1.0));
         for (const LeafVertex& v : model.leafMesh) { // light as in shaders/leaf.vert
-            const glm::vec3 blade = leaf.orientation * v.normal, outward(place);
+            const glm::vec3 blade = leaf.orientation * v.normal;
             const float side = glm::dot(blade, outward) < 0.0f ? -0.5f : 0.5f;
             rest.add(posedLeafPoint(leaf, v.corner, leaf.orientation, scale, {}),
-                     glm::normalize(outward + side * blade), v.uv, leaf.unit,
-                     (0.88f + 0.24f * own) * (0.65f + 0.35f * place.w));
+                     glm::normalize(outward + side * blade), v.uv, leaf.unit, (0.88f + 0.24f * own) * sky);
         }
     }
     rest.setTriangles(leafIndices(model.leaves.size()));

@@ -1,8 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/nodes/Forest.h>
+
 #include <osg/Vec3d>
 
+/// Where a camera is and looks, and how: vertical field of view in degrees, width over height.
+struct ForestView {
+    osg::Vec3d eye, center;
+};
+struct Lens {
+    double fieldOfView = 40.0, aspect = 16.0 / 9.0;
+};
+
 /// From where a whole forest is seen: from the south-west, from above its crowns if it is wide.
-/// @param radius metres. @param aspect width over height. @param fieldOfView vertical, degrees.
-osg::Vec3d defaultEye(const osg::Vec3d& centre, double radius, double aspect, double fieldOfView);
+/// @param radius metres.
+osg::Vec3d defaultEye(const osg::Vec3d& centre, double radius, const Lens& lens);
+
+/// As a person stands before the forest or in a gap of it, eyes 1.6 m above the ground: where trees fill the
+/// picture and sky is left above them, none of them in the way.
+ForestView viewAtEyeLevel(const osgTreeWind::Forest& forest, const Lens& lens);
+
+/// The tree nearest to the middle of the forest, filling the picture, from where least stands before it.
+ForestView viewOfOneTree(const osgTreeWind::Forest& forest, const Lens& lens);

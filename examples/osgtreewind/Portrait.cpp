@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "Offscreen.h"
+#include "PortraitSheet.h"
 
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/nodes/TreeLooks.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/WriteFile>
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -15,8 +23,10 @@ namespace {
 using namespace osgTreeWind;
 
 struct PortraitOptions {
-    std::string species;
+    std::string species, output, backend = offscreenBackendName();
     bool json = false;
+    int panel = 256;
+    std::optional<float> season;
 };
 
 /// A built-in species, or FILE.treewind:name. Nothing, said on standard error, where there is none.
@@ -72,6 +82,18 @@ ExitCode portrait(const PortraitOptions& options) {
     const std::optional<Species> species = findSpecies(options.species);
     if (!species)
         return BadInput;
+    if (!options.output.empty()) {
+        if (options.backend != offscreenBackendName())
+            return runOtherBackend(options.backend);
+        const osg::ref_ptr<osg::Image> sheet =
+            drawPortrait(*species, options.panel, options.season.value_or(midspring));
+        if (!sheet)
+            return Failed;
+        if (!osgDB::writeImageFile(*sheet, options.output)) {
+            std::cerr << options.output << ": cannot be written\n";
+            return Failed;
+        }
+    }
     const TreeLooks looks = measureLooks(*species);
     if (options.json)
         std::cout << toJson(*species, looks).dump(2) << '\n';
@@ -83,10 +105,25 @@ ExitCode portrait(const PortraitOptions& options) {
 } // namespace
 
 void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
-    CLI::App* command = app.add_subcommand("portrait", "Measure the looks of a species");
+    CLI::App* command = app.add_subcommand("portrait", "Draw a species on a sheet, and measure its looks");
     auto options = std::make_shared<PortraitOptions>();
     command->add_option("species", options->species, "A built-in species, or FILE.treewind:name")->required();
     command->add_flag("--json", options->json, "Print JSON");
-    command->footer("Example: osgtreewind portrait oak --json");
+    command->add_option("-o,--output", options->output, "sheet.png; without it nothing is drawn")
+        ->check([](const std::string& name) {
+            return osgDB::getLowerCaseFileExtension(name) == "png"
+                       ? std::string()
+                       : expectedFound("a name that ends in .png", name);
+        });
+    command->add_option("--panel", options->panel, "Width and height of each picture on the sheet, pixels")
+        ->check(CLI::Range(16, 2048))
+        ->capture_default_str();
+    addSeasonOption(*command, options->season);
+    command->add_option("--backend", options->backend, "Where OpenGL comes from")
+        ->check(CLI::IsMember({"osmesa", "egl"}))
+        ->capture_default_str();
+    command->footer(std::string(portraitLayout) +
+                    "\nThe numbers are means over three shapes; docs/species.md says what they should be.\n"
+                    "Example: osgtreewind portrait oak -o oak.png --json");
     command->callback([options, &exitCode] { exitCode = portrait(*options); });
 }

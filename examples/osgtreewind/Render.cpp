@@ -2,17 +2,16 @@
 #include "Command.h"
 #include "DefaultView.h"
 #include "Offscreen.h"
+#include "OffscreenViewer.h"
 #include "Progress.h"
 #include "Setting.h"
 #include "VideoWriter.h"
 
-#include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>
 #include <osgUtil/UpdateVisitor>
-#include <osgViewer/Viewer>
 
 #include <cmath>
 #include <iostream>
@@ -23,10 +22,12 @@ namespace {
 using namespace osgTreeWind;
 
 struct RenderOptions {
-    std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(), pose, tiers;
+    std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(), pose, tiers,
+                      view = "eye";
     int frames = 1, samples = 4, width = 0, height = 0;
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
+    std::optional<float> season;
 };
 
 int samplesAcross(const RenderOptions& options) {
@@ -53,20 +54,23 @@ void choosePose(BranchwiseForest& forest, const std::string& pose) {
     forest.setLeafDrawing(transforms ? BranchwiseForest::LEAF_TRANSFORMS : BranchwiseForest::TREE_LEAVES);
 }
 
-/// Looks at the whole forest (DefaultView.h), or as the options say.
-void placeCamera(osg::Camera& camera, const RenderOptions& options, const osg::BoundingSphere& bound) {
-    const double aspect = static_cast<double>(options.width) / options.height;
-    osg::Vec3d center = bound.center(), eye;
-    if (!options.center.empty())
-        center.set(options.center[0], options.center[1], options.center[2]);
-    if (!options.eye.empty()) {
-        eye.set(options.eye[0], options.eye[1], options.eye[2]);
-    } else {
-        eye = defaultEye(center, bound.radius(), aspect, options.fov);
-    }
-    const bool vertical = (eye - center) * osg::X_AXIS == 0.0 && (eye - center) * osg::Y_AXIS == 0.0;
-    camera.setViewMatrixAsLookAt(eye, center, vertical ? osg::Y_AXIS : osg::Z_AXIS);
-    camera.setProjectionMatrixAsPerspective(options.fov, aspect, 1.0, 10000.0);
+/// From where the options say (DefaultView.h).
+ForestView viewOf(const RenderOptions& options, const Forest& forest, const Lens& lens) {
+    const osg::BoundingSphere& bound = forest.getBound();
+    const auto given = [](const std::vector<double>& v) { return osg::Vec3d(v[0], v[1], v[2]); };
+    if (options.eye.empty() && options.center.empty() && options.view == "eye")
+        return viewAtEyeLevel(forest, lens);
+    if (options.eye.empty() && options.center.empty() && options.view == "portrait")
+        return viewOfOneTree(forest, lens);
+    const osg::Vec3d center = options.center.empty() ? osg::Vec3d(bound.center()) : given(options.center);
+    return {options.eye.empty() ? defaultEye(center, bound.radius(), lens) : given(options.eye), center};
+}
+
+void placeCamera(osg::Camera& camera, const ForestView& view, const Lens& lens) {
+    const osg::Vec3d way = view.center - view.eye;
+    const bool vertical = way.x() == 0.0 && way.y() == 0.0;
+    camera.setViewMatrixAsLookAt(view.eye, view.center, vertical ? osg::Y_AXIS : osg::Z_AXIS);
+    camera.setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
 }
 
 /// Moves the forest on to `start` without drawing, in the steps that frames would have taken.
@@ -80,23 +84,6 @@ void runUp(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& option
         stamp.setSimulationTime(static_cast<double>(i) / options.fps);
         scene.accept(visitor);
         progress.advance();
-    }
-}
-
-/// Means of factor x factor pixels. Alpha-tested leaves need this: multisampling smooths only their quads.
-void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
-    const int count = factor * factor;
-    for (int y = 0; y < to.t(); ++y) {
-        for (int x = 0; x < to.s(); ++x) {
-            int sum[4] = {};
-            for (int i = 0; i < count; ++i) {
-                const unsigned char* pixel = from.data(x * factor + i % factor, y * factor + i / factor);
-                for (int channel = 0; channel < 4; ++channel)
-                    sum[channel] += pixel[channel];
-            }
-            for (int channel = 0; channel < 4; ++channel)
-                to.data(x, y)[channel] = static_cast<unsigned char>((sum[channel] + count / 2) / count);
-        }
     }
 }
 
@@ -127,32 +114,22 @@ ExitCode render(RenderOptions options) {
         return BadInput;
     if (!options.tiers.empty())
         description->drawing.tiers = options.tiers == "on";
+    description->season = options.season.value_or(description->season);
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
     osg::ref_ptr<osg::Group> scene = createSetting(*forest);
 
-    const int factor = samplesAcross(options);
-    auto context = createOffscreenContext(options.width * factor, options.height * factor);
-    if (!context) {
-        std::cerr << context.problems().front().text() << '\n';
+    OffscreenViewer drawing(options.width, options.height, samplesAcross(options));
+    if (!drawing.valid())
         return Failed;
-    }
-    osgViewer::Viewer viewer;
-    viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
-    viewer.setKeyEventSetsDone(0);
-    viewer.setLightingMode(osg::View::NO_LIGHT);
-    osg::ref_ptr<osg::Image> drawn = attachFrameImage(*viewer.getCamera(), *context.value());
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(options.width, options.height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
-    placeCamera(*viewer.getCamera(), options, forest->getBound());
+    osgViewer::Viewer& viewer = drawing.viewer();
+    const Lens lens{options.fov, drawing.aspect()};
+    placeCamera(*viewer.getCamera(), viewOf(options, *forest, lens), lens);
     if (BranchwiseForest* branchwise = forest->getBranchwise()) {
         choosePose(*branchwise, options.pose.empty() ? "cpu" : options.pose);
     } else if (!options.pose.empty()) {
         std::cerr << "--pose " << options.pose << ": for a law of a branch, not \"modal\"\n";
         return BadInput;
     }
-    viewer.getCamera()->setLODScale(
-        static_cast<float>(factor)); // pixels are those of the picture, not samples
     viewer.setSceneData(scene);
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);
@@ -162,10 +139,9 @@ ExitCode render(RenderOptions options) {
         movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
     Progress progress("render", static_cast<std::size_t>(options.frames));
     for (int frame = 0; frame < options.frames; ++frame) {
-        viewer.frame(options.start + frame / options.fps);
-        averagePixels(*drawn, *image, factor);
+        osg::Image& image = drawing.frame(options.start + frame / options.fps);
         const std::string path = numbered ? framePath(options.output, frame) : options.output;
-        if (!(movie ? movie->write(*image) : osgDB::writeImageFile(*image, path))) {
+        if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path))) {
             std::cerr << path << ": cannot be written\n";
             return Failed;
         }
@@ -198,7 +174,13 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
                      "Simulation time of the first frame, seconds; the forest moves there from rest")
         ->check(within(0.0, 1e6))
         ->capture_default_str();
-    command->add_option("--eye", options->eye, "Where the camera is: x,y,z in the scene, metres")
+    command
+        ->add_option("--view", options->view,
+                     "eye: as a person stands before the forest; above: all of it from above its crowns;\n"
+                     "portrait: the tree nearest to its middle")
+        ->check(CLI::IsMember({"eye", "above", "portrait"}))
+        ->capture_default_str();
+    command->add_option("--eye", options->eye, "Where the camera is instead: x,y,z in the scene, metres")
         ->delimiter(',')
         ->expected(3)
         ->check(within(-1e7, 1e7));
@@ -209,6 +191,7 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--fov", options->fov, "Vertical field of view, degrees")
         ->check(within(1.0, 170.0))
         ->capture_default_str();
+    addSeasonOption(*command, options->season);
     command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges: 1, 4, 9 or 16")
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();

@@ -19,6 +19,7 @@ struct SimulateOptions {
     std::string file, output = "-";
     double duration = 10.0, fps = 60.0;
     bool tips = false;
+    std::optional<float> season;
 };
 
 void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time, bool tips) {
@@ -47,6 +48,7 @@ ExitCode simulate(const SimulateOptions& options) {
     auto description = loadForest(options.file);
     if (!description)
         return BadInput;
+    description->season = options.season.value_or(description->season);
     auto growing = std::make_optional<Progress>("grow", description->trees.size());
     SimulationOptions simulationOptions;
     simulationOptions.leaves = false;
@@ -92,6 +94,7 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "CSV file, or - for standard output")
         ->capture_default_str();
+    addSeasonOption(*command, options->season);
     command->add_flag("--tips", options->tips, "Add the position of each branch tip, metres in the scene");
     command->footer(
         "Columns: time (s), tree, unit, level, wind (m/s: x east, y north, z up), angle_a and angle_b\n"

@@ -25,6 +25,7 @@ struct SwayOptions {
     double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0, pull = 0.05;
     bool open = false;
     bool json = false;
+    std::optional<float> season;
     std::string table;
 };
 
@@ -68,6 +69,8 @@ TreePlacement treeOf(SwayOptions& options, const Species& species) {
     tree.size.crownWidth = static_cast<float>(options.crownWidth);
     tree.openGrown = options.open;
     tree.leaves = static_cast<float>(options.leaves);
+    if (options.season)
+        tree.leaves *= leafShare(species.appearance, *options.season);
     fillIn(options, species, tree);
     return tree;
 }
@@ -204,6 +207,7 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--leaves", options->leaves, "Share of its leaves that it bears, 0 to 1")
         ->check(within(0.0, 1.0))
         ->capture_default_str();
+    addSeasonOption(*command, options->season);
     command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
         ->check(within(1e-4, 0.2))
         ->capture_default_str();

@@ -17,6 +17,17 @@ CLI::Validator within(double low, double high) {
     return CLI::Validator(problem, range, "within");
 }
 
+void addSeasonOption(CLI::App& command, std::optional<float>& season) {
+    const auto read = [&season](const std::string& text) {
+        season = osgTreeWind::parseSeason(text);
+        if (!season)
+            throw CLI::ValidationError("--season",
+                                       osgTreeWind::expectedFound(osgTreeWind::seasonForms, text));
+    };
+    command.add_option_function<std::string>(
+        "--season", read, "winter, spring, summer, autumn, a number from 0 (midwinter) to 4 or a date");
+}
+
 std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file, bool withNodes) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
     if (!forest) {

@@ -81,6 +81,16 @@ void readHead(TableReader& root, ForestReading& reading) {
         reading.folders.emplace_back(data);
 }
 
+void readSeason(TableReader& root, ForestReading& reading) {
+    std::string text;
+    if (!root.readScalar("season", text))
+        return;
+    if (const std::optional<float> season = parseSeason(text))
+        reading.forest.season = *season;
+    else
+        root.problem("season", expectedFound(seasonForms, text));
+}
+
 void readMotion(TableReader& table, ForestReading& reading) {
     table.readChoice<MotionLaw>("law", reading.forest.law,
                                 {{"modal", MotionLaw::Modal},
@@ -184,6 +194,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
 
 void readRoot(TableReader& root, ForestReading& reading) {
     readHead(root, reading);
+    readSeason(root, reading);
     root.table("motion", [&](TableReader& table) { readMotion(table, reading); });
     root.table("drawing", [&](TableReader& table) { readDrawing(table, reading); });
     ensureSpecies(root, reading);

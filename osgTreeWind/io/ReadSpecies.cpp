@@ -2,6 +2,7 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
@@ -10,6 +11,8 @@
 namespace osgTreeWind {
 
 namespace {
+
+constexpr int usualGrownClusters = 1300;
 
 void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
     table.read("levels", tree.levels, within(0, 8));
@@ -40,14 +43,69 @@ void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
                                     std::to_string(maxSkeletonPoints) + " skeleton points");
 }
 
+void readBranches(TableReader& table, GrownBranches& branches) {
+    table.read("count", branches.count, within(0, 200));
+    table.read("units", branches.units, within(1, 3));
+    table.read("start", branches.start, within(0, 0.95));
+    table.read("length", branches.length, within(0.02, 2));
+    table.read("length_variation", branches.lengthVariation, within(0, 1));
+    table.readDegrees("inclination", branches.inclination, within(0, 180));
+    table.readDegrees("inclination_end", branches.inclinationEnd, within(0, 180));
+    table.readDegrees("inclination_variation", branches.inclinationVariation, within(0, 85));
+    table.read("flat", branches.flat, within(0, 1));
+    table.readDegrees("rise", branches.rise, within(-180, 180));
+    table.readDegrees("rise_outside", branches.riseOutside, within(-180, 180));
+    table.read("crook", branches.crook, within(0, 1));
+    table.read("sections", branches.sections, within(0.01, 2));
+    table.read("power", branches.power, within(0, 3));
+    table.read("taper", branches.taper, within(0.05, 1));
+}
+
+void readGrowth(TableReader& table, GrownTreeParameters& tree) {
+    table.read("height", tree.height, within(0.1, 150));
+    table.read("radius", tree.radius, within(0.001, 10));
+    table.read("trunk", tree.trunk, within(0.05, 1));
+    table.read("trunk_units", tree.trunkUnits, within(1, 16));
+    table.read("trunk_taper", tree.trunkTaper, within(0.01, 1));
+    table.read("trunk_crook", tree.trunkCrook, within(0, 1));
+    table.read("forks", tree.forks, within(0, 16));
+    table.readDegrees("fork_inclination", tree.forkInclination, within(0, 180));
+    table.readChoice<CrownShape>("shape", tree.shape,
+                                 {{"cone", CrownShape::Cone},
+                                  {"sphere", CrownShape::Sphere},
+                                  {"hemisphere", CrownShape::Hemisphere},
+                                  {"cylinder", CrownShape::Cylinder},
+                                  {"tapered_cylinder", CrownShape::TaperedCylinder},
+                                  {"flame", CrownShape::Flame},
+                                  {"inverse_cone", CrownShape::InverseCone},
+                                  {"tend_flame", CrownShape::TendFlame}});
+    table.read("crown_base", tree.crownBase, within(0, 0.95));
+    table.read("crown_width", tree.crownWidth, within(0.001, 600));
+    table.read("whorl", tree.whorl, within(1, 32));
+    table.read("rings_per_branch", tree.ringsPerBranch, within(2, 64));
+    table.read("seed", tree.seed);
+    table.table("boughs", [&](TableReader& t) { readBranches(t, tree.boughs); });
+    table.table("branches", [&](TableReader& t) { readBranches(t, tree.branches); });
+    table.table("twigs", [&](TableReader& t) { readBranches(t, tree.twigs); });
+
+    if (tree.radius > 0.25f * tree.height)
+        table.problem("radius", "expected at most a quarter of the height");
+    if (clamped(tree).twigs.count != tree.twigs.count)
+        table.problem("", "boughs, branches and twigs make more than " + std::to_string(maxSkeletonPoints) +
+                              " skeleton points");
+}
+
 void readLeafShape(TableReader& table, LeafParameters& leaves) {
     if (table.read("clusters_per_branch", leaves.clustersPerBranch, within(0, 64)))
         leaves.clusters = 0;
+    table.read("clusters", leaves.clusters, within(0, 100000));
+    table.read("bare", leaves.bare, within(0, 0.95));
     table.read("first_level", leaves.firstLevel, within(0, 9));
     table.read("length", leaves.length, within(0.001, 10));
     table.read("width", leaves.width, within(0.001, 10));
     table.read("inner_size", leaves.innerSize, within(0.01, 1));
     table.read("droop", leaves.droop, within(-1, 1));
+    table.readDegrees("inclination", leaves.inclination, within(0, 80));
     table.read("seed", leaves.seed);
 }
 
@@ -87,9 +145,19 @@ void readLeafMotion(TableReader& table, LeafMotion& leaf) {
     table.read("noise_frequency", leaf.noiseFrequency, within(0, 100));
 }
 
-void readAppearance(TableReader& table, Appearance& appearance) {
+void readPicture(TableReader& table, const char* key, ForestReading& reading, std::string& path) {
+    if (table.has(key))
+        if (const auto file = reading.open(table, key))
+            path = file->path;
+}
+
+void readAppearance(TableReader& table, Appearance& appearance, ForestReading& reading) {
     table.read("bark", appearance.bark, within(0, 1));
     table.read("leaves", appearance.leaves, within(0, 1));
+    table.read("spring_leaves", appearance.springLeaves, within(0, 1));
+    table.read("autumn_leaves", appearance.autumnLeaves, within(0, 1));
+    if (bool evergreen = false; table.read("evergreen", evergreen))
+        appearance.evergreen = evergreen;
     table.readChoice<LeafForm>("leaf_form", appearance.leafForm,
                                {{"blade", LeafForm::Blade},
                                 {"lobed", LeafForm::Lobed},
@@ -112,6 +180,8 @@ void readAppearance(TableReader& table, Appearance& appearance) {
                                 {"banded", BarkForm::Banded},
                                 {"flaking", BarkForm::Flaking},
                                 {"ringed", BarkForm::Ringed}});
+    readPicture(table, "leaf_image", reading, appearance.leafImage);
+    readPicture(table, "bark_image", reading, appearance.barkImage);
 }
 
 constexpr int mostShapes = 64;
@@ -142,14 +212,14 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     return true;
 }
 
-/// Leaves of scanned trees, which know of none: so many as on a built-in tree, on the thinner wood.
-LeafParameters leavesOfScans() {
-    LeafParameters leaves;
+/// A scan knows of no leaves: those of the species, so many as on a built-in tree, on the thinner wood.
+void spreadOnScans(LeafParameters& leaves) {
     leaves.firstLevel = 0;
-    leaves.clusters = 1300;
+    leaves.clusters = usualGrownClusters;
+    leaves.bare = 0.0f;
     leaves.thinWood = 0.6f;
-    leaves.inclination = 0.6f;
-    return leaves;
+    if (!(leaves.inclination > 0.0f))
+        leaves.inclination = 0.6f;
 }
 
 /// `scan`: a file of measured trees, or several. They are the shapes.
@@ -158,7 +228,7 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     const bool given = table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front());
     if (!given)
         return;
-    for (const char* key : {"tree", "shapes"})
+    for (const char* key : {"tree", "growth", "shapes"})
         if (table.has(key))
             return table.problem(key, "expected none beside scan, whose trees are the shapes");
     std::vector<ScannedTree> scans;
@@ -168,7 +238,8 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     if (scans.empty())
         return table.problem("scan", "expected at least one file");
     species.shapes = static_cast<int>(scans.size());
-    species.tree.leaves = leavesOfScans();
+    spreadOnScans(species.tree.leaves);
+    species.tree.grown.reset();
     species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 
@@ -181,6 +252,13 @@ void addName(TableReader& table, ForestReading& reading, const std::string& key,
 
 void readSpecies(TableReader& table, ForestReading& reading) {
     Species species;
+    std::string like;
+    if (table.read("like", like)) {
+        if (const std::optional<Species> built = findBuiltInSpecies(like))
+            species = *built;
+        else
+            table.problem("like", "no built-in species " + inQuotes(like));
+    }
     if (table.require("name", species.name))
         addName(table, reading, "name", species.name);
     std::vector<std::string> aliases;
@@ -190,7 +268,15 @@ void readSpecies(TableReader& table, ForestReading& reading) {
 
     table.read("shapes", species.shapes, within(1, mostShapes));
     readScans(table, reading, species);
-    table.table("tree", [&](TableReader& t) { readWoodShape(t, species.tree.wood); });
+    table.table("tree", [&](TableReader& t) {
+        species.tree.grown.reset();
+        readWoodShape(t, species.tree.wood);
+    });
+    table.table("growth", [&](TableReader& t) {
+        if (!species.tree.grown)
+            species.tree.leaves.clusters = usualGrownClusters;
+        readGrowth(t, species.tree.grown ? *species.tree.grown : species.tree.grown.emplace());
+    });
     bool leafSize = false;
     table.table("leaves", [&](TableReader& t) {
         readLeafShape(t, species.tree.leaves);
@@ -199,9 +285,9 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
     table.table("branch", [&](TableReader& t) { readBranchMotion(t, species.branch); });
     table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
-    table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance); });
-    if (species.tree.scans && !leafSize)
-        species.tree.leaves.area = cardArea(species);
+    table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance, reading); });
+    const bool meant = (species.tree.grown || species.tree.scans) && !leafSize;
+    species.tree.leaves.area = meant ? cardArea(species) : 0.0f;
     reading.forest.species.push_back(std::move(species));
 }
 

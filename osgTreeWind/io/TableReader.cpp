@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <istream>
 #include <limits>
 #include <memory>
@@ -200,6 +201,25 @@ bool TableReader::read(const std::string& key, std::string& field) {
         return false;
     }
     field = std::move(*text);
+    return true;
+}
+
+bool TableReader::readScalar(const std::string& key, std::string& field) {
+    const toml::node* node = find(key);
+    if (!node)
+        return false;
+    if (const auto text = node->value_exact<std::string>()) {
+        field = *text;
+    } else if (const auto date = node->value_exact<toml::date>()) {
+        char iso[16];
+        std::snprintf(iso, sizeof iso, "%04u-%02u-%02u", date->year % 10000u, date->month % 100u,
+                      date->day % 100u);
+        field = iso;
+    } else if (double number = 0.0; readNumber(*node, key, number, {})) {
+        field = numberText(number);
+    } else {
+        return false;
+    }
     return true;
 }
 

@@ -28,17 +28,17 @@ glm::vec3 risen(const glm::vec3& heading, float angle) {
     const glm::vec3 goal = angle < 0.0f ? -up : up;
     const glm::vec3 across = goal - heading * glm::dot(goal, heading);
     const float left = glm::length(across), turn = std::abs(angle);
-    if (left < 1e-4f || (glm::dot(goal, heading) > 0.0f && left <= sine(turn)))
+    if (glm::dot(goal, heading) > 0.0f && left <= sine(turn))
         return goal;
-    return glm::normalize(cosine(turn) * heading + sine(turn) / left * across);
+    return glm::normalize(cosine(turn) * heading + sine(turn) * directionOr(across, perpendicular(heading)));
 }
 
 /// A direction at `inclination` from `axis`. @param flat presses it to the left or right of the axis.
 glm::vec3 springing(const glm::vec3& axis, float inclination, float azimuth, float flat) {
     const glm::vec3 left = directionOr(glm::cross(up, axis), perpendicular(axis));
     const glm::vec3 above = glm::cross(axis, left);
-    const glm::vec3 aside = directionOr(
-        cosine(azimuth) * left + (1.0f - flat) * sine(azimuth) * above, cosine(azimuth) < 0.0f ? -left : left);
+    const glm::vec3 aside = directionOr(cosine(azimuth) * left + (1.0f - flat) * sine(azimuth) * above,
+                                        cosine(azimuth) < 0.0f ? -left : left);
     return glm::normalize(cosine(inclination) * axis + sine(inclination) * aside);
 }
 
@@ -86,13 +86,18 @@ private:
         const float step = crook * 0.7f / std::sqrt(count);
         std::vector<glm::vec3> points{glm::vec3(0.0f)};
         points.reserve(static_cast<std::size_t>(segments) + 1);
-        glm::vec3 turn(0.0f);
+        glm::vec3 winding(0.0f);
+        float risenBy = 0.0f;
         for (int i = 0; i < segments; ++i) {
+            const float middle = (static_cast<float>(i) + 0.5f) / count;
+            const float riseTo =
+                2.0f * (std::min(middle, 0.5f) * rise + std::max(middle - 0.5f, 0.0f) * riseOutside);
+            heading = risen(heading, glm::clamp(riseTo - risenBy, -2.0f, 2.0f));
+            risenBy = riseTo;
             points.push_back(points.back() + heading / count);
             const float x = _random.symmetric(), y = _random.symmetric(), z = _random.symmetric();
-            turn = 0.6f * turn + step * glm::vec3(x, y, z);
-            heading = risen(heading, 2.0f / count * (2 * i < segments ? rise : riseOutside));
-            heading = directionOr(heading + turn, heading);
+            winding = 0.6f * winding + step * glm::vec3(x, y, z);
+            heading = directionOr(heading + winding, heading);
         }
         return points;
     }
@@ -100,11 +105,12 @@ private:
     /// How far a bough can grow along its way until it reaches the outline of the crown.
     float lengthToOutline(const glm::vec3& base, const std::vector<glm::vec3>& course) const {
         const float depth = _p.height * (1.0f - _p.crownBase);
+        const float lowest = std::max(_p.height - depth - 0.25f * _p.crownWidth, 0.0f);
         const auto outside = [&](float length) {
             return std::any_of(course.begin(), course.end(), [&](const glm::vec3& point) {
                 const glm::vec3 p = base + length * point;
                 const float reach = std::sqrt(p.x * p.x + p.y * p.y);
-                return p.z > _p.height ||
+                return p.z > _p.height || p.z < lowest ||
                        reach > 0.5f * _p.crownWidth * crownWidth(_p.shape, (_p.height - p.z) / depth);
             });
         };
@@ -134,19 +140,20 @@ private:
             const bool fork = level == 1 && i >= count - _p.forks;
             const float along = fork ? 1.0f : alongCrown(i, count - (level == 1 ? _p.forks : 0), level);
             child.place = glm::mix(start, 1.0f, along);
-            const float azimuth = glm::two_pi<float>() *
-                                  (static_cast<float>(strata[static_cast<std::size_t>(i)]) + _random.uniform()) /
-                                  static_cast<float>(count);
+            const float azimuth =
+                glm::two_pi<float>() *
+                (static_cast<float>(strata[static_cast<std::size_t>(i)]) + _random.uniform()) /
+                static_cast<float>(count);
             const float usual =
                 fork ? _p.forkInclination : glm::mix(kind.inclination, kind.inclinationEnd, along);
             const float inclination = usual + kind.inclinationVariation * _random.symmetric();
             const auto [base, tangent] = at(axis, child.place);
             child.points = course(springing(tangent, inclination, azimuth, kind.flat), kind.rise,
                                   kind.riseOutside, kind.crook, kind.units);
-            const float whole = level == 1 ? lengthToOutline(base, child.points)
-                                           : axis.length * (1.0f - 0.6f * child.place);
-            child.length = std::max(
-                whole * kind.length * (1.0f - kind.lengthVariation * _random.uniform()), _shortest);
+            const float whole =
+                level == 1 ? lengthToOutline(base, child.points) : axis.length * (1.0f - 0.6f * child.place);
+            child.length =
+                std::max(whole * kind.length * (1.0f - kind.lengthVariation * _random.uniform()), _shortest);
             for (glm::vec3& point : child.points)
                 point = base + child.length * point;
             sum += power(child.length, 2.0f * kind.power);
@@ -173,7 +180,7 @@ private:
     float alongCrown(int i, int count, int level) {
         const int whorl = level == 1 ? _p.whorl : 1;
         const int whorls = std::max((count + whorl - 1) / whorl, 1);
-        const float scatter = whorl > 1 ? 0.15f : 1.0f;
+        const float scatter = whorl > 1 ? 0.4f : 1.0f;
         return (static_cast<float>(i / whorl) + 0.5f + 0.5f * scatter * _random.symmetric()) /
                static_cast<float>(whorls);
     }
@@ -212,7 +219,8 @@ private:
         for (int i = 0; i < units; ++i) {
             const float from = static_cast<float>(i) / static_cast<float>(units);
             const float to = static_cast<float>(i + 1) / static_cast<float>(units);
-            const auto first = axis.points.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(i) * segments);
+            const auto first =
+                axis.points.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(i) * segments);
             const auto last = first + static_cast<std::ptrdiff_t>(segments);
             BranchUnit unit;
             unit.parent = parent;

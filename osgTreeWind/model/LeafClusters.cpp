@@ -81,7 +81,8 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
                     taper = units[i].baseRadius - units[i].tipRadius;
         const float below = thick < taper ? length[i] * thick / taper : thick > 0.0f ? length[i] : 0.0f;
         if (outerness >= 0.0f)
-            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], below), length[i]};
+            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], below),
+                            length[i]};
     }
     return stretches;
 }
@@ -108,7 +109,8 @@ float leafAngle(Random& random, float mean) {
 /// `outward` as far as the faces let it.
 glm::quat sprayFrame(const glm::vec3& outward, float angle, float azimuth) {
     const glm::vec3 normal{sine(angle) * cosine(azimuth), sine(angle) * sine(azimuth), cosine(angle)};
-    const glm::vec3 petiole = directionOr(outward - normal * glm::dot(normal, outward), perpendicular(normal));
+    const glm::vec3 petiole =
+        directionOr(outward - normal * glm::dot(normal, outward), perpendicular(normal));
     return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
 }
 
@@ -138,7 +140,8 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
             const glm::vec3 e1 = perpendicular(tangent);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
             const glm::vec3 aside = cosine(around) * e1 + sine(around) * glm::cross(tangent, e1);
-            const glm::vec3 petiole = directionOr(aside + 0.8f * tangent - glm::vec3(0, 0, p.droop * 1.2f), aside);
+            const glm::vec3 petiole =
+                directionOr(aside + 0.8f * tangent - glm::vec3(0, 0, p.droop * 1.2f), aside);
 
             LeafCluster cluster;
             cluster.anchor = glm::mix(skeleton.point(index, ring), skeleton.point(index, ring + 1),
@@ -155,23 +158,27 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
     return clusters;
 }
 
-/// Axes of one of the quads: across it and along it.
-struct QuadAxes {
+/// One of the quads: where it begins on the petiole over its length, its axes across and along.
+struct QuadPlace {
+    float start;
     glm::vec3 side, along;
 };
 
 /// Of a fan about the petiole; each quad leans away from it so that the cluster fills a volume.
-QuadAxes fanQuad(int quad) {
+QuadPlace fanQuad(int quad) {
     const float turn = glm::two_pi<float>() * static_cast<float>(quad) / quadsPerLeafCluster;
     const glm::vec3 away{-sine(turn), cosine(turn), 0.0f};
-    return {{cosine(turn), sine(turn), 0.0f}, cosine(0.5f) * glm::vec3(0, 0, 1) + sine(0.5f) * away};
+    return {0.0f, {cosine(turn), sine(turn), 0.0f}, cosine(0.5f) * glm::vec3(0, 0, 1) + sine(0.5f) * away};
 }
 
-/// Of a flat spray: the first quad goes straight on, the others to both sides, a little out of its plane.
-QuadAxes sprayQuad(int quad) {
-    const float turn = quad == 0 ? 0.0f : quad == 1 ? 0.87f : -0.87f, tilt = quad == 0 ? 0.0f : 0.1f;
+/// Of a flat spray: the first quad goes straight on from further out, the others to both sides, a little out
+/// of its plane.
+QuadPlace sprayQuad(int quad) {
+    if (quad == 0)
+        return {0.4f, {1, 0, 0}, {0, 0, 1}};
+    const float turn = quad == 1 ? 1.05f : -1.05f;
     const glm::vec3 along{sine(turn), 0.0f, cosine(turn)}, across{cosine(turn), 0.0f, -sine(turn)};
-    return {across, cosine(tilt) * along + sine(tilt) * glm::vec3(0, 1, 0)};
+    return {0.0f, across, cosine(0.1f) * along + sine(0.1f) * glm::vec3(0, 1, 0)};
 }
 
 } // namespace
@@ -238,12 +245,12 @@ std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters
     std::array<LeafVertex, verticesPerLeafCluster> mesh;
     const float half = 0.5f * parameters.width;
     for (int quad = 0; quad < quadsPerLeafCluster; ++quad) {
-        const auto [side, along] = parameters.inclination > 0.0f ? sprayQuad(quad) : fanQuad(quad);
+        const auto [start, side, along] = parameters.inclination > 0.0f ? sprayQuad(quad) : fanQuad(quad);
         const glm::vec3 normal = glm::cross(side, along);
         for (int corner = 0; corner < 4; ++corner) {
             const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};
             mesh[static_cast<std::size_t>(4 * quad + corner)] = {
-                side * (2.0f * uv.x - 1.0f) * half + along * uv.y * parameters.length, normal, uv};
+                side * (2.0f * uv.x - 1.0f) * half + along * (start + uv.y) * parameters.length, normal, uv};
         }
     }
     return mesh;

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/model/Skeleton.h>
 
+#include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 
@@ -48,6 +49,12 @@ struct LeafCluster {
 
 /// Clusters in access order, unit after unit. Parameters are clamped().
 std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafParameters& parameters);
+
+/// Whether a tree that bears a share of its leaves, [0, 1], has those of a cluster. As
+/// shaders/instance_leaf.vert.
+inline bool isBorne(std::size_t cluster, float share) {
+    return glm::fract(0.618034f * static_cast<float>(cluster)) < share;
+}
 
 /// A corner of one of the three quads that make up a cluster, in the leaf frame.
 struct LeafVertex {

@@ -23,6 +23,14 @@ BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, const std::functi
     reset();
 }
 
+void BranchwiseMotion::refit() {
+    _thesisBranches.clear();
+    _dampedBranches.clear();
+    _windPlaces.clear();
+    for (const PlacedTree& tree : _forest.trees)
+        addBranches(tree);
+}
+
 void BranchwiseMotion::addBranches(const PlacedTree& tree) {
     const TreeModel& model = _forest.modelOf(tree);
     const Species& species = _forest.speciesOf(tree);

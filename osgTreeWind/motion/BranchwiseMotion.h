@@ -10,13 +10,16 @@
 namespace osgTreeWind {
 
 /// The laws of a branch (`thesis`, `thesis-smooth`, `damped`) for a forest: a state per unit. All arrays run
-/// tree after tree and, within a tree, in access order. Nothing allocates but the constructor.
+/// tree after tree and, within a tree, in access order. Nothing allocates but the constructor
+/// and refit().
 /// Not for installed headers, as Laws.h.
 class BranchwiseMotion {
 public:
     /// At rest. @param forest must outlive it. @param placed called after each tree; may be empty.
     explicit BranchwiseMotion(const PlacedForest& forest, const std::function<void()>& placed = {});
 
+    /// Fits the law to the leaves that trees bear by now; their state stays.
+    void refit();
     /// Back to rest.
     void reset();
     /// Samples the wind of every unit; the next step goes from the one before evenly to this one.

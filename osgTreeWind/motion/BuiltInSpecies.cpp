@@ -96,12 +96,13 @@ BuiltInSpecies conifer(std::vector<std::string> names, SpeciesForm form, float m
 
 /// No branches but fronds, no crown that grows wider.
 BuiltInSpecies palm(std::vector<std::string> names, const Look& look, const char* source) {
-    BuiltInSpecies built = entry(std::move(names), SpeciesForm::Palm, 5.0e9f, 900, {0, 0, 25}, broadleafStand, look, source);
+    BuiltInSpecies built =
+        entry(std::move(names), SpeciesForm::Palm, 5.0e9f, 900, {0, 0, 25}, broadleafStand, look, source);
     Species& species = built.species;
     species.wood.underBark = species.wood.wholeStem = species.wood.branchModulus = 1.0f;
     species.wood.modulusPower = 0.0f;
     species.wood.branchWood = WoodAllometry::Drawn;
-    species.wood.leafArea = 450.0f; // some 45 fronds of 1 m^2 on a stem of 35 cm
+    species.wood.leafArea = 750.0f; // some 50 fronds of 1.5 m^2 on a stem of 35 cm
     species.wood.leafMass = 0.4f;
     species.crown = {};
     return built;
@@ -122,37 +123,42 @@ std::vector<BuiltInSpecies> builtInSpecies() {
     const glm::vec3 dark{0.08f, 0.15f, 0.06f}, blueGreen{0.09f, 0.17f, 0.11f}, light{0.14f, 0.22f, 0.06f};
     const glm::vec3 grey{0.19f, 0.17f, 0.15f}, brown{0.15f, 0.13f, 0.11f}, white{0.53f, 0.53f, 0.51f};
     const glm::vec3 green{0.11f, 0.20f, 0.05f}, fresh{0.15f, 0.23f, 0.06f}, deep{0.11f, 0.18f, 0.04f};
-    const glm::vec3 needles{0.09f, 0.15f, 0.06f}, yellowish{0.18f, 0.25f, 0.06f};
-    const glm::vec3 resin{0.16f, 0.12f, 0.10f}, orange{0.24f, 0.12f, 0.07f}, pale{0.30f, 0.30f, 0.25f};
+    const glm::vec3 needles{0.09f, 0.15f, 0.06f}, yellowish{0.16f, 0.23f, 0.05f};
+    const glm::vec3 resin{0.16f, 0.12f, 0.10f}, orange{0.22f, 0.12f, 0.07f}, pale{0.28f, 0.28f, 0.24f};
     const Look spruce{B::Plated, resin, L::Needles, dark}, fir{B::Smooth, grey, L::Needles, dark};
     const Look pine{B::Plated, brown, L::Bundles, needles};
     std::vector<BuiltInSpecies> all = {
-        conifer({"Norway spruce", "spruce", "Picea abies", "Picea"}, F::Spruce, 6.3e9f, 850, {2.35f, 0.51f, 25},
-                {129, 0.58f, 11.5f}, spruce, forestGales),
+        conifer({"Norway spruce", "spruce", "Picea abies", "Picea"}, F::Spruce, 6.3e9f, 850,
+                {2.35f, 0.51f, 25}, {129, 0.58f, 11.5f}, spruce, forestGales),
         conifer({"Sitka spruce", "Picea sitchensis"}, F::SitkaSpruce, 5.9e9f, 850, {2.35f, 0.51f, 25},
                 {156, 0.64f, 13.5f}, {B::Plated, resin, L::Needles, blueGreen}, forestGales),
         conifer({"Douglas fir", "Douglas-fir", "Pseudotsuga menziesii", "Pseudotsuga"}, F::DouglasFir, 8.3e9f,
-                850, {2.4f, 0.7f, 25}, {149, 1.83f, 10.9f}, {B::Furrowed, resin, L::Needles, dark}, forestGales),
+                850, {2.4f, 0.7f, 25}, {149, 1.83f, 10.9f}, {B::Furrowed, resin, L::Needles, dark},
+                forestGales),
         conifer({"grand fir", "fir", "Abies grandis", "Abies"}, F::Fir, 5.7e9f, 850, {4.7f, 0.74f, 25},
                 {174, 2.16f, 7.7f}, fir, forestGales),
         conifer({"western hemlock", "hemlock", "Tsuga heterophylla", "Tsuga"}, F::Hemlock, 8.9e9f, 850,
                 {1.51f, 0.68f, 25}, {153, 1.29f, 11.7f}, {B::Furrowed, resin, L::Needles, dark}, forestGales),
         conifer({"Scots pine", "pine", "Pinus sylvestris", "Pinus"}, F::ScotsPine, 7.3e9f, 850,
-                {3.07f, 0.75f, 25}, {143, 0.70f, 12.0f}, {B::Plated, orange, L::Bundles, blueGreen}, forestGales),
+                {3.07f, 0.75f, 25}, {143, 0.70f, 12.0f}, {B::Plated, orange, L::Bundles, blueGreen},
+                forestGales),
         conifer({"lodgepole pine", "Pinus contorta"}, F::LodgepolePine, 6.4e9f, 850, {2.48f, 0.63f, 25},
                 {144, 0.59f, 10.7f}, pine, forestGales),
-        conifer({"Corsican pine", "black pine", "Austrian pine", "Pinus nigra"}, F::CorsicanPine, 7.0e9f, 850,
-                {2.57f, 0.61f, 25}, {113, 0.68f, 12.5f}, {B::Plated, grey, L::Bundles, dark}, forestGales),
+        conifer({"Corsican pine", "black pine", "Austrian pine", "Pinus nigra", "Pinus ponderosa"},
+                F::CorsicanPine, 7.0e9f, 850, {2.57f, 0.61f, 25}, {113, 0.68f, 12.5f},
+                {B::Plated, grey, L::Bundles, dark}, forestGales),
         conifer({"radiata pine", "Monterey pine", "Pinus radiata"}, F::RadiataPine, 6.8e9f, 1002,
                 {2.35f, 0.51f, 25}, {86, 2.96f, 6.4f}, pine, forestGales),
-        conifer({"white spruce", "Picea glauca", "blue spruce", "Picea pungens"}, F::WhiteSpruce, 1.0e10f, 850,
-                {2.35f, 0.51f, 20}, {207, 0.77f, 12.0f}, {B::Plated, grey, L::Needles, blueGreen}, forestGales),
+        conifer({"white spruce", "Picea glauca", "blue spruce", "Picea pungens"}, F::WhiteSpruce, 1.0e10f,
+                850, {2.35f, 0.51f, 20}, {207, 0.77f, 12.0f}, {B::Plated, grey, L::Needles, blueGreen},
+                forestGales),
         conifer({"balsam fir", "Abies balsamea"}, F::BalsamFir, 7.8e9f, 616, {2.4f, 0.7f, 20},
                 {189, 0.88f, 11.0f}, fir, forestGales),
         conifer({"European larch", "larch", "Larix decidua", "Larix"}, F::Larch, 7.9e9f, 850,
                 {3.07f, 0.75f, 25}, {149, 0.60f, 15.2f}, {B::Plated, resin, L::Tufts, light}, forestGales),
-        entry({"silver birch", "birch", "Betula pendula", "Betula pubescens", "Betula"}, F::Birch, 9.9e9f, 900,
-              {1.963f, 0.881f, 20}, {131, 0.88f, 17.0f}, {B::Banded, white, L::Rhombic, fresh}, forestGales),
+        entry({"silver birch", "birch", "Betula pendula", "Betula pubescens", "Betula"}, F::Birch, 9.9e9f,
+              900, {1.963f, 0.881f, 20}, {131, 0.88f, 17.0f}, {B::Banded, white, L::Rhombic, fresh},
+              forestGales),
         entry({"beech", "European beech", "Fagus sylvatica", "Fagus"}, F::Beech, 9.8e9f, 1158,
               {2.414f, 0.904f, 20}, {202, 0.88f, 18.0f}, {B::Smooth, grey, L::Ovate, deep}, forestGales),
         entry({"oak", "English oak", "pedunculate oak", "sessile oak", "Quercus robur", "Quercus petraea",
@@ -167,25 +173,27 @@ std::vector<BuiltInSpecies> builtInSpecies() {
               broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Palmate, green}, woodHandbook),
         entry({"red oak", "northern red oak", "Quercus rubra"}, F::RedOak, 9.3e9f, 980, broadleafDrag,
               broadleafStand, {B::Furrowed, brown, L::Lobed, green}, woodHandbook),
-        entry({"aspen", "quaking aspen", "Populus tremuloides", "Populus tremula", "Populus"}, F::Aspen, 5.9e9f,
-              730, broadleafDrag, broadleafStand, {B::Smooth, pale, L::Round, fresh}, woodHandbook),
-        entry({"linden", "lime", "basswood", "Tilia americana", "Tilia cordata", "Tilia"}, F::Lime, 7.2e9f, 660,
-              broadleafDrag, broadleafStand, {B::Furrowed, brown, L::Heart, fresh}, woodHandbook),
+        entry({"aspen", "quaking aspen", "Populus tremuloides", "Populus tremula", "Populus"}, F::Aspen,
+              5.9e9f, 730, broadleafDrag, broadleafStand, {B::Smooth, pale, L::Round, fresh}, woodHandbook),
+        entry({"linden", "lime", "basswood", "Tilia americana", "Tilia cordata", "Tilia"}, F::Lime, 7.2e9f,
+              660, broadleafDrag, broadleafStand, {B::Furrowed, brown, L::Heart, fresh}, woodHandbook),
         entry({"poplar", "Lombardy poplar", "black poplar", "Populus nigra"}, F::Poplar, 7.0e9f, 940,
               broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Round, green}, woodHandbookKin),
-        entry({"London plane", "plane", "Platanus x acerifolia", "Platanus x hispanica", "Platanus"}, F::Plane,
-              7.3e9f, 1020, broadleafDrag, broadleafStand, {B::Flaking, pale, L::Palmate, green}, woodHandbookKin),
-        entry({"honey locust", "Gleditsia triacanthos", "Gleditsia", "Robinia", "Gymnocladus"}, F::HoneyLocust,
-              8.9e9f, 980, broadleafDrag, broadleafStand, {B::Furrowed, brown, L::Pinnate, yellowish},
-              woodHandbook),
-        entry({"Norway maple", "Acer platanoides"}, F::NorwayMaple, 10.1e9f, 890, broadleafDrag, broadleafStand,
-              {B::Furrowed, grey, L::Palmate, deep}, woodHandbookKin),
+        entry({"London plane", "plane", "Platanus x acerifolia", "Platanus x hispanica", "Platanus"},
+              F::Plane, 7.3e9f, 1020, broadleafDrag, broadleafStand, {B::Flaking, pale, L::Palmate, green},
+              woodHandbookKin),
+        entry({"honey locust", "Gleditsia triacanthos", "Gleditsia", "Robinia", "Gymnocladus"},
+              F::HoneyLocust, 8.9e9f, 980, broadleafDrag, broadleafStand,
+              {B::Furrowed, brown, L::Pinnate, yellowish}, woodHandbook),
+        entry({"Norway maple", "Acer platanoides"}, F::NorwayMaple, 10.1e9f, 890, broadleafDrag,
+              broadleafStand, {B::Furrowed, grey, L::Palmate, deep}, woodHandbookKin),
         entry({"horse chestnut", "horse-chestnut", "Aesculus hippocastanum", "Aesculus"}, F::HorseChestnut,
-              6.8e9f, 800, broadleafDrag, broadleafStand, {B::Plated, brown, L::Fingered, deep}, woodHandbookKin),
+              6.8e9f, 800, broadleafDrag, broadleafStand, {B::Plated, brown, L::Fingered, deep},
+              woodHandbookKin),
         entry({"ginkgo", "Ginkgo biloba", "Ginkgo"}, F::Ginkgo, 6.8e9f, 800, broadleafDrag, broadleafStand,
               {B::Furrowed, grey, L::Fan, yellowish}, woodHandbookKin),
         palm({"palm", "Mexican fan palm", "Washingtonia robusta", "Washingtonia", "Phoenix", "Arecaceae"},
-             {B::Ringed, {0.36f, 0.32f, 0.27f}, L::Frond, green},
+             {B::Ringed, {0.16f, 0.14f, 0.12f}, L::Frond, green},
              "our estimate within Rich 1987 (stems of palms: 0.1 to 20 GPa); drag by leaf area"),
         conifer({"conifer", "Cedrus", "Juniperus"}, F::Conifer, 7.1e9f, 850, {2.6f, 0.63f, 25},
                 {144, 0.9f, 11.5f}, spruce, "near the means of the conifers of ForestGALES above"),

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/ForestDrawing.h>
+#include <osgTreeWind/motion/Season.h>
 #include <osgTreeWind/motion/Species.h>
 #include <osgTreeWind/wind/WindField.h>
 
@@ -29,7 +30,7 @@ struct TreePlacement {
     glm::dvec3 position{0.0}; ///< Foot of the trunk in world coordinates, metres (x east, y north, z up).
     float heading = 0.0f;     ///< Turn about the vertical, radians, counter-clockwise from above.
     TreeSize size;            ///< A crown not given follows the trunk, other sizes follow the model.
-    float leaves = 1.0f;      ///< Share of its leaves that it bears, 0 (bare) to 1.
+    float leaves = 1.0f;      ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
     std::uint32_t seed = 0;   ///< Picks one of the species' shapes, and the noise streams.
     bool openGrown = false;   ///< Stands by itself: such a crown is wider than in a forest.
     std::string name{};       ///< An inventory's id; empty: none. Where two have one, it is the first's.
@@ -45,7 +46,8 @@ struct ForestDescription {
     float gain = 1.0f;
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;
-    WindFieldPtr wind; ///< In scene coordinates. Null: calm.
+    WindFieldPtr wind;        ///< In scene coordinates. Null: calm.
+    float season = midsummer; ///< Of the year (Season.h).
     ForestDrawing drawing;
 
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.

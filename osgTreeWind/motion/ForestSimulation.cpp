@@ -95,6 +95,15 @@ bool ForestSimulation::changeTree(TreeId tree, const TreePlacement& placement) {
     return true;
 }
 
+void ForestSimulation::setSeason(float season) {
+    _forest.setSeason(season);
+    if (_branches)
+        return _branches->refit();
+    for (std::size_t slot = 0; slot < trees().size(); ++slot)
+        if (trees()[slot].alive)
+            _modal->replace(slot, swaying(trees()[slot]));
+}
+
 std::optional<TreeId> ForestSimulation::findTree(const std::string& name) const {
     const std::optional<std::uint32_t> slot = _forest.names.find(name);
     return slot ? std::optional(idOf(*slot)) : std::nullopt;

@@ -28,7 +28,8 @@ public:
     /// The same trees as they are by now, at rest, in the same wind. Shares what does not change.
     std::shared_ptr<ForestSimulation> restarted() const;
 
-    /// As given, but without its trees, which are trees(), and with its first wind, whatever setWind() did.
+    /// As given, but without its trees, which are trees(), and with its first wind and season, whatever
+    /// setWind() and setSeason() did.
     const ForestDescription& description() const { return _forest.description(); }
     const std::vector<TreeModel>& models() const { return _forest.models(); }
     /// By slot: in the order of the description, then as they were added. Not all of them are alive.
@@ -54,6 +55,11 @@ public:
     std::string nameOf(TreeId tree) const; ///< Empty for none.
     /// What would put that tree up again, with all of its sizes, in world coordinates. Only of one it holds.
     TreePlacement placementOf(TreeId tree) const { return _forest.placementOf(slotOf(tree)); }
+
+    /// Of the year (Season.h), which all trees follow in full sway: the leaves they bear, and by them their
+    /// mass, drag and damping.
+    void setSeason(float season);
+    float season() const { return _forest.season(); }
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
     void setWind(WindFieldPtr wind);

@@ -36,6 +36,8 @@ struct Laws {
 
 #include <shaders/law/rotation.glsl>
 
+#include <shaders/law/shade.glsl>
+
 #include <shaders/law/tint.glsl>
 
 #include <shaders/law/oscillator.glsl>

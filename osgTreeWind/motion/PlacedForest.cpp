@@ -31,6 +31,7 @@ PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>&
     }
     _description = std::make_shared<const ForestDescription>(std::move(given));
     _models = std::make_shared<const std::vector<TreeModel>>(std::move(models));
+    setSeason(description().season);
 
     trees.reserve(placements.size());
     for (const TreePlacement& placement : placements) {
@@ -59,7 +60,8 @@ std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
                      : fitTree(modelOf(tree), withCrown(placement.size, species.crown, placement.openGrown));
     tree.position = glm::vec3(placement.position - description().origin);
     tree.heading = placement.heading;
-    tree.leaves = placement.leaves;
+    tree.summerLeaves = placement.leaves;
+    tree.leaves = placement.leaves * _seasonLeaves[tree.species];
     tree.seed = placement.seed;
     return tree;
 }
@@ -71,10 +73,19 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     placement.position = glm::dvec3(tree.position) + description().origin;
     placement.heading = tree.heading;
     placement.size = measured(tree);
-    placement.leaves = tree.leaves;
+    placement.leaves = tree.summerLeaves;
     placement.seed = tree.seed;
     placement.name = names.of(static_cast<std::uint32_t>(slot));
     return placement;
+}
+
+void PlacedForest::setSeason(float season) {
+    _season = season;
+    _seasonLeaves.clear();
+    for (const Species& species : description().species)
+        _seasonLeaves.push_back(leafShare(species.appearance, season));
+    for (PlacedTree& tree : trees)
+        tree.leaves = tree.summerLeaves * _seasonLeaves[tree.species];
 }
 
 void PlacedForest::put(std::size_t slot, PlacedTree tree, const std::string& name) {

@@ -18,7 +18,8 @@ struct PlacedTree {
     TreeScale scale;
     glm::vec3 position{0.0f}; ///< Scene coordinates.
     float heading = 0.0f;
-    float leaves = 1.0f;
+    float leaves = 1.0f;       ///< Share that it bears now,
+    float summerLeaves = 1.0f; ///< and in summer.
     std::uint32_t seed = 0;
     // For the laws of a branch; 0 in a tree that was added later.
     std::uint32_t firstUnit = 0;  ///< Units of all trees before it.
@@ -36,7 +37,7 @@ struct PlacedForest {
     std::size_t units = 0, leaves = 0; ///< Of the description's trees.
     TreeNames names;
 
-    /// As given, but without its trees.
+    /// As given, but without its trees, and with its first season.
     const ForestDescription& description() const { return *_description; }
     const std::vector<TreeModel>& models() const { return *_models; }
 
@@ -54,6 +55,11 @@ struct PlacedForest {
     TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
     /// What gives that tree again; all of its sizes are given.
     TreePlacement placementOf(std::size_t slot) const;
+    /// Of the year, as it is by now (Season.h).
+    float season() const { return _season; }
+    /// Has all trees bear the leaves they bear then.
+    void setSeason(float season);
+
     /// Puts a tree into a slot, at most trees.size(), instead of the one that stands or stood there.
     void put(std::size_t slot, PlacedTree tree, const std::string& name);
     void remove(std::size_t slot);
@@ -65,6 +71,8 @@ private:
     std::shared_ptr<const ForestDescription> _description;
     std::shared_ptr<const std::vector<TreeModel>> _models;
     std::vector<std::uint32_t> _firstModels; ///< Per species.
+    float _season = midsummer;
+    std::vector<float> _seasonLeaves; ///< Per species, share of what its trees bear in summer.
 };
 
 /// v turned counter-clockwise about the vertical.

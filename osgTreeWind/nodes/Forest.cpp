@@ -89,6 +89,14 @@ WindFieldPtr Forest::getWind() const {
     return _wind;
 }
 
+void Forest::setSeason(float season) {
+    _simulation->setSeason(season);
+    if (_stand)
+        _stand->seasonChanged();
+    else
+        _branchwise->seasonChanged();
+}
+
 void Forest::setDescription(ForestDescription description) {
     if (description.wind)
         setWind(description.wind);

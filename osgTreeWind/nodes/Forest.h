@@ -33,13 +33,19 @@ public:
         /// on. A forest for which there is not the memory (problemOfMemory()) is left empty, with a warning.
         /// Not during a traversal.
         void setDescription(ForestDescription description);
-    /// As given, but without its trees; its wind is the one it came with, whatever setWind() did since.
+    /// As given, but without its trees; its wind is the one it came with, whatever setWind() did since, and
+    /// so its season.
     const ForestDescription& getDescription() const { return _simulation->description(); }
 
     /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any
     /// time, also while a description is set: whichever of the two comes last counts.
     void setWind(WindFieldPtr wind);
     WindFieldPtr getWind() const;
+
+    /// Of the year (motion/Season.h): leaves, their colour, and what they do to how trees sway. In update or
+    /// between frames.
+    void setSeason(float season);
+    float getSeason() const { return _simulation->season(); }
 
     /// World coordinates of the node's own origin: geometry is relative to it, so that it keeps its precision
     /// far from the world's origin.

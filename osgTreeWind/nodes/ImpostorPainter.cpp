@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/ImpostorPainter.h>
 
-#include <osgTreeWind/model/CrownEllipsoid.h>
+#include <osgTreeWind/model/CrownShade.h>
 #include <osgTreeWind/motion/Laws.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/nodes/ImpostorAtlas.h>
 #include <osgTreeWind/nodes/LeafStencils.h>
+#include <osgTreeWind/nodes/LightLobe.h>
 #include <osgTreeWind/nodes/TreeTextures.h>
 
 #include <glm/common.hpp>
@@ -22,13 +24,16 @@ namespace {
 /// A quad of a leaf cluster, and what shaders/leaf.vert makes of it.
 struct LeafPiece {
     glm::vec3 corner, across, along; ///< Metres, tree frame.
-    glm::vec3 color, normal;
+    glm::vec3 color;
+    LightLobe light;
+    bool borne; ///< Or bare twigs.
 };
 
 /// A stretch of a branch.
 struct BarkPiece {
     glm::vec3 start, end;
     float radius;
+    CrownShade::Light light;
 };
 
 struct View {
@@ -53,18 +58,17 @@ ImpostorSettings clamped(ImpostorSettings s) {
     return s;
 }
 
-std::vector<LeafPiece> leafPieces(const TreeModel& model, const Appearance& appearance, float share) {
-    const CrownEllipsoid ellipsoid(model.leaves);
+std::vector<LeafPiece> leafPieces(const TreeModel& model, const CrownShade& crown,
+                                  const Appearance& appearance, float share) {
     std::vector<LeafPiece> pieces;
-    float next = 0.0f;
+    std::size_t cluster = 0;
     for (const LeafCluster& leaf : model.leaves) {
-        const float index = next++;
-        if (glm::fract(0.618034f * index) >= share)
-            continue;
-        const glm::vec4 crown = ellipsoid.at(leaf.anchor);
-        const glm::vec3 outward(crown);
+        const auto index = static_cast<float>(cluster);
+        const bool borne = isBorne(cluster++, share);
+        const glm::vec3 outward = crown.outward(leaf.anchor);
+        const CrownShade::Light light = crown.at(leaf.anchor);
         const glm::vec3 color =
-            glm::mix(0.65f, 1.0f, crown.w) * Laws().clusterTint(0.0f, index) * appearance.leaves;
+            borne ? Laws().clusterTint(0.0f, index) * appearance.leaves : appearance.twigs();
         for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
             const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
             const glm::vec3 corner = model.leafMesh[i].corner,
@@ -72,39 +76,42 @@ std::vector<LeafPiece> leafPieces(const TreeModel& model, const Appearance& appe
             const float side = glm::sign(glm::dot(blade, outward));
             pieces.push_back({leaf.anchor + turned(corner), turned(model.leafMesh[i + 1].corner - corner),
                               turned(model.leafMesh[i + 3].corner - corner), color,
-                              glm::normalize(outward + 0.5f * side * blade)});
+                              LightLobe(light, glm::normalize(outward + 0.5f * side * blade), true), borne});
         }
     }
     return pieces;
 }
 
-std::vector<BarkPiece> barkPieces(const Skeleton& skeleton) {
+std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& crown) {
     std::vector<BarkPiece> pieces;
     const int last = skeleton.ringsPerBranch - 1, stretches = glm::min(last, 5);
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
         for (int i = 0; i < stretches; ++i) {
             const int from = i * last / stretches, to = (i + 1) * last / stretches;
             pieces.push_back({skeleton.point(unit, from), skeleton.point(unit, to),
-                              0.5f * (skeleton.radius(unit, from) + skeleton.radius(unit, to))});
+                              0.5f * (skeleton.radius(unit, from) + skeleton.radius(unit, to)),
+                              crown.at(skeleton.point(unit, from))});
         }
     return pieces;
 }
 
+/// As shaders/bark_texture.glsl, in the mean.
 glm::vec3 meanBark(const Appearance& appearance) {
-    const osg::ref_ptr<osg::Image> image = barkImage();
-    double sum = 0.0;
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
+    glm::vec3 sum(0.0f);
     for (int i = 0; i < image->s() * image->t(); ++i)
-        sum += image->data()[i];
-    return appearance.bark * static_cast<float>(sum / (255.0 * image->s() * image->t()));
+        sum += Laws().texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
+    return appearance.bark * sum / static_cast<float>(image->s() * image->t());
 }
 
 class Painter {
 public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
-        : _settings(settings), _leaves(leafPieces(model, appearance, settings.leaves)),
-          _bark(barkPieces(model.skeleton)), _barkColor(meanBark(appearance)),
-          _stencils(*leafImage(appearance.leafForm)),
-          _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
+        : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
+          _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
+          _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
+          _stencils(*leafImage(appearance)), _raster(settings.pixels * settings.samples),
+          _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();
     }
@@ -175,11 +182,12 @@ private:
     /// level.
     glm::vec4 look(int level) {
         draw(0, 1, heightAt(level));
-        glm::vec4 color(1e-3f), normal(0.0f);
+        Sum sum;
+        sum.color = glm::vec4(1e-3f);
         for (int y = 0; y < _raster.size(); ++y)
             for (int x = 0; x < _raster.size(); ++x)
-                add(_raster.sample(x, y), color, normal);
-        return {glm::vec3(color) / color.a, color.a};
+                add(_raster.sample(x, y), sum);
+        return {glm::vec3(sum.color) / sum.color.a, sum.color.a};
     }
 
     /// @param treeHeight in pixels, for the textures of leaves.
@@ -205,7 +213,7 @@ private:
             const std::size_t level = _stencils.levelOf(share);
             _levels[item] = static_cast<std::uint8_t>(level);
             _raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
-                         _stencils.level(level).solid, item++);
+                         piece.borne ? _stencils.level(level).leaves : _stencils.level(level).twigs, item++);
         }
         for (std::size_t i = 0; i < _bark.size(); ++i) {
             const BarkPiece& piece = _bark[i];
@@ -228,31 +236,44 @@ private:
         const float weight = 1.0f / static_cast<float>(n * n);
         for (int y = 0; y < _settings.pixels; ++y)
             for (int x = 0; x < _settings.pixels; ++x) {
-                glm::vec4 color(0.0f), normal(0.0f);
+                Sum sum;
                 for (int i = 0; i < n * n; ++i)
-                    add(_raster.sample(n * x + i % n, n * y + i / n), color, normal);
-                if (color.a == 0.0f)
+                    add(_raster.sample(n * x + i % n, n * y + i / n), sum);
+                if (sum.color.a == 0.0f)
                     continue;
-                atlas.set(column, row, x, y, weight * color, weight * normal);
+                atlas.set(column, row, x, y, weight * sum.color,
+                          weight * sum.color.a / sum.strength * sum.light);
             }
     }
 
-    void add(const TreeRaster::Sample& sample, glm::vec4& color, glm::vec4& normal) const {
+    /// Of samples.
+    struct Sum {
+        glm::vec4 color{0.0f}, light{0.0f}; ///< Of how many; way and share of leaves, by strength.
+        float strength = 0.0f;
+        void add(const glm::vec3& albedo, const LightLobe& lobe, float leaf) {
+            color += glm::vec4(lobe.strength * albedo, 1.0f);
+            light += lobe.strength * glm::vec4(0.5f + 0.5f / LightLobe::longest * lobe.way, leaf);
+            strength += lobe.strength;
+        }
+    };
+
+    void add(const TreeRaster::Sample& sample, Sum& sum) const {
         if (sample.item == TreeRaster::nothing)
             return;
         if (sample.item < _leaves.size()) {
             const LeafPiece& leaf = _leaves[sample.item];
             const LeafStencils::Level& level = _stencils.level(_levels[sample.item]);
-            color += glm::vec4(level.colors[static_cast<std::size_t>(sample.cell)] * leaf.color, 1.0f);
-            normal += glm::vec4(0.5f + 0.5f * leaf.normal, 1.0f);
+            const glm::vec3 tint =
+                leaf.borne ? level.tints[static_cast<std::size_t>(sample.cell)] : glm::vec3(1.0f);
+            sum.add(tint * leaf.color, leaf.light, 1.0f);
             return;
         }
-        const Front& front = _fronts[sample.item - _leaves.size()];
+        const std::size_t piece = sample.item - _leaves.size();
+        const Front& front = _fronts[piece];
         const float side =
             2.0f * (static_cast<float>(sample.cell % TreeRaster::cells) + 0.5f) / TreeRaster::cells - 1.0f;
         const glm::vec3 outward = side * front.side + glm::sqrt(1.0f - side * side) * front.front;
-        color += glm::vec4(_barkColor, 1.0f);
-        normal += glm::vec4(0.5f + 0.5f * outward, 0.0f);
+        sum.add(_barkColor, LightLobe(_bark[piece].light, outward, false), 0.0f);
     }
 
     /// Of a stretch of bark in the present view: unit vectors to its right and toward the eye, tree frame.
@@ -261,6 +282,7 @@ private:
     };
 
     ImpostorSettings _settings;
+    CrownShade _crown;
     std::vector<LeafPiece> _leaves;
     std::vector<BarkPiece> _bark;
     glm::vec3 _barkColor;

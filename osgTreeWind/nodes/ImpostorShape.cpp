@@ -47,6 +47,7 @@ osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Prog
         extents->setElement(i, osg::Vec2(extent.x, extent.y));
     }
     state->addUniform(extents);
+    state->addUniform(new osg::Uniform("leafTint", osg::Vec3(1.0f, 1.0f, 1.0f)));
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     return state;
 }

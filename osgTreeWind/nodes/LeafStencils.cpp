@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/LeafStencils.h>
 
+#include <osgTreeWind/motion/Laws.h>
 #include <osgTreeWind/nodes/LeafTexels.h>
 
 #include <glm/common.hpp>
@@ -29,11 +30,6 @@ glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& 
                     glm::mix(texel(x, y + 1), texel(x + 1, y + 1), part.x), part.y);
 }
 
-/// As shaders/leaf_texture.glsl.
-glm::vec3 leafTint(float brightness, float hue) {
-    return brightness * (1.0f + (hue - 0.5f) * glm::vec3(0.5f, 0.1f, -0.4f));
-}
-
 } // namespace
 
 LeafStencils::LeafStencils(const osg::Image& texture) : _texels(texture.s()) {
@@ -47,8 +43,9 @@ LeafStencils::LeafStencils(const osg::Image& texture) : _texels(texture.s()) {
             glm::vec4 color = filtered(texture, mipmap, at);
             if (part > 0.0f)
                 color = glm::mix(color, filtered(texture, mipmap + 1, at), part);
-            _levels[i].solid[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
-            _levels[i].colors[static_cast<std::size_t>(cell)] = leafTint(color.r, color.g);
+            _levels[i].leaves[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
+            _levels[i].twigs[static_cast<std::size_t>(cell)] = color.b >= LeafTexels::alphaThreshold;
+            _levels[i].tints[static_cast<std::size_t>(cell)] = Laws().texelTint(color.r, color.g);
         }
     }
 }

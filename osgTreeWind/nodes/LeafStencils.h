@@ -13,8 +13,8 @@ namespace osgTreeWind {
 class LeafStencils {
 public:
     struct Level {
-        TreeRaster::Stencil solid;
-        std::array<glm::vec3, TreeRaster::cells * TreeRaster::cells> colors;
+        TreeRaster::Stencil leaves, twigs;                                  ///< In leaf, and bare.
+        std::array<glm::vec3, TreeRaster::cells * TreeRaster::cells> tints; ///< Of leaves.
     };
 
     /// @param texture RGBA with all its mipmaps, square.

@@ -2,21 +2,25 @@
 #pragma once
 
 #include <osgTreeWind/motion/Species.h>
+#include <osgTreeWind/nodes/TreeTextures.h>
 
 #include <osg/Program>
 #include <osg/StateSet>
-#include <osg/Texture2D>
-
-#include <map>
 
 namespace osgTreeWind {
 
 /// What the trees of a species are drawn with under the law `modal`.
 struct SpeciesLooks {
-    osg::ref_ptr<osg::StateSet> bark, leaves;
+    osg::ref_ptr<osg::StateSet> bark, leaves, impostors;
     /// A person's own, applied after these; null: none. One with a program of its own replaces ours.
     osg::ref_ptr<osg::StateSet> ownBark, ownLeaves;
+
+    /// From now on the colours of a season. What was there before is left as it is: copies share it.
+    void showSeason(const Appearance& appearance, float season);
 };
+
+/// On the colour of leaves as they are in summer.
+osg::Vec3 seasonTint(const Appearance& appearance, float season);
 
 /// Makes looks that share programs and textures, which are made when first needed.
 class SpeciesStyles {
@@ -25,8 +29,7 @@ public:
 
 private:
     osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
-    osg::ref_ptr<osg::Texture2D> _bark;
-    std::map<LeafForm, osg::ref_ptr<osg::Texture2D>> _leaves;
+    TreeTextures _textures;
 };
 
 } // namespace osgTreeWind

@@ -23,16 +23,53 @@ StandDrawing::StandDrawing(const PlacedForest& forest)
     ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
         const std::size_t species = forest.speciesOfModel(model);
         shapes[model] =
-            new StandShape(forest.models()[model], species, forest.description().species[species].appearance,
-                           forest.description().drawing, impostorProgram);
+            new StandShape(forest.models()[model], species, forest.description().species[species].appearance);
     });
+    followSeason(forest);
+}
+
+void StandDrawing::followSeason(const PlacedForest& forest) {
+    const std::vector<Species>& species = forest.description().species;
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        looks[i].showSeason(species[i].appearance, forest.season());
+    std::set<std::pair<std::size_t, Tier>> wanted;
+    for (std::size_t model = 0; model < shapes.size(); ++model) // of trees that may come
+        wanted.emplace(model, impostorTier(leafShare(species[forest.speciesOfModel(model)].appearance,
+                                                     forest.season())));
+    for (const PlacedTree& tree : forest.trees)
+        if (tree.alive)
+            wanted.emplace(tree.model, impostorTier(tree.leaves));
+    paintImpostors(forest, std::move(wanted));
+}
+
+void StandDrawing::paintImpostor(const PlacedForest& forest, const PlacedTree& tree) {
+    paintImpostors(forest, {{tree.model, impostorTier(tree.leaves)}});
+}
+
+void StandDrawing::paintImpostors(const PlacedForest& forest, std::set<std::pair<std::size_t, Tier>> wanted) {
+    const ForestDrawing& drawing = forest.description().drawing;
+    std::vector<std::pair<std::size_t, Tier>> missing;
+    for (const auto& [model, tier] : wanted)
+        if (drawing.tiers && drawing.impostor > 0.0f && !shapes[model]->impostor(tier))
+            missing.emplace_back(model, tier);
+    const auto paint = [&](std::size_t i) {
+        const auto [model, tier] = missing[i];
+        shapes[model]->paint(tier, forest.models()[model],
+                             forest.description().species[shapes[model]->species()].appearance,
+                             impostorProgram);
+    };
+    if (missing.size() == 1)
+        paint(0);
+    else if (!missing.empty())
+        ThreadPool::executor()(missing.size(), paint);
 }
 
 void StandDrawing::resizeGLObjectBuffers(unsigned maxSize) const {
     for (const osg::ref_ptr<StandShape>& shape : shapes)
         shape->resizeGLObjectBuffers(maxSize);
     for (const SpeciesLooks& look : looks)
-        for (const osg::ref_ptr<osg::StateSet>& set : {look.bark, look.leaves, look.ownBark, look.ownLeaves})
+        for (const osg::ref_ptr<osg::StateSet>& set :
+             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
             if (set)
                 set->resizeGLObjectBuffers(maxSize);
     if (programs) {
@@ -45,7 +82,8 @@ void StandDrawing::releaseGLObjects(osg::State* of) const {
     for (const osg::ref_ptr<StandShape>& shape : shapes)
         shape->releaseGLObjects(of);
     for (const SpeciesLooks& look : looks)
-        for (const osg::ref_ptr<osg::StateSet>& set : {look.bark, look.leaves, look.ownBark, look.ownLeaves})
+        for (const osg::ref_ptr<osg::StateSet>& set :
+             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
             if (set)
                 set->releaseGLObjects(of);
     if (programs) {

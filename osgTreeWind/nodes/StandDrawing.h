@@ -6,6 +6,8 @@
 #include <osgTreeWind/nodes/SpeciesLooks.h>
 #include <osgTreeWind/nodes/StandShape.h>
 
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -14,6 +16,11 @@ namespace osgTreeWind {
 struct StandDrawing {
     StandDrawing() = default;
     explicit StandDrawing(const PlacedForest& forest);
+
+    /// Has leaves the colour of the forest's season, and all impostors that its trees need. In update.
+    void followSeason(const PlacedForest& forest);
+    /// The same for one tree.
+    void paintImpostor(const PlacedForest& forest, const PlacedTree& tree);
 
     std::vector<osg::ref_ptr<StandShape>> shapes; ///< By model.
     std::vector<SpeciesLooks> looks;              ///< By species.
@@ -24,6 +31,10 @@ struct StandDrawing {
 
     void resizeGLObjectBuffers(unsigned maxSize) const;
     void releaseGLObjects(osg::State* state) const;
+
+private:
+    /// Those of them that are not painted yet. @param wanted models and tiers.
+    void paintImpostors(const PlacedForest& forest, std::set<std::pair<std::size_t, Tier>> wanted);
 };
 
 } // namespace osgTreeWind

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/TreeDetail.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
 #include <algorithm>
@@ -11,10 +12,9 @@
 
 namespace osgTreeWind {
 
-StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance,
-                       const ForestDrawing& drawing, osg::Program* impostorProgram)
+StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance)
     : _species(species) {
-    const CrownEllipsoid crown(model.leaves);
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
     const TreeDetail details[branchTiers] = {TreeDetail::full(), TreeDetail::reducedOnce(),
                                              TreeDetail::reducedTwice()};
@@ -22,7 +22,7 @@ StandShape::StandShape(const TreeModel& model, std::size_t species, const Appear
         const bool whole = tier == static_cast<int>(Tier::Full);
         const ThinnedLeaves leaves = thinnedLeaves(model.leaves, model.leafMesh, details[tier]);
         _bark[tier] =
-            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin));
+            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin), crown);
         if (!model.leaves.empty())
             _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
         _states[tier] = new osg::StateSet;
@@ -30,8 +30,6 @@ StandShape::StandShape(const TreeModel& model, std::size_t species, const Appear
         if (!whole) // a bias makes sampling slow, even one of 0
             _states[tier]->setDefine("LEAF_TEXTURE_BIAS", std::to_string(leaves.textureBias));
     }
-    if (drawing.tiers && drawing.impostor > 0.0f)
-        _impostors[0] = new ImpostorShape(paintImpostor(model, appearance), impostorProgram);
 }
 
 StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves)
@@ -44,13 +42,12 @@ StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geomet
     std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
 }
 
-void StandShape::paintBare(const TreeModel& model, const Appearance& appearance,
-                           osg::Program* impostorProgram) {
-    if (_impostors[1] || !_impostors[0])
-        return;
+void StandShape::paint(Tier tier, const TreeModel& model, const Appearance& appearance,
+                       osg::Program* program) {
     ImpostorSettings settings;
-    settings.leaves = 0.0f;
-    _impostors[1] = new ImpostorShape(paintImpostor(model, appearance, settings), impostorProgram);
+    settings.leaves = leavesOn(tier);
+    _impostors[static_cast<int>(tier) - branchTiers] =
+        new ImpostorShape(paintImpostor(model, appearance, settings), program);
 }
 
 void StandShape::resizeGLObjectBuffers(unsigned maxSize) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/CrownEllipsoid.h>
+#include <osgTreeWind/model/CrownShade.h>
 #include <osgTreeWind/model/TreeDetail.h>
 
 #include <osg/Geometry>
@@ -14,18 +14,19 @@
 namespace osgTreeWind {
 
 /// Bark in vertex buffers, as shaders/branchwise/bark.vert and shaders/instance_bark.vert describe them.
-osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin);
+/// @param crown of the tree, which shades it.
+osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const CrownShade& crown);
 
 /// Leaf clusters in vertex buffers, as shaders/branchwise/leaf.vert and shaders/instance_leaf.vert describe
 /// them.
 /// @param crown of the tree, which shades them.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
-                                             const CrownEllipsoid& crown);
+                                             const CrownShade& crown);
 /// The same of all of them.
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
-                                             const CrownEllipsoid& crown);
+                                             const CrownShade& crown);
 
 /// Triangles over `clusters` leaf clusters of that many four-cornered quads.
 std::vector<unsigned> leafIndices(std::size_t clusters, int quads = quadsPerLeafCluster);

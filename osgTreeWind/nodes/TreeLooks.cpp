@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/motion/UnitLoads.h>
 #include <osgTreeWind/nodes/ImpostorPainter.h>
+#include <osgTreeWind/nodes/LightLobe.h>
 #include <osgTreeWind/nodes/Silhouette.h>
 #include <osgTreeWind/nodes/TreeTextures.h>
 
@@ -122,11 +123,12 @@ glm::vec2 skyThrough(const TreeModel& model, const LeafMasks& masks) {
     for (int i = 0; i < azimuths; ++i) {
         const CrownView view(model, glm::two_pi<float>() * (static_cast<float>(i) + 0.25f) / azimuths);
         Silhouette summer = view.leaves(masks.both), winter = view.leaves(masks.twigs);
-        const Silhouette outline = summer.outline(view.closing());
+        const Silhouette inLeaf = summer.outline(view.closing()), bare = winter.outline(view.closing());
         view.addWood(summer);
         view.addWood(winter);
-        const auto all = static_cast<float>(outline.count());
-        sum += 1.0f - glm::vec2(outline.common(summer), outline.common(winter)) / all;
+        sum +=
+            1.0f - glm::vec2(static_cast<float>(inLeaf.common(summer)) / static_cast<float>(inLeaf.count()),
+                             static_cast<float>(bare.common(winter)) / static_cast<float>(bare.count()));
     }
     return sum / static_cast<float>(azimuths);
 }
@@ -143,8 +145,8 @@ glm::vec2 quadsOf(const TreeModel& model) {
             const glm::vec3 normal = glm::cross(edge(1), edge(3));
             const float area = glm::length(normal);
             if (area > 0.0f)
-                sum += area * glm::vec2(1.0f, glm::degrees(glm::acos(
-                                                  glm::min(glm::abs(normal.z) / area, 1.0f))));
+                sum += area *
+                       glm::vec2(1.0f, glm::degrees(glm::acos(glm::min(glm::abs(normal.z) / area, 1.0f))));
         }
     return sum;
 }
@@ -170,20 +172,31 @@ struct LeafColors {
     double green = 0.0;
 
     void add(const TreeModel& model, const Appearance& appearance) {
+        // As `osgtreewind render` and shaders/light.glsl have them.
         const glm::vec3 toSun = glm::normalize(glm::vec3(0.45f, -0.5f, 0.74f)), sun{1.25f, 1.18f, 1.02f},
-                        sky{0.34f, 0.37f, 0.42f};
-        const ImpostorPictures pictures = paintImpostor(model, appearance, {4, 2, 256, 1, 1.0f});
+                        ambient{0.32f, 0.37f, 0.45f};
+        const glm::vec3 fromBelow = ambient * glm::vec3(0.75f, 0.72f, 0.62f),
+                        fromAbove = ambient * glm::vec3(1.1f, 1.2f, 1.35f);
+        const float brighter =
+            0.6f / std::max(std::max({appearance.leaves.r, appearance.leaves.g, appearance.leaves.b}),
+                            0.01f); // 8 bits are coarse
+        Appearance painted = appearance;
+        painted.leaves *= brighter;
+        const ImpostorPictures pictures = paintImpostor(model, painted, {4, 2, 256, 1, 1.0f});
         const auto texel = [](const osg::Image& image, int x, int y) {
             const unsigned char* t = image.data(static_cast<unsigned>(x), static_cast<unsigned>(y));
             return glm::vec4(t[0], t[1], t[2], t[3]) / 255.0f;
         };
         for (int y = 0; y < pictures.pixels; ++y) // the lower row is that of the horizon
             for (int x = 0; x < pictures.azimuths * pictures.pixels; ++x) {
-                const glm::vec4 color = texel(*pictures.colors, x, y), normal = texel(*pictures.normals, x, y);
-                if (color.a < 1.0f || normal.a < 1.0f)
+                const glm::vec4 color = texel(*pictures.colors, x, y), light = texel(*pictures.normals, x, y);
+                if (color.a < 1.0f || light.a < 1.0f)
                     continue;
-                const float sunny = 0.5f + 0.5f * glm::dot(2.0f * glm::vec3(normal) - 1.0f, toSun);
-                const glm::vec3 seen = encoded(glm::vec3(color) * (sky + sunny * sun));
+                const glm::vec3 way = LightLobe::longest * (2.0f * glm::vec3(light) - 1.0f);
+                const glm::vec3 sky = glm::mix(fromBelow, fromAbove, 0.5f + 0.5f * way.z);
+                const float sunny = 0.5f + 0.5f * glm::dot(way, toSun);
+                const glm::vec3 seen =
+                    encoded(glm::vec3(color) / brighter * glm::max(sky + sunny * sun, 0.0f));
                 const float sum = seen.r + seen.g + seen.b;
                 if (seen.r == seen.g && seen.g == seen.b)
                     continue;
@@ -206,7 +219,7 @@ struct LeafColors {
 } // namespace
 
 TreeLooks measureLooks(const Species& species) {
-    const LeafMasks masks(*leafImage(species.appearance.leafForm));
+    const LeafMasks masks(*leafImage(species.appearance));
     TreeLooks looks;
     LeafColors colors;
     glm::vec2 sky(0.0f), quads(0.0f);

@@ -50,14 +50,15 @@ void TreeStand::treeChanged(std::size_t tree) {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
-        if (placed.leaves < 0.5f)
-            _drawing.shapes[placed.model]->paintBare(_simulation->forest().modelOf(placed),
-                                                     _simulation->forest().speciesOf(placed).appearance,
-                                                     _drawing.impostorProgram);
+        _drawing.paintImpostor(_simulation->forest(), placed);
         if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
             follow(number);
     }
     dirtyBound();
+}
+
+void TreeStand::seasonChanged() {
+    _drawing.followSeason(_simulation->forest());
 }
 
 void TreeStand::follow(std::uint32_t tree) {

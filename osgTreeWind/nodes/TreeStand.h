@@ -39,6 +39,8 @@ public:
 
     /// A tree was added, moved, changed or removed. In update.
     void treeChanged(std::size_t tree);
+    /// The forest's season is another one. In update.
+    void seasonChanged();
     /// Has a tree followed closely from now on, whoever sees it. In update.
     void keepNear(std::size_t tree);
     /// After each step: which trees are followed how closely. In update.

@@ -77,9 +77,8 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;
     if (tier == Tier::Impostor) {
-        const Tier kind = tree.leaves < 0.5f ? Tier::BareImpostor : Tier::Impostor;
         const glm::vec2 lean = simulation.modal()->lean(number);
-        lists.list(band, tree.model, kind, fade < 1.0f, nullptr, nullptr)
+        lists.list(band, tree.model, impostorTier(tree.leaves), fade < 1.0f, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
                   {lean.x, lean.y, fade, own}});
@@ -138,7 +137,8 @@ void TreeStandCull::handOver() {
         const SpeciesLooks& looks = drawing.looks[shape.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorShape& impostor = *shape.impostor(list.tier);
-            draw(impostor.geometry(), *list.bark, *list.trees, {inBand, fading, impostor.stateSet()});
+            draw(impostor.geometry(), *list.bark, *list.trees,
+                 {inBand, fading, impostor.stateSet(), looks.impostors});
             continue;
         }
         draw(shape.bark(list.tier), *list.bark, *list.trees,

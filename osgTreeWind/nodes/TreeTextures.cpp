@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TreeTextures.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/nodes/BarkRelief.h>
 #include <osgTreeWind/nodes/LeafSpray.h>
+#include <osgTreeWind/nodes/TreePicture.h>
 
-#include <glm/common.hpp>
-#include <glm/gtc/constants.hpp>
-#include <glm/trigonometric.hpp>
+#include <osg/observer_ptr>
 
 #include <array>
 #include <mutex>
@@ -14,49 +13,57 @@
 namespace osgTreeWind {
 namespace {
 
-osg::ref_ptr<osg::Image> drawBark() {
-    constexpr int width = 64, height = 128, furrows = 9;
-    Random random(3);
-    float phases[furrows];
-    for (float& phase : phases)
-        phase = glm::two_pi<float>() * random.uniform();
-
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(width, height, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const float u = static_cast<float>(x) / width,
-                        v = glm::two_pi<float>() * static_cast<float>(y) / height;
-            float height01 = 0.0f;
-            for (int i = 0; i < furrows; ++i) {
-                const float wander = 0.9f * glm::sin(v * static_cast<float>(1 + i % 3) + phases[i]);
-                height01 += glm::sin(glm::two_pi<float>() * static_cast<float>(i + 2) * u + wander +
-                                     phases[furrows - 1 - i]) /
-                            (2.0f + static_cast<float>(i));
-            }
-            const float ridge = glm::smoothstep(-0.9f, 0.7f, height01);
-            const float grain = 0.1f * random.symmetric();
-            *image->data(x, y) = static_cast<unsigned char>(
-                255.0f * glm::clamp(glm::mix(0.5f, 0.95f, ridge) + grain, 0.0f, 1.0f));
-        }
+/// Pictures of `count` forms, each painted when first asked for, by whatever thread.
+template <typename Form, std::size_t count>
+class PaintedOnce {
+public:
+    template <typename Paint>
+    osg::ref_ptr<osg::Image> image(Form form, Paint paint) {
+        const auto index = static_cast<std::size_t>(form);
+        std::call_once(_painted[index], [&] { _images[index] = paint(form); });
+        return _images[index];
     }
-    return image;
-}
+
+private:
+    std::array<std::once_flag, count> _painted;
+    std::array<osg::ref_ptr<osg::Image>, count> _images;
+};
+
+/// Pictures of files, read once as long as somebody has them.
+class ReadOnce {
+public:
+    template <typename Read>
+    osg::ref_ptr<osg::Image> image(const std::string& path, Read read) {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        osg::ref_ptr<osg::Image> image;
+        if (!_images[path].lock(image))
+            _images[path] = image = read(path);
+        return image;
+    }
+
+private:
+    std::mutex _mutex;
+    std::map<std::string, osg::observer_ptr<osg::Image>> _images;
+};
 
 } // namespace
 
-osg::ref_ptr<osg::Image> leafImage(LeafForm form) {
-    constexpr std::size_t forms = static_cast<std::size_t>(LeafForm::Frond) + 1;
-    static std::array<std::once_flag, forms> painted;
-    static std::array<osg::ref_ptr<osg::Image>, forms> images;
-    const auto index = static_cast<std::size_t>(form);
-    std::call_once(painted[index], [&] { images[index] = makeLeafImage(paintSpray(form)); });
-    return images[index];
+osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
+    static ReadOnce pictures;
+    if (!appearance.leafImage.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
+            return picture;
+    static PaintedOnce<LeafForm, static_cast<std::size_t>(LeafForm::Frond) + 1> images;
+    return images.image(appearance.leafForm, [](LeafForm form) { return makeLeafImage(paintSpray(form)); });
 }
 
-osg::ref_ptr<osg::Image> barkImage() {
-    static const osg::ref_ptr<osg::Image> image = drawBark();
-    return image;
+osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
+    static ReadOnce pictures;
+    if (!appearance.barkImage.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.barkImage, readBarkPicture))
+            return picture;
+    static PaintedOnce<BarkForm, static_cast<std::size_t>(BarkForm::Ringed) + 1> images;
+    return images.image(appearance.barkForm, paintBark);
 }
 
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
@@ -67,6 +74,22 @@ osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
     texture->setWrap(osg::Texture::WRAP_T, along);
+    return texture;
+}
+
+osg::Texture2D* TreeTextures::leaves(const Appearance& appearance) {
+    const osg::ref_ptr<osg::Image> image = leafImage(appearance);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
+    if (!texture)
+        texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
+}
+
+osg::Texture2D* TreeTextures::bark(const Appearance& appearance) {
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
+    if (!texture)
+        texture = makeTreeTexture("bark", image, osg::Texture::REPEAT);
     return texture;
 }
 

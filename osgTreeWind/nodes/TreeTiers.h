@@ -10,11 +10,24 @@ enum class Tier {
     Full,
     Reduced,
     ReducedTwice,
-    Impostor,
-    BareImpostor ///< The same of a tree that has lost its leaves.
+    Impostor,              ///< A picture of a tree with all its leaves,
+    ImpostorThreeQuarters, ///< with three quarters of them,
+    ImpostorHalf,          ///< and so on.
+    ImpostorQuarter,
+    BareImpostor
 };
-constexpr int tierCount = 5;
+constexpr int tierCount = 8;
 constexpr int branchTiers = 3; ///< The first ones, which draw branches.
+constexpr int impostorTiers = tierCount - branchTiers;
+
+/// The nearest picture to a tree with this share of its leaves, [0, 1].
+inline Tier impostorTier(float leaves) {
+    return static_cast<Tier>(static_cast<int>(Tier::BareImpostor) - static_cast<int>(4.0f * leaves + 0.5f));
+}
+/// The share that it shows.
+inline float leavesOn(Tier impostor) {
+    return 0.25f * static_cast<float>(static_cast<int>(Tier::BareImpostor) - static_cast<int>(impostor));
+}
 
 /// The tiers of a tree at its size on the screen: one, or two across a change-over.
 struct TierChoice {

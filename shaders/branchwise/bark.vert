@@ -1,7 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Bark: a vertex lies `radius` outward of a point of the branch's centre line.
-// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, v, unit.
+// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, v, unit;
+// gl_MultiTexCoord1: shade, law/shade.glsl.
 
 #include "branchwise/tree.glsl"
 #include "light.glsl"
@@ -15,7 +16,8 @@ void main() {
     vec4 eyePosition = gl_ModelViewMatrix * vec4(turnVector(pose.rotation, rest) + pose.translation, 1.0);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, gl_Normal));
 
-    barkLight = barkShade(eyePosition.xyz, eyeNormal);
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), vec2(1.0, 0.0));
+    barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = gl_MultiTexCoord0.xy;
     gl_ClipVertex = eyePosition;
     gl_Position = gl_ProjectionMatrix * eyePosition;

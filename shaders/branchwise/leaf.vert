@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // A corner of a leaf cluster: turned by its own angles, then by its rest orientation, then with its branch.
 // gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
-// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame;
-// gl_MultiTexCoord3: outward of the crown, depth in the crown (0 inside, 1 at its surface).
+// gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
+// gl_MultiTexCoord3: outward of the crown, shade.
 
 #include "branchwise/tree.glsl"
 #include "law/tint.glsl"
@@ -11,10 +11,12 @@
 
 uniform sampler2D leafAngles; // a texel a leaf: motionAngleX, motionAngleZ, totalRotaAngle
 uniform float treeOwn;        // number of this tree, [0, 1): its shade
+uniform float treeLeaves;     // share of its leaves that this tree bears
 uniform int treeFirstLeaf;    // of this tree in leafAngles; negative: leaves stand at rest
 
 out vec2 leafCoord;
 out vec3 leafLight;
+flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
@@ -32,9 +34,10 @@ void main() {
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, normal));
-    float open = mix(0.65, 1.0, gl_MultiTexCoord3.w);
-    vec3 own = treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w);
-    leafLight = own * open * leafShade(eyePosition.xyz, eyeNormal);
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), vec2(1.0, 0.0));
+    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
+    vec3 own = mix(vec3(1.0), treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w), leafBorne);
+    leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
 
     leafCoord = gl_MultiTexCoord0.xy;
     gl_ClipVertex = eyePosition;

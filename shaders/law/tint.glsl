@@ -20,3 +20,9 @@ vec3 clusterTint(float own, float leaf) {
     float saturation = 2.0f * fract(0.819173f * leaf + 7.0f * own) - 1.0f;
     return (0.88f + 0.24f * fract(0.754878f * leaf + own)) * leafTint(hue, saturation);
 }
+
+/// What a texel of leaves or bark reflects over the colour of its kind. @param hue from bluish (0) over that colour to
+/// yellowish (1).
+vec3 texelTint(float brightness, float hue) {
+    return brightness * (1.0f + (hue - 0.5f) * vec3(0.5f, 0.1f, -0.4f));
+}

@@ -220,7 +220,8 @@ TEST(GrownTree, BranchesRiseAndHangAsTold) {
         for (std::size_t i = 0; i < skeleton.units.size(); ++i)
             if (skeleton.units[i].level == 1) {
                 const glm::vec3 end = skeleton.tangent(i, skeleton.ringsPerBranch - 1);
-                EXPECT_NEAR(std::asin(end.z), rise * 6.0f / 7.0f, 0.08f); // the last turn has no segment
+                EXPECT_NEAR(std::asin(end.z), rise * 13.0f / 14.0f, 1e-3f)
+                    << "in the middle of the last segment";
             }
     }
 }

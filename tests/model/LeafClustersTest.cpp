@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ModelTestCases.h"
 
+#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/LeafClusters.h>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 namespace osgTreeWind {
@@ -173,6 +175,82 @@ TEST(LeafMesh, TextureCoversEveryQuadOnce) {
         EXPECT_EQ(mesh[quad + 1].uv, glm::vec2(1, 0));
         EXPECT_EQ(mesh[quad + 2].uv, glm::vec2(1, 1));
         EXPECT_EQ(mesh[quad + 3].uv, glm::vec2(0, 1));
+    }
+}
+
+/// Leaves as grown trees have them.
+LeafParameters sprays(float inclination) {
+    LeafParameters leaves;
+    leaves.clusters = 1900;
+    leaves.inclination = inclination;
+    return leaves;
+}
+
+TEST(LeafSprays, AreAsManyAsToldAndSpreadEvenlyByLength) {
+    const Skeleton skeleton = makeGrownTree({});
+    const std::vector<LeafCluster> clusters = makeLeafClusters(skeleton, sprays(0.5f));
+    EXPECT_EQ(clusters.size(), 1900u);
+    std::vector<float> length(skeleton.units.size()), count(skeleton.units.size());
+    float whole = 0.0f;
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
+        for (int ring = 1; ring < skeleton.ringsPerBranch; ++ring)
+            length[i] += glm::distance(skeleton.point(i, ring - 1), skeleton.point(i, ring));
+        if (skeleton.units[i].level > 0)
+            whole += length[i];
+    }
+    for (const LeafCluster& cluster : clusters)
+        ++count[static_cast<std::size_t>(cluster.unit)];
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i)
+        ASSERT_NEAR(count[i], skeleton.units[i].level > 0 ? 1900.0f * length[i] / whole : 0.0f, 1.01f) << i;
+}
+
+TEST(LeafSprays, LeaveTheInnerPartOfABoughBare) {
+    GrownTreeParameters p;
+    p.boughs.units = 2;
+    const Skeleton skeleton = makeGrownTree(p);
+    LeafParameters leaves = sprays(0.5f);
+    leaves.bare = 0.6f;
+    for (const LeafCluster& cluster : makeLeafClusters(skeleton, leaves)) {
+        const BranchUnit& unit = skeleton.units[static_cast<std::size_t>(cluster.unit)];
+        const bool innerBough =
+            unit.level == 1 && skeleton.units[static_cast<std::size_t>(unit.parent)].level == 0;
+        ASSERT_FALSE(innerBough) << "the inner half of a bough of two units";
+    }
+}
+
+TEST(LeafSprays, FacesHaveTheInclinationOfTheirKind) {
+    // Chianucci et al. 2018: hornbeam 13, beech 18, Norway maple and red oak 27, oak 35, aspen 37, birch 56.
+    const Skeleton skeleton = makeGrownTree({});
+    for (const float degrees : {13.0f, 18.0f, 27.0f, 35.0f, 37.0f, 56.0f}) {
+        const LeafParameters leaves = sprays(glm::radians(degrees));
+        const auto mesh = makeLeafMesh(leaves);
+        float sum = 0.0f, area = 0.0f;
+        std::array<float, 4> around{};
+        for (const LeafCluster& cluster : makeLeafClusters(skeleton, leaves))
+            for (std::size_t corner = 0; corner < mesh.size(); corner += 4) {
+                const glm::vec3 normal = cluster.orientation * mesh[corner].normal;
+                const float share = cluster.size * cluster.size;
+                sum += share * std::acos(std::min(std::abs(normal.z), 1.0f));
+                area += share;
+                around[(normal.x > 0.0f ? 1 : 0) + (normal.y > 0.0f ? 2 : 0)] += share;
+            }
+        EXPECT_NEAR(glm::degrees(sum / area), degrees, 3.0f);
+        for (const float quarter : around)
+            EXPECT_NEAR(quarter / area, 0.25f, 0.05f) << "to all sides";
+    }
+}
+
+TEST(LeafSprays, PointOutwardAndLieInTheirPlane) {
+    const LeafParameters leaves = sprays(0.6f);
+    for (const LeafCluster& cluster : makeLeafClusters(makeGrownTree({}), leaves)) {
+        ASSERT_NEAR(glm::length(cluster.orientation), 1.0f, 1e-5f);
+        const glm::vec3 face = cluster.orientation * glm::vec3(0, -1, 0);
+        ASSERT_GE(face.z, -1e-5f) << "the upper side is up";
+    }
+    const auto mesh = makeLeafMesh(leaves);
+    for (const LeafVertex& vertex : mesh) {
+        EXPECT_LT(std::abs(vertex.corner.y), 0.11f * leaves.length);
+        EXPECT_LT(vertex.normal.y, -0.99f);
     }
 }
 

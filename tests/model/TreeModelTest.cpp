@@ -2,7 +2,9 @@
 #include "ModelTestCases.h"
 
 #include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/model/TreeSize.h>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 namespace osgTreeWind {
@@ -66,6 +68,35 @@ TEST(TreeModel, AVariantIsAnOffsetOfBothSeeds) {
     const TreeModel a = makeTreeModel({}, 7), b = makeTreeModel(p, 0);
     EXPECT_EQ(fingerprint(a.skeleton.points), fingerprint(b.skeleton.points));
     EXPECT_EQ(a.leaves.back().orientation, b.leaves.back().orientation);
+}
+
+TEST(TreeModel, CountsOfGrownTreesAreKnownWithoutLeaves) {
+    TreeParameters p;
+    p.grown.emplace();
+    for (const int clusters : {0, 1000})
+        for (const int firstLevel : {1, 3, 9}) {
+            p.leaves.clusters = clusters;
+            p.leaves.firstLevel = firstLevel;
+            EXPECT_EQ(values(countTree(p)), values(countTree(makeTreeModel(p))))
+                << clusters << ' ' << firstLevel;
+        }
+}
+
+TEST(TreeModel, LeafCardsHaveTheAreaThatIsAskedFor) {
+    TreeParameters p;
+    p.grown.emplace();
+    p.leaves.clusters = 700;
+    p.leaves.area = 3000.0f;
+    for (const std::uint32_t variant : {0u, 1u, 5u}) {
+        const TreeModel model = makeTreeModel(p, variant);
+        const glm::vec3 across = model.leafMesh[1].corner - model.leafMesh[0].corner;
+        const glm::vec3 along = model.leafMesh[2].corner - model.leafMesh[1].corner;
+        float area = 0.0f;
+        for (const LeafCluster& leaf : model.leaves)
+            area += 3.0f * leaf.size * leaf.size * glm::length(glm::cross(across, along));
+        const float diameter = measureTree(model).trunkDiameter;
+        EXPECT_NEAR(area / (3000.0f * 0.785398f * diameter * diameter), 1.0f, 0.02f);
+    }
 }
 
 } // namespace

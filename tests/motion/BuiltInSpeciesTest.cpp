@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
+#include <osgTreeWind/motion/UnitLoads.h>
 
 #include <gtest/gtest.h>
 
@@ -72,5 +74,83 @@ TEST(BuiltInSpecies, ConifersHaveTheVolumesOfForestry) {
         EXPECT_LT(form, 0.5) << built.species.name;
         EXPECT_GT(branches / (stem + branches), 0.15) << built.species.name;
         EXPECT_LT(branches / (stem + branches), 0.2) << built.species.name;
+    }
+}
+
+TEST(BuiltInSpecies, CrownsOfTownTreesAre22To28TimesAsWideAsTheirStems) {
+    // Coombes, Martin, Slater 2019.
+    for (const char* name : {"oak", "sycamore", "silver birch", "Norway maple"}) {
+        float sum = 0.0f;
+        for (std::uint32_t shape = 0; shape < 3; ++shape) {
+            const TreeSize size = measureTree(makeTreeModel(findBuiltInSpecies(name)->tree, shape));
+            sum += size.crownWidth / size.trunkDiameter / 3.0f;
+        }
+        EXPECT_GT(sum, 22.0f) << name;
+        EXPECT_LT(sum, 28.0f) << name;
+    }
+}
+
+TEST(BuiltInSpecies, LeavesDrawnHaveTheAreaOfTheMechanics) {
+    for (const BuiltInSpecies& built : builtInSpecies()) {
+        const TreeModel model = makeTreeModel(built.species.tree);
+        const float card = glm::distance(model.leafMesh[0].corner, model.leafMesh[1].corner) *
+                           glm::distance(model.leafMesh[1].corner, model.leafMesh[2].corner);
+        float drawn = 0.0f;
+        for (const LeafCluster& leaf : model.leaves)
+            drawn += quadsPerLeafCluster * leaf.size * leaf.size * card;
+        drawn *= leafCoverage(built.species.appearance.leafForm);
+        EXPECT_NEAR(drawn / leafArea(model, {}, built.species), 1.0f, 0.2f) << built.species.name;
+    }
+}
+
+TEST(BuiltInSpecies, AreCheapEnoughToDraw) {
+    for (const BuiltInSpecies& built : builtInSpecies())
+        for (std::uint32_t shape = 0; shape < 3; ++shape) {
+            const TreeModel model = makeTreeModel(built.species.tree, shape);
+            EXPECT_LE(model.skeleton.units.size(), 280u) << built.species.name;
+            EXPECT_LE(model.leaves.size(), 1900u) << built.species.name;
+        }
+}
+
+TEST(BuiltInSpecies, TreesOfACampusFindTheirKind) {
+    // What botanists call the trees of the University of Utah.
+    const std::vector<std::pair<const char*, const char*>> kinds = {
+        {"Gleditsia triacanthos", "honey locust"},
+        {"Pinus nigra", "Corsican pine"},
+        {"Acer saccharinum", "red maple"},
+        {"Platanus x acerifolia", "London plane"},
+        {"Pyrus spp.", "broadleaf"},
+        {"Picea pungens", "white spruce"},
+        {"Acer platanoides", "Norway maple"},
+        {"Malus spp.", "broadleaf"},
+        {"Quercus macrocarpa", "oak"},
+        {"Fagus sylvatica", "beech"},
+        {"Zelkova serrata", "broadleaf"},
+        {"Fraxinus pennsylvanica", "ash"},
+        {"Pseudotsuga menziesii", "Douglas fir"},
+        {"Morus alba", "broadleaf"},
+        {"Prunus spp.", "broadleaf"},
+        {"Tilia cordata", "linden"},
+        {"Ulmus pumila", "broadleaf"},
+        {"Aesculus hippocastanum", "horse chestnut"},
+        {"Pinus ponderosa", "Corsican pine"},
+        {"Betula pendula", "silver birch"},
+        {"Koelreuteria paniculata", "broadleaf"},
+        {"Crataegus x lavallei", "broadleaf"},
+        {"Cercis canadensis", "broadleaf"},
+        {"Gymnocladus dioicus", "honey locust"},
+        {"Populus sargentii", "aspen"},
+        {"Juniperus virginiana", "conifer"},
+        {"Carpinus betulus 'Fastigiata'", "broadleaf"},
+        {"Robinia pseudoacacia", "honey locust"},
+        {"Rhus lancea", "broadleaf"},
+        {"Ginkgo biloba", "ginkgo"},
+        {"Cedrus deodara", "conifer"},
+        {"Magnolia grandiflora", "broadleaf"},
+        {"Liriodendron tulipifera", "broadleaf"},
+        {"Liquidambar styraciflua", "broadleaf"}};
+    for (const auto& [name, kind] : kinds) {
+        ASSERT_TRUE(findBuiltInSpecies(name)) << name;
+        EXPECT_EQ(findBuiltInSpecies(name)->name, kind) << name;
     }
 }

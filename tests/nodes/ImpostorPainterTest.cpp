@@ -36,6 +36,12 @@ double coverage(const ImpostorPictures& pictures, int index) {
     return sum / count * pictures.azimuths;
 }
 
+/// What a tree covers, seen from the side, in units that are the same for all.
+double area(const ImpostorPictures& pictures) {
+    const glm::vec2 extent = pictures.extents.front();
+    return coverage(pictures, 0) * pictures.halfWidth * (extent.y - extent.x);
+}
+
 } // namespace
 
 TEST(ImpostorPainter, PicturesStandInRowsAndColumns) {
@@ -73,16 +79,19 @@ TEST(ImpostorPainter, SmallerLevelsAreAsSolidOrMore) { // as textures of leaves 
     }
 }
 
-TEST(ImpostorPainter, ABareTreeIsAllBark) {
+TEST(ImpostorPainter, ABareTreeShowsItsTwigsAndNothingGreen) {
+    TreeParameters leafless;
+    leafless.leaves.clustersPerBranch = 0;
+    const ImpostorPictures poles = paintImpostor(makeTreeModel(leafless), {});
     const ImpostorPictures bare = painted(0.0f), full = painted(), half = painted(0.5f);
-    int leaves = 0, wood = 0;
-    for (int i = 0; i < bare.normals->s() * bare.normals->t(); ++i) {
-        leaves += bare.normals->data()[4 * i + 3];
-        wood += bare.colors->data()[4 * i + 3];
+    double red = 0.0, green = 0.0;
+    for (int i = 0; i < bare.colors->s() * bare.colors->t(); ++i) {
+        red += bare.colors->data()[4 * i];
+        green += bare.colors->data()[4 * i + 1];
     }
-    EXPECT_EQ(leaves, 0);
-    EXPECT_GT(wood, 0);
-    EXPECT_LT(coverage(bare, 0), 0.5 * coverage(half, 0));
+    EXPECT_GT(red, green);
+    EXPECT_GT(area(bare), 1.1 * area(poles));
+    EXPECT_LT(coverage(bare, 0), 0.8 * coverage(half, 0));
     EXPECT_LT(coverage(half, 0), coverage(full, 0));
 }
 

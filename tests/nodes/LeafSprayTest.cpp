@@ -30,10 +30,15 @@ float coverage(const osg::Image& image, unsigned level, int channel) {
 class LeafSprayOf : public testing::TestWithParam<int> {
 protected:
     LeafForm form() const { return static_cast<LeafForm>(GetParam()); }
+    Appearance appearance() const {
+        Appearance appearance;
+        appearance.leafForm = form();
+        return appearance;
+    }
 };
 
 TEST_P(LeafSprayOf, CoversWhatMechanicsCountOn) {
-    const osg::ref_ptr<osg::Image> image = leafImage(form());
+    const osg::ref_ptr<osg::Image> image = leafImage(appearance());
     const float bare = coverage(*image, 0, twigs);
     EXPECT_NEAR(bare, twigCoverage(form()), 0.005f);
     EXPECT_NEAR(coverage(*image, 0, all) - bare, leafCoverage(form()), 0.01f);
@@ -60,7 +65,7 @@ TEST_P(LeafSprayOf, DoesNotShowTheCard) {
 }
 
 TEST_P(LeafSprayOf, KeepsItsCoverageInSmallerLevels) {
-    const osg::ref_ptr<osg::Image> image = leafImage(form());
+    const osg::ref_ptr<osg::Image> image = leafImage(appearance());
     ASSERT_EQ(image->getNumMipmapLevels(), 9u);
     for (unsigned level = 1; level <= 5; ++level) {
         EXPECT_NEAR(coverage(*image, level, all), coverage(*image, 0, all), 0.05f) << level;

@@ -4,6 +4,7 @@
 #include "Pictures.h"
 
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/motion/PosedPoints.h>
 #include <osgTreeWind/nodes/PickedTree.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
@@ -238,10 +239,11 @@ TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     description.drawing.tiers = false;
     osg::ref_ptr<Forest> forest = new Forest(description), plain = new Forest(description);
     const std::vector<TreeModel>& models = forest->getSimulation().models();
-    for (std::size_t model = 0; model < models.size(); ++model)
-        forest->setGeometry(model, makeSkinGeometry(models[model].skin),
-                            makeLeafGeometry(models[model].leaves, models[model].leafMesh,
-                                             CrownEllipsoid(models[model].leaves)));
+    for (std::size_t model = 0; model < models.size(); ++model) {
+        const CrownShade crown(models[model].leaves, models[model].leafMesh, leafCoverage(LeafForm::Blade));
+        forest->setGeometry(model, makeSkinGeometry(models[model].skin, crown),
+                            makeLeafGeometry(models[model].leaves, models[model].leafMesh, crown));
+    }
     EXPECT_EQ(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.0);
     look(forest);
     for (std::size_t model = 0; model < models.size(); ++model)

@@ -6,6 +6,7 @@
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/nodes/SpeciesLooks.h>
 #include <osgTreeWind/nodes/branchwise/BillboardDrawable.h>
 
 #include <osg/Notify>
@@ -22,17 +23,24 @@ constexpr unsigned leafAnglesTextureUnit = 5;
 
 } // namespace
 
-osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed, float own) {
-    Pictures& pictures = _pictures[tree.model];
+osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed) {
+    const Tier tier = impostorTier(tree.leaves);
+    Pictures& pictures = _pictures[{tree.model, tier}];
     if (!pictures.shape) {
         if (!_pictureProgram)
             _pictureProgram = createProgram("impostor", "impostor");
         const Species& species = _simulation->description().species[tree.species];
-        pictures.shape = new ImpostorShape(paintImpostor(posed.model(), species.appearance), _pictureProgram);
+        ImpostorSettings settings;
+        settings.leaves = leavesOn(tier);
+        pictures.shape =
+            new ImpostorShape(paintImpostor(posed.model(), species.appearance, settings), _pictureProgram);
         pictures.state = new SharedStateSet(*pictures.shape->stateSet());
         pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
     }
-    osg::ref_ptr<osg::Drawable> drawable = new BillboardDrawable(pictures.shape->geometry(), &posed, own);
+    pictures.state->getOrCreateUniform("leafTint", osg::Uniform::FLOAT_VEC3)
+        ->set(seasonTint(_simulation->description().species[tree.species].appearance, _simulation->season()));
+    osg::ref_ptr<osg::Drawable> drawable =
+        new BillboardDrawable(pictures.shape->geometry(), &posed, Random(tree.seed).uniform());
     drawable->setStateSet(pictures.state);
     return drawable;
 }
@@ -70,10 +78,13 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     TreeStyles styles;
     for (const Species& species : simulation.description().species)
         _styles.push_back(styles.style(species.appearance));
-    for (const TreeModel& model : simulation.models())
-        _shapes.push_back(new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &model)));
+    for (std::size_t i = 0; i < simulation.models().size(); ++i) {
+        const Species& species = simulation.description().species[simulation.forest().speciesOfModel(i)];
+        _shapes.push_back(
+            new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &simulation.models()[i]),
+                          species.appearance.leafForm));
+    }
 
-    _pictures.resize(simulation.models().size());
     _stand = new osg::Group;
     _stand->setName("trees");
     _stand->setDataVariance(osg::Object::DYNAMIC);
@@ -83,9 +94,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
-        const float own = Random(tree.seed).uniform();
-        node->setOwnNumber(own);
-        node->setBillboard(billboard(tree, *node->getPosedTree(), own));
+        node->setOwnNumber(Random(tree.seed).uniform());
         node->getPosedTree()->follow(_simulation, simulation.motion(i));
         node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
         node->setLeafwise(_leafDrawing == LEAF_TRANSFORMS);
@@ -93,6 +102,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         _trees.push_back(node);
     }
     addChild(_stand);
+    showSeason();
 
     _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * simulation.forest().units);
     _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.forest().leaves);
@@ -110,6 +120,25 @@ BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::Cop
 }
 
 BranchwiseForest::~BranchwiseForest() = default;
+
+void BranchwiseForest::showSeason() {
+    const std::vector<Species>& species = _simulation->description().species;
+    for (std::size_t i = 0; i < species.size(); ++i)
+        _styles[i].showSeason(species[i].appearance, _simulation->season());
+    for (std::size_t i = 0; i < _trees.size(); ++i) {
+        const PlacedTree& tree = _simulation->trees()[i];
+        _trees[i]->setLeaves(tree.leaves);
+        _trees[i]->setBillboard(billboard(tree, *_trees[i]->getPosedTree()));
+    }
+}
+
+void BranchwiseForest::seasonChanged() {
+    showSeason();
+    if (_prePass) { // what units are to the law has changed
+        useCpuAngles();
+        startPasses();
+    }
+}
 
 void BranchwiseForest::takeSettings(const BranchwiseForest& other) {
     setAngleSource(other._wantedSource);
@@ -150,6 +179,11 @@ void BranchwiseForest::useCpuAngles() {
     bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
 }
 
+void BranchwiseForest::startPasses() {
+    _prePass = std::make_unique<AnglePrePass>(*_simulation);
+    bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
+}
+
 /// The passes start once a first frame has shown that the context can run them.
 void BranchwiseForest::chooseAngleSource() {
     if (_wantedSource == CPU_ANGLES || _prePass || !_simulation->branches() ||
@@ -159,8 +193,7 @@ void BranchwiseForest::chooseAngleSource() {
         _probe = new FloatTargetProbe;
     else if (_probe->answer() == FloatTargetProbe::SUPPORTED) {
         _probe = nullptr;
-        _prePass = std::make_unique<AnglePrePass>(*_simulation);
-        bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
+        startPasses();
     } else if (_probe->answer() == FloatTargetProbe::MISSING) {
         OSG_NOTICE << "osgTreeWind: no float render targets or vertex textures here; angles come from the CPU"
                    << std::endl;
@@ -182,7 +215,7 @@ void BranchwiseForest::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Group::resizeGLObjectBuffers(maxSize);
     for (const osg::ref_ptr<TreeShape>& shape : _shapes)
         shape->resizeGLObjectBuffers(maxSize);
-    for (const Pictures& pictures : _pictures)
+    for (const auto& [key, pictures] : _pictures)
         if (pictures.shape)
             pictures.shape->geometry()->resizeGLObjectBuffers(maxSize);
     if (_prePass)
@@ -195,7 +228,7 @@ void BranchwiseForest::releaseGLObjects(osg::State* state) const {
         shape->releaseGLObjects(state);
     for (const TreeStyle& style : _styles)
         style.releaseGLObjects(state);
-    for (const Pictures& pictures : _pictures)
+    for (const auto& [key, pictures] : _pictures)
         if (pictures.shape) {
             pictures.shape->geometry()->releaseGLObjects(state);
             pictures.state->releaseShared(state);

@@ -3,12 +3,15 @@
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/ImpostorShape.h>
+#include <osgTreeWind/nodes/TreeTiers.h>
 #include <osgTreeWind/nodes/branchwise/TreeNode.h>
 
 #include <osg/Group>
 
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -72,6 +75,9 @@ public:
     /// Has it drawn and moved in the same ways as another one.
     void takeSettings(const BranchwiseForest& other);
 
+    /// The simulation's season is another one. Not during a traversal.
+    void seasonChanged();
+
     unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); }
     TreeNode* getTree(unsigned index) const { return _trees[index].get(); }
 
@@ -94,7 +100,9 @@ private:
         osg::ref_ptr<ImpostorShape> shape;
         osg::ref_ptr<SharedStateSet> state;
     };
-    osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed, float own);
+    osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed);
+    void showSeason();
+    void startPasses();
     void chooseAngleSource();
     bool stepOnCpu(double time);
     bool stepOnGpu(double time);
@@ -102,8 +110,8 @@ private:
     void useCpuAngles();
 
     std::shared_ptr<ForestSimulation> _simulation;
-    std::vector<osg::ref_ptr<TreeShape>> _shapes; ///< By model.
-    std::vector<Pictures> _pictures;              ///< By model.
+    std::vector<osg::ref_ptr<TreeShape>> _shapes;               ///< By model.
+    std::map<std::pair<std::size_t, Tier>, Pictures> _pictures; ///< By model and share of leaves.
     osg::ref_ptr<osg::Program> _pictureProgram;
     std::vector<TreeStyle> _styles;  ///< By species.
     osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.

@@ -9,10 +9,7 @@ namespace {
 
 osg::ref_ptr<osg::Geometry> clusterGeometry(const TreeModel& model) {
     const std::vector<LeafCluster> one(1);
-    CrownEllipsoid below(one); // at its very top
-    below.centre = {0.0f, 0.0f, -1.0f};
-    below.halfAxes = glm::vec3(1.0f);
-    osg::ref_ptr<osg::Geometry> cluster = makeLeafGeometry(one, model.leafMesh, below);
+    osg::ref_ptr<osg::Geometry> cluster = makeLeafGeometry(one, model.leafMesh, CrownShade());
     cluster->setName("leaf cluster");
     return cluster;
 }

@@ -6,6 +6,7 @@
 
 #include <osgUtil/IntersectionVisitor>
 
+
 namespace osgTreeWind {
 namespace {
 
@@ -35,6 +36,7 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
     if (getStateSet()) // texels and sizes are the copy's own
         setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
     if (other._tree) {
+        _leafShare = other._leafShare;
         build(other._shape, other._style, other._tree->scale());
         _lod->setRanges(other._lod->getRanges());
         setBranchwise(other._branchwise);
@@ -62,6 +64,7 @@ void TreeNode::build(TreeShape* shape, const TreeStyle& style, const TreeScale& 
     state->addUniform(new osg::Uniform("treeAxes", toOsg(scale.axes)));
     state->addUniform(new osg::Uniform("treeSizes", osg::Vec2(scale.radius, scale.leaf)));
     setTexels(atRest, atRest);
+    setLeaves(_leafShare);
 }
 
 unsigned TreeNode::getNumBranches() const {
@@ -140,10 +143,12 @@ void TreeNode::makeTransforms() {
                                       _style.branchBark));
     if (!_leafwise)
         return;
+    std::size_t index = 0;
     for (const LeafCluster& cluster : _tree->model().leaves) {
+        const bool borne = isBorne(index++, _leafShare);
         osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
         leaf->setDataVariance(osg::Object::DYNAMIC);
-        leaf->setStateSet(_style.leafCluster);
+        leaf->setStateSet(borne ? _style.leafCluster : _style.bareCluster);
         leaf->addChild(_shape->leafCluster());
         branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
         _leafTransforms.push_back(leaf);
@@ -182,6 +187,15 @@ void TreeNode::setTexels(int firstUnit, int firstLeaf) {
 
 void TreeNode::setOwnNumber(float number) {
     getOrCreateStateSet()->getOrCreateUniform("treeOwn", osg::Uniform::FLOAT)->set(number);
+}
+
+void TreeNode::setLeaves(float share) {
+    _leafShare = share;
+    getOrCreateStateSet()->getOrCreateUniform("treeLeaves", osg::Uniform::FLOAT)->set(share);
+    if (_tree && _leafwise) {
+        clearFullLevel();
+        fillFullLevel();
+    }
 }
 
 void TreeNode::setBillboard(osg::Drawable* picture) {

@@ -56,6 +56,10 @@ public:
     /// A number in [0, 1) that is this tree's own: leaves have a shade after it.
     void setOwnNumber(float number);
 
+    /// Share of its leaves that the tree bears, [0, 1]; bare twigs are drawn where it has none. Not during a
+    /// traversal.
+    void setLeaves(float share);
+
     /// What is drawn at the level BILLBOARD.
     void setBillboard(osg::Drawable* picture);
 
@@ -90,6 +94,7 @@ private:
     osg::ref_ptr<osg::Drawable> _skin, _leaves, _bareSkin;
     std::vector<Branch> _branches;                                   ///< By unit; null those not needed yet.
     std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms; ///< Empty until they are looked at.
+    float _leafShare = 1.0f;
     bool _branchwise = false, _leafwise = false;
     bool _full = false; ///< Whether the transforms of FULL are there.
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/branchwise/TreeShape.h>
 
+#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/nodes/TreeGeometry.h>
 
 namespace osgTreeWind {
@@ -19,10 +20,12 @@ std::vector<unsigned> unitsWithoutLeaves(const TreeModel& model) {
 
 } // namespace
 
-TreeShape::TreeShape(std::shared_ptr<const TreeModel> model)
-    : _model(std::move(model)), _skin(makeSkinGeometry(_model->skin)),
-      _leaves(makeLeafGeometry(_model->leaves, _model->leafMesh, CrownEllipsoid(_model->leaves))),
-      _leafCluster(new LeafClusterDrawable(*_model)), _unitSkins(_model->skeleton.units.size()) {
+TreeShape::TreeShape(std::shared_ptr<const TreeModel> model, LeafForm leafForm)
+    : _model(std::move(model)), _leafCluster(new LeafClusterDrawable(*_model)),
+      _unitSkins(_model->skeleton.units.size()) {
+    const CrownShade crown(_model->leaves, _model->leafMesh, leafCoverage(leafForm));
+    _skin = makeSkinGeometry(_model->skin, crown);
+    _leaves = makeLeafGeometry(_model->leaves, _model->leafMesh, crown);
     _bareSkin = skinOf(unitsWithoutLeaves(*_model));
 }
 

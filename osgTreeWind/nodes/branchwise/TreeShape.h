@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/motion/Appearance.h>
 #include <osgTreeWind/nodes/branchwise/LeafClusterDrawable.h>
 
 #include <memory>
@@ -12,7 +13,7 @@ namespace osgTreeWind {
 /// shaders/branchwise/bark.vert and shaders/branchwise/leaf.vert describe them.
 class TreeShape : public osg::Referenced {
 public:
-    explicit TreeShape(std::shared_ptr<const TreeModel> model);
+    explicit TreeShape(std::shared_ptr<const TreeModel> model, LeafForm leafForm = LeafForm::Blade);
 
     const std::shared_ptr<const TreeModel>& model() const { return _model; }
     osg::Geometry* skin() const { return _skin.get(); }

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <osgTreeWind/motion/Species.h>
+#include <osgTreeWind/nodes/TreeTextures.h>
 
 #include <osg/Program>
 #include <osg/StateSet>
-#include <osg/Texture2D>
-
-#include <map>
 
 namespace osgTreeWind {
 
@@ -27,6 +25,10 @@ struct TreeStyle {
     osg::ref_ptr<SharedStateSet> branchBark;  ///< Of one unit, posed by the BranchTransform above it.
     osg::ref_ptr<SharedStateSet> leaves;      ///< Of a whole tree, posed by the shader.
     osg::ref_ptr<SharedStateSet> leafCluster; ///< Of one cluster, posed by the transforms above it.
+    osg::ref_ptr<SharedStateSet> bareCluster; ///< The same without its leaves.
+
+    /// Colours of a season, for all that share this style. Not during a traversal.
+    void showSeason(const Appearance& appearance, float season) const;
 
     /// Of one context, or of all.
     void releaseGLObjects(osg::State* state) const;
@@ -39,8 +41,7 @@ public:
 
 private:
     osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
-    osg::ref_ptr<osg::Texture2D> _bark;
-    std::map<LeafForm, osg::ref_ptr<osg::Texture2D>> _leaves;
+    TreeTextures _textures;
 };
 
 } // namespace osgTreeWind

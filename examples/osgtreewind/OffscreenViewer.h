@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgViewer/Viewer>
+
+/// Draws pictures without a display.
+class OffscreenViewer {
+public:
+    /// @param samplesAcross a pixel, whose means smooth edges.
+    OffscreenViewer(int width, int height, int samplesAcross);
+
+    /// Says on standard error why there is no context.
+    bool valid() const { return _drawn.valid(); }
+    osgViewer::Viewer& viewer() { return _viewer; }
+    double aspect() const { return static_cast<double>(_image->s()) / _image->t(); }
+    /// RGBA; until the next one.
+    osg::Image& frame(double time);
+
+private:
+    int _samplesAcross;
+    osgViewer::Viewer _viewer;
+    osg::ref_ptr<osg::Image> _drawn, _image;
+};

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/Species.h>
+
+#include <osg/Image>
+
+/// What pictures of a portrait are, for --help.
+extern const char* const portraitLayout;
+
+/// Draws the sheet of a species. @param panel width and height of each picture, pixels. @param season of the
+/// whole tree at the lower right. Null where there is no graphics context, said on standard error.
+osg::ref_ptr<osg::Image> drawPortrait(const osgTreeWind::Species& species, int panel, float season);

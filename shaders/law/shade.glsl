@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What a crown leaves of the light at a place in the tree (osgTreeWind/model/CrownShade.h), in two floats: roots of four
+// shares in steps of 1/63 each, 0 where nothing is lost.
+
+vec4 unpackedShares(float four) {
+    vec4 root = 1.0f - floor(64.0f * fract(four * vec4(1.0f, 64.0f, 4096.0f, 262144.0f))) * (1.0f / 63.0f);
+    return root * root;
+}
+
+float packedShares(vec4 shares) {
+    vec4 steps = floor(63.5f - 63.0f * sqrt(clamp(shares, 0.0f, 1.0f)));
+    return dot(steps, vec4(262144.0f, 4096.0f, 64.0f, 1.0f)) * (1.0f / 16777216.0f);
+}
+
+/// Share of the light from a direction, between those from the axes. @param above from +x, +y, +z; the fourth is the
+/// sky's. @param below from -x, -y, -z.
+float shareFrom(vec3 direction, vec4 above, vec4 below) {
+    vec3 weight = direction * direction;
+    float sum = weight.x * (direction.x > 0.0f ? above.x : below.x) + weight.y * (direction.y > 0.0f ? above.y : below.y) +
+                weight.z * (direction.z > 0.0f ? above.z : below.z);
+    return sum / max(weight.x + weight.y + weight.z, 1.0e-9f);
+}
