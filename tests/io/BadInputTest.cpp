@@ -189,7 +189,7 @@ const BadInput badInputs[] = {
      "no file \"no.txt\" in ", "a.txt", qsmRow},
     {"ScanNone", species("scan = @[]\n"), "species.scan", "at least one"},
     {"ScanAsNumber", species("scan = @3\n"), "species.scan", "expected a text in quotes, found 3"},
-    {"ScanWithTree", species("scan = \"a.txt\"\n[@species.tree]\nlevels = 3\n"), "species.tree",
+    {"ScanWithTree", species("scan = \"a.txt\"\n@[species.tree]\nlevels = 3\n"), "species.tree",
      "expected none beside scan", "a.txt", qsmRow},
     {"ScanWithShapes", species("scan = \"a.txt\"\nshapes = @3\n"), "species.shapes",
      "expected none beside scan", "a.txt", qsmRow},
@@ -216,7 +216,7 @@ const BadInput badInputs[] = {
     {"ScanTooFewColumns", scan(), "species.scan", "/a.txt:2: expected 15 or 17 columns", "a.txt",
      qsmRow + "0.1 1 0 0 1 0 0 1 1\n"},
     {"ScanInMillimetres", scan(), "species.scan",
-     "/a.txt:1: expected a tree of 0.1 to 150 m above its foot, in metres, found 2000", "a.txt",
+     "/a.txt:2: expected a tree of 0.1 to 150 m above its foot, in metres, found 2000", "a.txt",
      "1 1 0 0 0 9 -1\n2 1 0 0 2000 9 1\n"},
     {"ScanTooManyTrees", scan(), "species.scan", "expected at most 64 trees in all files", "a.txt",
      [] {
