@@ -20,11 +20,10 @@ void main() {
 #else
     vec4 leaf = texture(leafTexture, leafCoord);
 #endif
-    if (leafAlpha(leaf, leafBorne) < 0.5) // LeafTexels::alphaThreshold
-        discard;
+    float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
 #ifdef FADING
     if (dithered(treeFade))
         discard;
 #endif
-    gl_FragColor = vec4(sceneColor(leafAlbedo(leaf, leafBorne) * leafLight, scenePosition), 1.0);
+    gl_FragColor = vec4(sceneColor(leafAlbedo(leaf, leafBorne) * leafLight, scenePosition), coverage);
 }

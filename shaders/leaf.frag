@@ -10,7 +10,6 @@ flat in float leafBorne;
 
 void main() {
     vec4 leaf = texture(leafTexture, leafCoord);
-    if (leafAlpha(leaf, leafBorne) < 0.5) // LeafTexels::alphaThreshold
-        discard;
-    gl_FragColor = vec4(encoded(leafAlbedo(leaf, leafBorne) * leafLight), 1.0);
+    float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
+    gl_FragColor = vec4(encoded(leafAlbedo(leaf, leafBorne) * leafLight), coverage);
 }

@@ -23,12 +23,16 @@ using namespace osgTreeWind;
 
 struct RenderOptions {
     std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(), pose, tiers,
-                      view = "eye";
+                      view = "eye", shadows = "soft";
     int frames = 1, samples = 4, width = 0, height = 0;
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
     std::optional<float> season;
 };
+
+Shadows shadowsOf(const std::string& name) {
+    return name == "on" ? Shadows::On : name == "off" ? Shadows::Off : Shadows::Soft;
+}
 
 int samplesAcross(const RenderOptions& options) {
     return static_cast<int>(std::lround(std::sqrt(options.samples)));
@@ -116,7 +120,7 @@ ExitCode render(RenderOptions options) {
         description->drawing.tiers = options.tiers == "on";
     description->season = options.season.value_or(description->season);
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
-    osg::ref_ptr<osg::Group> scene = createSetting(*forest);
+    osg::ref_ptr<osg::Group> scene = createSetting(*forest, shadowsOf(options.shadows));
 
     OffscreenViewer drawing(options.width, options.height, samplesAcross(options));
     if (!drawing.valid())
@@ -197,6 +201,11 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     command->add_option("--backend", options->backend, "Where OpenGL comes from")
         ->check(CLI::IsMember({"osmesa", "egl"}))
+        ->capture_default_str();
+    command
+        ->add_option("--shadows", options->shadows,
+                     "on: of osgShadow, on ground and trees; soft: silhouettes on the ground")
+        ->check(CLI::IsMember({"on", "soft", "off"}))
         ->capture_default_str();
     command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")
         ->check(CLI::IsMember({"on", "off"}));

@@ -5,5 +5,11 @@
 
 #include <osg/Group>
 
-/// Sky, sun and ground around a forest, with a soft shadow under every tree.
-osg::ref_ptr<osg::Group> createSetting(osgTreeWind::Forest& forest);
+enum class Shadows {
+    Off,
+    Soft, ///< A silhouette of each tree on the ground (GroundShadows.h).
+    On,   ///< Those of osgShadow, which move with the trees and fall on them too.
+};
+
+/// Sky, sun, haze and grassland around a forest.
+osg::ref_ptr<osg::Group> createSetting(osgTreeWind::Forest& forest, Shadows shadows = Shadows::Soft);

@@ -146,8 +146,9 @@ void readLeafMotion(TableReader& table, LeafMotion& leaf) {
 }
 
 void readPicture(TableReader& table, const char* key, ForestReading& reading, std::string& path) {
-    if (table.has(key))
-        if (const auto file = reading.open(table, key))
+    std::string name;
+    if (table.read(key, name))
+        if (const auto file = reading.open(table, key, name))
             path = file->path;
 }
 

@@ -18,8 +18,8 @@ struct LeafParameters {
     int clustersPerBranch = 16; ///< 0 to 64; 0 for a bare tree.
     int clusters =
         0; ///< Of the whole tree, spread evenly along its branches; 0: clustersPerBranch holds. 0 to 100,000.
-    float bare = 0.0f; ///< Of `clusters`: share of a branch at firstLevel without any, from its base, [0,
-                       ///< 0.95]; on further levels less, on the outermost 0.
+    float bare = 0.0f;     ///< Of `clusters`: share of a branch at firstLevel without any, from its base, [0,
+                           ///< 0.95]; on further levels less, on the outermost 0.
     float thinWood = 1.0f; ///< Of `clusters`: share of the length of all wood, the thinnest, that bears some,
                            ///< [0, 1].
     int firstLevel = 1;    ///< Lowest branch level that bears leaves (the trunk is 0), 0 to 9.

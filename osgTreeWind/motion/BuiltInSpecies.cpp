@@ -190,7 +190,7 @@ std::vector<BuiltInSpecies> builtInSpecies() {
         entry({"horse chestnut", "horse-chestnut", "Aesculus hippocastanum", "Aesculus"}, F::HorseChestnut,
               6.8e9f, 800, broadleafDrag, broadleafStand, {B::Plated, brown, L::Fingered, deep},
               woodHandbookKin),
-        entry({"ginkgo", "Ginkgo biloba", "Ginkgo"}, F::Ginkgo, 6.8e9f, 800, broadleafDrag, broadleafStand,
+        entry({"ginkgo", "Ginkgo biloba"}, F::Ginkgo, 6.8e9f, 800, broadleafDrag, broadleafStand,
               {B::Furrowed, grey, L::Fan, yellowish}, woodHandbookKin),
         palm({"palm", "Mexican fan palm", "Washingtonia robusta", "Washingtonia", "Phoenix", "Arecaceae"},
              {B::Ringed, {0.16f, 0.14f, 0.12f}, L::Frond, green},

@@ -17,8 +17,9 @@ std::size_t CullLists::bandOf(float distance) {
     return band;
 }
 
-void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place) {
+void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place, osg::Camera* camera) {
     _frame = frame;
+    _camera = camera;
     _place = place;
     _used = 0;
     _near.clear();
@@ -52,7 +53,8 @@ void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
-    setSceneDefines(*_shading, _place);
+    osg::ref_ptr<osg::Camera> camera;
+    setSceneDefines(*_shading, _place, _camera.lock(camera) && isMultisampled(*camera));
     for (std::size_t i = 0; i < _used; ++i)
         if (const InstanceList& trees = *_lists[i].trees; trees.page)
             trees.passes->prepare(*renderInfo.getState(), *trees.page);

@@ -6,6 +6,7 @@
 #include <osgTreeWind/nodes/TreeTiers.h>
 #include <osgTreeWind/nodes/ViewFrustum.h>
 
+#include <osg/observer_ptr>
 #include <osgUtil/RenderStage>
 
 #include <array>
@@ -33,8 +34,9 @@ public:
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
     };
 
-    /// A cull begins, of a stand of so many shapes. @param place of the trees in the scene's state.
-    void begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place);
+    /// A cull by a camera begins, of a stand of so many shapes. @param place of the trees in the scene's
+    /// state.
+    void begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place, osg::Camera* camera);
     unsigned frame() const { return _frame; }
 
     /// Trees are drawn band by band, so that near ones hide the far ones behind them.
@@ -76,6 +78,7 @@ private:
     unsigned _frame = ~0u;
     std::size_t _used = 0, _shapes = 0;
     osg::ref_ptr<osgUtil::StateGraph> _place;
+    osg::observer_ptr<osg::Camera> _camera; // which may hold the stand
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::array<osg::ref_ptr<osg::StateSet>, bands> _bandStates;
     std::vector<SeenCell> _seenCells;

@@ -2,6 +2,7 @@
 #include <osgTreeWind/nodes/SceneShading.h>
 
 #include <osg/Fog>
+#include <osg/Multisample>
 #include <osg/Uniform>
 
 #include <algorithm>
@@ -74,7 +75,7 @@ std::string fogMode(const osg::Fog* fog) {
 
 } // namespace
 
-void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place) {
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, bool multisampled) {
     const Above above(place);
     osg::StateSet::DefineList defines;
     const auto define = [&](const char* name, const std::string& value) {
@@ -93,6 +94,8 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place) {
         define("FOG_MODE", fogMode(above.fog()));
     if (isOn(above.mode(GL_FRAMEBUFFER_SRGB)))
         define("LINEAR_COLORS", "1");
+    if (multisampled)
+        define("COVERAGE", "1");
     const std::string shadowMap = above.number("osgShadow_shadowTexture");
     if (!shadowMap.empty())
         define("SHADOW_MAP", shadowMap);
@@ -104,6 +107,22 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place) {
             define("SHADOW_MAP_UNIT1", second);
     }
     state.setDefineList(defines);
+}
+
+bool isMultisampled(const osg::Camera& camera) {
+    if (camera.getRenderTargetImplementation() == osg::Camera::FRAME_BUFFER_OBJECT) {
+        const auto& attachments = camera.getBufferAttachmentMap();
+        return std::any_of(attachments.begin(), attachments.end(),
+                           [](const auto& each) { return each.second._multisampleSamples > 1; });
+    }
+    GLint buffers = 0;
+    glGetIntegerv(GL_SAMPLE_BUFFERS_ARB, &buffers);
+    return buffers > 0;
+}
+
+void setCoverageModes(osg::StateSet& state) {
+    state.setMode(GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, osg::StateAttribute::ON);
+    state.setMode(GL_SAMPLE_ALPHA_TO_ONE_ARB, osg::StateAttribute::ON); // only coverage is meant
 }
 
 } // namespace osgTreeWind

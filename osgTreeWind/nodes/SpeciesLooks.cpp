@@ -5,6 +5,7 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/Season.h>
 #include <osgTreeWind/motion/StatelessFlutter.h>
+#include <osgTreeWind/nodes/SceneShading.h>
 
 #include <glm/common.hpp>
 
@@ -30,7 +31,9 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) {
     looks.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
-    looks.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    // Shadow cameras would leave out half of them.
+    looks.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    setCoverageModes(*looks.leaves);
     return looks;
 }
 

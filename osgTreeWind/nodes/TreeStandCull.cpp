@@ -22,7 +22,7 @@ float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
 } // namespace
 
 void TreeStandCull::run() {
-    lists.begin(frame, drawing.shapes.size(), visitor.getCurrentStateGraph());
+    lists.begin(frame, drawing.shapes.size(), visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
     const ViewFrustum view(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();

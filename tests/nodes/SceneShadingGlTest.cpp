@@ -6,6 +6,7 @@
 #include <osg/Fog>
 #include <osg/LightModel>
 #include <osg/LightSource>
+#include <osg/MatrixTransform>
 #include <osg/ShapeDrawable>
 #include <osgShadow/ShadowMap>
 #include <osgShadow/ShadowedScene>
@@ -43,7 +44,7 @@ osg::ref_ptr<osg::LightSource> lightSource(int number, const osg::Vec4& position
     return source;
 }
 
-/// A tree of bark and leaves in still air, on black, and the light that a test gives it.
+/// A tree of bark and leaves in still air, on black, and the light that a test gives it. Colours stay linear.
 class SceneShadingGlTest : public GlTest {
 protected:
     SceneShadingGlTest() : scene(new osg::Group), forest(new Forest(oneTree(smallSpecies(), 0.0f))) {
@@ -52,14 +53,15 @@ protected:
         model->setAmbientIntensity(osg::Vec4(0.1f, 0.1f, 0.1f, 1.0f));
         scene->getOrCreateStateSet()->setAttribute(model);
         scene->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
+        scene->getOrCreateStateSet()->setDefine("LINEAR_COLORS");
     }
     void light(osg::LightSource* source) {
         scene->addChild(source);
         source->setStateSetModes(*scene->getOrCreateStateSet(), osg::StateAttribute::ON);
     }
     /// From the south, `distance` metres away, the tree as large each time.
-    osg::ref_ptr<osg::Image> picture(double distance = 20.0) {
-        open(size, size);
+    osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = size, int samples = 0) {
+        open(pixels, pixels, samples);
         viewer().setSceneData(scene);
         viewer().setLightingMode(osg::View::NO_LIGHT);
         osg::Camera& camera = *viewer().getCamera();
@@ -92,6 +94,59 @@ TEST_F(SceneShadingGlTest, everyLightThatIsOnCounts) {
     scene->getStateSet()->setMode(GL_LIGHT3, osg::StateAttribute::ON);
     const osg::Vec3d red = meanColour(*picture());
     EXPECT_GT(red.x(), 2.0 * red.y());
+}
+
+TEST_F(SceneShadingGlTest, coloursAreWrittenAsSrgb) {
+    light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
+    osg::ref_ptr<osg::Image> linear = picture();
+    scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    osg::ref_ptr<osg::Image> encoded = picture();
+    int pixels = 0;
+    for (int i = 0; i < 4 * size * size; ++i) {
+        const double value = encoded->data()[i] / 255.0;
+        const double decoded = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+        if (i % 4 < 3) {
+            ASSERT_NEAR(255.0 * decoded, linear->data()[i], 1.6) << "IEC 61966-2-1";
+            pixels += linear->data()[i] > 8;
+        }
+    }
+    EXPECT_GT(pixels, 1000);
+    scene->getStateSet()->setMode(GL_FRAMEBUFFER_SRGB, osg::StateAttribute::ON);
+    EXPECT_EQ(difference(*linear, *picture()).mean, 0.0) << "OpenGL encodes, were its buffer for sRGB";
+}
+
+TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
+    osg::ref_ptr<osg::LightSource> source = lightSource(0, osg::Vec4(0, -1, 0.2f, 0), white);
+    light(source);
+    osg::ref_ptr<osg::Image> one = picture(), turned;
+    osg::ref_ptr<osg::MatrixTransform> turn = new osg::MatrixTransform(osg::Matrix::rotate(1.1, osg::Z_AXIS));
+    ForestDescription description = oneTree(smallSpecies(), 0.0f);
+    description.trees[0].heading = -1.1f;
+    scene->removeChild(forest);
+    scene->addChild(turn);
+    turn->addChild(new Forest(description));
+    turned = picture();
+    EXPECT_LT(difference(*one, *turned).mean, 0.3);
+    source->getLight()->setPosition(osg::Vec4(0, 1, 0.2f, 0)); // from behind
+    EXPECT_GT(difference(*turned, *picture()).mean, 2.0);
+}
+
+TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
+    light(lightSource(0, sun, white));
+    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * size), plain = picture(),
+                             multisampled = picture(20.0, size, 4);
+    osg::ref_ptr<osg::Image> mean = new osg::Image(*plain, osg::CopyOp::DEEP_COPY_ALL);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            for (int c = 0; c < 3; ++c) {
+                int sum = 0;
+                for (int i = 0; i < 16; ++i)
+                    sum += fine->data(4 * x + i % 4, 4 * y + i / 4)[c];
+                mean->data(x, y)[c] = static_cast<unsigned char>(sum / 16);
+            }
+    EXPECT_LT(difference(*multisampled, *mean).mean, 0.7 * difference(*plain, *mean).mean);
+    for (int i = 3; i < 4 * size * size; i += 4)
+        ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "alpha is written as ever";
 }
 
 TEST_F(SceneShadingGlTest, modesAboveOverrideAndAreProtectedAsInOsg) {
@@ -145,6 +200,7 @@ TEST_F(SceneShadingGlTest, aLampLightsWhatIsInItsConeAndNear) {
 
 TEST_F(SceneShadingGlTest, fogTakesAsMuchAsOpenGLs) {
     light(lightSource(0, sun, white));
+    scene->getStateSet()->removeDefine("LINEAR_COLORS"); // it is mixed into what is seen
     const double distance = 60.0;
     const osg::Vec3d clear = meanColour(*picture(distance)), colour(0.7, 0.75, 0.8);
     osg::ref_ptr<osg::Fog> fog = new osg::Fog;
@@ -190,6 +246,7 @@ protected:
         light->getLight()->setAmbient(osg::Vec4(0.2f, 0.2f, 0.2f, 1));
         scene->addChild(light);
         scene->getOrCreateStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
+        scene->getOrCreateStateSet()->setDefine("LINEAR_COLORS");
         scene->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
         return scene;
     }

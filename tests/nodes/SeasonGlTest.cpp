@@ -84,7 +84,9 @@ TEST_F(SeasonGlTest, ASeasonThatIsSetIsThatOfAForestMadeInIt) {
             EXPECT_LT(difference(*picture(forest), *picture(tree("oak", way, season))).mean, 0.05)
                 << static_cast<int>(way) << ", " << season;
         }
-        EXPECT_LT(difference(*picture(forest), *summer).mean, 0.05) << static_cast<int>(way);
+        if (way != Way::Branchwise) { // which has swayed meanwhile
+            EXPECT_LT(difference(*picture(forest), *summer).mean, 0.05) << static_cast<int>(way);
+        }
     }
 }
 

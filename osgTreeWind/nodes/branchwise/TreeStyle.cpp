@@ -4,6 +4,7 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/Season.h>
+#include <osgTreeWind/nodes/SceneShading.h>
 
 namespace osgTreeWind {
 
@@ -27,7 +28,9 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
     style.leaves->addUniform(new osg::Uniform("leafTexture", 0));
     style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
     style.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
-    style.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    // Shadow cameras would leave out half of them.
+    style.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    setCoverageModes(*style.leaves);
     style.leafCluster = new SharedStateSet(*style.leaves);
     style.leafCluster->addUniform(new osg::Uniform("treeFirstUnit", -1));
     style.leafCluster->addUniform(new osg::Uniform("treeFirstLeaf", -1));

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "Ground.h"
+
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/model/Random.h>
+
+#include <osg/Texture2D>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace {
+
+constexpr int texels = 256; // of the ground's texture, each way
+
+const char* vertexText = R"(#version 330 compatibility
+out vec2 place;
+out vec3 eyePosition;
+out vec3 light;
+void main() {
+    place = gl_Vertex.xy;
+    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    eyePosition = eye.xyz;
+    vec3 up = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
+    light = 1.2 * gl_LightSource[0].ambient.rgb +
+            max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0) * gl_LightSource[0].diffuse.rgb;
+    gl_Position = gl_ProjectionMatrix * eye;
+})";
+
+// Each scale is turned and in no simple ratio to the others, so that the texture does not show.
+const char* fragmentText = R"(
+in vec2 place;
+in vec3 eyePosition;
+in vec3 light;
+uniform sampler2D groundTexture; // red: patches, alpha: blades of grass
+void main() {
+    vec2 p = place;
+    vec2 q = vec2(0.80 * p.x - 0.60 * p.y, 0.60 * p.x + 0.80 * p.y);
+    vec2 r = vec2(0.28 * p.x + 0.96 * p.y, 0.28 * p.y - 0.96 * p.x);
+    float wide = texture(groundTexture, q / 613.0).r;
+    float patches = texture(groundTexture, r / 97.0).r;
+    float tufts = texture(groundTexture, p / 11.3).r;
+    float blades = 0.5 * (texture(groundTexture, q / 1.7).a + texture(groundTexture, r / 4.9).a);
+    float tone = smoothstep(0.25, 0.75, 0.35 * wide + 0.35 * patches + 0.3 * tufts);
+    vec3 grass = mix(vec3(0.040, 0.082, 0.016), vec3(0.115, 0.160, 0.036), tone);
+    float worn = smoothstep(0.50, 0.68, 0.5 * texture(groundTexture, p / 271.0).r + 0.3 * patches + 0.2 * tufts);
+    grass = mix(grass, vec3(0.200, 0.165, 0.080), 0.6 * worn);
+    gl_FragColor = vec4(sceneColor((0.35 + 1.3 * blades) * grass * light, eyePosition), 1.0);
+})";
+
+float between(osgTreeWind::Random& random, float low, float high) {
+    return low + (high - low) * random.uniform();
+}
+
+/// Values in [0, 1) on a square that goes on into itself.
+class Tile {
+public:
+    float& at(int x, int y) {
+        return _values[static_cast<std::size_t>((y & (texels - 1)) * texels + (x & (texels - 1)))];
+    }
+
+    /// Four octaves of hills.
+    void makePatches(osgTreeWind::Random& random) {
+        float weight = 0.5f;
+        for (int step = texels / 4; step >= texels / 64; step /= 2, weight *= 0.6f) {
+            Tile coarse;
+            for (int i = 0; i < texels * texels; i += step)
+                coarse._values[static_cast<std::size_t>(i)] = between(random, -weight, weight);
+            for (int y = 0; y < texels; ++y)
+                for (int x = 0; x < texels; ++x) {
+                    const int x0 = x - x % step, y0 = y - y % step;
+                    const auto smooth = [&](int part) {
+                        const float t = static_cast<float>(part) / static_cast<float>(step);
+                        return t * t * (3.0f - 2.0f * t);
+                    };
+                    const float u = smooth(x % step), v = smooth(y % step);
+                    at(x, y) +=
+                        (1.0f - v) * ((1.0f - u) * coarse.at(x0, y0) + u * coarse.at(x0 + step, y0)) +
+                        v * ((1.0f - u) * coarse.at(x0, y0 + step) + u * coarse.at(x0 + step, y0 + step));
+                }
+        }
+        for (float& value : _values)
+            value += 0.5f;
+    }
+    /// Strokes every way over each other.
+    void makeBlades(osgTreeWind::Random& random) {
+        for (int blade = 0; blade < texels * texels / 5; ++blade) {
+            const float angle = between(random, 0.0f, 6.2832f), shade = between(random, 0.0f, 1.0f);
+            const float x = between(random, 0.0f, texels), y = between(random, 0.0f, texels);
+            const float length = between(random, 5.0f, 14.0f);
+            for (float along = 0.0f; along < length; along += 0.7f)
+                at(static_cast<int>(x + along * std::cos(angle)),
+                   static_cast<int>(y + along * std::sin(angle))) = shade * (0.6f + 0.4f * along / length);
+        }
+    }
+
+private:
+    std::vector<float> _values = std::vector<float>(texels * texels, 0.0f);
+};
+
+osg::ref_ptr<osg::Texture2D> groundTexture() {
+    osgTreeWind::Random random(11);
+    Tile patches, blades;
+    patches.makePatches(random);
+    blades.makeBlades(random);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(texels, texels, 1, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < texels; ++y)
+        for (int x = 0; x < texels; ++x) {
+            image->data(x, y)[0] =
+                static_cast<unsigned char>(255.0f * std::clamp(patches.at(x, y), 0.0f, 1.0f));
+            image->data(x, y)[1] =
+                static_cast<unsigned char>(255.0f * std::clamp(blades.at(x, y), 0.0f, 1.0f));
+        }
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
+    return texture;
+}
+
+} // namespace
+
+float groundRadius(const osg::BoundingSphere& bound) {
+    return std::max(3000.0f, 8.0f * bound.radius());
+}
+
+osg::ref_ptr<osg::Geometry> createGround(const osg::BoundingSphere& bound) {
+    const osg::Vec3 centre(bound.center().x(), bound.center().y(), 0.0f);
+    osg::ref_ptr<osg::Vec3Array> rim = new osg::Vec3Array;
+    rim->push_back(centre);
+    for (int i = 0; i <= 64; ++i) {
+        const double angle = 2.0 * osg::PI * i / 64;
+        rim->push_back(centre + osg::Vec3(static_cast<float>(std::cos(angle)),
+                                          static_cast<float>(std::sin(angle)), 0.0f) *
+                                    groundRadius(bound));
+    }
+    osg::ref_ptr<osg::Geometry> ground = new osg::Geometry;
+    ground->setUseDisplayList(false);
+    ground->setUseVertexBufferObjects(true);
+    ground->setVertexArray(rim);
+    ground->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, static_cast<int>(rim->size())));
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, vertexText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, "#version 330 compatibility\n" +
+                                                                  osgTreeWind::shaderText("scene.glsl") +
+                                                                  fragmentText));
+    osg::StateSet* state = ground->getOrCreateStateSet();
+    state->setAttributeAndModes(program);
+    state->setTextureAttribute(0, groundTexture());
+    state->addUniform(new osg::Uniform("groundTexture", 0));
+    return ground;
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/BoundingSphere>
+#include <osg/Geometry>
+
+/// Level grassland at height 0, wide enough to meet the horizon, lit by light 0 and under the fog and shadows
+/// of the scene (shaders/scene.glsl).
+osg::ref_ptr<osg::Geometry> createGround(const osg::BoundingSphere& bound);
+
+/// From the middle to the rim, metres.
+float groundRadius(const osg::BoundingSphere& bound);

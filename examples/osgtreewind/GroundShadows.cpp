@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "GroundShadows.h"
+
+#include <osgTreeWind/nodes/Silhouette.h>
+#include <osgTreeWind/nodes/TreeTextures.h>
+
+#include <osg/Depth>
+#include <osg/Program>
+#include <osg/Texture2DArray>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <map>
+
+namespace {
+
+using namespace osgTreeWind;
+
+constexpr int pixels = 128, samples = 2; // of a silhouette, each way
+
+const char* vertexText = R"(#version 330 compatibility
+out vec3 spot;
+void main() {
+    spot = gl_MultiTexCoord0.xyz;
+    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+})";
+
+const char* fragmentText = R"(#version 330 compatibility
+in vec3 spot;
+uniform sampler2DArray silhouettes;
+void main() {
+    vec2 size = 128.0 * fwidth(spot.xy);
+    float lod = max(log2(max(size.x, size.y)), 0.5 + 2.0 * spot.y); // penumbra
+    float shade = textureLod(silhouettes, spot, lod).r;
+    gl_FragColor = vec4(0.02, 0.03, 0.06, 0.52 * shade);
+})";
+
+/// Along the ground, in the frame of a tree: across the light, and away from the sun.
+struct Fall {
+    glm::vec2 across, away;
+    float slope; ///< Metres away for a metre up.
+
+    glm::vec2 operator()(const glm::vec3& p) const {
+        return {glm::dot(glm::vec2(p), across), glm::dot(glm::vec2(p), away) + slope * p.z};
+    }
+};
+
+/// What of a leaf card is solid, by a channel of its texture: 3 with leaves, 2 bare.
+Silhouette::Mask cardMask(const osg::Image& texture, int channel) {
+    Silhouette::Mask mask{texture.s(), {}};
+    for (int i = 0; i < texture.s() * texture.t(); ++i)
+        mask.solid.push_back(texture.data()[4 * i + channel] >= 128);
+    return mask;
+}
+
+/// A shape's shadow, and where it lies on the ground about the foot of a tree that is not scaled.
+struct ShadowPicture {
+    glm::vec2 low{0.0f}, high{1e-3f};
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+
+    ShadowPicture(const TreeModel& model, const Appearance& appearance, float leaves, const Fall& fall) {
+        const auto quads = [&](auto use) {
+            for (std::size_t i = 0; i < model.leaves.size(); ++i)
+                for (std::size_t v = 0; v < model.leafMesh.size(); v += 4) {
+                    const LeafCluster& leaf = model.leaves[i];
+                    const auto at = [&](std::size_t corner) {
+                        return fall(leaf.anchor +
+                                    leaf.size * (leaf.orientation * model.leafMesh[v + corner].corner));
+                    };
+                    use(glm::fract(0.618034f * static_cast<float>(i)) < leaves, at(0), at(1) - at(0),
+                        at(3) - at(0));
+                }
+        };
+        const auto cover = [&](const glm::vec2& p) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        };
+        quads([&](bool, const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along) {
+            for (const glm::vec2& p : {corner, corner + across, corner + along, corner + across + along})
+                cover(p);
+        });
+        for (std::size_t unit = 0; unit < model.skeleton.units.size(); ++unit)
+            cover(fall(model.skeleton.point(unit, model.skeleton.ringsPerBranch - 1)));
+        const glm::vec2 margin = 0.06f * (high - low);
+        low -= margin;
+        high += margin;
+
+        const glm::vec2 scale = static_cast<float>(samples * pixels) / (high - low);
+        const osg::ref_ptr<osg::Image> card = leafImage(appearance);
+        const Silhouette::Mask leafy = cardMask(*card, 3), bare = cardMask(*card, 2), solid{1, {1}};
+        Silhouette black(samples * pixels);
+        quads([&](bool borne, const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along) {
+            black.draw(scale * (corner - low), scale * across, scale * along, borne ? leafy : bare);
+        });
+        for (std::size_t unit = 0; unit < model.skeleton.units.size(); ++unit)
+            for (int ring = 0; ring + 1 < model.skeleton.ringsPerBranch; ++ring) {
+                const glm::vec2 start = fall(model.skeleton.point(unit, ring)),
+                                along = fall(model.skeleton.point(unit, ring + 1)) - start;
+                const glm::vec2 side = model.skeleton.radius(unit, ring) * glm::vec2(along.y, -along.x) /
+                                       glm::max(glm::length(along), 1e-6f);
+                black.draw(scale * (start - side - low), scale * (2.0f * side), scale * along, solid);
+            }
+        image->allocateImage(pixels, pixels, 1, GL_RED, GL_UNSIGNED_BYTE);
+        image->setInternalTextureFormat(GL_R8);
+        for (int y = 0; y < pixels; ++y)
+            for (int x = 0; x < pixels; ++x) {
+                int count = 0;
+                for (int i = 0; i < samples * samples; ++i)
+                    count += black.black(samples * x + i % samples, samples * y + i / samples);
+                *image->data(x, y) = static_cast<unsigned char>(255 * count / (samples * samples));
+            }
+    }
+};
+
+osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures) {
+    osg::ref_ptr<osg::Texture2DArray> texture = new osg::Texture2DArray;
+    texture->setTextureSize(pixels, pixels, static_cast<int>(pictures.size()));
+    texture->setInternalFormat(GL_R8);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        texture->setImage(static_cast<unsigned>(i), pictures[i].image);
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, vertexText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragmentText));
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setAttributeAndModes(program);
+    state->setTextureAttribute(0, texture);
+    state->addUniform(new osg::Uniform("silhouettes", 0));
+    state->setMode(GL_BLEND, osg::StateAttribute::ON);
+    state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+    return state;
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg::Vec3& sun) {
+    const ForestSimulation& simulation = forest.getSimulation();
+    const glm::vec2 level(sun.x(), sun.y());
+    const glm::vec2 away = glm::length(level) > 1e-3f ? -glm::normalize(level) : glm::vec2(1.0f, 0.0f);
+    const glm::vec2 across(-away.y, away.x);
+    const auto turned = [](const glm::vec2& v, float by) {
+        return glm::vec2(glm::cos(by) * v.x - glm::sin(by) * v.y, glm::sin(by) * v.x + glm::cos(by) * v.y);
+    };
+    std::map<std::uint32_t, std::size_t> pictureOf; // of a model, from its first tree
+    std::vector<ShadowPicture> pictures;
+    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, spots = new osg::Vec3Array;
+    for (const PlacedTree& tree : simulation.trees()) {
+        const auto [found, first] = pictureOf.emplace(tree.model, pictures.size());
+        if (first) {
+            const Fall fall{turned(across, -tree.heading), turned(away, -tree.heading),
+                            glm::length(level) / sun.z() * tree.scale.axes.z / tree.scale.axes.x};
+            pictures.emplace_back(simulation.models()[tree.model],
+                                  simulation.description().species[tree.species].appearance, tree.leaves,
+                                  fall);
+        }
+        const ShadowPicture& picture = pictures[found->second];
+        for (const glm::vec2& spot : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 0),
+                                      glm::vec2(1, 1), glm::vec2(0, 1)}) {
+            const glm::vec2 place = tree.scale.axes.x * glm::mix(picture.low, picture.high, spot);
+            const glm::vec2 at = glm::vec2(tree.position) + place.x * across + place.y * away;
+            corners->push_back({at.x, at.y, tree.position.z + 0.02f});
+            spots->push_back({spot.x, spot.y, static_cast<float>(found->second)});
+        }
+    }
+    osg::ref_ptr<osg::Geometry> shadows = new osg::Geometry;
+    shadows->setUseDisplayList(false);
+    shadows->setUseVertexBufferObjects(true);
+    shadows->setVertexArray(corners);
+    shadows->setTexCoordArray(0, spots);
+    shadows->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
+    shadows->setStateSet(stateOf(pictures));
+    return shadows;
+}
