@@ -235,7 +235,7 @@ TreeLooks measureLooks(const Species& species) {
         colors.add(model, species.appearance);
     }
     looks.skyThroughCrownSummer = sky.x;
-    looks.skyThroughCrownWinter = sky.y;
+    looks.skyThroughCrownWinter = species.appearance.isEvergreen() ? sky.x : sky.y;
     looks.leafInclination = quads.x > 0.0f ? quads.y / quads.x : 0.0f;
     looks.leafAreaDrawn = masks.leafCoverage() * quads.x / shapes;
     looks.hueSpread = colors.spread();
