@@ -147,3 +147,25 @@ TEST(UnitLoads, ABareTreeHasTheDragOfItsWood) {
     EXPECT_NEAR(half[1].woodDrag, 0.1f, 1e-6f);
     EXPECT_EQ(bare[1].stiffness, full[1].stiffness);
 }
+
+TEST(UnitLoads, AThinBranchSagsByItsWeightAsLittleInManyUnitsAsInOne) {
+    for (const int count : {1, 2, 8}) { // 8 m long, 2 cm thick: its wood alone would let it hang
+        TreeModel model;
+        model.skeleton.units = {{-1, 0, {0, 0, 0}, {0, 0, 8}, 0.1f, 0.1f}};
+        const float length = 8.0f / static_cast<float>(count);
+        for (int i = 0; i < count; ++i) {
+            const float x = length * static_cast<float>(i);
+            model.skeleton.units.push_back({i, 1, {x, 0, 8}, {x + length, 0, 8}, 0.01f, 0.01f});
+        }
+        const auto loads = makeUnitLoads(model, {}, Species());
+        float sag = 0.0f;
+        for (std::size_t i = 1; i < loads.size(); ++i) {
+            float moment = 0.0f;
+            for (std::size_t carried = i; carried < loads.size(); ++carried)
+                moment += 9.81f * loads[carried].woodMass * length * (static_cast<float>(carried - i) + 0.5f);
+            sag += moment / loads[i].stiffness;
+        }
+        EXPECT_LE(sag, 0.351f) << count;
+        EXPECT_GT(sag, 0.1f) << count;
+    }
+}
