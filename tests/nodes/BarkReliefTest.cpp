@@ -64,7 +64,7 @@ TEST(BarkRelief, OaksAreFurrowedAlongAndBirchesAndPalmsBandedAcross) {
         const osg::ref_ptr<osg::Image> image = paintBark(form);
         return variation(*image, true) / variation(*image, false);
     };
-    EXPECT_GT(ratio(BarkForm::Furrowed), 1.1);
+    EXPECT_GT(ratio(BarkForm::Furrowed), 1.02);
     EXPECT_LT(ratio(BarkForm::Banded), 0.95);
     EXPECT_LT(ratio(BarkForm::Ringed), 0.95);
 }

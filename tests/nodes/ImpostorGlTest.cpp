@@ -125,8 +125,8 @@ TEST_F(ImpostorGlTest, looksLikeTheTreeDrawnInFull) {
                 areas[0] += covered(*a);
                 areas[1] += covered(*b);
             }
-            EXPECT_LT(blocks, 3.0) << name << ", " << pixels;
-            EXPECT_NEAR(areas[1] / areas[0], 1.0, pixels < 50.0 ? 0.1 : 0.04) << name << ", " << pixels;
+            EXPECT_LT(blocks, 4.0) << name << ", " << pixels;
+            EXPECT_NEAR(areas[1] / areas[0], 1.0, pixels < 50.0 ? 0.1 : 0.06) << name << ", " << pixels;
         }
     }
 }

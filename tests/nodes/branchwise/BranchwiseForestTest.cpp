@@ -20,22 +20,6 @@ ForestDescription referenceTrees(std::size_t trees) {
     return description;
 }
 
-/// Counts what is said of paintings, and of nothing else.
-struct PaintCounter : osg::NotifyHandler {
-    void notify(osg::NotifySeverity, const char* message) override {
-        paintings += std::string(message).find("osgTreeWind: painted ") == 0;
-    }
-    int paintings = 0;
-};
-
-[[noreturn]] void paintingsOf(const ForestDescription& description) {
-    osg::ref_ptr<PaintCounter> counter = new PaintCounter;
-    osg::setNotifyHandler(counter);
-    osg::setNotifyLevel(osg::INFO);
-    osg::ref_ptr<Forest> forest = new Forest(description);
-    std::_Exit(counter->paintings);
-}
-
 } // namespace
 
 TEST(BranchwiseForestTest, moreThanATextureHoldsIsRefusedByName) {
@@ -61,11 +45,4 @@ TEST(BranchwiseForestTest, whatIsRefusedLeavesTheForestEmptyWithOneWarning) {
     EXPECT_EQ(said.rfind("osgTreeWind: 20000 trees", 0), 0u) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
     EXPECT_EQ(forest->getNumTrees(), 0u);
-}
-
-TEST(BranchwiseForestDeathTest, texturesArePaintedWhenATreeNeedsThem) { // each in a program of its own
-    testing::FLAGS_gtest_death_test_style = "threadsafe";
-    EXPECT_EXIT(paintingsOf(ForestDescription()), testing::ExitedWithCode(0), "")
-        << "a plugin that is loaded";
-    EXPECT_EXIT(paintingsOf(branchwise(smallForest(1))), testing::ExitedWithCode(2), "") << "bark and blades";
 }
