@@ -2,7 +2,14 @@
 // What the scene does to a fragment: shadows that fall on it, the encoding of its colour, and fog, which is mixed in as
 // OpenGL does, in the values that are written (osgTreeWind/nodes/SceneShading.h says which).
 // SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
-#pragma import_defines(FOG_MODE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
+// SHADOW_CLEARANCE: metres toward the light within which nothing throws a shadow: crowns are shaded within (light.glsl).
+#pragma import_defines(FOG_MODE, LIGHT_MASK, SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
+#ifndef SHADOW_CLEARANCE
+#define SHADOW_CLEARANCE 1.5
+#endif
+#ifndef LIGHT_MASK
+#define LIGHT_MASK 1
+#endif
 
 #include "encode.glsl"
 
@@ -24,8 +31,14 @@ vec4 shadowPlace(int unit, vec4 eye) {
 }
 
 float lightLeft(vec3 eyePosition) {
-    vec4 eye = vec4(eyePosition, 1.0);
     float left = 1.0;
+#if defined(SHADOW_MAP) || defined(SHADOW_MAPS)
+    int light = 0; // the first that is on
+    while (light < 7 && (LIGHT_MASK >> light & 1) == 0)
+        ++light;
+    vec4 place = gl_LightSource[light].position;
+    vec4 eye = vec4(eyePosition + SHADOW_CLEARANCE * normalize(place.xyz - place.w * eyePosition), 1.0);
+#endif
 #ifdef SHADOW_MAP
     left = osgShadow_ambientBias.x + osgShadow_ambientBias.y * shadow2DProj(osgShadow_shadowTexture, shadowPlace(SHADOW_MAP, eye)).r;
 #endif

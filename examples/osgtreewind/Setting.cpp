@@ -105,8 +105,10 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, Shadows shadows) {
     ground->getStateSet()->setRenderBinDetails(-2,
                                                "RenderBin"); // first, then the shadows over it, then all else
     ground->getStateSet()->setDefine("FOG_MODE", "2");
-    if (shadows == Shadows::On)
+    if (shadows == Shadows::On) {
         ground->getStateSet()->setDefine("SHADOW_MAP", std::to_string(shadowUnit));
+        ground->getStateSet()->setDefine("SHADOW_CLEARANCE", "0.0");
+    }
     osg::ref_ptr<osg::Group> around = new osg::Group;
     around->setNodeMask(~castsShadow);
     around->addChild(ground);

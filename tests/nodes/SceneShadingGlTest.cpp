@@ -60,12 +60,13 @@ protected:
         source->setStateSetModes(*scene->getOrCreateStateSet(), osg::StateAttribute::ON);
     }
     /// From the south, `distance` metres away, the tree as large each time.
-    osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = size, int samples = 0) {
+    osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = size, int samples = 0,
+                                     double half = 3.0) {
         open(pixels, pixels, samples);
         viewer().setSceneData(scene);
         viewer().setLightingMode(osg::View::NO_LIGHT);
         osg::Camera& camera = *viewer().getCamera();
-        camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(3.0 / distance)), 1.0,
+        camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(half / distance)), 1.0,
                                                 1.0, 500.0);
         camera.setViewMatrixAsLookAt(osg::Vec3d(0, -distance, 2.5), osg::Vec3d(0, 0, 2.5),
                                      osg::Vec3d(0, 0, 1));
@@ -116,7 +117,7 @@ TEST_F(SceneShadingGlTest, coloursAreWrittenAsSrgb) {
 }
 
 TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
-    osg::ref_ptr<osg::LightSource> source = lightSource(0, osg::Vec4(0, -1, 0.2f, 0), white);
+    osg::ref_ptr<osg::LightSource> source = lightSource(0, osg::Vec4(0, -1, 0.2f, 0), osg::Vec4(2, 2, 2, 1));
     light(source);
     osg::ref_ptr<osg::Image> one = picture(), turned;
     osg::ref_ptr<osg::MatrixTransform> turn = new osg::MatrixTransform(osg::Matrix::rotate(1.1, osg::Z_AXIS));
@@ -132,9 +133,10 @@ TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
 }
 
 TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
-    light(lightSource(0, sun, white));
-    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * size), plain = picture(),
-                             multisampled = picture(20.0, size, 4);
+    scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * size, 0, 1.0), plain = picture(20.0, size, 0, 1.0),
+                             multisampled = picture(20.0, size, 4, 1.0);
     osg::ref_ptr<osg::Image> mean = new osg::Image(*plain, osg::CopyOp::DEEP_COPY_ALL);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x)
@@ -144,7 +146,7 @@ TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
                     sum += fine->data(4 * x + i % 4, 4 * y + i / 4)[c];
                 mean->data(x, y)[c] = static_cast<unsigned char>(sum / 16);
             }
-    EXPECT_LT(difference(*multisampled, *mean).mean, 0.7 * difference(*plain, *mean).mean);
+    EXPECT_LT(difference(*multisampled, *mean).mean, 0.8 * difference(*plain, *mean).mean);
     for (int i = 3; i < 4 * size * size; i += 4)
         ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "alpha is written as ever";
 }
@@ -170,7 +172,7 @@ TEST_F(SceneShadingGlTest, withoutLightingNoLightCounts) {
     osg::ref_ptr<osg::Image> one = picture();
     source->getLight()->setDiffuse(osg::Vec4(0, 0, 0, 1));
     EXPECT_EQ(difference(*one, *picture()).mean, 0.0);
-    EXPECT_GT(meanColour(*one).y(), 40.0) << "in full colour";
+    EXPECT_GT(meanColour(*one).y(), 30.0) << "in full colour";
 }
 
 TEST_F(SceneShadingGlTest, aLampLightsWhatIsInItsConeAndNear) {
@@ -246,7 +248,6 @@ protected:
         light->getLight()->setAmbient(osg::Vec4(0.2f, 0.2f, 0.2f, 1));
         scene->addChild(light);
         scene->getOrCreateStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
-        scene->getOrCreateStateSet()->setDefine("LINEAR_COLORS");
         scene->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
         return scene;
     }
