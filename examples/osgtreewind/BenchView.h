@@ -9,7 +9,7 @@
 
 /// From where a forest is looked at.
 enum class BenchViewpoint {
-    Over, ///< Where `render` looks from.
+    Over, ///< Where `render --view above` looks from.
     Home  ///< Where osgviewer starts: from the south, level.
 };
 

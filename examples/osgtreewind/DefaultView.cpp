@@ -87,7 +87,16 @@ public:
         const double middle = 0.5 * std::atan(top);
         return std::clamp(std::tan(middle), 0.2 * _tall, 0.55 * _tall);
     }
-    double tall() const { return _tall; }
+    /// From where a tree is as high as it may be.
+    double distanceOf(const Tree& tree) const {
+        return std::max(tree.height - eyeHeight, 0.5) / _highest + 0.5 * tree.reach;
+    }
+    /// @param part of the angle of view, positive to the left.
+    osg::Vec2d turned(const osg::Vec2d& way, double part) const {
+        const double angle = 2.0 * part * std::atan(_wide);
+        return {way.x() * std::cos(angle) - way.y() * std::sin(angle),
+                way.x() * std::sin(angle) + way.y() * std::cos(angle)};
+    }
 
 private:
     static constexpr int columns = 48;
@@ -113,34 +122,30 @@ osg::Vec3d defaultEye(const osg::Vec3d& centre, double radius, const Lens& lens)
 }
 
 ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens) {
-    constexpr int places = 28, directions = 16;
+    constexpr std::size_t subjects = 250;
+    constexpr int directions = 16;
     const std::vector<Tree> trees = middleTrees(forest);
     if (trees.empty())
         return {osg::Vec3d(0.0, -10.0, eyeHeight), osg::Vec3d(0.0, 0.0, eyeHeight)};
     const Onlooker onlooker(lens);
-    osg::BoundingBoxd box;
-    double tallest = 0.0;
-    for (const Tree& tree : trees) {
-        box.expandBy(tree.foot);
-        tallest = std::max(tallest, tree.height);
-    }
-    const double margin = 2.2 * tallest / (2.0 * onlooker.tall()); // from where the tallest is seen whole
-    const osg::Vec2d low(box.xMin() - margin, box.yMin() - margin),
-        size(box.xMax() - box.xMin() + 2.0 * margin, box.yMax() - box.yMin() + 2.0 * margin);
     const osg::Vec2d sunward(0.67, -0.74); // as Setting.cpp has the sun
     double best = -1.0;
     osg::Vec2d eye, ahead;
-    for (int i = 0; i < places * places; ++i) {
-        const osg::Vec2d place(low.x() + size.x() * (i % places + 0.5) / places,
-                               low.y() + size.y() * (i / places + 0.5) / places);
-        for (int turn = 0; turn < directions; ++turn) {
-            const osg::Vec2d way = toward(2.0 * osg::PI * turn / directions);
-            const double sunny = 1.0 - 0.2 * (way * sunward); // the sun behind the eye
-            const double seen = sunny * onlooker.look(trees, place, way);
-            if (seen > best) {
-                best = seen;
-                eye = place;
-                ahead = way;
+    for (std::size_t i = 0; i < std::min(trees.size(), subjects); ++i) {
+        const Tree& subject = trees[i];
+        for (int direction = 0; direction < directions; ++direction) {
+            const osg::Vec2d way = toward(2.0 * osg::PI * direction / directions);
+            const osg::Vec2d place =
+                osg::Vec2d(subject.foot.x(), subject.foot.y()) - way * (onlooker.distanceOf(subject) + 0.5);
+            for (const double aside : {0.0, -0.35, 0.35}) { // of the angle of view
+                const osg::Vec2d look = onlooker.turned(way, aside);
+                const double sunny = 1.0 - 0.2 * (way * sunward); // the sun behind the eye
+                const double seen = sunny * onlooker.look(trees, place, look);
+                if (seen > best + 1e-6) {
+                    best = seen;
+                    eye = place;
+                    ahead = look;
+                }
             }
         }
     }

@@ -117,9 +117,9 @@ private:
 
     void lookAtWhole(osg::Node* scene, const osg::Vec3d& toEye) {
         const double height = _size.height, size = std::max(height, static_cast<double>(_size.crownWidth));
-        const double distance = 0.56 * size / std::tan(osg::DegreesToRadians(0.5 * fieldOfView));
+        const double distance = 0.51 * size / std::tan(osg::DegreesToRadians(0.5 * fieldOfView));
         look(scene, toEye * (distance + 0.25 * static_cast<double>(_size.crownWidth)) + up(1.6),
-             up(0.48 * height));
+             up(0.47 * height));
     }
 
     void look(osg::Node* scene, const osg::Vec3d& eye, const osg::Vec3d& center) {

@@ -146,8 +146,9 @@ void readLeafMotion(TableReader& table, LeafMotion& leaf) {
 }
 
 void readPicture(TableReader& table, const char* key, ForestReading& reading, std::string& path) {
-    if (table.has(key))
-        if (const auto file = reading.open(table, key))
+    std::string name;
+    if (table.read(key, name))
+        if (const auto file = reading.open(table, key, name))
             path = file->path;
 }
 
@@ -212,14 +213,14 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     return true;
 }
 
-/// Leaves of scanned trees, which know of none: so many as on a built-in tree, on all thin wood.
-LeafParameters leavesOfScans() {
-    LeafParameters leaves;
+/// A scan knows of no leaves: those of the species, so many as on a built-in tree, on the thinner wood.
+void spreadOnScans(LeafParameters& leaves) {
     leaves.firstLevel = 0;
-    leaves.clusters = 1300;
-    leaves.thickest = 0.12f;
-    leaves.inclination = 0.6f;
-    return leaves;
+    leaves.clusters = usualGrownClusters;
+    leaves.bare = 0.0f;
+    leaves.thinWood = 0.6f;
+    if (!(leaves.inclination > 0.0f))
+        leaves.inclination = 0.6f;
 }
 
 /// `scan`: a file of measured trees, or several. They are the shapes.
@@ -238,7 +239,8 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     if (scans.empty())
         return table.problem("scan", "expected at least one file");
     species.shapes = static_cast<int>(scans.size());
-    species.tree.leaves = leavesOfScans();
+    spreadOnScans(species.tree.leaves);
+    species.tree.grown.reset();
     species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 

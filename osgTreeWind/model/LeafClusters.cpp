@@ -11,6 +11,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace osgTreeWind {
 namespace {
@@ -38,6 +40,21 @@ struct Stretch {
     float from = 0.0f, to = 0.0f;
 };
 
+/// Radius up to which wood is as thin as `share` of its length, by units.
+float radiusAbove(const Skeleton& skeleton, const std::vector<float>& length, float share) {
+    std::vector<std::pair<float, float>> wood; // radius, length
+    float left = 0.0f;
+    for (std::size_t i = 0; i < length.size(); ++i) {
+        wood.emplace_back(0.5f * (skeleton.units[i].baseRadius + skeleton.units[i].tipRadius), length[i]);
+        left += share * length[i];
+    }
+    std::sort(wood.begin(), wood.end());
+    std::size_t i = 0;
+    for (; i + 1 < wood.size() && left > wood[i].second; ++i)
+        left -= wood[i].second;
+    return wood[i].first;
+}
+
 std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParameters& p) {
     const std::vector<BranchUnit>& units = skeleton.units;
     const auto levels = static_cast<float>(std::max(lastLevelOf(skeleton) - p.firstLevel, 1));
@@ -55,10 +72,12 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
         }
         branch[first[i]] += length[i];
     }
+    const float thickest =
+        p.thinWood < 1.0f ? radiusAbove(skeleton, length, p.thinWood) : std::numeric_limits<float>::max();
     std::vector<Stretch> stretches(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
         const float outerness = static_cast<float>(units[i].level - p.firstLevel) / levels;
-        const float thick = std::max(units[i].baseRadius - p.thickest * units.front().baseRadius, 0.0f),
+        const float thick = std::max(units[i].baseRadius - thickest, 0.0f),
                     taper = units[i].baseRadius - units[i].tipRadius;
         const float below = thick < taper ? length[i] * thick / taper : thick > 0.0f ? length[i] : 0.0f;
         if (outerness >= 0.0f)
@@ -169,7 +188,7 @@ LeafParameters clamped(LeafParameters p) {
     p.clustersPerBranch = glm::clamp(p.clustersPerBranch, 0, 64);
     p.clusters = glm::clamp(p.clusters, 0, 100000);
     p.bare = clampOr(p.bare, 0.0f, 0.95f, usual.bare);
-    p.thickest = clampOr(p.thickest, 0.001f, 1.0f, usual.thickest);
+    p.thinWood = clampOr(p.thinWood, 0.0f, 1.0f, usual.thinWood);
     p.firstLevel = glm::clamp(p.firstLevel, 0, 9);
     p.length = clampOr(p.length, 0.001f, 100.0f, usual.length);
     p.width = clampOr(p.width, 0.001f, 100.0f, usual.width);

@@ -20,8 +20,8 @@ struct LeafParameters {
         0; ///< Of the whole tree, spread evenly along its branches; 0: clustersPerBranch holds. 0 to 100,000.
     float bare = 0.0f;     ///< Of `clusters`: share of a branch at firstLevel without any, from its base, [0,
                            ///< 0.95]; on further levels less, on the outermost 0.
-    float thickest = 1.0f; ///< Of `clusters`: radius of the wood that bears some, over the trunk's at the
-                           ///< ground, at most; [0.001, 1]. 1: any.
+    float thinWood = 1.0f; ///< Of `clusters`: share of the length of all wood, the thinnest, that bears some,
+                           ///< [0, 1].
     int firstLevel = 1;    ///< Lowest branch level that bears leaves (the trunk is 0), 0 to 9.
     float length = 0.5f;   ///< Cluster length along its petiole at the outermost level, metres, [0.001, 100].
     float width = 0.45f;   ///< Cluster width, metres, [0.001, 100].

@@ -50,6 +50,7 @@ struct Look {
     glm::vec3 bark;
     LeafForm leafForm;
     glm::vec3 leaves;
+    glm::vec3 autumn = Appearance().autumnLeaves;
 };
 
 BuiltInSpecies entry(std::vector<std::string> names, SpeciesForm form, float modulus, float density,
@@ -73,6 +74,8 @@ BuiltInSpecies entry(std::vector<std::string> names, SpeciesForm form, float mod
     built.species.appearance.bark = look.bark;
     built.species.appearance.barkForm = look.barkForm;
     built.species.appearance.leaves = look.leaves;
+    built.species.appearance.springLeaves = 1.35f * look.leaves + glm::vec3(0.02f, 0.03f, 0.0f);
+    built.species.appearance.autumnLeaves = look.autumn;
     built.species.appearance.leafForm = look.leafForm;
     built.names = std::move(names);
     built.source = source;
@@ -125,6 +128,8 @@ std::vector<BuiltInSpecies> builtInSpecies() {
     const glm::vec3 green{0.11f, 0.20f, 0.05f}, fresh{0.15f, 0.23f, 0.06f}, deep{0.11f, 0.18f, 0.04f};
     const glm::vec3 needles{0.09f, 0.15f, 0.06f}, yellowish{0.16f, 0.23f, 0.05f};
     const glm::vec3 resin{0.16f, 0.12f, 0.10f}, orange{0.22f, 0.12f, 0.07f}, pale{0.28f, 0.28f, 0.24f};
+    const glm::vec3 golden{0.50f, 0.32f, 0.03f}, straw{0.38f, 0.27f, 0.05f}, copper{0.36f, 0.15f, 0.03f};
+    const glm::vec3 red{0.36f, 0.07f, 0.02f};
     const Look spruce{B::Plated, resin, L::Needles, dark}, fir{B::Smooth, grey, L::Needles, dark};
     const Look pine{B::Plated, brown, L::Bundles, needles};
     std::vector<BuiltInSpecies> all = {
@@ -155,43 +160,47 @@ std::vector<BuiltInSpecies> builtInSpecies() {
         conifer({"balsam fir", "Abies balsamea"}, F::BalsamFir, 7.8e9f, 616, {2.4f, 0.7f, 20},
                 {189, 0.88f, 11.0f}, fir, forestGales),
         conifer({"European larch", "larch", "Larix decidua", "Larix"}, F::Larch, 7.9e9f, 850,
-                {3.07f, 0.75f, 25}, {149, 0.60f, 15.2f}, {B::Plated, resin, L::Tufts, light}, forestGales),
+                {3.07f, 0.75f, 25}, {149, 0.60f, 15.2f}, {B::Plated, resin, L::Tufts, light, golden},
+                forestGales),
         entry({"silver birch", "birch", "Betula pendula", "Betula pubescens", "Betula"}, F::Birch, 9.9e9f,
-              900, {1.963f, 0.881f, 20}, {131, 0.88f, 17.0f}, {B::Banded, white, L::Rhombic, fresh},
+              900, {1.963f, 0.881f, 20}, {131, 0.88f, 17.0f}, {B::Banded, white, L::Rhombic, fresh, golden},
               forestGales),
         entry({"beech", "European beech", "Fagus sylvatica", "Fagus"}, F::Beech, 9.8e9f, 1158,
-              {2.414f, 0.904f, 20}, {202, 0.88f, 18.0f}, {B::Smooth, grey, L::Ovate, deep}, forestGales),
+              {2.414f, 0.904f, 20}, {202, 0.88f, 18.0f}, {B::Smooth, grey, L::Ovate, deep, copper},
+              forestGales),
         entry({"oak", "English oak", "pedunculate oak", "sessile oak", "Quercus robur", "Quercus petraea",
                "Quercus"},
               F::Oak, 8.3e9f, 1158, {2.658f, 0.846f, 20}, {202, 0.36f, 19.0f},
               {B::Furrowed, brown, L::Lobed, green}, forestGales),
         entry({"ash", "European ash", "Fraxinus excelsior", "Fraxinus"}, F::Ash, 9.5e9f, 800, broadleafDrag,
-              broadleafStand, {B::Furrowed, grey, L::Pinnate, green}, lavers),
+              broadleafStand, {B::Furrowed, grey, L::Pinnate, green, straw}, lavers),
         entry({"sycamore", "sycamore maple", "Acer pseudoplatanus", "Acer"}, F::Sycamore, 8.4e9f, 830,
-              broadleafDrag, broadleafStand, {B::Smooth, grey, L::Palmate, deep}, lavers),
+              broadleafDrag, broadleafStand, {B::Smooth, grey, L::Palmate, deep, straw}, lavers),
         entry({"red maple", "Acer rubrum", "silver maple", "Acer saccharinum"}, F::RedMaple, 9.6e9f, 830,
-              broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Palmate, green}, woodHandbook),
+              broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Palmate, green, red}, woodHandbook),
         entry({"red oak", "northern red oak", "Quercus rubra"}, F::RedOak, 9.3e9f, 980, broadleafDrag,
-              broadleafStand, {B::Furrowed, brown, L::Lobed, green}, woodHandbook),
+              broadleafStand, {B::Furrowed, brown, L::Lobed, green, red}, woodHandbook),
         entry({"aspen", "quaking aspen", "Populus tremuloides", "Populus tremula", "Populus"}, F::Aspen,
-              5.9e9f, 730, broadleafDrag, broadleafStand, {B::Smooth, pale, L::Round, fresh}, woodHandbook),
+              5.9e9f, 730, broadleafDrag, broadleafStand, {B::Smooth, pale, L::Round, fresh, golden},
+              woodHandbook),
         entry({"linden", "lime", "basswood", "Tilia americana", "Tilia cordata", "Tilia"}, F::Lime, 7.2e9f,
-              660, broadleafDrag, broadleafStand, {B::Furrowed, brown, L::Heart, fresh}, woodHandbook),
+              660, broadleafDrag, broadleafStand, {B::Furrowed, brown, L::Heart, fresh, golden},
+              woodHandbook),
         entry({"poplar", "Lombardy poplar", "black poplar", "Populus nigra"}, F::Poplar, 7.0e9f, 940,
-              broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Round, green}, woodHandbookKin),
+              broadleafDrag, broadleafStand, {B::Furrowed, grey, L::Round, green, golden}, woodHandbookKin),
         entry({"London plane", "plane", "Platanus x acerifolia", "Platanus x hispanica", "Platanus"},
-              F::Plane, 7.3e9f, 1020, broadleafDrag, broadleafStand, {B::Flaking, pale, L::Palmate, green},
-              woodHandbookKin),
+              F::Plane, 7.3e9f, 1020, broadleafDrag, broadleafStand,
+              {B::Flaking, pale, L::Palmate, green, straw}, woodHandbookKin),
         entry({"honey locust", "Gleditsia triacanthos", "Gleditsia", "Robinia", "Gymnocladus"},
               F::HoneyLocust, 8.9e9f, 980, broadleafDrag, broadleafStand,
-              {B::Furrowed, brown, L::Pinnate, yellowish}, woodHandbook),
+              {B::Furrowed, brown, L::Pinnate, yellowish, golden}, woodHandbook),
         entry({"Norway maple", "Acer platanoides"}, F::NorwayMaple, 10.1e9f, 890, broadleafDrag,
-              broadleafStand, {B::Furrowed, grey, L::Palmate, deep}, woodHandbookKin),
+              broadleafStand, {B::Furrowed, grey, L::Palmate, deep, golden}, woodHandbookKin),
         entry({"horse chestnut", "horse-chestnut", "Aesculus hippocastanum", "Aesculus"}, F::HorseChestnut,
               6.8e9f, 800, broadleafDrag, broadleafStand, {B::Plated, brown, L::Fingered, deep},
               woodHandbookKin),
-        entry({"ginkgo", "Ginkgo biloba", "Ginkgo"}, F::Ginkgo, 6.8e9f, 800, broadleafDrag, broadleafStand,
-              {B::Furrowed, grey, L::Fan, yellowish}, woodHandbookKin),
+        entry({"ginkgo", "Ginkgo biloba"}, F::Ginkgo, 6.8e9f, 800, broadleafDrag, broadleafStand,
+              {B::Furrowed, grey, L::Fan, yellowish, golden}, woodHandbookKin),
         palm({"palm", "Mexican fan palm", "Washingtonia robusta", "Washingtonia", "Phoenix", "Arecaceae"},
              {B::Ringed, {0.16f, 0.14f, 0.12f}, L::Frond, green},
              "our estimate within Rich 1987 (stems of palms: 0.1 to 20 GPa); drag by leaf area"),

@@ -12,10 +12,10 @@ struct CardCoverage {
 };
 
 /// In the order of LeafForm.
-constexpr CardCoverage cardCoverages[] = {{0.45f, 0.07f}, {0.495f, 0.07f}, {0.51f, 0.07f},  {0.44f, 0.07f},
-                                          {0.48f, 0.07f}, {0.35f, 0.07f},  {0.525f, 0.07f}, {0.49f, 0.07f},
-                                          {0.41f, 0.05f}, {0.495f, 0.07f}, {0.355f, 0.07f}, {0.335f, 0.07f},
-                                          {0.39f, 0.07f}, {0.53f, 0.02f}};
+constexpr CardCoverage cardCoverages[] = {{0.41f, 0.13f},  {0.455f, 0.13f}, {0.455f, 0.15f}, {0.395f, 0.13f},
+                                          {0.437f, 0.13f}, {0.31f, 0.13f},  {0.483f, 0.13f}, {0.478f, 0.085f},
+                                          {0.355f, 0.13f}, {0.45f, 0.13f},  {0.355f, 0.07f}, {0.335f, 0.07f},
+                                          {0.39f, 0.07f},  {0.53f, 0.02f}};
 
 constexpr float leafCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].leaves;

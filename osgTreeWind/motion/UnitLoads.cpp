@@ -116,17 +116,21 @@ std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::ve
 }
 
 /// A joint bends as its wood does. A branch is at least so stiff that it does not hang down by its own
-/// weight: twigs of a slender tree are not as slender as its trunk.
+/// weight, however many units it is made of: twigs of a slender tree are not as slender as its trunk.
 void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                   const TreeScale& scale) {
     constexpr float deepestSag = 0.35f, g = static_cast<float>(gravity);
     const std::vector<Carried> carried = carriedBy(loads, units, scale);
+    std::vector<float> branch = axisReaches(units, scale); // length of the one a unit is part of
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
+        if (carriesOn(units, i))
+            branch[i] = branch[static_cast<std::size_t>(units[i].parent)];
         loads[i].stiffness = static_cast<float>(jointStiffness(
             loads[i].modulus, unit.baseDiameter, unit.tipDiameter, unit.length, carried[i].reach));
         if (units[i].level > 0)
-            loads[i].stiffness = std::max(loads[i].stiffness, g * carried[i].moment / deepestSag);
+            loads[i].stiffness =
+                std::max(loads[i].stiffness, g * carried[i].moment * branch[i] / (deepestSag * unit.length));
         if (loads[i].rootGive > 0.0f)
             loads[i].stiffness = 1.0f / (1.0f / loads[i].stiffness + loads[i].rootGive);
     }

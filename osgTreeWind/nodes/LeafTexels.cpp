@@ -18,8 +18,11 @@ float mean(const LeafTexels& level, int channel) {
     return static_cast<float>(sum / static_cast<double>(level.texels.size()));
 }
 
-/// Factor on a channel with which the alpha test keeps a share of it, or as near as texels are fine.
+/// Factor on a channel with which the alpha test keeps a share of it, or as near as texels are fine; 1 if it
+/// does so as it is.
 float scaleFor(const LeafTexels& level, int channel, float share) {
+    if (std::abs(level.coverage(channel) - share) < 0.001f)
+        return 1.0f;
     float low = 0.0f, high = 8.0f;
     for (int step = 0; step < 12; ++step)
         (level.coverage(channel, 0.5f * (low + high)) < share ? low : high) = 0.5f * (low + high);

@@ -123,11 +123,12 @@ glm::vec2 skyThrough(const TreeModel& model, const LeafMasks& masks) {
     for (int i = 0; i < azimuths; ++i) {
         const CrownView view(model, glm::two_pi<float>() * (static_cast<float>(i) + 0.25f) / azimuths);
         Silhouette summer = view.leaves(masks.both), winter = view.leaves(masks.twigs);
-        const Silhouette outline = summer.outline(view.closing());
+        const Silhouette inLeaf = summer.outline(view.closing()), bare = winter.outline(view.closing());
         view.addWood(summer);
         view.addWood(winter);
-        const auto all = static_cast<float>(outline.count());
-        sum += 1.0f - glm::vec2(outline.common(summer), outline.common(winter)) / all;
+        sum +=
+            1.0f - glm::vec2(static_cast<float>(inLeaf.common(summer)) / static_cast<float>(inLeaf.count()),
+                             static_cast<float>(bare.common(winter)) / static_cast<float>(bare.count()));
     }
     return sum / static_cast<float>(azimuths);
 }
@@ -234,7 +235,7 @@ TreeLooks measureLooks(const Species& species) {
         colors.add(model, species.appearance);
     }
     looks.skyThroughCrownSummer = sky.x;
-    looks.skyThroughCrownWinter = sky.y;
+    looks.skyThroughCrownWinter = species.appearance.isEvergreen() ? sky.x : sky.y;
     looks.leafInclination = quads.x > 0.0f ? quads.y / quads.x : 0.0f;
     looks.leafAreaDrawn = masks.leafCoverage() * quads.x / shapes;
     looks.hueSpread = colors.spread();

@@ -7,8 +7,8 @@ namespace osgTreeWind {
 
 /// Numbers by which the looks of a species compare with measurements of trees.
 struct TreeLooks {
-    /// Share of the sky that shows within the crown's outline, from 25 degrees below its middle; without
-    /// leaves: the twigs of their clusters and the branches alone. Compare Wilkinson 1992.
+    /// Share of the sky that shows within the crown's outline, from 25 degrees below its middle; in winter
+    /// through twigs and branches alone, within their outline. Compare Wilkinson 1992.
     float skyThroughCrownSummer = 0.0f, skyThroughCrownWinter = 0.0f;
     float crownOverStem = 0.0f;     ///< Width of the crown over the diameter of the stem at breast height.
     float leafInclination = 0.0f;   ///< Mean over the area of leaf clusters, degrees from the horizontal.

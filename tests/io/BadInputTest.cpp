@@ -69,6 +69,15 @@ std::string csvWind(const std::string& lines) {
     return wind("kind = \"series\"\nfile = \"a.csv\"\n" + lines);
 }
 
+/// A species of the scanned tree a.txt.
+std::string scan(const std::string& lines = "") {
+    return species("scan = @\"a.txt\"\n" + lines);
+}
+const std::string qsmRow = "0.1 1 0 0 0 0 0 1 0 2 0 0.1 1 0 1\n"; // the root
+std::string qsmNext(const std::string& parent) {
+    return "0.1 1 0 0 1 0 0 1 " + parent + " 0 0 0.1 1 0 2\n";
+}
+
 const BadInput badInputs[] = {
     // The document as a whole
     {"Empty", "", "", "empty"},
@@ -173,6 +182,49 @@ const BadInput badInputs[] = {
      "species.appearance.leaf_form", "or \"frond\", found the text \"needle\""},
     {"UnknownNestedKey", species("[species.tree]\n@level = 3\n"), "species.tree.level",
      "did you mean levels?"},
+
+    // [[species]] with scan; what is wrong in the file is said at the key
+    {"ScanAbsent", species("scan = @\"no.txt\"\n"), "species.scan", "no file \"no.txt\" in "},
+    {"ScanOneOfManyAbsent", species("scan = @[\"a.txt\", \"no.txt\"]\n"), "species.scan",
+     "no file \"no.txt\" in ", "a.txt", qsmRow},
+    {"ScanNone", species("scan = @[]\n"), "species.scan", "at least one"},
+    {"ScanAsNumber", species("scan = @3\n"), "species.scan", "expected a text in quotes, found 3"},
+    {"ScanWithTree", species("scan = \"a.txt\"\n@[species.tree]\nlevels = 3\n"), "species.tree",
+     "expected none beside scan", "a.txt", qsmRow},
+    {"ScanWithShapes", species("scan = \"a.txt\"\nshapes = @3\n"), "species.shapes",
+     "expected none beside scan", "a.txt", qsmRow},
+    {"ScanEmpty", scan(), "species.scan", "/a.txt: the file is empty", "a.txt", ""},
+    {"ScanBinary", scan(), "species.scan", "/a.txt:1:3: expected text, found binary", "a.txt",
+     std::string("1 \0", 3)},
+    {"ScanUnknown", scan(), "species.scan", "/a.txt:1:1: expected a scanned tree: ", "a.txt", "hello\n"},
+    {"ScanLoop", scan(), "species.scan", "/a.txt:2: expected parents that lead to the root, found a loop",
+     "a.txt", qsmRow + qsmNext("3") + qsmNext("2")},
+    {"ScanParentAbsent", scan(), "species.scan", "/a.txt:2: expected a parent of the same tree, found 7",
+     "a.txt", qsmRow + qsmNext("7")},
+    {"ScanTwoRoots", scan(), "species.scan", "/a.txt:2: expected one root, found another one than in line 1",
+     "a.txt", qsmRow + qsmNext("0")},
+    {"ScanTextInNumber", scan(), "species.scan", "/a.txt:2:19: expected the number of a cylinder", "a.txt",
+     qsmRow + qsmNext("oak")},
+    {"ScanRadiusZero", scan(), "species.scan", "/a.txt:2:1: expected a radius above 0", "a.txt",
+     qsmRow + "0 1 0 0 1 0 0 1 1 0 0 0.1 1 0 2\n"},
+    {"ScanNaN", scan(), "species.scan", "/a.txt:2:7: expected metres within 1e9, found 'nan'", "a.txt",
+     qsmRow + "0.1 1 nan 0 1 0 0 1 1 0 0 0.1 1 0 2\n"},
+    {"ScanLengthZero", scan(), "species.scan", "/a.txt:2:5: expected a length above 0", "a.txt",
+     qsmRow + "0.1 0 0 0 1 0 0 1 1 0 0 0.1 1 0 2\n"},
+    {"ScanOverflow", scan(), "species.scan", "/a.txt:2:5: expected a length", "a.txt",
+     qsmRow + "0.1 1e999 0 0 1 0 0 1 1 0 0 0.1 1 0 2\n"},
+    {"ScanTooFewColumns", scan(), "species.scan", "/a.txt:2: expected 15 or 17 columns", "a.txt",
+     qsmRow + "0.1 1 0 0 1 0 0 1 1\n"},
+    {"ScanInMillimetres", scan(), "species.scan",
+     "/a.txt:2: expected a tree of 0.1 to 150 m above its foot, in metres, found 2000", "a.txt",
+     "1 1 0 0 0 9 -1\n2 1 0 0 2000 9 1\n"},
+    {"ScanTooManyTrees", scan(), "species.scan", "expected at most 64 trees in all files", "a.txt",
+     [] {
+         std::string file = "x,y,z,radius,parent_id\n";
+         for (int i = 0; i < 65; ++i)
+             file += "0,0,0,1,-1, 0,0,9,1,0\n";
+         return file;
+     }()},
 
     // [[tree]]
     {"TreeNowhere", head + "@[[tree]]\nheight = 3\n", "tree.position", "missing"},

@@ -96,7 +96,8 @@ TEST(DocumentedKeys, DefaultsOfASpeciesAreTrue) {
         if (line.rfind("| `species.", 0) != 0)
             continue;
         const std::vector<std::string> cells = cellsOf(line);
-        if (cells[3].empty() || std::string("0123456789-").find(cells[3][0]) == std::string::npos)
+        if (cells[0].find(',') != std::string::npos || cells[3].empty() ||
+            std::string("0123456789-").find(cells[3][0]) == std::string::npos)
             continue;
         const std::size_t dot = cells[0].rfind('.');
         std::istringstream document("version = 1\n[[tree]]\nposition = [0, 0]\n[[species]]\nname = \"a\"\n" +

@@ -107,7 +107,7 @@ TEST(BuiltInSpecies, AreCheapEnoughToDraw) {
     for (const BuiltInSpecies& built : builtInSpecies())
         for (std::uint32_t shape = 0; shape < 3; ++shape) {
             const TreeModel model = makeTreeModel(built.species.tree, shape);
-            EXPECT_LE(model.skeleton.units.size(), 280u) << built.species.name;
+            EXPECT_LE(model.skeleton.units.size(), 300u) << built.species.name;
             EXPECT_LE(model.leaves.size(), 1900u) << built.species.name;
         }
 }

@@ -97,6 +97,7 @@ TEST(ModalShape, StandsInAForceAsItsSpringsSay) {
 /// A forked tree of four units: eight joints, as many modes as any shape keeps.
 GrownTree smallTree() {
     Species species = defaultSpecies();
+    species.tree.grown.reset();
     species.tree.wood.levels = 1;
     species.tree.wood.trunkUnits = 1;
     species.tree.wood.bareUnits = 0;
@@ -247,6 +248,7 @@ TEST(ModalShape, APoleStandsInTheWindAsUnderDamped) {
 TEST(ModalShape, TheTrunkOfATreeStandsInTheWindAsUnderDamped) {
     for (const char* name : {"oak", "Norway spruce"}) {
         Species species = *findBuiltInSpecies(name);
+        species.tree.grown.reset();
         species.tree.wood.crook = species.tree.wood.jitter = 0.0f; // an upright trunk
         species.wood.dampingRatio = 0.3f;                          // comes to rest sooner
         SCOPED_TRACE(name);

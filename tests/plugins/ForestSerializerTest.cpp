@@ -56,6 +56,21 @@ TEST_P(ForestSerializerTest, bringsBackAForestThatMovesAlike) {
     EXPECT_EQ(takeSaid(), "");
 }
 
+TEST_P(ForestSerializerTest, findsTheScansOfAForestAgain) {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(OSGTREEWIND_TEST_DATA "/scan/treeqsm.txt", folder.path() + "/tree.txt");
+    const std::string file =
+        folder.write("a.treewind", "version = 1\n[[species]]\nname = \"sapling\"\nscan = \"tree.txt\"\n"
+                                   "[[tree]]\nposition = [0, 0]\n");
+    osg::ref_ptr<osg::Node> forest = osgDB::readRefNodeFile(file);
+    ASSERT_TRUE(dynamic_cast<Forest*>(forest.get()));
+    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    const Forest* const back = dynamic_cast<const Forest*>(node.get());
+    ASSERT_NE(back, nullptr);
+    EXPECT_EQ(back->getBound().radius(), forest->getBound().radius());
+    EXPECT_EQ(takeSaid(), "");
+}
+
 TEST_P(ForestSerializerTest, keepsTheSceneAroundIt) {
     osg::ref_ptr<osg::MatrixTransform> hill = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 30));
     hill->addChild(example("thesis.treewind"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../TestData.h"
+#include "../io/TemporaryFolder.h"
 #include "Tool.h"
 
 #include <nlohmann/json.hpp>
@@ -88,4 +89,29 @@ TEST(Info, CampusHasEveryMeasuredTree) {
         ++trees;
     EXPECT_EQ(trees, 1233);
     EXPECT_EQ(infoOf(example("campus.treewind"))["trees"], trees);
+}
+
+TEST(Info, SaysWhatWasTakenOfScansAndWhatWasPruned) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.treewind", "version = 1\nsearch = [\"" OSGTREEWIND_TEST_DATA
+                                                        "/scan\"]\n[[species]]\nname = \"sapling\"\n"
+                                                        "scan = [\"raycloud.txt\", \"sapling.swc\"]\n"
+                                                        "[[tree]]\nposition = [0, 0]\n");
+    const nlohmann::json info = infoOf(file);
+    const nlohmann::json& species = info["species"][0];
+    EXPECT_EQ(species["shapes"], 3);
+    ASSERT_EQ(species["scans"].size(), 3u);
+    EXPECT_EQ(species["scans"][0]["source"], "raycloud.txt, tree 1");
+    EXPECT_EQ(species["scans"][2]["source"], "sapling.swc");
+    for (const nlohmann::json& scan : species["scans"]) {
+        EXPECT_EQ(scan["cylinders"], 8);
+        EXPECT_EQ(scan["taken"], 8);
+        EXPECT_EQ(scan["pruned"], 0);
+        EXPECT_EQ(scan["units"], species["units"]);
+        EXPECT_NEAR(scan["height"], 2.0, 1e-5);
+        EXPECT_NEAR(scan["woodVolume"].get<double>() / scan["cylinderVolume"].get<double>(), 1.0, 0.05);
+    }
+    const Outcome table = runTool({"info", file});
+    EXPECT_NE(table.out.find("scan    sapling: sapling.swc, 8 cylinders, 0 pruned; "), std::string::npos)
+        << table.out;
 }

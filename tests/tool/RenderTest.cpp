@@ -68,6 +68,62 @@ TEST(Render, ShowsSkyOverGreenOverGround) {
     EXPECT_GT(green, 300); // the crown
 }
 
+/// Share of the pixels of a row, from the bottom in parts of the height, that are greener than the sky.
+double greenInRow(const osg::Image& image, double part) {
+    const auto y = static_cast<unsigned>(part * (image.t() - 1));
+    int green = 0;
+    for (int x = 0; x < image.s(); ++x) {
+        const osg::Vec4 pixel = image.getColor(static_cast<unsigned>(x), y);
+        green += pixel.g() > pixel.b();
+    }
+    return static_cast<double>(green) / image.s();
+}
+
+TEST(Render, APersonStandsBeforeTheForestWithSkyAboveIt) {
+    for (const char* file : {"forest.treewind", "campus.treewind"}) {
+        if (file == std::string("campus.treewind") && !std::getenv("OSGTREEWIND_DATA"))
+            continue;
+        const TemporaryFolder folder;
+        const Outcome outcome =
+            runTool({"render", example(file), "-o", "a.png", "--size", "320x180"}, folder.path());
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+        const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
+        EXPECT_EQ(greenInRow(*image, 0.97), 0.0) << file << ": sky";
+        EXPECT_GT(greenInRow(*image, 0.4), 0.3) << file << ": trees";
+        EXPECT_GT(greenInRow(*image, 0.05), 0.95) << file << ": ground";
+    }
+}
+
+TEST(Render, NamedViewsDifferAndAnEyeThatIsGivenWins) {
+    const TemporaryFolder folder;
+    const auto view = [&](std::vector<std::string> options) {
+        const std::string name = "a.png";
+        EXPECT_EQ(render(folder, name, std::move(options)).exitCode, 0);
+        return picture(folder, name);
+    };
+    const auto eye = view({}), above = view({"--view", "above"}), portrait = view({"--view", "portrait"});
+    EXPECT_EQ(meanDifference(*eye, *view({"--view", "eye"})), 0.0);
+    EXPECT_GT(meanDifference(*eye, *above), 1.0);
+    EXPECT_GT(meanDifference(*portrait, *above), 1.0);
+    EXPECT_EQ(meanDifference(*view({"--eye", "0,-30,5"}), *view({"--eye", "0,-30,5", "--view", "portrait"})),
+              0.0);
+    EXPECT_EQ(render(folder, "a.png", {"--view", "below"}).exitCode, 2);
+}
+
+TEST(Render, ASeasonOnTheCommandLineGoesBeforeThatOfTheFile) {
+    const TemporaryFolder folder;
+    folder.write("a.treewind",
+                 "version = 1\nseason = \"winter\"\n[[tree]]\nposition = [0, 0]\nspecies = \"oak\"\n");
+    const auto draw = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"render", "a.treewind", "-o", "a.png", "--size", "160x90"});
+        EXPECT_EQ(runTool(options, folder.path()).exitCode, 0);
+        return picture(folder, "a.png");
+    };
+    const auto winter = draw({}), summer = draw({"--season", "summer"});
+    EXPECT_GT(meanDifference(*winter, *summer), 1.0);
+    EXPECT_EQ(meanDifference(*winter, *draw({"--season", "2024-01-15"})), 0.0);
+}
+
 TEST(Render, APatternNumbersTheFramesFromZero) {
     const TemporaryFolder folder;
     EXPECT_EQ(render(folder, "f_%03d.png", {"--frames", "3", "--fps", "2"}).exitCode, 0);
@@ -127,7 +183,7 @@ TEST(Render, EveryWayToThePoseGivesThePicture) {
     EXPECT_EQ(render(folder, "rest.png").exitCode, 0);
     EXPECT_EQ(render(folder, "cpu_%d.png", moving).exitCode, 0);
     const double moved = meanDifference(*picture(folder, "rest.png"), *picture(folder, "cpu_5.png"));
-    EXPECT_GT(moved, 1.0);
+    EXPECT_GT(moved, 0.7);
     for (const std::string pose : {"gpu", "scenegraph"}) {
         std::vector<std::string> options = moving;
         options.insert(options.end(), {"--pose", pose});
@@ -135,7 +191,7 @@ TEST(Render, EveryWayToThePoseGivesThePicture) {
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         // Branches are one frame late there; leaves below transforms are shaded without their crown.
         EXPECT_LT(meanDifference(*picture(folder, "cpu_5.png"), *picture(folder, pose + "_5.png")),
-                  pose == "gpu" ? 0.2 * moved : 3.0)
+                  pose == "gpu" ? 0.2 * moved : 3.5)
             << pose;
     }
 }

@@ -6,7 +6,6 @@
 
 #include <osgUtil/IntersectionVisitor>
 
-
 namespace osgTreeWind {
 namespace {
 

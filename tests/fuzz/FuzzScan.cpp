@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "FuzzScan.h"
+
+using namespace osgTreeWind;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    expectTrees(readScan({reinterpret_cast<const char*>(data), size}, "fuzz"));
+    return 0;
+}

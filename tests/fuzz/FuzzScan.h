@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/ScannedTree.h>
+#include <osgTreeWind/scanfiles/ScanFormats.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+/// What libFuzzer calls, over and over; see script/fuzz.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace osgTreeWind {
+
+/// Stops the program unless there is a reason, or parents that are there; and for sound trees, skeletons of
+/// finite points.
+inline void expectTrees(const Result<ScanFile>& scan) {
+    if (!scan) {
+        if (scan.problems().empty() || scan.problems().front().message.empty())
+            std::abort();
+        return;
+    }
+    for (const ScanCylinders& cylinders : scan.value().trees) {
+        for (const ScanCylinder& cylinder : cylinders)
+            if (cylinder.parent < -1 || cylinder.parent >= static_cast<int>(cylinders.size()))
+                std::abort();
+        const auto tree = makeScannedTree(cylinders);
+        if (!tree)
+            continue;
+        for (const glm::vec3& point : tree.value().skeleton.points)
+            if (!std::isfinite(point.x + point.y + point.z))
+                std::abort();
+        for (const BranchUnit& unit : tree.value().skeleton.units)
+            if (!(unit.tipRadius > 0.0f && unit.baseRadius >= unit.tipRadius && unit.attach > 0.0f))
+                std::abort();
+    }
+}
+
+} // namespace osgTreeWind

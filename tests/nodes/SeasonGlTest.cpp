@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Seasons as they are seen, in each way of drawing.
+#include "../gl/GlTest.h"
+#include "Pictures.h"
+
+#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/nodes/Forest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+enum class Way { Branches, Impostors, Branchwise };
+
+osg::ref_ptr<Forest> tree(const char* species, Way way, float season) {
+    ForestDescription forest;
+    forest.species = {*findBuiltInSpecies(species)};
+    forest.species[0].shapes = 1;
+    forest.trees.emplace_back();
+    forest.law = way == Way::Branchwise ? MotionLaw::ThesisSmooth : MotionLaw::Modal;
+    forest.season = season;
+    if (way == Way::Impostors)
+        forest.drawing.full = 3e4f, forest.drawing.reduced = 2e4f, forest.drawing.impostor = 1e4f;
+    else
+        forest.drawing.tiers = false;
+    return new Forest(std::move(forest));
+}
+
+/// Share of red in red and green of all that is drawn.
+double redness(const osg::Image& image) {
+    double red = 0.0, green = 0.0;
+    for (int i = 0; i < image.s() * image.t(); ++i) {
+        red += image.data()[4 * i];
+        green += image.data()[4 * i + 1];
+    }
+    return red / (red + green);
+}
+
+class SeasonGlTest : public GlTest {
+protected:
+    osg::ref_ptr<osg::Image> picture(osg::Node* node) { return render(node, 240, 240, 2); }
+};
+
+constexpr Way ways[] = {Way::Branches, Way::Impostors, Way::Branchwise};
+
+} // namespace
+
+TEST_F(SeasonGlTest, ABroadleafLosesItsLeavesAndKeepsItsTwigs) {
+    for (const Way way : ways) {
+        const double summer = covered(*picture(tree("oak", way, midsummer)));
+        const double autumn = covered(*picture(tree("oak", way, midautumn)));
+        const double winter = covered(*picture(tree("oak", way, midwinter)));
+        EXPECT_LT(winter, 0.75 * summer) << static_cast<int>(way);
+        EXPECT_GT(winter, 0.15 * summer) << static_cast<int>(way);
+        EXPECT_LT(winter, autumn) << static_cast<int>(way);
+        EXPECT_LT(autumn, summer) << static_cast<int>(way);
+    }
+}
+
+TEST_F(SeasonGlTest, LeavesTurn) {
+    for (const Way way : ways) {
+        const osg::ref_ptr<osg::Image> summer = picture(tree("oak", way, midsummer)),
+                                       autumn = picture(tree("oak", way, midautumn));
+        EXPECT_LT(redness(*summer), 0.49) << static_cast<int>(way);
+        EXPECT_GT(redness(*autumn), 0.53) << static_cast<int>(way);
+    }
+}
+
+TEST_F(SeasonGlTest, AnEvergreenStaysAsItIs) {
+    for (const Way way : ways) {
+        const osg::ref_ptr<osg::Image> summer = picture(tree("Norway spruce", way, midsummer)),
+                                       winter = picture(tree("Norway spruce", way, midwinter));
+        EXPECT_EQ(difference(*summer, *winter).mean, 0.0) << static_cast<int>(way);
+    }
+}
+
+TEST_F(SeasonGlTest, ASeasonThatIsSetIsThatOfAForestMadeInIt) {
+    for (const Way way : ways) {
+        const osg::ref_ptr<Forest> forest = tree("oak", way, midsummer);
+        const osg::ref_ptr<osg::Image> summer = picture(forest);
+        for (const float season : {midautumn, midwinter, midsummer}) {
+            forest->setSeason(season);
+            EXPECT_EQ(forest->getSeason(), season);
+            EXPECT_LT(difference(*picture(forest), *picture(tree("oak", way, season))).mean, 0.05)
+                << static_cast<int>(way) << ", " << season;
+        }
+        if (way != Way::Branchwise) { // which has swayed meanwhile
+            EXPECT_LT(difference(*picture(forest), *summer).mean, 0.05) << static_cast<int>(way);
+        }
+    }
+}
+
+TEST_F(SeasonGlTest, ACopyHasASeasonOfItsOwn) {
+    const osg::ref_ptr<Forest> forest = tree("oak", Way::Impostors, midautumn);
+    const osg::ref_ptr<Forest> copy = osg::clone(forest.get());
+    EXPECT_EQ(copy->getSeason(), midautumn);
+    const osg::ref_ptr<osg::Image> before = picture(copy);
+    forest->setSeason(midsummer);
+    EXPECT_EQ(copy->getSeason(), midautumn);
+    EXPECT_LT(difference(*picture(copy), *before).mean, 0.05);
+    EXPECT_GT(difference(*picture(forest), *before).mean, 0.5);
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "Tool.h"
+
+#include <osgDB/ReadFile>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Mean brightness of a picture of the sheet, [0, 1]; rows from the top.
+double brightness(const osg::Image& sheet, int column, int row, int panel) {
+    double sum = 0.0;
+    for (int y = 0; y < panel; ++y)
+        for (int x = 0; x < panel; ++x) {
+            const osg::Vec4 color = sheet.getColor(static_cast<unsigned>(column * panel + x),
+                                                   static_cast<unsigned>((2 - row) * panel + y));
+            sum += static_cast<double>(color.r() + color.g() + color.b()) / 3.0;
+        }
+    return sum / (panel * panel);
+}
+
+} // namespace
+
+TEST(Portrait, JsonHasTheNumbersAndNeedsNoGraphics) {
+    const TemporaryFolder folder;
+    const Outcome outcome = runTool({"portrait", "silver birch", "--json"}, folder.path());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Json looks = Json::parse(outcome.out);
+    EXPECT_EQ(looks["species"], "silver birch");
+    for (const char* key : {"crownOverStem", "leafInclination", "leafAreaDrawn", "leafAreaMechanics",
+                            "hueSpread", "greenShare"})
+        EXPECT_GT(looks[key].get<double>(), 0.0) << key;
+    const double summer = looks["skyThroughCrown"]["summer"], winter = looks["skyThroughCrown"]["winter"];
+    EXPECT_GT(summer, 0.0);
+    EXPECT_LT(summer, winter);
+    EXPECT_LT(winter, 1.0);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    EXPECT_EQ(outcome.out, runTool({"portrait", "silver birch", "--json"}).out);
+}
+
+TEST(Portrait, LinesSayTheSame) {
+    const Outcome outcome = runTool({"portrait", "beech"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("beech\n"), 0u);
+    EXPECT_NE(outcome.out.find("leafAreaMechanics, m2"), std::string::npos);
+}
+
+TEST(Portrait, TheSheetHasAllItsPictures) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        runTool({"portrait", "oak", "-o", "oak.png", "--panel", "48", "--season", "spring"}, folder.path());
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const osg::ref_ptr<osg::Image> sheet = osgDB::readRefImageFile(folder.path() + "/oak.png");
+    ASSERT_TRUE(sheet);
+    EXPECT_EQ(sheet->s(), 5 * 48);
+    EXPECT_EQ(sheet->t(), 3 * 48);
+    // Silhouettes: black on white, and more of it in summer.
+    const double summer = brightness(*sheet, 4, 0, 48), winter = brightness(*sheet, 4, 1, 48);
+    EXPECT_GT(summer, 0.5);
+    EXPECT_LT(summer, winter);
+    EXPECT_LT(winter, 0.99);
+    EXPECT_GT(sheet->getColor(4u * 48u + 1u, 2u * 48u + 46u).g(), 0.99f);
+    for (int i = 0; i < 14; ++i)
+        EXPECT_GT(brightness(*sheet, i % 5, i / 5, 48), 0.1) << i;
+}
+
+TEST(Portrait, SpeciesOfAFileAreToBeHadToo) {
+    const Outcome outcome = runTool({"portrait", example("forest.treewind") + ":spruce", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["species"], "spruce");
+}
+
+TEST(Portrait, BadUsageIsExitCode2) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(runTool({"portrait"}).exitCode, 2);
+    const Outcome unknown = runTool({"portrait", "triffid"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.err.find("no built-in species \"triffid\""), std::string::npos);
+    EXPECT_EQ(runTool({"portrait", example("forest.treewind") + ":triffid"}).exitCode, 2);
+    EXPECT_EQ(runTool({"portrait", "absent.treewind:oak"}).exitCode, 2);
+    EXPECT_EQ(runTool({"portrait", "oak", "-o", "oak.jpg"}, folder.path()).exitCode, 2);
+    const Outcome season = runTool({"portrait", "oak", "--season", "monsoon"});
+    EXPECT_EQ(season.exitCode, 2);
+    EXPECT_NE(season.err.find("found 'monsoon'"), std::string::npos) << season.err;
+    EXPECT_EQ(runTool({"portrait", "oak", "-o", "absent/oak.png", "--panel", "16"}, folder.path()).exitCode,
+              1);
+}
