@@ -60,12 +60,13 @@ protected:
         source->setStateSetModes(*scene->getOrCreateStateSet(), osg::StateAttribute::ON);
     }
     /// From the south, `distance` metres away, the tree as large each time.
-    osg::ref_ptr<osg::Image> picture(double distance = 20.0) {
-        open(size, size);
+    osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = size, int samples = 0,
+                                     double half = 3.0) {
+        open(pixels, pixels, samples);
         viewer().setSceneData(scene);
         viewer().setLightingMode(osg::View::NO_LIGHT);
         osg::Camera& camera = *viewer().getCamera();
-        camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(3.0 / distance)), 1.0,
+        camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(half / distance)), 1.0,
                                                 1.0, 500.0);
         camera.setViewMatrixAsLookAt(osg::Vec3d(0, -distance, 2.5), osg::Vec3d(0, 0, 2.5),
                                      osg::Vec3d(0, 0, 1));
@@ -129,6 +130,25 @@ TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
     EXPECT_LT(difference(*one, *turned).mean, 0.3);
     source->getLight()->setPosition(osg::Vec4(0, 1, 0.2f, 0)); // from behind
     EXPECT_GT(difference(*turned, *picture()).mean, 2.0);
+}
+
+TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
+    scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * size, 0, 1.0), plain = picture(20.0, size, 0, 1.0),
+                             multisampled = picture(20.0, size, 4, 1.0);
+    osg::ref_ptr<osg::Image> mean = new osg::Image(*plain, osg::CopyOp::DEEP_COPY_ALL);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            for (int c = 0; c < 3; ++c) {
+                int sum = 0;
+                for (int i = 0; i < 16; ++i)
+                    sum += fine->data(4 * x + i % 4, 4 * y + i / 4)[c];
+                mean->data(x, y)[c] = static_cast<unsigned char>(sum / 16);
+            }
+    EXPECT_LT(difference(*multisampled, *mean).mean, 0.8 * difference(*plain, *mean).mean);
+    for (int i = 3; i < 4 * size * size; i += 4)
+        ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "alpha is written as ever";
 }
 
 TEST_F(SceneShadingGlTest, modesAboveOverrideAndAreProtectedAsInOsg) {
