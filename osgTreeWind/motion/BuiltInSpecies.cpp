@@ -125,7 +125,7 @@ std::vector<BuiltInSpecies> builtInSpecies() {
     using L = LeafForm;
     const glm::vec3 dark{0.08f, 0.15f, 0.06f}, blueGreen{0.09f, 0.17f, 0.11f}, light{0.14f, 0.22f, 0.06f};
     const glm::vec3 grey{0.19f, 0.17f, 0.15f}, brown{0.15f, 0.13f, 0.11f}, white{0.53f, 0.53f, 0.51f};
-    const glm::vec3 green{0.11f, 0.20f, 0.05f}, fresh{0.15f, 0.23f, 0.06f}, deep{0.11f, 0.18f, 0.04f};
+    const glm::vec3 green{0.115f, 0.19f, 0.055f}, fresh{0.15f, 0.23f, 0.06f}, deep{0.11f, 0.172f, 0.045f};
     const glm::vec3 needles{0.09f, 0.15f, 0.06f}, yellowish{0.16f, 0.23f, 0.05f};
     const glm::vec3 resin{0.16f, 0.12f, 0.10f}, orange{0.22f, 0.12f, 0.07f}, pale{0.28f, 0.28f, 0.24f};
     const glm::vec3 golden{0.50f, 0.32f, 0.03f}, straw{0.38f, 0.27f, 0.05f}, copper{0.36f, 0.15f, 0.03f};

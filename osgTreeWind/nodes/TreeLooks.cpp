@@ -173,8 +173,8 @@ struct LeafColors {
 
     void add(const TreeModel& model, const Appearance& appearance) {
         // As `osgtreewind render` and shaders/light.glsl have them.
-        const glm::vec3 toSun = glm::normalize(glm::vec3(0.45f, -0.5f, 0.74f)), sun{1.25f, 1.18f, 1.02f},
-                        ambient{0.32f, 0.37f, 0.45f};
+        const glm::vec3 toSun = glm::normalize(glm::vec3(0.45f, -0.5f, 0.74f)), sun{1.5f, 1.4f, 1.18f},
+                        ambient{0.34f, 0.39f, 0.47f};
         const glm::vec3 fromBelow = ambient * glm::vec3(0.75f, 0.72f, 0.62f),
                         fromAbove = ambient * glm::vec3(1.1f, 1.2f, 1.35f);
         const float brighter =
