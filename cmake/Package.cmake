@@ -29,8 +29,8 @@ if(TARGET osgTreeWindHeadless)
 endif()
 
 # Not the headers that only our own sources use: the reader's insides, and what needs shaders/ or GDAL.
-foreach(floor base model wind windfiles scanfiles motion gpu nodes offscreen)
-    install(DIRECTORY osgTreeWind/${floor} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
+foreach(room base model scanfiles species wind windfiles forest motion gpu drawing nodes offscreen)
+    install(DIRECTORY osgTreeWind/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
         FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "LawTexels.h" EXCLUDE
         PATTERN "Lanes.h" EXCLUDE PATTERN "ModalLanes.h" EXCLUDE PATTERN "ModalGroup.h" EXCLUDE
         PATTERN "ThesisParts.h" EXCLUDE PATTERN "DampedBranches.h" EXCLUDE PATTERN "BranchwiseMotion.h" EXCLUDE

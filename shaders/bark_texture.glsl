@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a texel of bark means (osgTreeWind/nodes/BarkRelief.h).
+// What a texel of bark means (osgTreeWind/drawing/looks/BarkRelief.h).
 #pragma import_defines(LIGHT_MASK, UNLIT)
 
 #include "law/tint.glsl"

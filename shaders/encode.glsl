@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Colours are linear until they are written. LINEAR_COLORS: they stay so, where the scene has GL_FRAMEBUFFER_SRGB on or
-// encodes by itself (osgTreeWind/nodes/SceneShading.h).
+// encodes by itself (osgTreeWind/drawing/looks/SceneShading.h).
 #pragma import_defines(LINEAR_COLORS)
 
 /// As sRGB, within 0.0004: IEC 61966-2-1 by roots, which are quicker than powers.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a texel of a leaf texture means (osgTreeWind/nodes/LeafTexels.h).
+// What a texel of a leaf texture means (osgTreeWind/drawing/looks/LeafTexels.h).
 
-// COVERAGE: alpha is what of a pixel is covered, under multisampling (osgTreeWind/nodes/SceneShading.h).
+// COVERAGE: alpha is what of a pixel is covered, under multisampling (osgTreeWind/drawing/looks/SceneShading.h).
 #pragma import_defines(COVERAGE)
 
 #include "law/tint.glsl"

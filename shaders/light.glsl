@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lights of the scene as OSG sets them up, and a sky that is brighter above than below. LIGHT_MASK: a bit for each
-// light that is on (osgTreeWind/nodes/SceneShading.h); light 0 where nobody says.
+// light that is on (osgTreeWind/drawing/looks/SceneShading.h); light 0 where nobody says.
 #pragma import_defines(LIGHT_MASK, UNLIT)
 
 #include "law/shade.glsl"
@@ -86,7 +86,7 @@ vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
     return light;
 }
 
-/// The same for a picture of a tree, which holds its shade (osgTreeWind/nodes/LightLobe.h); one evaluation serves all
+/// The same for a picture of a tree, which holds its shade (osgTreeWind/drawing/impostors/LightLobe.h); one evaluation serves all
 /// normals: light is `bark` + leaf * `leafMore` +
 /// `byNormal` * normal, leaf 1 or 0. Exact for leaves; bark takes the line nearest to max(cosine, 0).
 void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 byNormal) {

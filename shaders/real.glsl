@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What law files that say `real` need in GLSL. In C++ a real is a float (osgTreeWind/motion/Laws.h), or the floats
-// of several trees at once (osgTreeWind/motion/Lanes.h).
+// What law files that say `real` need in GLSL. In C++ a real is a float (osgTreeWind/motion/laws/Laws.h), or the floats
+// of several trees at once (osgTreeWind/motion/modal/Lanes.h).
 #define real float
 
 /// A constant, the same in every lane.

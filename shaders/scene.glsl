@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the scene does to a fragment: shadows that fall on it, the encoding of its colour, and fog, which is mixed in as
-// OpenGL does, in the values that are written (osgTreeWind/nodes/SceneShading.h says which).
+// OpenGL does, in the values that are written (osgTreeWind/drawing/looks/SceneShading.h says which).
 // SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
 // SHADOW_CLEARANCE: metres toward the light within which nothing throws a shadow: crowns are shaded within (light.glsl).
 #pragma import_defines(FOG_MODE, LIGHT_MASK, SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)

@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
 #include <chrono>

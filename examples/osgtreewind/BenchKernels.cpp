@@ -5,10 +5,10 @@
 #include "BenchTrees.h"
 
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/motion/BranchwiseMotion.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/NoiseTime.h>
-#include <osgTreeWind/motion/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/laws/NoiseTime.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>

@@ -3,13 +3,13 @@
 
 #include "BenchStage.h"
 
+#include <osgTreeWind/drawing/looks/SpeciesLooks.h>
+#include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/model/CrownShade.h>
-#include <osgTreeWind/motion/LeafCoverage.h>
-#include <osgTreeWind/motion/PosedPoints.h>
-#include <osgTreeWind/nodes/SpeciesLooks.h>
-#include <osgTreeWind/nodes/TreeGeometry.h>
+#include <osgTreeWind/motion/laws/PosedPoints.h>
+#include <osgTreeWind/species/LeafCoverage.h>
 
 #include <osg/Geode>
 #include <osg/PositionAttitudeTransform>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/PlacedForest.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 
 #include <osg/Group>
 

@@ -3,8 +3,8 @@
 
 #include "BenchRig.h"
 
+#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/nodes/branchwise/SkinDrawable.h>
 #include <osgTreeWind/wind/GridWind.h>
 
 #include <osg/Geometry>

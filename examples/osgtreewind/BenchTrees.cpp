@@ -2,8 +2,8 @@
 #include "BenchTrees.h"
 
 #include <osgTreeWind/base/ThreadPool.h>
-#include <osgTreeWind/motion/BranchwiseMotion.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "BenchRun.h"
 
-#include <osgTreeWind/nodes/TreeTiers.h>
+#include <osgTreeWind/drawing/stand/TreeTiers.h>
 
 #include <array>
 

@@ -21,7 +21,7 @@ void addPortraitCommand(CLI::App& app, ExitCode& exitCode);
 void addBenchCommand(CLI::App& app, ExitCode& exitCode);
 void addWindCommand(CLI::App& app, ExitCode& exitCode);
 
-/// Adds --season: a word, number or date (motion/Season.h).
+/// Adds --season: a word, number or date (species/Season.h).
 void addSeasonOption(CLI::App& command, std::optional<float>& season);
 
 /// Finite numbers from `low` to `high`; CLI::Range lets "nan" through.

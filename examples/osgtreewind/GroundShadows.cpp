@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "GroundShadows.h"
 
-#include <osgTreeWind/nodes/Silhouette.h>
-#include <osgTreeWind/nodes/TreeTextures.h>
+#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
 
 #include <osg/Depth>
 #include <osg/Program>

@@ -4,9 +4,9 @@
 #include "PortraitSheet.h"
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/nodes/TreeLooks.h>
+#include <osgTreeWind/drawing/impostors/TreeLooks.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/Species.h>
+#include <osgTreeWind/species/Species.h>
 
 #include <osg/Image>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 
-#include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/GrowthLaws.h>
-#include <osgTreeWind/motion/PullAndRelease.h>
-#include <osgTreeWind/motion/SwayModes.h>
+#include <osgTreeWind/motion/sway/PullAndRelease.h>
+#include <osgTreeWind/motion/sway/SwayModes.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 
 #include <osgTreeWind/base/CsvTable.h>
 

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/Skeleton.h>
-#include <osgTreeWind/motion/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalShape.h>
 
 #include <osg/Program>
 #include <osg/State>

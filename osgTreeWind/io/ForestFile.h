@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
-#include <osgTreeWind/motion/ForestDescription.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 
 #include <istream>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/TableReader.h>
-#include <osgTreeWind/motion/ForestDescription.h>
 
 #include <fstream>
 #include <map>

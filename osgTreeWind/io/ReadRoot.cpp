@@ -3,8 +3,8 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -2,9 +2,9 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/LeafCoverage.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/species/LeafCoverage.h>
 
 #include <filesystem>
 

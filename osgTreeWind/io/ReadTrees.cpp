@@ -7,7 +7,7 @@
 #include <osgTreeWind/io/WorldCoordinates.h>
 
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>

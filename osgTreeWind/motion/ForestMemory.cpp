@@ -2,7 +2,7 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/motion/BranchwiseMotion.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/ForestDescription.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 
 #include <cstdint>
 #include <string>

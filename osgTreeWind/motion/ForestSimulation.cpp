@@ -2,8 +2,8 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
-#include <osgTreeWind/motion/BranchwiseMotion.h>
-#include <osgTreeWind/motion/StatelessFlutter.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <algorithm>
 #include <cmath>

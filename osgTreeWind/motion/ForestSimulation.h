@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/LeafFlutter.h>
-#include <osgTreeWind/motion/ModalMotion.h>
-#include <osgTreeWind/motion/PlacedForest.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/SimulationOptions.h>
-#include <osgTreeWind/motion/TreeMotion.h>
+#include <osgTreeWind/motion/branchwise/LeafFlutter.h>
+#include <osgTreeWind/motion/laws/TreeMotion.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <memory>
 #include <mutex>

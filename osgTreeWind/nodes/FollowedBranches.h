@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/nodes/BranchTransform.h>
 
 #include <osg/Group>
 

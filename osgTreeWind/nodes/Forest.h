@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/FollowedBranches.h>
-#include <osgTreeWind/nodes/TreeStand.h>
-#include <osgTreeWind/nodes/branchwise/BranchwiseForest.h>
 
 #include <osg/Group>
 
@@ -42,7 +42,7 @@ public:
     void setWind(WindFieldPtr wind);
     WindFieldPtr getWind() const;
 
-    /// Of the year (motion/Season.h): leaves, their colour, and what they do to how trees sway. In update or
+    /// Of the year (species/Season.h): leaves, their colour, and what they do to how trees sway. In update or
     /// between frames.
     void setSeason(float season);
     float getSeason() const { return _simulation->season(); }

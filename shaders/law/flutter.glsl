@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl. The flutter of leaves without a state (osgTreeWind/motion/StatelessFlutter.h): angles are waves
+// Needs limits.glsl. The flutter of leaves without a state (osgTreeWind/motion/laws/StatelessFlutter.h): angles are waves
 // of time, in step with nothing but the leaf itself. About 70 operations a vertex, none of them transcendental.
 
 /// Share of its largest angles that a leaf takes in a wind, m/s: 0 in calm, a fifth where leaves begin to rustle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Law files are GLSL 3.30 and, under GLM, C++ at once (osgTreeWind/motion/Laws.h): no swizzles, no inout,
+// Law files are GLSL 3.30 and, under GLM, C++ at once (osgTreeWind/motion/laws/Laws.h): no swizzles, no inout,
 // literals with f, no preprocessor. Those that say `real` are compiled for several trees at once, too: no `if`
 // on what differs from tree to tree. A file may use those named in its "Needs" line.
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "../TestData.h"
-#include "FirstProblem.h"
+#include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
 
 #include <osgTreeWind/base/CsvTable.h>
 

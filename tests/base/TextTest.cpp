@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "FirstProblem.h"
+#include <tests/base/FirstProblem.h>
 
 #include <osgTreeWind/base/Text.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/ThreadPool.h>
 
-#include "../EnvironmentVariable.h"
+#include <tests/EnvironmentVariable.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "FuzzScan.h"
+#include <tests/fuzz/FuzzScan.h>
 
 using namespace osgTreeWind;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Fuzz.h"
+#include <tests/fuzz/Fuzz.h>
 
 using namespace osgTreeWind;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "GlTest.h"
+#include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>

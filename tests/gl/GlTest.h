@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../MessageCollector.h"
+#include <tests/MessageCollector.h>
 
 #include <osg/Image>
 #include <osg/Vec4ub>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "GlTest.h"
+#include <tests/gl/GlTest.h>
 
 #include <osg/Geometry>
 #include <osg/Program>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../gl/GlTest.h"
+#include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "../gl/GlTest.h"
-#include "../nodes/ForestFixtures.h"
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/gpu/PosePass.h>
-#include <osgTreeWind/motion/PosedPoints.h>
+#include <osgTreeWind/motion/laws/PosedPoints.h>
 
 #include <osg/GLExtensions>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../io/TemporaryFolder.h"
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/gpu/EmbeddedShaders.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "TemporaryFolder.h"
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/io/ForestFile.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../EnvironmentVariable.h"
-#include "../TestData.h"
-#include "TemporaryFolder.h"
+#include <tests/EnvironmentVariable.h>
+#include <tests/TestData.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/io/ForestFile.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "../base/FirstProblem.h"
-#include "TemporaryFolder.h"
+#include <tests/base/FirstProblem.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/io/ForestFile.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../base/FirstProblem.h"
+#include <tests/base/FirstProblem.h>
 
 #include <osgTreeWind/model/ScanAxes.h>
 #include <osgTreeWind/model/ScannedTree.h>

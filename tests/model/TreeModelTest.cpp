@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ModelTestCases.h"
+#include <tests/model/ModelTestCases.h>
 
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "../TestData.h"
-#include "ModelTestCases.h"
+#include <tests/TestData.h>
+#include <tests/model/ModelTestCases.h>
 
 #include <osgTreeWind/model/TreeSize.h>
 

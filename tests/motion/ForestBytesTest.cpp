@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a tree costs, by what the allocator has given out.
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>

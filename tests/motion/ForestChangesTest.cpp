@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trees put up, taken down and changed while a forest runs.
-#include "Sapling.h"
+#include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>

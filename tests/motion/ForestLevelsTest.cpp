@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trees of a forest near by and far away.
-#include "Sapling.h"
+#include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/wind/UniformWind.h>

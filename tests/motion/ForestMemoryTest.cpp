@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../EnvironmentVariable.h"
+#include <tests/EnvironmentVariable.h>
 
 #include <osgTreeWind/motion/ForestMemory.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "Sapling.h"
+#include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 
-#include <osgTreeWind/motion/BranchwiseMotion.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 

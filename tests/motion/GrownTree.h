@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/Archetype.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/GrowthLaws.h>
-#include <osgTreeWind/motion/JointTree.h>
+#include <osgTreeWind/motion/modal/Archetype.h>
+#include <osgTreeWind/motion/modal/JointTree.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/wind/GustWind.h>
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/Species.h>
+#include <osgTreeWind/species/Species.h>
 
 /// A small limber tree: 2 + 3 + 9 units.
 inline osgTreeWind::Species sapling() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ForestFixtures.h"
+#include <tests/nodes/ForestFixtures.h>
 
 #include <gtest/gtest.h>
 

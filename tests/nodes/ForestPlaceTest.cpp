@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "../MessageCollector.h"
-#include "ForestFixtures.h"
+#include <tests/MessageCollector.h>
+#include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/wind/FunctionWind.h>
 

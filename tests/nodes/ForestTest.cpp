@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "../EnvironmentVariable.h"
-#include "../MessageCollector.h"
-#include "ForestFixtures.h"
+#include <tests/EnvironmentVariable.h>
+#include <tests/MessageCollector.h>
+#include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/motion/BranchwiseMotion.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
 #include <osgUtil/CullVisitor>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Seasons as they are seen, in each way of drawing.
-#include "../gl/GlTest.h"
-#include "Pictures.h"
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/Pictures.h>
 
-#include <osgTreeWind/motion/BuiltInSpecies.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 
 using namespace osgTreeWind;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../gl/GlTest.h"
-#include "ForestFixtures.h"
-#include "Pictures.h"
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/ForestFixtures.h>
+#include <tests/nodes/Pictures.h>
 
 using namespace osgTreeWind;
 

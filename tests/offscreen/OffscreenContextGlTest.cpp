@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
-#include "../gl/GlTest.h"
+#include <tests/gl/GlTest.h>
 
 #include <osg/Geometry>
 #include <osg/Program>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "../MessageCollector.h"
-#include "../io/TemporaryFolder.h"
-#include "../nodes/ForestFixtures.h"
-#include "PluginPath.h"
+#include <tests/MessageCollector.h>
+#include <tests/io/TemporaryFolder.h>
+#include <tests/nodes/ForestFixtures.h>
+#include <tests/plugins/PluginPath.h>
 
 #include <osgDB/ReadFile>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "../TestData.h"
-#include "../base/FirstProblem.h"
+#include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
 
 #include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/model/TreeModel.h>
-#include <osgTreeWind/motion/CalmTree.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/ScaledUnit.h>
+#include <osgTreeWind/motion/laws/ScaledUnit.h>
+#include <osgTreeWind/motion/sway/CalmTree.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
 #include <glm/geometric.hpp>

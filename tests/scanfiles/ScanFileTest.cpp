@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../TestData.h"
-#include "../base/FirstProblem.h"
-#include "../io/TemporaryFolder.h"
+#include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/model/ScannedTree.h>

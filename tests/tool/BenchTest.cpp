@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "Tool.h"
+#include <tests/tool/Tool.h>
 
-#include "../../examples/osgtreewind/BenchStatistics.h"
+#include <examples/osgtreewind/BenchStatistics.h>
 
 #include <osgDB/ReadFile>
 

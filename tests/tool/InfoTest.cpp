@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "../TestData.h"
-#include "../io/TemporaryFolder.h"
-#include "Tool.h"
+#include <tests/TestData.h>
+#include <tests/io/TemporaryFolder.h>
+#include <tests/tool/Tool.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Tool.h"
+#include <tests/tool/Tool.h>
 
 #include <osgDB/ReadFile>
 

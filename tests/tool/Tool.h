@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../io/TemporaryFolder.h"
+#include <tests/io/TemporaryFolder.h>
 
 #include <fstream>
 #include <iterator>

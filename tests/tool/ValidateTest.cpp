@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "../TestData.h"
-#include "Tool.h"
+#include <tests/TestData.h>
+#include <tests/tool/Tool.h>
 
 TEST(Validate, ListsEveryProblemWithItsPlace) {
     const TemporaryFolder folder;

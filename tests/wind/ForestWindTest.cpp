@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "../base/FirstProblem.h"
-#include "Extremes.h"
+#include <tests/base/FirstProblem.h>
+#include <tests/wind/Extremes.h>
 
 #include <osgTreeWind/wind/GridWind.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/GustWind.h>
 
-#include "../Spectrum.h"
-#include "../base/FirstProblem.h"
-#include "Extremes.h"
+#include <tests/Spectrum.h>
+#include <tests/base/FirstProblem.h>
+#include <tests/wind/Extremes.h>
 
 #include <gtest/gtest.h>
 

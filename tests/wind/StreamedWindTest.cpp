@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/StreamedWind.h>
 
-#include "../base/FirstProblem.h"
+#include <tests/base/FirstProblem.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Extremes.h"
+#include <tests/wind/Extremes.h>
 
 #include <osgTreeWind/wind/UniformWind.h>
 

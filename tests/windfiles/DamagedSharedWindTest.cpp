@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Real files of every format, cut and changed: a reason or a sound wind.
-#include "NetCdfReading.h"
+#include <tests/windfiles/NetCdfReading.h>
 
-#include "../TestData.h"
-#include "../io/TemporaryFolder.h"
+#include <tests/TestData.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <cmath>
 #include <random>

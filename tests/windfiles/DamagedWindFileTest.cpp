@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "WindFormatsCases.h"
+#include <tests/windfiles/WindFormatsCases.h>
 
-#include "../base/FirstProblem.h"
-#include "../io/TemporaryFolder.h"
+#include <tests/base/FirstProblem.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/windfiles/WindFile.h>
 

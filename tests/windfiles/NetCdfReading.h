@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../base/FirstProblem.h"
+#include <tests/base/FirstProblem.h>
 
 #include <osgTreeWind/windfiles/WindFile.h>
 

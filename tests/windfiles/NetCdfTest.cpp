@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // NetCDF against numbers that ncdump prints; skipped where GDAL was not built in.
-#include "NetCdfReading.h"
+#include <tests/windfiles/NetCdfReading.h>
 
-#include "../TestData.h"
-#include "../io/TemporaryFolder.h"
+#include <tests/TestData.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <cmath>
 #include <random>

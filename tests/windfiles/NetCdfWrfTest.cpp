@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Output of WRF on its map, against closed forms of the map and numbers that ncdump prints.
-#include "NetCdfReading.h"
+#include <tests/windfiles/NetCdfReading.h>
 
-#include "../TestData.h"
-#include "../io/TemporaryFolder.h"
+#include <tests/TestData.h>
+#include <tests/io/TemporaryFolder.h>
 
 #include <cmath>
 #include <tuple>

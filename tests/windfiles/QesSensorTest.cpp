@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "../TestData.h"
-#include "../base/FirstProblem.h"
+#include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
 
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/windfiles/QesSensor.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Winds that count from true north, on Lambert's map around 40 N, 100 W on a sphere of 6371.2 km.
-#include "NetCdfReading.h"
+#include <tests/windfiles/NetCdfReading.h>
 
-#include "../io/TemporaryFolder.h"
+#include <tests/io/TemporaryFolder.h>
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // Real files against the numbers that a plain reading of their text gives.
 #include <osgTreeWind/windfiles/WindFile.h>
 
-#include "../TestData.h"
-#include "../base/FirstProblem.h"
+#include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

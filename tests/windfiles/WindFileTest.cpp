@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFile.h>
 
-#include "../base/FirstProblem.h"
+#include <tests/base/FirstProblem.h>
 
 #include <gtest/gtest.h>
 

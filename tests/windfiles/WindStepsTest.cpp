@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Several files of one time each, read as one wind.
-#include "NetCdfReading.h"
+#include <tests/windfiles/NetCdfReading.h>
 
-#include "../io/TemporaryFolder.h"
+#include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/windfiles/WindSteps.h>
 

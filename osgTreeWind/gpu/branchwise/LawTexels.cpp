@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/branchwise/LawTexels.h>
 
-#include <osgTreeWind/motion/NoiseTime.h>
-#include <osgTreeWind/motion/ThesisParts.h>
+#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/laws/NoiseTime.h>
 
 #include <cstring>
 

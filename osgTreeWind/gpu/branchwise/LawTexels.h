@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/BranchwiseMotion.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <glm/vec4.hpp>
 
@@ -10,7 +10,7 @@
 namespace osgTreeWind {
 
 // What the angle passes work with, as texels: the counterpart of shaders/branchwise/branch_angles.frag and
-// leaf_angles.frag. Not for installed headers, as motion/Laws.h.
+// leaf_angles.frag. Not for installed headers, as motion/laws/Laws.h.
 
 /// Three texels a unit: what it is to the description's law; in the last one, for the laws of the thesis, the
 /// species, the seed of its tree in two halves, and its index in the tree.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "../../gl/GlTest.h"
+#include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
 #include <osgTreeWind/gpu/branchwise/AngleReadback.h>
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/motion/BuiltInSpecies.h>
-#include <osgTreeWind/motion/DampedBranches.h>
-#include <osgTreeWind/motion/NoiseTime.h>
+#include <osgTreeWind/motion/branchwise/DampedBranches.h>
+#include <osgTreeWind/motion/laws/NoiseTime.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <algorithm>
 #include <cmath>

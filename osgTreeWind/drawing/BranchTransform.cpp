@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/BranchTransform.h>
+
+#include <string>
+
+namespace osgTreeWind {
+
+BranchTransform::BranchTransform() {
+    setDataVariance(osg::Object::DYNAMIC);
+}
+
+BranchTransform::BranchTransform(unsigned unit, const osg::Vec3& base) : BranchTransform() {
+    _unit = unit;
+    _base = base;
+    addDescription("branch " + std::to_string(unit)); // keeps osgUtil::Optimizer from removing it while empty
+}
+
+BranchTransform::BranchTransform(const BranchTransform& other, const osg::CopyOp& copyop)
+    : osg::MatrixTransform(other, copyop), _unit(other._unit), _base(other._base),
+      _rotation(other._rotation) {
+    setDataVariance(osg::Object::DYNAMIC);
+}
+
+void BranchTransform::setRotation(const osg::Quat& rotation) {
+    _rotation = rotation;
+    osg::Matrix matrix = osg::Matrix::translate(-_base);
+    matrix.postMultRotate(rotation);
+    matrix.postMultTranslate(_base);
+    setMatrix(matrix);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/branchwise/TreeNode.h>
+#include <osgTreeWind/drawing/impostors/ImpostorShape.h>
+#include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <osg/Group>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace osgTreeWind {
+
+class AnglePrePass;
+class DataTexture;
+class FloatTargetProbe;
+
+/// A forest drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit. A
+/// part of a Forest, which tells it the time.
+class BranchwiseForest : public osg::Group {
+public:
+    /// Where the angles of branches and leaves are worked out.
+    enum AngleSource {
+        CPU_ANGLES, ///< In the update traversal: the frame shows the wind of the same frame.
+        GPU_ANGLES  ///< In fragment shaders before the frame is drawn (thesis §5.2). Branch angles are read
+                    ///< back and move the branches one frame later; leaves show them at once. Falls back to
+                    ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
+    };
+    /// How branches are drawn.
+    enum BranchDrawing {
+        TREE_DRAWING,  ///< The bark of a tree in one draw, posed by its vertex shader.
+        BRANCH_DRAWING ///< Every branch below a BranchTransform of its own (the thesis' way, §3.1.3).
+    };
+    /// How leaves are drawn.
+    enum LeafDrawing {
+        TREE_LEAVES,    ///< All of a tree in one draw, whose vertex shader fetches each cluster's angles.
+        LEAF_TRANSFORMS ///< Every cluster below a transform of its own (as published, §2.4.1).
+    };
+
+    /// Why a forest of the description has no room in textures, which nothing may rescale; empty where it
+    /// has.
+    static std::string problemOf(const ForestDescription& description);
+
+    /// No trees.
+    BranchwiseForest();
+    /// @param simulation its trees, as they stand now.
+    explicit BranchwiseForest(std::shared_ptr<ForestSimulation> simulation);
+    /// A copy of a part of a scene that is moved by a Forest: of the same trees, which the original moves.
+    BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgTreeWind, BranchwiseForest)
+
+        /// From the next frame on. Not during a traversal. It starts with the environment's
+        /// OSGTREEWIND_ANGLES (cpu or gpu), else CPU_ANGLES.
+        void setAngleSource(AngleSource source);
+    /// Where they are worked out now: GPU_ANGLES only once a context has been found to support it.
+    AngleSource getAngleSource() const { return _prePass ? GPU_ANGLES : CPU_ANGLES; }
+
+    /// Not during a traversal.
+    void setBranchDrawing(BranchDrawing drawing);
+    BranchDrawing getBranchDrawing() const { return _branchDrawing; }
+
+    /// Not during a traversal.
+    void setLeafDrawing(LeafDrawing drawing);
+    LeafDrawing getLeafDrawing() const { return _leafDrawing; }
+
+    /// Of all trees. Not during a traversal.
+    void setLodRanges(const TreeLodRanges& ranges);
+    const TreeLodRanges& getLodRanges() const { return _lodRanges; }
+
+    /// Has it drawn and moved in the same ways as another one.
+    void takeSettings(const BranchwiseForest& other);
+
+    /// The simulation's season is another one. Not during a traversal.
+    void seasonChanged();
+
+    unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); }
+    TreeNode* getTree(unsigned index) const { return _trees[index].get(); }
+
+    /// The passes at work; null with CPU_ANGLES.
+    const AnglePrePass* getAnglePrePass() const { return _prePass.get(); }
+
+    /// Moves the trees on to `time` (seconds), in the wind of the simulation. Once a frame, in the update
+    /// traversal.
+    void update(double time);
+
+    void traverse(osg::NodeVisitor& visitor) override;
+    void resizeGLObjectBuffers(unsigned maxSize) override;
+    void releaseGLObjects(osg::State* state = nullptr) const override;
+
+protected:
+    ~BranchwiseForest() override;
+
+private:
+    struct Pictures {
+        osg::ref_ptr<ImpostorShape> shape;
+        osg::ref_ptr<SharedStateSet> state;
+    };
+    osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed);
+    void showSeason();
+    void startPasses();
+    void chooseAngleSource();
+    bool stepOnCpu(double time);
+    bool stepOnGpu(double time);
+    void uploadUnitPoses();
+    void useCpuAngles();
+
+    std::shared_ptr<ForestSimulation> _simulation;
+    std::vector<osg::ref_ptr<TreeShape>> _shapes;               ///< By model.
+    std::map<std::pair<std::size_t, Tier>, Pictures> _pictures; ///< By model and share of leaves.
+    osg::ref_ptr<osg::Program> _pictureProgram;
+    std::vector<TreeStyle> _styles;  ///< By species.
+    osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
+    std::vector<osg::ref_ptr<TreeNode>> _trees;
+    std::unique_ptr<DataTexture> _unitPoses, _leafAngles;
+    // No children: in a scene they would keep everything above them from being culled.
+    std::unique_ptr<AnglePrePass> _prePass;
+    osg::ref_ptr<FloatTargetProbe> _probe;
+    AngleSource _wantedSource = GPU_ANGLES;
+    BranchDrawing _branchDrawing = BRANCH_DRAWING;
+    LeafDrawing _leafDrawing = LEAF_TRANSFORMS;
+    TreeLodRanges _lodRanges;
+};
+
+} // namespace osgTreeWind

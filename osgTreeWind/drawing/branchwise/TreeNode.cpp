@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/branchwise/TreeNode.h>
+
+#include <osgTreeWind/drawing/branchwise/LeafDrawable.h>
+#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+
+#include <osgUtil/IntersectionVisitor>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr int atRest = -1;
+
+osg::ref_ptr<osg::Drawable> styled(osg::Drawable* drawable, osg::StateSet* state) {
+    drawable->setStateSet(state);
+    return drawable;
+}
+
+} // namespace
+
+TreeNode::TreeNode() {
+    setDataVariance(osg::Object::DYNAMIC);
+}
+
+TreeNode::TreeNode(TreeShape* shape, const TreeStyle& style, const TreeScale& scale) : TreeNode() {
+    build(shape, style, scale);
+}
+
+TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
+    : osg::PositionAttitudeTransform(other, copyop) {
+    setDataVariance(osg::Object::DYNAMIC);
+    for (unsigned i = getNumChildren(); i-- > 0;)
+        if (dynamic_cast<TreeLod*>(getChild(i)))
+            removeChild(i);
+    if (getStateSet()) // texels and sizes are the copy's own
+        setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
+    if (other._tree) {
+        _leafShare = other._leafShare;
+        build(other._shape, other._style, other._tree->scale());
+        _lod->setRanges(other._lod->getRanges());
+        setBranchwise(other._branchwise);
+        setLeafwise(other._leafwise);
+    }
+}
+
+void TreeNode::build(TreeShape* shape, const TreeStyle& style, const TreeScale& scale) {
+    _shape = shape;
+    _style = style;
+    _tree = new PosedTree(shape->model(), scale);
+    _branches.resize(getNumBranches());
+    _skin = styled(new SkinDrawable(shape->skin(), _tree), style.bark);
+    _leaves = styled(new LeafDrawable(shape->leaves(), _tree), style.leaves);
+    _bareSkin = styled(new SkinDrawable(shape->bareSkin(), _tree), style.bark);
+    _lod = new TreeLod(measureTree(shape->model()->extents, scale).height);
+    for (osg::Drawable* drawable : {_skin.get(), _leaves.get()})
+        _lod->level(TreeLod::STAND_IN)->addChild(drawable);
+    for (osg::Drawable* drawable : {_bareSkin.get(), _leaves.get()})
+        _lod->level(TreeLod::LEAVES)->addChild(drawable);
+    addChild(_lod);
+    fillFullLevel();
+
+    osg::StateSet* state = getOrCreateStateSet();
+    state->addUniform(new osg::Uniform("treeAxes", toOsg(scale.axes)));
+    state->addUniform(new osg::Uniform("treeSizes", osg::Vec2(scale.radius, scale.leaf)));
+    setTexels(atRest, atRest);
+    setLeaves(_leafShare);
+}
+
+unsigned TreeNode::getNumBranches() const {
+    return _tree ? static_cast<unsigned>(_tree->model().skeleton.units.size()) : 0;
+}
+
+BranchTransform* TreeNode::getBranch(unsigned unit) {
+    if (unit >= getNumBranches())
+        return nullptr;
+    if (const int parent = _tree->model().skeleton.units[unit].parent; parent >= 0)
+        getBranch(static_cast<unsigned>(parent));
+    BranchTransform* const transform = branch(unit);
+    if (!_branches[unit].followed)
+        transform->setRotation(toOsg(_tree->rotation(unit)));
+    _branches[unit].followed = true;
+    return transform;
+}
+
+BranchTransform* TreeNode::branch(unsigned unit) {
+    osg::ref_ptr<BranchTransform>& transform = _branches[unit].transform;
+    if (!transform) {
+        const BranchUnit& rest = _tree->model().skeleton.units[unit];
+        transform = new BranchTransform(unit, toOsg(_tree->scale().axes * rest.base));
+        osg::Group* const parent =
+            rest.parent >= 0 ? branch(static_cast<unsigned>(rest.parent)) : _lod->level(TreeLod::FULL);
+        parent->addChild(transform);
+    }
+    return transform.get();
+}
+
+void TreeNode::setBranchwise(bool branchwise) {
+    if (branchwise == _branchwise || !_tree)
+        return;
+    clearFullLevel();
+    _branchwise = branchwise;
+    fillFullLevel();
+}
+
+void TreeNode::setLeafwise(bool leafwise) {
+    if (leafwise == _leafwise || !_tree)
+        return;
+    clearFullLevel();
+    _leafwise = leafwise;
+    fillFullLevel();
+}
+
+/// What needs no transforms; they come when they are looked at.
+void TreeNode::fillFullLevel() {
+    if (!_branchwise)
+        _lod->level(TreeLod::FULL)->addChild(_skin);
+    if (!_leafwise)
+        _lod->level(TreeLod::FULL)->addChild(_leaves);
+    _lod->setReady(!hasTransforms());
+    _full = false;
+}
+
+/// Nodes hung on branches stay.
+void TreeNode::clearFullLevel() {
+    _lod->level(TreeLod::FULL)->removeChild(_skin);
+    _lod->level(TreeLod::FULL)->removeChild(_leaves);
+    for (const Branch& branch : _branches)
+        for (unsigned i = branch.transform ? branch.transform->getNumChildren() : 0; i-- > 0;)
+            if (dynamic_cast<SkinDrawable*>(branch.transform->getChild(i)))
+                branch.transform->removeChild(i);
+    for (const osg::ref_ptr<osg::MatrixTransform>& leaf : _leafTransforms)
+        leaf->getParent(0)->removeChild(leaf);
+    _leafTransforms.clear();
+}
+
+void TreeNode::makeTransforms() {
+    if (_full)
+        return;
+    _full = true;
+    for (unsigned unit = 0; _branchwise && unit < getNumBranches(); ++unit)
+        branch(unit)->addChild(styled(new SkinDrawable(_shape->unitSkin(unit), _tree, static_cast<int>(unit)),
+                                      _style.branchBark));
+    if (!_leafwise)
+        return;
+    std::size_t index = 0;
+    for (const LeafCluster& cluster : _tree->model().leaves) {
+        const bool borne = isBorne(index++, _leafShare);
+        osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
+        leaf->setDataVariance(osg::Object::DYNAMIC);
+        leaf->setStateSet(borne ? _style.leafCluster : _style.bareCluster);
+        leaf->addChild(_shape->leafCluster());
+        branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
+        _leafTransforms.push_back(leaf);
+    }
+}
+
+void TreeNode::turnBranches(bool all) {
+    for (const Branch& branch : _branches)
+        if (branch.transform && (all || branch.followed))
+            branch.transform->setRotation(toOsg(_tree->rotation(branch.transform->getUnit())));
+}
+
+void TreeNode::turnLeaves() {
+    for (std::size_t i = 0; i < _leafTransforms.size(); ++i) {
+        const LeafCluster& cluster = _tree->model().leaves[i];
+        osg::Matrix matrix = osg::Matrix::scale(osg::Vec3(1, 1, 1) * (_tree->scale().leaf * cluster.size));
+        matrix.postMultRotate(toOsg(_tree->leafTurn(i)));
+        matrix.postMultTranslate(toOsg(_tree->scale().axes * cluster.anchor));
+        _leafTransforms[i]->setMatrix(matrix);
+    }
+}
+
+/// The level FULL as the tree stands now.
+void TreeNode::bringUpToDate() {
+    makeTransforms();
+    turnBranches(true);
+    turnLeaves();
+    _lod->setReady(true);
+}
+
+void TreeNode::setTexels(int firstUnit, int firstLeaf) {
+    osg::StateSet* state = getOrCreateStateSet();
+    state->getOrCreateUniform("treeFirstUnit", osg::Uniform::INT)->set(firstUnit);
+    state->getOrCreateUniform("treeFirstLeaf", osg::Uniform::INT)->set(firstLeaf);
+}
+
+void TreeNode::setOwnNumber(float number) {
+    getOrCreateStateSet()->getOrCreateUniform("treeOwn", osg::Uniform::FLOAT)->set(number);
+}
+
+void TreeNode::setLeaves(float share) {
+    _leafShare = share;
+    getOrCreateStateSet()->getOrCreateUniform("treeLeaves", osg::Uniform::FLOAT)->set(share);
+    if (_tree && _leafwise) {
+        clearFullLevel();
+        fillFullLevel();
+    }
+}
+
+void TreeNode::setBillboard(osg::Drawable* picture) {
+    osg::Group& level = *_lod->level(TreeLod::BILLBOARD);
+    level.removeChildren(0, level.getNumChildren());
+    level.addChild(picture);
+    _lod->setRanges(_lod->getRanges());
+}
+
+void TreeNode::updatePose(bool moved) {
+    if (!_tree)
+        return;
+    if (moved && _tree->growBounds())
+        for (const osg::ref_ptr<osg::Drawable>& drawable : {_skin, _leaves, _bareSkin})
+            drawable->dirtyBound();
+    const bool wanted = _lod->takeWanted();
+    if (wanted && hasTransforms() && (moved || !_lod->getReady())) {
+        bringUpToDate();
+    } else if (moved) {
+        turnBranches(false);
+        _lod->setReady(!hasTransforms());
+    }
+}
+
+void TreeNode::traverse(osg::NodeVisitor& visitor) {
+    if (_tree && !_lod->getReady() && dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor))
+        bringUpToDate();
+    osg::PositionAttitudeTransform::traverse(visitor);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/branchwise/LeafClusterDrawable.h>
+#include <osgTreeWind/species/Appearance.h>
+
+#include <memory>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The drawn form of a model, shared by all trees of that shape: vertex buffers for bark and leaves as
+/// shaders/branchwise/bark.vert and shaders/branchwise/leaf.vert describe them.
+class TreeShape : public osg::Referenced {
+public:
+    explicit TreeShape(std::shared_ptr<const TreeModel> model, LeafForm leafForm = LeafForm::Blade);
+
+    const std::shared_ptr<const TreeModel>& model() const { return _model; }
+    osg::Geometry* skin() const { return _skin.get(); }
+    osg::Geometry* leaves() const { return _leaves.get(); }
+    /// The bark of the units that bear no leaves, over the same vertex buffer.
+    osg::Geometry* bareSkin() const { return _bareSkin.get(); }
+    LeafClusterDrawable* leafCluster() const { return _leafCluster.get(); }
+    /// The bark of one branch unit, over the same vertex buffer. Made on the first call; call it from one
+    /// thread.
+    osg::Geometry* unitSkin(unsigned unit);
+
+    void resizeGLObjectBuffers(unsigned maxSize);
+    void releaseGLObjects(osg::State* state) const;
+
+private:
+    osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units) const;
+    std::vector<osg::Geometry*> geometries() const;
+
+    std::shared_ptr<const TreeModel> _model;
+    osg::ref_ptr<osg::Geometry> _skin, _bareSkin, _leaves;
+    osg::ref_ptr<LeafClusterDrawable> _leafCluster;
+    std::vector<osg::ref_ptr<osg::Geometry>> _unitSkins;
+};
+
+} // namespace osgTreeWind

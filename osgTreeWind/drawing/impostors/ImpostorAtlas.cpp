@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/impostors/ImpostorAtlas.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+osg::ref_ptr<osg::Image> blankImage(int width, int height) {
+    osg::Image::MipmapDataType offsets;
+    unsigned bytes = 0;
+    for (int w = width, h = height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
+        bytes += static_cast<unsigned>(4 * w * h);
+        if (w == 1 && h == 1)
+            break;
+        offsets.push_back(bytes);
+    }
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->setImage(width, height, 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, new unsigned char[bytes](),
+                    osg::Image::USE_NEW_DELETE);
+    image->setMipmapLevels(offsets);
+    return image;
+}
+
+unsigned char* texels(osg::Image& image, int level) {
+    return level ? image.getMipmapData(static_cast<unsigned>(level)) : image.data();
+}
+
+unsigned char byte(float value) {
+    return static_cast<unsigned char>(glm::clamp(value, 0.0f, 255.0f) + 0.5f);
+}
+
+void halve(osg::Image& image, int level) {
+    const unsigned char* from = texels(image, level - 1);
+    unsigned char* to = texels(image, level);
+    const int width = image.s() >> level, height = image.t() >> level, row = 8 * width;
+    for (int y = 0; y < height; ++y)
+        for (int i = 0; i < 4 * width; ++i) {
+            const unsigned char* at = from + 2 * row * y + 8 * (i / 4) + i % 4;
+            *to++ = static_cast<unsigned char>((at[0] + at[4] + at[row] + at[row + 4] + 2) / 4);
+        }
+}
+
+} // namespace
+
+ImpostorAtlas::ImpostorAtlas(int columns, int rows, int pixels)
+    : _pixels(pixels), _colors(blankImage(columns * pixels, rows * pixels)),
+      _normals(blankImage(columns * pixels, rows * pixels)) {}
+
+void ImpostorAtlas::set(int column, int row, int x, int y, const glm::vec4& color, const glm::vec4& normal) {
+    unsigned char* a = _colors->data(column * _pixels + x, row * _pixels + y);
+    unsigned char* b = _normals->data(column * _pixels + x, row * _pixels + y);
+    for (int c = 0; c < 4; ++c) {
+        a[c] = byte(255.0f * color[c]);
+        b[c] = byte(255.0f * normal[c]);
+    }
+}
+
+void ImpostorAtlas::shrink(int level, const glm::vec4& change) {
+    halve(*_colors, level);
+    halve(*_normals, level);
+    unsigned char *colors = texels(*_colors, level), *normals = texels(*_normals, level);
+    const int width = _colors->s() >> level;
+    int uses[256] = {};
+    for (int i = 0; i < width * (_pixels >> level); ++i)
+        ++uses[colors[4 * i + 3]];
+
+    // Gaps close, what is solid stays: 1 - (1 - alpha)^power.
+    float alphas[256];
+    const auto cover = [&](float power) {
+        float sum = 0.0f;
+        for (int alpha = 0; alpha < 256; ++alpha) {
+            alphas[alpha] = 255.0f - 255.0f * std::pow(1.0f - static_cast<float>(alpha) / 255.0f, power);
+            sum += static_cast<float>(uses[alpha]) * alphas[alpha];
+        }
+        return sum;
+    };
+    const float wanted = change.a * cover(1.0f);
+    float low = 0.0f, high = 16.0f;
+    for (int step = 0; step < 16; ++step)
+        (cover(0.5f * (low + high)) < wanted ? low : high) = 0.5f * (low + high);
+    for (int i = 0; i < width * (_colors->t() >> level); ++i) {
+        const int alpha = colors[4 * i + 3];
+        const float gain = alpha ? alphas[alpha] / static_cast<float>(alpha) : 0.0f;
+        for (int c = 0; c < 4; ++c) {
+            colors[4 * i + c] = byte(gain * (c < 3 ? change[c] : 1.0f) * colors[4 * i + c]);
+            normals[4 * i + c] = byte(gain * normals[4 * i + c]);
+        }
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
+
+#include <osgTreeWind/drawing/impostors/ImpostorAtlas.h>
+#include <osgTreeWind/drawing/impostors/LightLobe.h>
+#include <osgTreeWind/drawing/looks/LeafStencils.h>
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/model/CrownShade.h>
+#include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/species/LeafCoverage.h>
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+/// A quad of a leaf cluster, and what shaders/leaf.vert makes of it.
+struct LeafPiece {
+    glm::vec3 corner, across, along; ///< Metres, tree frame.
+    glm::vec3 color;
+    LightLobe light;
+    bool borne; ///< Or bare twigs.
+};
+
+/// A stretch of a branch.
+struct BarkPiece {
+    glm::vec3 start, end;
+    float radius;
+    CrownShade::Light light;
+};
+
+struct View {
+    glm::vec3 right, up, toEye;
+
+    View(float azimuth, float elevation) {
+        const glm::vec3 level{glm::cos(azimuth), glm::sin(azimuth), 0.0f}, vertical{0.0f, 0.0f, 1.0f};
+        right = {-level.y, level.x, 0.0f};
+        up = vertical * glm::cos(elevation) - level * glm::sin(elevation);
+        toEye = level * glm::cos(elevation) + vertical * glm::sin(elevation);
+    }
+    glm::vec3 operator()(const glm::vec3& p) const {
+        return {glm::dot(p, right), glm::dot(p, up), glm::dot(p, toEye)};
+    }
+};
+
+ImpostorSettings clamped(ImpostorSettings s) {
+    s.azimuths = glm::clamp(s.azimuths, 4, 32);
+    s.elevations = glm::clamp(s.elevations, 2, 8);
+    s.pixels = 1 << static_cast<int>(std::log2(glm::clamp(s.pixels, 32, 512)));
+    s.samples = glm::clamp(s.samples, 1, 4);
+    return s;
+}
+
+std::vector<LeafPiece> leafPieces(const TreeModel& model, const CrownShade& crown,
+                                  const Appearance& appearance, float share) {
+    std::vector<LeafPiece> pieces;
+    std::size_t cluster = 0;
+    for (const LeafCluster& leaf : model.leaves) {
+        const auto index = static_cast<float>(cluster);
+        const bool borne = isBorne(cluster++, share);
+        const glm::vec3 outward = crown.outward(leaf.anchor);
+        const CrownShade::Light light = crown.at(leaf.anchor);
+        const glm::vec3 color =
+            borne ? Laws().clusterTint(0.0f, index) * appearance.leaves : appearance.twigs();
+        for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
+            const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
+            const glm::vec3 corner = model.leafMesh[i].corner,
+                            blade = leaf.orientation * model.leafMesh[i].normal;
+            const float side = glm::sign(glm::dot(blade, outward));
+            pieces.push_back({leaf.anchor + turned(corner), turned(model.leafMesh[i + 1].corner - corner),
+                              turned(model.leafMesh[i + 3].corner - corner), color,
+                              LightLobe(light, glm::normalize(outward + 0.5f * side * blade), true), borne});
+        }
+    }
+    return pieces;
+}
+
+std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& crown) {
+    std::vector<BarkPiece> pieces;
+    const int last = skeleton.ringsPerBranch - 1, stretches = glm::min(last, 5);
+    for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
+        for (int i = 0; i < stretches; ++i) {
+            const int from = i * last / stretches, to = (i + 1) * last / stretches;
+            pieces.push_back({skeleton.point(unit, from), skeleton.point(unit, to),
+                              0.5f * (skeleton.radius(unit, from) + skeleton.radius(unit, to)),
+                              crown.at(skeleton.point(unit, from))});
+        }
+    return pieces;
+}
+
+/// As shaders/bark_texture.glsl, in the mean.
+glm::vec3 meanBark(const Appearance& appearance) {
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
+    glm::vec3 sum(0.0f);
+    for (int i = 0; i < image->s() * image->t(); ++i)
+        sum += Laws().texelTint(image->data()[3 * i] / 255.0f, image->data()[3 * i + 2] / 255.0f);
+    return appearance.bark * sum / static_cast<float>(image->s() * image->t());
+}
+
+class Painter {
+public:
+    Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
+        : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
+          _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
+          _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
+          _stencils(*leafImage(appearance)), _raster(settings.pixels * settings.samples),
+          _fronts(_bark.size()), _levels(_leaves.size()) {
+        _solid.fill(1);
+        measure();
+    }
+
+    ImpostorPictures pictures() {
+        ImpostorAtlas atlas(_settings.azimuths, _settings.elevations, _settings.pixels);
+        for (int row = 0; row < _settings.elevations; ++row)
+            for (int column = 0; column < _settings.azimuths; ++column) {
+                draw(row, column, heightAt(0));
+                resolve(row, column, atlas);
+            }
+        glm::vec4 before = look(0);
+        for (int level = 1; level < _pictures.levels(); ++level) {
+            const glm::vec4 now = look(level);
+            atlas.shrink(level, now / before);
+            before = now;
+        }
+        _pictures.colors = atlas.colors();
+        _pictures.normals = atlas.normals();
+        return _pictures;
+    }
+
+private:
+    float elevation(int row) const {
+        return glm::half_pi<float>() * static_cast<float>(row) / static_cast<float>(_settings.elevations - 1);
+    }
+
+    /// Bounds that hold from all sides.
+    void measure() {
+        _pictures.azimuths = _settings.azimuths;
+        _pictures.elevations = _settings.elevations;
+        _pictures.pixels = _settings.pixels;
+        _pictures.halfWidth = _pictures.height = 1e-3f;
+        _pictures.extents.assign(static_cast<std::size_t>(_settings.elevations), glm::vec2(0.0f, 1e-3f));
+        for (const BarkPiece& piece : _bark)
+            cover(piece.end, piece.radius);
+        for (const LeafPiece& piece : _leaves)
+            for (int corner = 0; corner < 4; ++corner)
+                cover(piece.corner + static_cast<float>(corner % 2) * piece.across +
+                          static_cast<float>(corner / 2) * piece.along,
+                      0.0f);
+    }
+    void cover(const glm::vec3& p, float reach) {
+        const float away = glm::length(glm::vec2(p));
+        _pictures.halfWidth = glm::max(_pictures.halfWidth, away + reach);
+        _pictures.height = glm::max(_pictures.height, p.z + reach);
+        for (int row = 0; row < _settings.elevations; ++row) {
+            glm::vec2& extent = _pictures.extents[static_cast<std::size_t>(row)];
+            const float rise = glm::cos(elevation(row)) * p.z,
+                        shift = glm::sin(elevation(row)) * away + reach;
+            extent = {glm::min(extent.x, rise - shift), glm::max(extent.y, rise + shift)};
+        }
+    }
+
+    /// Height of the tree in pixels where a level is shown as it is. Textures of leaves are ever more solid
+    /// from farther away, and so must be the levels.
+    float heightAt(int level) const {
+        constexpr float sharper =
+            1.15f; // cards take finer mipmaps than the largest stretch asks for: llvmpipe
+        const glm::vec2 extent = _pictures.extents.front();
+        const float metres = glm::min(2.0f * _pictures.halfWidth, extent.y - extent.x);
+        const float pixels =
+            static_cast<float>(_settings.pixels >> level) * (1.0f - 2.0f * ImpostorPictures::margin);
+        return sharper * pixels * _pictures.height / metres;
+    }
+
+    /// Mean colour of what is covered at the horizon, and how much that is, for leaves as they are on a
+    /// level.
+    glm::vec4 look(int level) {
+        draw(0, 1, heightAt(level));
+        Sum sum;
+        sum.color = glm::vec4(1e-3f);
+        for (int y = 0; y < _raster.size(); ++y)
+            for (int x = 0; x < _raster.size(); ++x)
+                add(_raster.sample(x, y), sum);
+        return {glm::vec3(sum.color) / sum.color.a, sum.color.a};
+    }
+
+    /// @param treeHeight in pixels, for the textures of leaves.
+    void draw(int row, int column, float treeHeight) {
+        const View view(glm::two_pi<float>() * static_cast<float>(column) /
+                            static_cast<float>(_settings.azimuths),
+                        elevation(row));
+        const glm::vec2 extent = _pictures.extents[static_cast<std::size_t>(row)];
+        const float inner = static_cast<float>(_raster.size()) * (1.0f - 2.0f * ImpostorPictures::margin);
+        const glm::vec3 scale{0.5f * inner / _pictures.halfWidth, inner / (extent.y - extent.x), 1.0f};
+        const glm::vec3 shift{
+            0.5f * static_cast<float>(_raster.size()),
+            static_cast<float>(_raster.size()) * ImpostorPictures::margin - scale.y * extent.x, 0.0f};
+        const float pixel = _pictures.height / treeHeight; // metres
+        _raster.clear();
+        std::uint32_t item = 0;
+        for (const LeafPiece& piece : _leaves) {
+            const glm::vec3 across = view(piece.across), along = view(piece.along);
+            const float area = glm::abs(across.x * along.y - across.y * along.x);
+            const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
+                                          glm::max(glm::abs(along.x), glm::abs(along.y)));
+            const float share = pixel * widest / glm::max(area, 1e-9f);
+            const std::size_t level = _stencils.levelOf(share);
+            _levels[item] = static_cast<std::uint8_t>(level);
+            _raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
+                         piece.borne ? _stencils.level(level).leaves : _stencils.level(level).twigs, item++);
+        }
+        for (std::size_t i = 0; i < _bark.size(); ++i) {
+            const BarkPiece& piece = _bark[i];
+            const glm::vec3 start = view(piece.start), along = view(piece.end) - start;
+            const float length = glm::length(glm::vec2(along));
+            if (length < 1e-6f)
+                continue;
+            const glm::vec3 side = glm::vec3(along.y, -along.x, 0.0f) / length;
+            const glm::vec3 front = glm::normalize(glm::cross(side, along));
+            _fronts[i] = {side.x * view.right + side.y * view.up,
+                          front.x * view.right + front.y * view.up + front.z * view.toEye};
+            const glm::vec3 corner = start - piece.radius * side + glm::vec3(0, 0, 0.7f * piece.radius);
+            _raster.draw({scale * corner + shift, scale * (2.0f * piece.radius * side), scale * along},
+                         _solid, static_cast<std::uint32_t>(_leaves.size() + i));
+        }
+    }
+
+    void resolve(int row, int column, ImpostorAtlas& atlas) {
+        const int n = _settings.samples;
+        const float weight = 1.0f / static_cast<float>(n * n);
+        for (int y = 0; y < _settings.pixels; ++y)
+            for (int x = 0; x < _settings.pixels; ++x) {
+                Sum sum;
+                for (int i = 0; i < n * n; ++i)
+                    add(_raster.sample(n * x + i % n, n * y + i / n), sum);
+                if (sum.color.a == 0.0f)
+                    continue;
+                atlas.set(column, row, x, y, weight * sum.color,
+                          weight * sum.color.a / sum.strength * sum.light);
+            }
+    }
+
+    /// Of samples.
+    struct Sum {
+        glm::vec4 color{0.0f}, light{0.0f}; ///< Of how many; way and share of leaves, by strength.
+        float strength = 0.0f;
+        void add(const glm::vec3& albedo, const LightLobe& lobe, float leaf) {
+            color += glm::vec4(lobe.strength * albedo, 1.0f);
+            light += lobe.strength * glm::vec4(0.5f + 0.5f / LightLobe::longest * lobe.way, leaf);
+            strength += lobe.strength;
+        }
+    };
+
+    void add(const TreeRaster::Sample& sample, Sum& sum) const {
+        if (sample.item == TreeRaster::nothing)
+            return;
+        if (sample.item < _leaves.size()) {
+            const LeafPiece& leaf = _leaves[sample.item];
+            const LeafStencils::Level& level = _stencils.level(_levels[sample.item]);
+            const glm::vec3 tint =
+                leaf.borne ? level.tints[static_cast<std::size_t>(sample.cell)] : glm::vec3(1.0f);
+            sum.add(tint * leaf.color, leaf.light, 1.0f);
+            return;
+        }
+        const std::size_t piece = sample.item - _leaves.size();
+        const Front& front = _fronts[piece];
+        const float side =
+            2.0f * (static_cast<float>(sample.cell % TreeRaster::cells) + 0.5f) / TreeRaster::cells - 1.0f;
+        const glm::vec3 outward = side * front.side + glm::sqrt(1.0f - side * side) * front.front;
+        sum.add(_barkColor, LightLobe(_bark[piece].light, outward, false), 0.0f);
+    }
+
+    /// Of a stretch of bark in the present view: unit vectors to its right and toward the eye, tree frame.
+    struct Front {
+        glm::vec3 side, front;
+    };
+
+    ImpostorSettings _settings;
+    CrownShade _crown;
+    std::vector<LeafPiece> _leaves;
+    std::vector<BarkPiece> _bark;
+    glm::vec3 _barkColor;
+    LeafStencils _stencils;
+    TreeRaster::Stencil _solid;
+    TreeRaster _raster;
+    std::vector<Front> _fronts;
+    std::vector<std::uint8_t> _levels; ///< Of the stencil of each leaf piece in the present view.
+    ImpostorPictures _pictures;
+};
+
+} // namespace
+
+int ImpostorPictures::levels() const {
+    return static_cast<int>(std::log2(pixels)) - 2; // down to 8 pixels, half of one being the margin
+}
+
+ImpostorPictures paintImpostor(const TreeModel& model, const Appearance& appearance,
+                               const ImpostorSettings& settings) {
+    return Painter(model, appearance, clamped(settings)).pictures();
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/impostors/ImpostorShape.h>
+
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/gpu/DistinctArrays.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgTreeWind {
+namespace {
+
+osg::ref_ptr<osg::Geometry> strip(int segments) {
+    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+    for (int i = 0; i <= segments; ++i)
+        for (const float s : {-1.0f, 1.0f})
+            corners->push_back({s, static_cast<float>(i) / static_cast<float>(segments), 0.0f});
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setName("impostor");
+    geometry->setUseDisplayList(false);
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setVertexArray(corners);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<int>(corners->size())));
+    makeArraysDistinct(*geometry);
+    return geometry;
+}
+
+osg::ref_ptr<osg::Texture2D> texture(const char* name, osg::Image* image) {
+    osg::ref_ptr<osg::Texture2D> texture = makeTreeTexture(name, image, osg::Texture::CLAMP_TO_EDGE);
+    texture->setResizeNonPowerOfTwoHint(false);
+    return texture;
+}
+
+osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Program* program) {
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setAttributeAndModes(program);
+    state->setTextureAttribute(ImpostorShape::colorUnit, texture("impostor colors", pictures.colors));
+    state->setTextureAttribute(ImpostorShape::normalUnit, texture("impostor normals", pictures.normals));
+    state->addUniform(new osg::Uniform("impostorColors", ImpostorShape::colorUnit));
+    state->addUniform(new osg::Uniform("impostorNormals", ImpostorShape::normalUnit));
+    state->addUniform(new osg::Uniform("impostorSize", osg::Vec4(pictures.halfWidth, pictures.height,
+                                                                 static_cast<float>(pictures.azimuths),
+                                                                 static_cast<float>(pictures.elevations))));
+    osg::ref_ptr<osg::Uniform> extents = new osg::Uniform(osg::Uniform::FLOAT_VEC2, "impostorExtents", 8);
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::vec2& extent = pictures.extents[std::min<std::size_t>(i, pictures.extents.size() - 1)];
+        extents->setElement(i, osg::Vec2(extent.x, extent.y));
+    }
+    state->addUniform(extents);
+    state->addUniform(new osg::Uniform("leafTint", osg::Vec3(1.0f, 1.0f, 1.0f)));
+    state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    return state;
+}
+
+} // namespace
+
+ImpostorShape::ImpostorShape(ImpostorPictures pictures, osg::Program* program, int segments)
+    : _pictures(std::move(pictures)), _geometry(strip(std::max(segments, 1))),
+      _stateSet(osgTreeWind::stateSet(_pictures, program)) {}
+
+} // namespace osgTreeWind

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
+
+#include <osg/Geometry>
+#include <osg/Program>
+#include <osg/StateSet>
+
+namespace osgTreeWind {
+
+/// The drawn form of a tree's pictures, shared by all trees of that shape: a strip that shaders/impostor.vert
+/// puts where the attributes treePlace, treeSize and treeState say, and what it needs but for the uniform
+/// leanPower.
+class ImpostorShape : public osg::Referenced {
+public:
+    static constexpr int colorUnit = 0, normalUnit = 6; ///< Texture units; shadows use those between.
+
+    /// @param program createProgram("impostor", "impostor"), shared by all shapes. @param segments of the
+    /// strip up the tree, at least 1: how finely it bends.
+    ImpostorShape(ImpostorPictures pictures, osg::Program* program, int segments = 2);
+
+    const ImpostorPictures& pictures() const { return _pictures; }
+    osg::Geometry* geometry() const { return _geometry.get(); }
+    osg::StateSet* stateSet() const { return _stateSet.get(); }
+
+private:
+    ImpostorPictures _pictures;
+    osg::ref_ptr<osg::Geometry> _geometry;
+    osg::ref_ptr<osg::StateSet> _stateSet;
+};
+
+} // namespace osgTreeWind

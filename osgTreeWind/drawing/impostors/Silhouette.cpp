@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/impostors/Silhouette.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace osgTreeWind {
+
+float Silhouette::Mask::coverage() const {
+    return static_cast<float>(std::accumulate(solid.begin(), solid.end(), std::size_t{0})) /
+           static_cast<float>(solid.size());
+}
+
+void Silhouette::draw(const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along,
+                      const Mask& mask) {
+    const float det = across.x * along.y - across.y * along.x;
+    if (!(std::abs(det) > 1e-6f))
+        return;
+    const auto from = [&](float low) {
+        return static_cast<int>(std::clamp(std::floor(low), 0.0f, static_cast<float>(_size)));
+    };
+    const glm::vec2 low = corner + glm::min(across, 0.0f) + glm::min(along, 0.0f),
+                    high = corner + glm::max(across, 0.0f) + glm::max(along, 0.0f);
+    const auto size = static_cast<float>(mask.size);
+    for (int y = from(low.y); y < from(high.y + 1.0f); ++y)
+        for (int x = from(low.x); x < from(high.x + 1.0f); ++x) {
+            const glm::vec2 p = glm::vec2(x, y) + 0.5f - corner;
+            const float u = (p.x * along.y - p.y * along.x) / det,
+                        v = (across.x * p.y - across.y * p.x) / det;
+            if (u < 0.0f || u >= 1.0f || v < 0.0f || v >= 1.0f)
+                continue;
+            const int texel = static_cast<int>(v * size) * mask.size + static_cast<int>(u * size);
+            if (mask.solid[static_cast<std::size_t>(texel)])
+                _black[static_cast<std::size_t>(y * _size + x)] = 1;
+        }
+}
+
+void Silhouette::spread(int reach, std::uint8_t value) {
+    std::vector<std::uint8_t> before;
+    for (const auto& [step, line] : {std::pair(1, _size), std::pair(_size, 1)}) {
+        before = _black;
+        for (int i = 0; i < _size; ++i) {
+            int last = -2 * _size; // where the value was last met, on the way there and back
+            const auto pass = [&, step = step, line = line](int j) {
+                const auto at = static_cast<std::size_t>(i * line + j * step);
+                if (before[at] == value)
+                    last = j;
+                if (std::abs(j - last) <= reach)
+                    _black[at] = value;
+            };
+            for (int j = 0; j < _size; ++j)
+                pass(j);
+            last = 3 * _size;
+            for (int j = _size; j-- > 0;)
+                pass(j);
+        }
+    }
+}
+
+Silhouette Silhouette::outline(int side) const {
+    Silhouette closed = *this;
+    closed.spread(side / 2, 1);
+    closed.spread(side / 2, 0);
+    // What cannot be reached from the edge is within.
+    Silhouette within(_size);
+    std::fill(within._black.begin(), within._black.end(), std::uint8_t{1});
+    std::vector<glm::ivec2> open;
+    const auto visit = [&](int x, int y) {
+        if (x < 0 || y < 0 || x >= _size || y >= _size || closed.black(x, y) || !within.black(x, y))
+            return;
+        within._black[static_cast<std::size_t>(y * _size + x)] = 0;
+        open.emplace_back(x, y);
+    };
+    for (int i = 0; i < _size; ++i)
+        for (const int edge : {0, _size - 1}) {
+            visit(i, edge);
+            visit(edge, i);
+        }
+    while (!open.empty()) {
+        const glm::ivec2 p = open.back();
+        open.pop_back();
+        visit(p.x - 1, p.y);
+        visit(p.x + 1, p.y);
+        visit(p.x, p.y - 1);
+        visit(p.x, p.y + 1);
+    }
+    return within;
+}
+
+std::size_t Silhouette::count() const {
+    return static_cast<std::size_t>(std::count(_black.begin(), _black.end(), std::uint8_t{1}));
+}
+
+std::size_t Silhouette::common(const Silhouette& other) const {
+    std::size_t both = 0;
+    for (std::size_t i = 0; i < _black.size(); ++i)
+        both += _black[i] & other._black[i];
+    return both;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/looks/BarkRelief.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr int width = 128, height = 256;
+
+/// In [0, 1), of a point of a grid that repeats after `rows` rows.
+float random(int column, int row, int rows, unsigned stream) {
+    auto n = static_cast<unsigned>(column) * 0x9e3779b9u ^
+             static_cast<unsigned>((row % rows + rows) % rows) * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
+    n = (n ^ (n >> 16)) * 0x7feb352du;
+    n = (n ^ (n >> 15)) * 0x846ca68bu;
+    return static_cast<float>((n ^ (n >> 16)) >> 8) * (1.0f / 16777216.0f);
+}
+
+/// Smooth, in [0, 1]. @param at u from 0 to 1 around, v from 0 to 1 along. @param grid columns and rows.
+float noise(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
+    const glm::vec2 place = at * glm::vec2(grid), cell = glm::floor(place);
+    const glm::vec2 part = glm::smoothstep(0.0f, 1.0f, place - cell);
+    const int x = static_cast<int>(cell.x), y = static_cast<int>(cell.y);
+    const auto corner = [&](int i, int j) { return random(x + i, y + j, grid.y, stream); };
+    return glm::mix(glm::mix(corner(0, 0), corner(1, 0), part.x),
+                    glm::mix(corner(0, 1), corner(1, 1), part.x), part.y);
+}
+
+/// The nearest of points scattered over a grid, one a cell (Worley 1996).
+struct Plate {
+    float edge; ///< Distance from the edge to the next plate, in cells.
+    float own;  ///< In [0, 1).
+};
+Plate plateAt(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
+    const glm::vec2 place = at * glm::vec2(grid), cell = glm::floor(place);
+    float nearest = 9.0f, next = 9.0f, own = 0.0f;
+    for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j) {
+            const int x = static_cast<int>(cell.x) + i, y = static_cast<int>(cell.y) + j;
+            const glm::vec2 point = cell + glm::vec2(i, j) +
+                                    glm::vec2(random(x, y, grid.y, stream), random(x, y, grid.y, stream + 1));
+            const float away = glm::distance(place, point);
+            next = glm::min(next, glm::max(away, nearest));
+            if (away < nearest) {
+                nearest = away;
+                own = random(x, y, grid.y, stream + 2);
+            }
+        }
+    return {next - nearest, own};
+}
+
+/// Brightness, height, hue.
+glm::vec3 barkAt(BarkForm form, const glm::vec2& at) {
+    const float grain = noise(at, {48, 96}, 1) - 0.5f;
+    const glm::vec2 warped = at + glm::vec2(0.06f * (noise(at, {4, 8}, 2) - 0.5f), 0.0f);
+    switch (form) {
+    case BarkForm::Plated: {
+        const Plate plate = plateAt(warped + glm::vec2(0.0f, 0.02f * noise(at, {12, 8}, 3)), {5, 6}, 4);
+        const float rise = glm::smoothstep(0.02f, 0.28f, plate.edge);
+        return {0.35f + 0.45f * rise + 0.15f * plate.own + 0.16f * grain,
+                0.9f * rise + 0.1f * plate.own + 0.1f * grain, 0.45f + 0.35f * plate.own * rise};
+    }
+    case BarkForm::Smooth: {
+        const float cloud = noise(at, {4, 5}, 3), wrinkle = noise(at, {5, 40}, 4);
+        const float fold = glm::smoothstep(0.72f, 0.95f, wrinkle);
+        return {0.72f + 0.18f * cloud - 0.12f * fold + 0.06f * grain, 0.6f - 0.1f * fold + 0.05f * cloud,
+                0.4f + 0.25f * noise(at, {3, 4}, 5)};
+    }
+    case BarkForm::Banded: {
+        // Lenticels in lines across, and black cracked patches.
+        const float line = noise(at, {5, 44}, 3) * glm::smoothstep(0.3f, 0.6f, noise(at, {2, 11}, 4));
+        const float band = glm::smoothstep(0.52f, 0.62f, line);
+        const float patch = glm::smoothstep(0.64f, 0.76f, noise(warped, {3, 6}, 5) + 0.12f * grain);
+        const float dark = glm::max(0.75f * band, patch);
+        return {glm::mix(0.95f + 0.06f * grain, 0.14f + 0.1f * grain, dark),
+                0.6f - 0.2f * band - patch * (0.3f + grain), 0.5f + 0.1f * noise(at, {3, 5}, 6)};
+    }
+    case BarkForm::Flaking: {
+        const Plate old =
+            plateAt(at + 0.04f * glm::vec2(noise(at, {9, 18}, 3), noise(at, {9, 18}, 4)), {3, 5}, 5);
+        const Plate young =
+            plateAt(at + 0.03f * glm::vec2(noise(at, {9, 18}, 6), noise(at, {9, 18}, 7)), {4, 7}, 8);
+        const float fresh = young.own < 0.4f ? glm::smoothstep(0.0f, 0.06f, young.edge) : 0.0f;
+        const float shade = old.own < 0.35f ? 0.48f : old.own < 0.7f ? 0.62f : 0.75f;
+        return {glm::mix(shade, 0.98f, fresh) + 0.06f * grain, 0.6f - 0.35f * fresh + 0.2f * old.own,
+                glm::mix(0.35f + 0.4f * old.own, 0.85f, fresh)};
+    }
+    case BarkForm::Ringed: {
+        const float along = 12.0f * (at.y + 0.01f * noise(at, {4, 12}, 3));
+        const float part = along - std::floor(along);
+        const float scar = 1.0f - glm::smoothstep(0.0f, 0.16f, glm::min(part, 1.0f - part));
+        const float fibre = noise(at, {40, 12}, 4) - 0.5f;
+        return {0.76f - 0.3f * scar + 0.2f * fibre + 0.1f * grain,
+                0.7f * (1.0f - scar) + 0.3f * part + 0.1f * fibre, 0.5f + 0.1f * fibre};
+    }
+    case BarkForm::Furrowed:
+        break;
+    }
+    // Ridges along the stem that wander, meet and are cracked across.
+    const float wander = 2.4f * noise(at, {4, 5}, 3) + 0.7f * noise(at, {10, 16}, 4);
+    const float ridge = glm::abs(glm::sin(glm::pi<float>() * (9.0f * at.x + wander)));
+    const float crack = glm::smoothstep(0.0f, 0.12f, glm::abs(noise(warped, {9, 26}, 5) - 0.5f));
+    const float rise = glm::smoothstep(0.1f, 0.75f, ridge) * (0.55f + 0.45f * crack);
+    return {0.42f + 0.5f * rise + 0.2f * grain, rise + 0.12f * grain,
+            0.5f + 0.2f * (noise(at, {4, 7}, 6) - 0.5f)};
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Image> paintBark(BarkForm form) {
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(width, height, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const glm::vec3 bark = barkAt(form, (glm::vec2(x, y) + 0.5f) / glm::vec2(width, height));
+            for (int channel = 0; channel < 3; ++channel)
+                image->data(x, y)[channel] =
+                    static_cast<unsigned char>(255.0f * glm::clamp(bark[channel], 0.0f, 1.0f) + 0.5f);
+        }
+    return image;
+}
+
+} // namespace osgTreeWind

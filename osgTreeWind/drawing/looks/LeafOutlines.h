@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/looks/SprayCanvas.h>
+#include <osgTreeWind/species/Appearance.h>
+
+namespace osgTreeWind {
+
+/// One blade, leaflet or needle of a form, as floras draw it.
+LeafOutline leafOutline(LeafForm form);
+
+} // namespace osgTreeWind

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/looks/LeafStencils.h>
+
+#include <osgTreeWind/drawing/looks/LeafTexels.h>
+#include <osgTreeWind/motion/laws/Laws.h>
+
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr int cells = TreeRaster::cells;
+
+/// Linear filter over a mipmap, clamped to its edge.
+glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& at) {
+    const int size = std::max(texture.s() >> mipmap, 1);
+    const unsigned char* texels = mipmap ? texture.getMipmapData(mipmap) : texture.data();
+    const auto texel = [&](int x, int y) {
+        const unsigned char* t =
+            texels + 4 * (glm::clamp(y, 0, size - 1) * size + glm::clamp(x, 0, size - 1));
+        return glm::vec4(t[0], t[1], t[2], t[3]) / 255.0f;
+    };
+    const glm::vec2 place = at * static_cast<float>(size) - 0.5f, whole = glm::floor(place),
+                    part = place - whole;
+    const int x = static_cast<int>(whole.x), y = static_cast<int>(whole.y);
+    return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), part.x),
+                    glm::mix(texel(x, y + 1), texel(x + 1, y + 1), part.x), part.y);
+}
+
+} // namespace
+
+LeafStencils::LeafStencils(const osg::Image& texture) : _texels(texture.s()) {
+    const unsigned mipmaps = std::max(texture.getNumMipmapLevels(), 1u);
+    _levels.resize((mipmaps - 1) * steps + 1);
+    for (std::size_t i = 0; i < _levels.size(); ++i) {
+        const auto mipmap = static_cast<unsigned>(i / steps);
+        const float part = static_cast<float>(i % steps) / steps;
+        for (int cell = 0; cell < cells * cells; ++cell) {
+            const glm::vec2 at = (glm::vec2(cell % cells, cell / cells) + 0.5f) / static_cast<float>(cells);
+            glm::vec4 color = filtered(texture, mipmap, at);
+            if (part > 0.0f)
+                color = glm::mix(color, filtered(texture, mipmap + 1, at), part);
+            _levels[i].leaves[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
+            _levels[i].twigs[static_cast<std::size_t>(cell)] = color.b >= LeafTexels::alphaThreshold;
+            _levels[i].tints[static_cast<std::size_t>(cell)] = Laws().texelTint(color.r, color.g);
+        }
+    }
+}
+
+std::size_t LeafStencils::levelOf(float share) const {
+    const float level = static_cast<float>(steps) * std::log2(share * static_cast<float>(_texels)) + 0.5f;
+    const auto last = static_cast<float>(_levels.size() - 1);
+    return static_cast<std::size_t>(level > 0.0f ? std::min(level, last) : 0.0f);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/looks/SpeciesLooks.h>
+
+#include <osgTreeWind/drawing/looks/SceneShading.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/laws/StatelessFlutter.h>
+#include <osgTreeWind/species/Season.h>
+
+#include <glm/common.hpp>
+
+namespace osgTreeWind {
+
+SpeciesLooks SpeciesStyles::looks(const Species& species) {
+    const Appearance& appearance = species.appearance;
+    if (!_barkProgram) {
+        _barkProgram = createProgram("instance_bark", "instance_bark");
+        _leafProgram = createProgram("instance_leaf", "instance_leaf");
+    }
+    SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet, nullptr, nullptr};
+    looks.bark->setAttributeAndModes(_barkProgram);
+    looks.bark->setTextureAttribute(0, _textures.bark(appearance));
+    looks.bark->addUniform(new osg::Uniform("barkTexture", 0));
+    looks.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
+    looks.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
+
+    const glm::vec4 limits = flutterLimits(species.leaf);
+    looks.leaves->setAttributeAndModes(_leafProgram);
+    looks.leaves->setTextureAttribute(0, _textures.leaves(appearance));
+    looks.leaves->addUniform(new osg::Uniform("leafTexture", 0));
+    looks.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
+    looks.leaves->addUniform(
+        new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
+    // Shadow cameras would leave out half of them.
+    looks.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    setCoverageModes(*looks.leaves);
+    return looks;
+}
+
+void SpeciesLooks::showSeason(const Appearance& appearance, float season) {
+    leaves = new osg::StateSet(*leaves);
+    leaves->addUniform(new osg::Uniform("leafColor", toOsg(leafColor(appearance, season))));
+    impostors = new osg::StateSet(*impostors);
+    impostors->addUniform(new osg::Uniform("leafTint", seasonTint(appearance, season)));
+}
+
+osg::Vec3 seasonTint(const Appearance& appearance, float season) {
+    return toOsg(leafColor(appearance, season) / glm::max(appearance.leaves, glm::vec3(1e-3f)));
+}
+
+} // namespace osgTreeWind

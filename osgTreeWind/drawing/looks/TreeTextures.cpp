@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
+
+#include <osgTreeWind/drawing/looks/BarkRelief.h>
+#include <osgTreeWind/drawing/looks/LeafSpray.h>
+#include <osgTreeWind/drawing/looks/TreePicture.h>
+
+#include <osg/observer_ptr>
+
+#include <array>
+#include <mutex>
+
+namespace osgTreeWind {
+namespace {
+
+/// Pictures of `count` forms, each painted when first asked for, by whatever thread.
+template <typename Form, std::size_t count>
+class PaintedOnce {
+public:
+    template <typename Paint>
+    osg::ref_ptr<osg::Image> image(Form form, Paint paint) {
+        const auto index = static_cast<std::size_t>(form);
+        std::call_once(_painted[index], [&] { _images[index] = paint(form); });
+        return _images[index];
+    }
+
+private:
+    std::array<std::once_flag, count> _painted;
+    std::array<osg::ref_ptr<osg::Image>, count> _images;
+};
+
+/// Pictures of files, read once as long as somebody has them.
+class ReadOnce {
+public:
+    template <typename Read>
+    osg::ref_ptr<osg::Image> image(const std::string& path, Read read) {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        osg::ref_ptr<osg::Image> image;
+        if (!_images[path].lock(image))
+            _images[path] = image = read(path);
+        return image;
+    }
+
+private:
+    std::mutex _mutex;
+    std::map<std::string, osg::observer_ptr<osg::Image>> _images;
+};
+
+} // namespace
+
+osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
+    static ReadOnce pictures;
+    if (!appearance.leafImage.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
+            return picture;
+    static PaintedOnce<LeafForm, static_cast<std::size_t>(LeafForm::Frond) + 1> images;
+    return images.image(appearance.leafForm, [](LeafForm form) { return makeLeafImage(paintSpray(form)); });
+}
+
+osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
+    static ReadOnce pictures;
+    if (!appearance.barkImage.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.barkImage, readBarkPicture))
+            return picture;
+    static PaintedOnce<BarkForm, static_cast<std::size_t>(BarkForm::Ringed) + 1> images;
+    return images.image(appearance.barkForm, paintBark);
+}
+
+osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
+                                             osg::Texture::WrapMode along) {
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setName(name);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, along);
+    return texture;
+}
+
+osg::Texture2D* TreeTextures::leaves(const Appearance& appearance) {
+    const osg::ref_ptr<osg::Image> image = leafImage(appearance);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
+    if (!texture)
+        texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
+}
+
+osg::Texture2D* TreeTextures::bark(const Appearance& appearance) {
+    const osg::ref_ptr<osg::Image> image = barkImage(appearance);
+    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
+    if (!texture)
+        texture = makeTreeTexture("bark", image, osg::Texture::REPEAT);
+    return texture;
+}
+
+} // namespace osgTreeWind

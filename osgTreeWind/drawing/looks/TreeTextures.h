@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/species/Appearance.h>
+
+#include <osg/Image>
+#include <osg/Texture2D>
+
+#include <map>
+
+namespace osgTreeWind {
+
+// Images are painted or read when first asked for, by any thread, and shared: they are not to be changed.
+
+/// A leaf card; LeafTexels.h says what its channels are.
+osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance);
+/// Bark, to be repeated along the branch and mirrored around it; BarkRelief.h says what its channels are.
+osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance);
+
+/// An image as a texture with mipmaps. @param along how it goes on along the branch.
+osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
+                                             osg::Texture::WrapMode along);
+
+/// One texture for each image, for kinds of trees that share it.
+class TreeTextures {
+public:
+    osg::Texture2D* leaves(const Appearance& appearance);
+    osg::Texture2D* bark(const Appearance& appearance);
+
+private:
+    std::map<osg::ref_ptr<osg::Image>, osg::ref_ptr<osg::Texture2D>> _textures;
+};
+
+} // namespace osgTreeWind

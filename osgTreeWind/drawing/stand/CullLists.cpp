@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/CullLists.h>
+
+#include <osgTreeWind/drawing/looks/SceneShading.h>
+
+namespace osgTreeWind {
+
+CullLists::CullLists() {
+    for (osg::ref_ptr<osg::StateSet>& state : _bandStates)
+        state = new osg::StateSet;
+}
+
+std::size_t CullLists::bandOf(float distance) {
+    std::size_t band = 0;
+    for (float end = 60.0f; band + 1 < bands && distance >= end; end *= 2.0f)
+        ++band;
+    return band;
+}
+
+void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place, osg::Camera* camera) {
+    _frame = frame;
+    _camera = camera;
+    _place = place;
+    _used = 0;
+    _near.clear();
+    _shapes = shapes;
+    _open.assign(2 * bands * shapes * tierCount, 0);
+}
+
+InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, bool fading,
+                              const PosePass* passes, PosePage* page) {
+    std::size_t& open =
+        _open[2 * ((band * _shapes + shape) * tierCount + static_cast<std::size_t>(tier)) + fading];
+    if (open != 0 && _lists[open - 1].trees->page == page)
+        return *_lists[open - 1].trees;
+    if (_used == _lists.size())
+        _lists.emplace_back();
+    List& list = _lists[_used++];
+    open = _used;
+    list.band = band;
+    list.shape = shape;
+    list.tier = tier;
+    list.fading = fading;
+    list.trees->clear();
+    list.trees->passes = passes;
+    list.trees->page = page;
+    return *list.trees;
+}
+
+void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
+    for (std::size_t i = 0; i < _used; ++i)
+        trees[static_cast<std::size_t>(_lists[i].tier)] += _lists[i].trees->size();
+}
+
+void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
+    osg::ref_ptr<osg::Camera> camera;
+    setSceneDefines(*_shading, _place, _camera.lock(camera) && isMultisampled(*camera));
+    for (std::size_t i = 0; i < _used; ++i)
+        if (const InstanceList& trees = *_lists[i].trees; trees.page)
+            trees.passes->prepare(*renderInfo.getState(), *trees.page);
+}
+
+void CullLists::releaseGLObjects(osg::State* state) const {
+    for (const List& list : _lists) {
+        list.trees->values->getVertexBufferObject()->releaseGLObjects(state);
+        list.bark->releaseGLObjects(state);
+        list.leaves->releaseGLObjects(state);
+    }
+}
+
+} // namespace osgTreeWind

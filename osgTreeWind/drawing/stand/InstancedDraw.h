@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/stand/InstanceList.h>
+
+#include <osg/Geometry>
+
+namespace osgTreeWind {
+
+/// One part (bark, leaves, impostors) of the trees of a list, in one instanced draw. Made by cull for a
+/// frame; never part of the scene graph.
+class InstancedDraw : public osg::Drawable {
+public:
+    InstancedDraw();
+    InstancedDraw(const InstancedDraw& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgTreeWind, InstancedDraw)
+
+        /// @param geometry of one tree, its vertices in buffer objects; DrawElements and DrawArrays are
+        /// drawn.
+        void set(osg::Geometry* geometry, InstanceList* trees);
+
+    void drawImplementation(osg::RenderInfo& renderInfo) const override;
+
+protected:
+    ~InstancedDraw() override = default;
+
+private:
+    osg::ref_ptr<osg::Geometry> _geometry;
+    osg::ref_ptr<InstanceList> _trees;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/PickedTree.h>
+
+#include <osgTreeWind/drawing/stand/TreeGeometry.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/laws/PosedPoints.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+PickedTree::PickedTree(const ForestSimulation& simulation, std::size_t slot) : _tree(simulation.idOf(slot)) {
+    const PlacedTree& tree = simulation.trees()[slot];
+    const TreeModel& model = simulation.forest().modelOf(tree);
+    UnitValues values;
+    const TreeMotion motion = simulation.motion(slot, values);
+    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    const auto add = [&](const glm::vec3& point) {
+        _vertices.push_back(toOsg(turnHeading(point, sine, cosine) + tree.position));
+    };
+    for (const SkinVertex& vertex : model.skin.vertices)
+        add(posedSkinPoint(vertex, tree.scale, motion.poses[static_cast<std::size_t>(vertex.unit + 0.5f)]));
+    _indices.assign(model.skin.indices.begin(), model.skin.indices.end());
+    _barkTriangles = static_cast<unsigned>(_indices.size() / 3);
+    _trianglesPerUnit = static_cast<unsigned>(model.skin.indicesPerUnit / 3);
+    if (tree.leaves <= 0.0f)
+        return;
+    const auto firstLeaf = static_cast<unsigned>(_vertices.size());
+    for (std::size_t i = 0; i < model.leaves.size(); ++i) {
+        const LeafCluster& leaf = model.leaves[i];
+        const glm::quat turn = leaf.orientation * leafRotation(motion.leaves[i]);
+        for (const LeafVertex& corner : model.leafMesh)
+            add(posedLeafPoint(leaf, corner.corner, turn, tree.scale,
+                               motion.poses[static_cast<std::size_t>(leaf.unit)]));
+        _leafUnits.push_back(leaf.unit);
+    }
+    for (const unsigned index : leafIndices(model.leaves.size()))
+        _indices.push_back(firstLeaf + index);
+}
+
+PickedTree::PickedTree(const PickedTree& other, const osg::CopyOp& copyop)
+    : osg::Drawable(other, copyop), _tree(other._tree), _barkTriangles(other._barkTriangles),
+      _trianglesPerUnit(other._trianglesPerUnit), _vertices(other._vertices), _indices(other._indices),
+      _leafUnits(other._leafUnits) {}
+
+unsigned PickedTree::getUnit(unsigned primitive) const {
+    if (!isLeaf(primitive))
+        return primitive / _trianglesPerUnit;
+    const std::size_t leaf = (primitive - _barkTriangles) / trianglesPerLeafCluster;
+    return leaf < _leafUnits.size() ? static_cast<unsigned>(_leafUnits[leaf]) : 0;
+}
+
+void PickedTree::accept(osg::PrimitiveFunctor& functor) const {
+    functor.setVertexArray(static_cast<unsigned>(_vertices.size()), _vertices.data());
+    functor.drawElements(GL_TRIANGLES, static_cast<GLsizei>(_indices.size()), _indices.data());
+}
+
+osg::BoundingBox PickedTree::computeBoundingBox() const {
+    osg::BoundingBox box;
+    for (const osg::Vec3& vertex : _vertices)
+        box.expandBy(vertex);
+    return box;
+}
+
+} // namespace osgTreeWind

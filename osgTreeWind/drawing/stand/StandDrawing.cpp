@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/StandDrawing.h>
+
+#include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/modal/ModalLean.h>
+
+namespace osgTreeWind {
+
+StandDrawing::StandDrawing(const PlacedForest& forest)
+    : shapes(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
+      programs(new PosePrograms) {
+    SpeciesStyles styles;
+    for (const Species& species : forest.description().species)
+        looks.push_back(styles.looks(species));
+    fading->setDefine("FADING");
+    state->addUniform(new osg::Uniform("leanPower", leanPower));
+    state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
+    state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
+    if (shapes.empty()) // nor a pool of threads
+        return;
+    impostorProgram = createProgram("impostor", "impostor");
+    ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
+        const std::size_t species = forest.speciesOfModel(model);
+        shapes[model] =
+            new StandShape(forest.models()[model], species, forest.description().species[species].appearance);
+    });
+    followSeason(forest);
+}
+
+void StandDrawing::followSeason(const PlacedForest& forest) {
+    const std::vector<Species>& species = forest.description().species;
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        looks[i].showSeason(species[i].appearance, forest.season());
+    std::set<std::pair<std::size_t, Tier>> wanted;
+    for (std::size_t model = 0; model < shapes.size(); ++model) // of trees that may come
+        wanted.emplace(model, impostorTier(leafShare(species[forest.speciesOfModel(model)].appearance,
+                                                     forest.season())));
+    for (const PlacedTree& tree : forest.trees)
+        if (tree.alive)
+            wanted.emplace(tree.model, impostorTier(tree.leaves));
+    paintImpostors(forest, std::move(wanted));
+}
+
+void StandDrawing::paintImpostor(const PlacedForest& forest, const PlacedTree& tree) {
+    paintImpostors(forest, {{tree.model, impostorTier(tree.leaves)}});
+}
+
+void StandDrawing::paintImpostors(const PlacedForest& forest, std::set<std::pair<std::size_t, Tier>> wanted) {
+    const ForestDrawing& drawing = forest.description().drawing;
+    std::vector<std::pair<std::size_t, Tier>> missing;
+    for (const auto& [model, tier] : wanted)
+        if (drawing.tiers && drawing.impostor > 0.0f && !shapes[model]->impostor(tier))
+            missing.emplace_back(model, tier);
+    const auto paint = [&](std::size_t i) {
+        const auto [model, tier] = missing[i];
+        shapes[model]->paint(tier, forest.models()[model],
+                             forest.description().species[shapes[model]->species()].appearance,
+                             impostorProgram);
+    };
+    if (missing.size() == 1)
+        paint(0);
+    else if (!missing.empty())
+        ThreadPool::executor()(missing.size(), paint);
+}
+
+void StandDrawing::resizeGLObjectBuffers(unsigned maxSize) const {
+    for (const osg::ref_ptr<StandShape>& shape : shapes)
+        shape->resizeGLObjectBuffers(maxSize);
+    for (const SpeciesLooks& look : looks)
+        for (const osg::ref_ptr<osg::StateSet>& set :
+             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
+            if (set)
+                set->resizeGLObjectBuffers(maxSize);
+    if (programs) {
+        programs->turns->resizeGLObjectBuffers(maxSize);
+        programs->poses->resizeGLObjectBuffers(maxSize);
+    }
+}
+
+void StandDrawing::releaseGLObjects(osg::State* of) const {
+    for (const osg::ref_ptr<StandShape>& shape : shapes)
+        shape->releaseGLObjects(of);
+    for (const SpeciesLooks& look : looks)
+        for (const osg::ref_ptr<osg::StateSet>& set :
+             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
+            if (set)
+                set->releaseGLObjects(of);
+    if (programs) {
+        programs->turns->releaseGLObjects(of);
+        programs->poses->releaseGLObjects(of);
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/looks/SpeciesLooks.h>
+#include <osgTreeWind/drawing/stand/StandShape.h>
+#include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/gpu/PosePass.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What the trees of a stand are drawn from. A copy shares all of it.
+struct StandDrawing {
+    StandDrawing() = default;
+    explicit StandDrawing(const PlacedForest& forest);
+
+    /// Has leaves the colour of the forest's season, and all impostors that its trees need. In update.
+    void followSeason(const PlacedForest& forest);
+    /// The same for one tree.
+    void paintImpostor(const PlacedForest& forest, const PlacedTree& tree);
+
+    std::vector<osg::ref_ptr<StandShape>> shapes; ///< By model.
+    std::vector<SpeciesLooks> looks;              ///< By species.
+    osg::ref_ptr<osg::StateSet> state;            ///< Of all trees with branches.
+    osg::ref_ptr<osg::StateSet> fading;           ///< Of trees that cross over to another tier.
+    osg::ref_ptr<osg::Program> impostorProgram;
+    osg::ref_ptr<PosePrograms> programs;
+
+    void resizeGLObjectBuffers(unsigned maxSize) const;
+    void releaseGLObjects(osg::State* state) const;
+
+private:
+    /// Those of them that are not painted yet. @param wanted models and tiers.
+    void paintImpostors(const PlacedForest& forest, std::set<std::pair<std::size_t, Tier>> wanted);
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/StandShape.h>
+
+#include <osgTreeWind/drawing/stand/TreeGeometry.h>
+#include <osgTreeWind/gpu/PosePage.h>
+#include <osgTreeWind/model/TreeDetail.h>
+#include <osgTreeWind/species/LeafCoverage.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+namespace osgTreeWind {
+
+StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance)
+    : _species(species) {
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
+    const PoseLayout layout(model.skeleton.units.size());
+    const TreeDetail details[branchTiers] = {TreeDetail::full(), TreeDetail::reducedOnce(),
+                                             TreeDetail::reducedTwice()};
+    for (int tier = 0; tier < branchTiers; ++tier) {
+        const bool whole = tier == static_cast<int>(Tier::Full);
+        const ThinnedLeaves leaves = thinnedLeaves(model.leaves, model.leafMesh, details[tier]);
+        _bark[tier] =
+            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin), crown);
+        if (!model.leaves.empty())
+            _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
+        _states[tier] = new osg::StateSet;
+        _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
+        if (!whole) // a bias makes sampling slow, even one of 0
+            _states[tier]->setDefine("LEAF_TEXTURE_BIAS", std::to_string(leaves.textureBias));
+    }
+}
+
+StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves)
+    : _species(other._species) {
+    for (int tier = 0; tier < branchTiers; ++tier) {
+        _bark[tier] = bark;
+        _leaves[tier] = leaves;
+        _states[tier] = other._states[tier];
+    }
+    std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
+}
+
+void StandShape::paint(Tier tier, const TreeModel& model, const Appearance& appearance,
+                       osg::Program* program) {
+    ImpostorSettings settings;
+    settings.leaves = leavesOn(tier);
+    _impostors[static_cast<int>(tier) - branchTiers] =
+        new ImpostorShape(paintImpostor(model, appearance, settings), program);
+}
+
+void StandShape::resizeGLObjectBuffers(unsigned maxSize) const {
+    for (int tier = 0; tier < branchTiers; ++tier)
+        for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
+            if (geometry)
+                geometry->resizeGLObjectBuffers(maxSize);
+    for (const osg::ref_ptr<ImpostorShape>& impostor : _impostors)
+        if (impostor) {
+            impostor->geometry()->resizeGLObjectBuffers(maxSize);
+            impostor->stateSet()->resizeGLObjectBuffers(maxSize);
+        }
+}
+
+void StandShape::releaseGLObjects(osg::State* state) const {
+    for (int tier = 0; tier < branchTiers; ++tier)
+        for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
+            if (geometry)
+                geometry->releaseGLObjects(state);
+    for (const osg::ref_ptr<ImpostorShape>& impostor : _impostors)
+        if (impostor) {
+            impostor->geometry()->releaseGLObjects(state);
+            impostor->stateSet()->releaseGLObjects(state);
+        }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/impostors/ImpostorShape.h>
+#include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/model/TreeModel.h>
+
+#include <osg/Geometry>
+#include <osg/StateSet>
+
+namespace osgTreeWind {
+
+/// What the trees of one model are drawn from, at each tier.
+class StandShape : public osg::Referenced {
+public:
+    /// @param species that it is a shape of.
+    StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance);
+    /// As another one, but drawn from these at every tier; null for none.
+    StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves);
+
+    /// Null where there is none, as the next one.
+    osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
+    osg::Geometry* leaves(Tier tier) const { return _leaves[static_cast<int>(tier)].get(); }
+    /// Null before it was painted.
+    const ImpostorShape* impostor(Tier tier) const {
+        return _impostors[static_cast<int>(tier) - branchTiers].get();
+    }
+    /// Paints the impostor of that tier. In update; different threads may paint different ones.
+    void paint(Tier tier, const TreeModel& model, const Appearance& appearance, osg::Program* program);
+
+    std::size_t species() const { return _species; }
+    /// Where shaders find its poses, and how sharply leaves are drawn at that tier.
+    osg::StateSet* state(Tier tier) const { return _states[static_cast<int>(tier)].get(); }
+
+    void resizeGLObjectBuffers(unsigned maxSize) const;
+    void releaseGLObjects(osg::State* state) const;
+
+private:
+    std::size_t _species;
+    osg::ref_ptr<osg::Geometry> _bark[branchTiers], _leaves[branchTiers];
+    osg::ref_ptr<osg::StateSet> _states[branchTiers];
+    osg::ref_ptr<ImpostorShape> _impostors[impostorTiers];
+};
+
+} // namespace osgTreeWind

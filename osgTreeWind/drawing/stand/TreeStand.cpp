@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/TreeStand.h>
+
+#include <osgTreeWind/drawing/stand/StandPicking.h>
+#include <osgTreeWind/drawing/stand/TreeStandCull.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/laws/StatelessFlutter.h>
+
+#include <osgUtil/IntersectionVisitor>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr unsigned framesNear = 60; // for which a tree is followed closely after it was last seen so
+
+} // namespace
+
+TreeStand::TreeStand() : TreeStand(std::make_shared<ForestSimulation>(ForestDescription())) {}
+
+TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation)
+    : TreeStand(simulation, StandDrawing(simulation->forest())) {}
+
+TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandDrawing& drawing)
+    : _simulation(std::move(simulation)), _drawing(drawing), _tiers(_simulation->description().drawing),
+      _flutter(_simulation->description().species.size()) {
+    setName("trees");
+    setSupportsDisplayList(false);
+    for (const TreeModel& model : _simulation->models())
+        _passes.push_back(new PosePass(model.skeleton, _drawing.programs));
+    for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
+        if (_simulation->trees()[tree].alive)
+            treeChanged(tree);
+    updateFlutter(0.0);
+}
+
+TreeStand::TreeStand(const TreeStand& other, const osg::CopyOp&)
+    : TreeStand(other._simulation, other._drawing) {}
+
+void TreeStand::treeChanged(std::size_t tree) {
+    const PlacedTree& placed = _simulation->trees()[tree];
+    const auto number = static_cast<std::uint32_t>(tree);
+    if (tree >= _attention.size())
+        _attention.resize(tree + 1);
+    if (!placed.alive) {
+        _cells.take(number);
+        _attention[tree].kept = false;
+    } else {
+        const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
+        const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
+        _cells.put({toOsg(placed.position), reach[4], aside, number});
+        _drawing.paintImpostor(_simulation->forest(), placed);
+        if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
+            follow(number);
+    }
+    dirtyBound();
+}
+
+void TreeStand::seasonChanged() {
+    _drawing.followSeason(_simulation->forest());
+}
+
+void TreeStand::follow(std::uint32_t tree) {
+    Attention& attention = _attention[tree];
+    attention.seen = static_cast<std::uint8_t>(_frame);
+    if (!attention.isNear)
+        _near.push_back(tree);
+    attention.isNear = true;
+}
+
+void TreeStand::keepNear(std::size_t tree) {
+    _simulation->setLevel(tree, ModalMotion::Level::Near);
+    follow(static_cast<std::uint32_t>(tree));
+    _attention[tree].kept = true;
+}
+
+void TreeStand::update(unsigned frame, double time) {
+    _frame = frame;
+    updateFlutter(time);
+    const ModalMotion& modal = *_simulation->modal();
+    {
+        const std::lock_guard<std::mutex> lock(_listsMutex);
+        for (const Lists& each : _lists) {
+            for (const std::uint32_t tree : each.lists->near()) {
+                if (!_simulation->trees()[tree].alive)
+                    continue;
+                if (modal.level(tree) == ModalMotion::Level::Far)
+                    _simulation->setLevel(tree, ModalMotion::Level::Near);
+                follow(tree);
+            }
+            each.lists->near().clear();
+        }
+        _lists.erase(
+            std::remove_if(_lists.begin(), _lists.end(), // cull visitors may be no more
+                           [&](const Lists& each) { return frame > each.lists->frame() + framesNear; }),
+            _lists.end());
+    }
+    // Without a viewer all stay.
+    if (!_tiers.on() || frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear)
+        return;
+    _near.erase(std::remove_if(_near.begin(), _near.end(),
+                               [&](std::uint32_t tree) {
+                                   Attention& attention = _attention[tree];
+                                   const bool isNear = _simulation->trees()[tree].alive &&
+                                                       modal.level(tree) == ModalMotion::Level::Near;
+                                   if (isNear && (attention.kept || static_cast<std::uint8_t>(
+                                                                        frame - attention.seen) < framesNear))
+                                       return false;
+                                   if (isNear)
+                                       _simulation->setLevel(tree, ModalMotion::Level::Far);
+                                   attention.isNear = false;
+                                   return true;
+                               }),
+                _near.end());
+}
+
+void TreeStand::updateFlutter(double time) {
+    const std::vector<Species>& species = _simulation->description().species;
+    for (std::size_t i = 0; i < species.size(); ++i)
+        _flutter[i] = toOsg(flutterPhases(time, species[i].leaf));
+}
+
+void TreeStand::accept(osg::NodeVisitor& visitor) {
+    if (!visitor.validNodeMask(*this))
+        return;
+    if (auto* cull = visitor.asCullVisitor()) {
+        visitor.pushOntoNodePath(this);
+        this->cull(*cull);
+        visitor.popFromNodePath();
+    } else if (auto* picking = dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor)) {
+        visitor.pushOntoNodePath(this);
+        intersectTrees(*picking, *_simulation, _cells);
+        visitor.popFromNodePath();
+    } else {
+        osg::Drawable::accept(visitor);
+    }
+}
+
+/// Lists of this visitor that nobody draws from any more.
+osg::ref_ptr<CullLists> TreeStand::freeLists(const osgUtil::CullVisitor& visitor) {
+    const std::lock_guard<std::mutex> lock(_listsMutex);
+    for (const Lists& each : _lists)
+        if (each.visitor == &visitor && each.lists->referenceCount() == 1)
+            return each.lists;
+    _lists.push_back({&visitor, new CullLists});
+    return _lists.back().lists;
+}
+
+void TreeStand::cull(osgUtil::CullVisitor& visitor) {
+    const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
+    _culledFrame = frame;
+    const osg::ref_ptr<CullLists> lists = freeLists(visitor);
+    TreeStandCull{visitor, frame, *_simulation, _drawing, _passes, _tiers, _cells, _flutter, *lists}.run();
+}
+
+std::array<std::size_t, tierCount> TreeStand::listedTrees() const {
+    std::array<std::size_t, tierCount> trees{};
+    const std::lock_guard<std::mutex> lock(_listsMutex);
+    for (const Lists& each : _lists)
+        if (each.lists->frame() == _culledFrame)
+            each.lists->countTrees(trees);
+    return trees;
+}
+
+void TreeStand::resizeGLObjectBuffers(unsigned maxSize) {
+    osg::Drawable::resizeGLObjectBuffers(maxSize);
+    _drawing.resizeGLObjectBuffers(maxSize);
+}
+
+void TreeStand::releaseGLObjects(osg::State* state) const {
+    osg::Drawable::releaseGLObjects(state);
+    _drawing.releaseGLObjects(state);
+    for (const osg::ref_ptr<PosePass>& passes : _passes)
+        passes->releaseGLObjects(state);
+    const std::lock_guard<std::mutex> lock(_listsMutex);
+    for (const Lists& each : _lists)
+        each.lists->releaseGLObjects(state);
+}
+
+} // namespace osgTreeWind

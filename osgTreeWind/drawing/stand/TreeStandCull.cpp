@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/TreeStandCull.h>
+
+#include <osgTreeWind/motion/laws/StatelessFlutter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// 0 within it.
+float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
+    osg::Vec3 away;
+    for (int i = 0; i < 3; ++i)
+        away[i] = std::max({box._min[i] - point[i], 0.0f, point[i] - box._max[i]});
+    return away.length();
+}
+
+} // namespace
+
+void TreeStandCull::run() {
+    lists.begin(frame, drawing.shapes.size(), visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
+    const ViewFrustum view(visitor);
+    const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
+    const osg::Vec3 eye = visitor.getViewPointLocal();
+    auto& seen = lists.seenCells();
+    seen.clear();
+    for (const TreeCells::Cell& cell : cells.cells())
+        if (!cell.trees.empty())
+            if (const ViewFrustum::Side side = view.sideOf(cell.box); side != ViewFrustum::Outside)
+                seen.push_back({distanceFrom(eye, cell.box), &cell, side});
+    std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.distance, a.cell) < std::tie(b.distance, b.cell);
+    });
+    for (const auto& [distance, cell, side] : seen) {
+        band = CullLists::bandOf(distance);
+        seeCell(view, *cell, side);
+        if (!nearFar)
+            continue;
+        if (distance > 0.0f) {
+            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), cell->box);
+            continue;
+        }
+        for (const TreeCells::Tree& tree : cell->trees) // not as near as the cell, which is all about the eye
+            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::boxOf(tree));
+    }
+    handOver();
+}
+
+void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side) {
+    for (const TreeCells::Tree& tree : cell.trees) {
+        const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, 0.5f * tree.height);
+        if (side == ViewFrustum::Across) {
+            const glm::vec2 lean = simulation.modal()->lean(tree.number);
+            const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
+            if (!view.sees(middle, std::hypot(tree.reach, 0.5f * tree.height) + sway))
+                continue;
+        }
+        seeTree(tree, view.pixels(middle, tree.height));
+    }
+}
+
+void TreeStandCull::seeTree(const TreeCells::Tree& seenTree, float pixels) {
+    const PlacedTree& tree = simulation.trees()[seenTree.number];
+    const TierChoice choice = tiers.choose(pixels);
+    addTree(tree, seenTree.number, choice.tier, choice.fade);
+    if (choice.fade < 1.0f)
+        addTree(tree, seenTree.number, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
+    if (choice.tier < Tier::Impostor || pixels > tiers.wakingPixels())
+        lists.near().push_back(seenTree.number);
+}
+
+void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade) {
+    const float own = ownNumber(tree.seed);
+    const glm::vec3& foot = tree.position;
+    if (tier == Tier::Impostor) {
+        const glm::vec2 lean = simulation.modal()->lean(number);
+        lists.list(band, tree.model, impostorTier(tree.leaves), fade < 1.0f, nullptr, nullptr)
+            .add({{foot.x, foot.y, foot.z, tree.heading},
+                  {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
+                  {lean.x, lean.y, fade, own}});
+        return;
+    }
+    const PosePass::Row row =
+        passes[tree.model]->row(frame, number, [&](PoseRequest& request) { ask(tree, number, request); });
+    InstanceList& list = lists.list(band, tree.model, tier, fade < 1.0f, passes[tree.model], row.page);
+    list.flutter = flutter[tree.species];
+    list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
+              {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
+              {static_cast<float>(row.row), fade, own, tree.leaves}});
+}
+
+void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const {
+    const ModalMotion& modal = *simulation.modal();
+    passes[tree.model]->refer(modal.shape(number), request);
+    request.across = tree.scale.axes.x;
+    request.upward = tree.scale.axes.z;
+    if (request.firstTexel < 0.0f)
+        return;
+    modal.poseVector(number, request.vector);
+    modal.patchSpeeds(number, request.patchSpeeds);
+}
+
+/// Draws and passes, to the camera's render stage.
+void TreeStandCull::handOver() {
+    if (lists.size() == 0)
+        return;
+    visitor.pushStateSet(drawing.state);
+    visitor.pushStateSet(lists.shading());
+    const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
+    bool drawn = false;
+    const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
+                          std::initializer_list<osg::StateSet*> states) {
+        if (!geometry)
+            return;
+        drawn = true;
+        part.set(geometry, &trees);
+        int pushed = 0;
+        for (osg::StateSet* state : states)
+            if (state) {
+                visitor.pushStateSet(state);
+                ++pushed;
+            }
+        visitor.addDrawableAndDepth(&part, visitor.getModelViewMatrix(), depth);
+        for (; pushed > 0; --pushed)
+            visitor.popStateSet();
+    };
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+        CullLists::List& list = lists[i];
+        list.trees->values->dirty();
+        osg::StateSet* const inBand = lists.bandState(list.band);
+        osg::StateSet* const fading = list.fading ? drawing.fading.get() : nullptr;
+        const StandShape& shape = *drawing.shapes[list.shape];
+        const SpeciesLooks& looks = drawing.looks[shape.species()];
+        if (list.tier >= Tier::Impostor) {
+            const ImpostorShape& impostor = *shape.impostor(list.tier);
+            draw(impostor.geometry(), *list.bark, *list.trees,
+                 {inBand, fading, impostor.stateSet(), looks.impostors});
+            continue;
+        }
+        draw(shape.bark(list.tier), *list.bark, *list.trees,
+             {inBand, fading, looks.bark, shape.state(list.tier), looks.ownBark});
+        draw(shape.leaves(list.tier), *list.leaves, *list.trees,
+             {inBand, fading, looks.leaves, shape.state(list.tier), looks.ownLeaves});
+    }
+    visitor.popStateSet();
+    visitor.popStateSet();
+    if (drawn) // else their place in the scene's state is gone before that
+        visitor.getCurrentRenderBin()->getStage()->addPreRenderStage(&lists);
+}
+
+} // namespace osgTreeWind

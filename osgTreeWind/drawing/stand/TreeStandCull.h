@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/stand/CullLists.h>
+#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/TreeCells.h>
+#include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/drawing/stand/ViewFrustum.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// One cull of a stand by one camera: which trees it sees, at which tiers, and the draws that come of it.
+class TreeStandCull {
+public:
+    osgUtil::CullVisitor& visitor;
+    unsigned frame;
+    const ForestSimulation& simulation;
+    const StandDrawing& drawing;
+    const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
+    const TreeTiers& tiers;
+    const TreeCells& cells;
+    const std::vector<osg::Vec3>& flutter; ///< By species.
+    CullLists& lists;
+    std::size_t band = 0; ///< Of the cell at hand.
+
+    void run();
+
+private:
+    void seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side);
+    void seeTree(const TreeCells::Tree& tree, float pixels);
+    void addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade);
+    void ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const;
+    void handOver();
+};
+
+} // namespace osgTreeWind

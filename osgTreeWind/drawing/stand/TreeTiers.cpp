@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/TreeTiers.h>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+TreeTiers::TreeTiers(const ForestDrawing& drawing) : _on(drawing.tiers) {
+    const float heights[branchTiers] = {drawing.full, drawing.reduced, drawing.impostor};
+    for (int tier = 0; tier < branchTiers; ++tier) {
+        _from[tier] = drawing.tiers ? heights[tier] : 0.0f;
+        _to[tier] = drawing.tiers ? heights[tier] * (1.0f - drawing.blend) : 0.0f;
+        _perPixel[tier] = 1.0f / std::max(_from[tier] - _to[tier], 1.0e-6f);
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/ForestDrawing.h>
+
+namespace osgTreeWind {
+
+/// How finely a tree is drawn, finest first.
+enum class Tier {
+    Full,
+    Reduced,
+    ReducedTwice,
+    Impostor,              ///< A picture of a tree with all its leaves,
+    ImpostorThreeQuarters, ///< with three quarters of them,
+    ImpostorHalf,          ///< and so on.
+    ImpostorQuarter,
+    BareImpostor
+};
+constexpr int tierCount = 8;
+constexpr int branchTiers = 3; ///< The first ones, which draw branches.
+constexpr int impostorTiers = tierCount - branchTiers;
+
+/// The nearest picture to a tree with this share of its leaves, [0, 1].
+inline Tier impostorTier(float leaves) {
+    return static_cast<Tier>(static_cast<int>(Tier::BareImpostor) - static_cast<int>(4.0f * leaves + 0.5f));
+}
+/// The share that it shows.
+inline float leavesOn(Tier impostor) {
+    return 0.25f * static_cast<float>(static_cast<int>(Tier::BareImpostor) - static_cast<int>(impostor));
+}
+
+/// The tiers of a tree at its size on the screen: one, or two across a change-over.
+struct TierChoice {
+    Tier tier = Tier::Full;
+    /// Shaders/dither.glsl: 1 where it is drawn alone, else the share of pixels it is drawn on; the next
+    /// coarser tier then has the others, with -fade.
+    float fade = 1.0f;
+};
+
+/// Tiers by height on the screen.
+class TreeTiers {
+public:
+    explicit TreeTiers(const ForestDrawing& drawing = {});
+
+    TierChoice choose(float pixels) const {
+        for (int tier = 0; tier < branchTiers; ++tier) {
+            if (pixels >= _from[tier])
+                return {static_cast<Tier>(tier), 1.0f};
+            if (pixels > _to[tier])
+                return {static_cast<Tier>(tier), (pixels - _to[tier]) * _perPixel[tier]};
+        }
+        return {Tier::Impostor, 1.0f};
+    }
+    /// Somewhat below the height at which branches are seen: a tree so high is to have its sway in full.
+    float wakingPixels() const { return 0.85f * _to[branchTiers - 1]; }
+    /// Whether there are tiers at all.
+    bool on() const { return _on; }
+
+private:
+    bool _on;
+    float _from[branchTiers], _to[branchTiers], _perPixel[branchTiers];
+};
+
+} // namespace osgTreeWind

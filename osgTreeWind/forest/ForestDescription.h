@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/ForestDrawing.h>
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/species/Species.h>
+#include <osgTreeWind/wind/WindField.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The law by which wind moves branches (design: "The laws of motion").
+enum class MotionLaw {
+    Thesis,       ///< Appendix B as published: no restoring force, one step a frame.
+    ThesisSmooth, ///< The text of §3.1: partial steps and the level term.
+    Damped,       ///< A damped oscillator per branch and axis, in SI units and seconds.
+    Modal,        ///< The whole tree coupled, swaying in a few modes; SI units and seconds.
+};
+
+/// One tree: which species, where, how large.
+struct TreePlacement {
+    std::size_t species = 0;  ///< Index into ForestDescription::species.
+    glm::dvec3 position{0.0}; ///< Foot of the trunk in world coordinates, metres (x east, y north, z up).
+    float heading = 0.0f;     ///< Turn about the vertical, radians, counter-clockwise from above.
+    TreeSize size;            ///< A crown not given follows the trunk, other sizes follow the model.
+    float leaves = 1.0f;      ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
+    std::uint32_t seed = 0;   ///< Picks one of the species' shapes, and the noise streams.
+    bool openGrown = false;   ///< Stands by itself: such a crown is wider than in a forest.
+    std::string name{};       ///< An inventory's id; empty: none. Where two have one, it is the first's.
+};
+
+/// A whole forest as plain values: what a .treewind file says.
+struct ForestDescription {
+    std::vector<Species> species;
+    std::vector<TreePlacement> trees;
+    glm::dvec3 origin{0.0}; ///< World position of the scene's origin; geometry is relative to it.
+    MotionLaw law = MotionLaw::Modal;
+    /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
+    float gain = 1.0f;
+    /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
+    std::optional<float> noiseExponent;
+    WindFieldPtr wind;        ///< In scene coordinates. Null: calm.
+    float season = midsummer; ///< Of the year (Season.h).
+    ForestDrawing drawing;
+
+    std::vector<std::string> notes; ///< What a person should know about how the input was taken.
+    std::string source; ///< Text of the .treewind file it was read from; empty for one made by hand.
+    std::string folder; ///< Absolute folder against which paths in `source` resolve.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/forest/PlacedForest.h>
+
+#include <osgTreeWind/base/RoomFor.h>
+#include <osgTreeWind/species/GrowthLaws.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+std::uint32_t shapeCount(const Species& species) {
+    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, 64));
+}
+
+bool same(const TreeSize& a, const TreeSize& b) {
+    return a.height == b.height && a.trunkDiameter == b.trunkDiameter && a.crownWidth == b.crownWidth;
+}
+
+} // namespace
+
+PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed) {
+    const std::vector<TreePlacement> placements = std::exchange(given.trees, {});
+    std::vector<TreeModel> models;
+    for (const Species& species : given.species) {
+        _firstModels.push_back(static_cast<std::uint32_t>(models.size()));
+        for (std::uint32_t shape = 0; shape < shapeCount(species); ++shape)
+            models.push_back(makeTreeModel(species.tree, shape));
+    }
+    _description = std::make_shared<const ForestDescription>(std::move(given));
+    _models = std::make_shared<const std::vector<TreeModel>>(std::move(models));
+    setSeason(description().season);
+
+    trees.reserve(placements.size());
+    for (const TreePlacement& placement : placements) {
+        if (std::optional<PlacedTree> tree = fitted(placement)) {
+            tree->firstUnit = static_cast<std::uint32_t>(units);
+            tree->firstLeaf = static_cast<std::uint32_t>(leaves);
+            units += unitsOf(*tree);
+            leaves += leavesOf(*tree);
+            put(trees.size(), *tree, placement.name);
+        }
+        if (placed)
+            placed();
+    }
+}
+
+std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
+                                               const PlacedTree* before) const {
+    if (placement.species >= description().species.size())
+        return {};
+    PlacedTree tree;
+    tree.species = static_cast<std::uint32_t>(placement.species);
+    const Species& species = speciesOf(tree);
+    tree.model = _firstModels[tree.species] + placement.seed % shapeCount(species);
+    tree.scale = before && before->model == tree.model && same(placement.size, measured(*before))
+                     ? before->scale
+                     : fitTree(modelOf(tree), withCrown(placement.size, species.crown, placement.openGrown));
+    tree.position = glm::vec3(placement.position - description().origin);
+    tree.heading = placement.heading;
+    tree.summerLeaves = placement.leaves;
+    tree.leaves = placement.leaves * _seasonLeaves[tree.species];
+    tree.seed = placement.seed;
+    return tree;
+}
+
+TreePlacement PlacedForest::placementOf(std::size_t slot) const {
+    const PlacedTree& tree = trees[slot];
+    TreePlacement placement;
+    placement.species = tree.species;
+    placement.position = glm::dvec3(tree.position) + description().origin;
+    placement.heading = tree.heading;
+    placement.size = measured(tree);
+    placement.leaves = tree.summerLeaves;
+    placement.seed = tree.seed;
+    placement.name = names.of(static_cast<std::uint32_t>(slot));
+    return placement;
+}
+
+void PlacedForest::setSeason(float season) {
+    _season = season;
+    _seasonLeaves.clear();
+    for (const Species& species : description().species)
+        _seasonLeaves.push_back(leafShare(species.appearance, season));
+    for (PlacedTree& tree : trees)
+        tree.leaves = tree.summerLeaves * _seasonLeaves[tree.species];
+}
+
+void PlacedForest::put(std::size_t slot, PlacedTree tree, const std::string& name) {
+    if (slot == trees.size()) {
+        makeRoomFor(trees, slot + 1);
+        trees.emplace_back();
+    }
+    PlacedTree& old = trees[slot];
+    tree.generation = old.generation;
+    tree.alive = true;
+    old = tree;
+    names.set(static_cast<std::uint32_t>(slot), name);
+}
+
+void PlacedForest::remove(std::size_t slot) {
+    trees[slot].alive = false;
+    ++trees[slot].generation;
+    names.set(static_cast<std::uint32_t>(slot), {});
+}
+
+bool PlacedForest::holds(TreeId id) const {
+    const std::size_t slot = slotOfTree(id);
+    return slot < trees.size() && trees[slot].alive && idOf(slot) == id;
+}
+
+std::size_t PlacedForest::speciesOfModel(std::size_t model) const {
+    const auto after = std::upper_bound(_firstModels.begin(), _firstModels.end(), model);
+    return static_cast<std::size_t>(after - _firstModels.begin()) - 1;
+}
+
+glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine) {
+    return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+}
+
+} // namespace osgTreeWind

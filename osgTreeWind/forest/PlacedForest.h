@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/forest/TreeId.h>
+#include <osgTreeWind/forest/TreeNames.h>
+#include <osgTreeWind/model/TreeSize.h>
+
+#include <functional>
+#include <memory>
+
+namespace osgTreeWind {
+
+/// A tree where it stands.
+struct PlacedTree {
+    std::uint32_t model = 0; ///< Index into PlacedForest::models().
+    std::uint32_t species = 0;
+    TreeScale scale;
+    glm::vec3 position{0.0f}; ///< Scene coordinates.
+    float heading = 0.0f;
+    float leaves = 1.0f;       ///< Share that it bears now,
+    float summerLeaves = 1.0f; ///< and in summer.
+    std::uint32_t seed = 0;
+    // For the laws of a branch; 0 in a tree that was added later.
+    std::uint32_t firstUnit = 0;  ///< Units of all trees before it.
+    std::uint32_t firstLeaf = 0;  ///< Leaf clusters of all trees before it.
+    std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
+    bool alive = true;            ///< No: it was removed, and nothing else here counts.
+};
+
+/// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes.
+struct PlacedForest {
+    /// Trees of a species that is not there are left out. @param placed called after each tree; may be empty.
+    explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
+
+    std::vector<PlacedTree> trees;     ///< By slot: in the order of the description, then as they were added.
+    std::size_t units = 0, leaves = 0; ///< Of the description's trees.
+    TreeNames names;
+
+    /// As given, but without its trees, and with its first season.
+    const ForestDescription& description() const { return *_description; }
+    const std::vector<TreeModel>& models() const { return *_models; }
+
+    const TreeModel& modelOf(const PlacedTree& tree) const { return models()[tree.model]; }
+    const Species& speciesOf(const PlacedTree& tree) const { return description().species[tree.species]; }
+    /// Of which species a model is a shape.
+    std::size_t speciesOfModel(std::size_t model) const;
+    std::size_t unitsOf(const PlacedTree& tree) const { return modelOf(tree).skeleton.units.size(); }
+    std::size_t leavesOf(const PlacedTree& tree) const { return modelOf(tree).leaves.size(); }
+
+    /// A tree as it would stand; nothing if there is no such species. @param before keeps its scale where the
+    /// placement gives its model and measured sizes.
+    std::optional<PlacedTree> fitted(const TreePlacement& placement,
+                                     const PlacedTree* before = nullptr) const;
+    TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
+    /// What gives that tree again; all of its sizes are given.
+    TreePlacement placementOf(std::size_t slot) const;
+    /// Of the year, as it is by now (Season.h).
+    float season() const { return _season; }
+    /// Has all trees bear the leaves they bear then.
+    void setSeason(float season);
+
+    /// Puts a tree into a slot, at most trees.size(), instead of the one that stands or stood there.
+    void put(std::size_t slot, PlacedTree tree, const std::string& name);
+    void remove(std::size_t slot);
+
+    bool holds(TreeId id) const;
+    TreeId idOf(std::size_t slot) const { return makeTreeId(slot, trees[slot].generation); }
+
+private:
+    std::shared_ptr<const ForestDescription> _description;
+    std::shared_ptr<const std::vector<TreeModel>> _models;
+    std::vector<std::uint32_t> _firstModels; ///< Per species.
+    float _season = midsummer;
+    std::vector<float> _seasonLeaves; ///< Per species, share of what its trees bear in summer.
+};
+
+/// v turned counter-clockwise about the vertical.
+glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine);
+
+} // namespace osgTreeWind

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+
+#include <osgTreeWind/model/ThesisAxes.h>
+#include <osgTreeWind/motion/branchwise/DampedBranches.h>
+#include <osgTreeWind/motion/branchwise/ThesisParts.h>
+#include <osgTreeWind/motion/laws/NoiseTime.h>
+#include <osgTreeWind/motion/laws/Rotations.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, const std::function<void()>& placed)
+    : _forest(forest), _winds(forest.units), _windTexels(2 * forest.units), _states(forest.units),
+      _rotations(forest.units), _poses(forest.units) {
+    for (const PlacedTree& tree : _forest.trees) {
+        addBranches(tree);
+        if (placed)
+            placed();
+    }
+    reset();
+}
+
+void BranchwiseMotion::refit() {
+    _thesisBranches.clear();
+    _dampedBranches.clear();
+    _windPlaces.clear();
+    for (const PlacedTree& tree : _forest.trees)
+        addBranches(tree);
+}
+
+void BranchwiseMotion::addBranches(const PlacedTree& tree) {
+    const TreeModel& model = _forest.modelOf(tree);
+    const Species& species = _forest.speciesOf(tree);
+    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    for (const BranchUnit& unit : model.skeleton.units)
+        _windPlaces.emplace_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine),
+                                 tree.position.z);
+    if (damped()) {
+        for (const Laws::DampedBranch& branch : makeDampedBranches(model, tree.scale, species, tree.leaves)) {
+            _windPlaces[_dampedBranches.size()].position.z = tree.position.z + branch.windHeight;
+            _dampedBranches.push_back(exaggerated(branch, _forest.description().gain));
+        }
+    } else {
+        for (const BranchUnit& unit : model.skeleton.units)
+            _thesisBranches.push_back(makeThesisBranch(unit, tree.scale, species));
+    }
+}
+
+void BranchwiseMotion::reset() {
+    std::fill(_winds.begin(), _winds.end(), glm::vec3(0.0f));
+    std::fill(_windTexels.begin(), _windTexels.end(), glm::vec4(0.0f));
+    std::fill(_states.begin(), _states.end(), glm::vec4(0.0f));
+    std::fill(_rotations.begin(), _rotations.end(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
+    std::fill(_poses.begin(), _poses.end(), UnitPose());
+}
+
+void BranchwiseMotion::sampleWind(const WindField* wind, double time) {
+    if (wind)
+        wind->sample(_windPlaces.data(), _windPlaces.size(), time, _winds.data());
+    else
+        std::fill(_winds.begin(), _winds.end(), glm::vec3(0.0f));
+    for (const PlacedTree& tree : _forest.trees) {
+        const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
+        for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitsOf(tree); ++i) {
+            _windTexels[2 * i] = _windTexels[2 * i + 1];
+            _windTexels[2 * i + 1] = glm::vec4(turnHeading(_winds[i], sine, cosine), 0.0f);
+        }
+    }
+}
+
+void BranchwiseMotion::step(double time, float seconds) {
+    for (const PlacedTree& tree : _forest.trees) {
+        if (damped())
+            swing(tree, seconds);
+        else
+            turn(tree, time);
+        pose(tree);
+    }
+}
+
+void BranchwiseMotion::setStates(const glm::vec4* states) {
+    std::copy(states, states + _states.size(), _states.begin());
+    for (const PlacedTree& tree : _forest.trees)
+        pose(tree);
+}
+
+TreeMotion BranchwiseMotion::motionOf(const PlacedTree& tree) const {
+    const std::size_t first = tree.firstUnit, units = _forest.unitsOf(tree);
+    return {{_poses.data() + first, units},
+            {_rotations.data() + first, units},
+            {_states.data() + first, units},
+            {_winds.data() + first, units},
+            {}};
+}
+
+void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
+    Laws laws;
+    const NoiseTime now = NoiseTime::at(time, _forest.speciesOf(tree).branch.noiseFrequency,
+                                        _forest.description().noiseExponent);
+    const auto units = static_cast<std::uint32_t>(_forest.unitsOf(tree));
+    for (std::uint32_t unit = 0; unit < units; ++unit) {
+        glm::vec3 noise;
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            noise[static_cast<int>(axis)] =
+                laws.motionNoise(laws.noiseStream(tree.seed, unit, axis), now.cell, now.fraction, now.gain);
+        const std::size_t i = tree.firstUnit + unit;
+        const glm::vec3 air = toThesis(glm::vec3(_windTexels[2 * i + 1]));
+        _states[i] = _forest.description().law == MotionLaw::Thesis
+                         ? laws.thesisBranchStep(_states[i], air, noise, _thesisBranches[i])
+                         : laws.thesisSmoothBranchStep(_states[i], air, noise, _thesisBranches[i]);
+    }
+}
+
+void BranchwiseMotion::swing(const PlacedTree& tree, float seconds) {
+    Laws laws;
+    for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitsOf(tree); ++i) {
+        const Laws::DampedBranch& branch = _dampedBranches[i];
+        const glm::vec2 before = laws.windAcross(glm::vec3(_windTexels[2 * i]), branch.direction);
+        const glm::vec2 now = laws.windAcross(glm::vec3(_windTexels[2 * i + 1]), branch.direction);
+        _states[i] = laws.dampedBranchStep(_states[i], before, now, branch, seconds);
+    }
+}
+
+void BranchwiseMotion::pose(const PlacedTree& tree) {
+    const std::size_t first = tree.firstUnit;
+    for (std::size_t i = first; i < first + _forest.unitsOf(tree); ++i)
+        _rotations[i] =
+            damped() ? dampedRotation(_states[i], _dampedBranches[i].direction) : branchRotation(_states[i]);
+    composePoses(_forest.modelOf(tree).skeleton, tree.scale, _rotations.data() + first,
+                 _poses.data() + first);
+}
+
+} // namespace osgTreeWind

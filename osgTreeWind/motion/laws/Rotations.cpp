@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/laws/Rotations.h>
+
+#include <osgTreeWind/motion/laws/Laws.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+glm::quat asQuat(const glm::vec4& q) {
+    return glm::quat(q.w, q.x, q.y, q.z);
+}
+
+} // namespace
+
+glm::quat branchRotation(const glm::vec4& state) {
+    return asQuat(Laws().branchRotation(state.x, state.y));
+}
+
+glm::quat dampedRotation(const glm::vec4& state, const glm::vec3& direction) {
+    return asQuat(Laws().dampedRotation(state.x, state.y, direction));
+}
+
+glm::quat leafRotation(const glm::vec4& state) {
+    return asQuat(Laws().leafRotation(state.x, state.y, state.z));
+}
+
+} // namespace osgTreeWind

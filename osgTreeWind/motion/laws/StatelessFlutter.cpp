@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/laws/StatelessFlutter.h>
+
+#include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/motion/laws/Laws.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr double paces[] = {0.7071067811865476, 1.0, 1.618033988749895}; // over the noise frequency
+
+float wrapped(double periods) {
+    const float fraction = static_cast<float>(periods - std::floor(periods));
+    return fraction < 1.0f ? fraction : 0.0f; // rounded up from just below; NaN
+}
+
+} // namespace
+
+float ownNumber(std::uint32_t seed) {
+    return Laws().unitInterval(Laws().scrambleBits(seed));
+}
+
+glm::vec3 flutterPhases(double time, const LeafMotion& motion) {
+    const double periods = time * static_cast<double>(motion.noiseFrequency);
+    return {wrapped(paces[0] * periods), wrapped(paces[1] * periods), wrapped(paces[2] * periods)};
+}
+
+glm::vec4 flutterLimits(const LeafMotion& motion) {
+    Laws laws;
+    const LeafMotion usual;
+    const float factor = clampOr(motion.factor, 0.0f, 1.0f, usual.factor);
+    return {factor * laws.angleLimit(motion.maxAngleX), factor * laws.angleLimit(motion.maxAngleZ),
+            clampOr(motion.maxRotation, 0.0f, 10.0f, usual.maxRotation),
+            clampOr(motion.linkedFactor, -10.0f, 10.0f, usual.linkedFactor)};
+}
+
+void StatelessFlutter::run(glm::vec4* angles) const {
+    Laws laws;
+    for (std::size_t i = 0; i < leaves.size; ++i) {
+        const float speed = glm::length(winds[static_cast<std::size_t>(leaves[i].unit)]);
+        angles[i] = glm::vec4(
+            laws.leafFlutter(laws.flutterAmplitude(speed), phases, own, static_cast<float>(i), limits), 0.0f);
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Span.h>
+#include <osgTreeWind/motion/laws/UnitPose.h>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// One tree as it stands now. Values run in access order.
+struct TreeMotion {
+    Span<UnitPose> poses;      ///< Per unit, in the tree's frame.
+    Span<glm::quat> rotations; ///< Per unit: its own turn about its base, in the tree's rest axes.
+    /// Per unit: (angleXY, angleYZ, wind.x, wind.z), thesis axes of the tree's own frame; for the law
+    /// `damped` the angles about both axes of the branch, radians, and their speeds; for `modal` those
+    /// angles, 0, 0.
+    Span<glm::vec4> states;
+    Span<glm::vec3> winds; ///< Per unit: the wind that it was given last, scene axes, m/s.
+    /// Per leaf cluster: (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame.
+    Span<glm::vec4> leaves;
+};
+
+/// Memory for the values of one tree.
+struct UnitValues {
+    std::vector<glm::vec2> angles;
+    std::vector<UnitPose> poses;
+    std::vector<glm::quat> rotations;
+    std::vector<glm::vec4> states;
+    std::vector<glm::vec3> winds;
+    std::vector<glm::vec4> leaves;
+
+    void resize(std::size_t units, std::size_t clusters) {
+        angles.resize(units);
+        poses.resize(units);
+        rotations.resize(units);
+        states.resize(units);
+        winds.resize(units);
+        leaves.resize(clusters);
+    }
+};
+
+} // namespace osgTreeWind

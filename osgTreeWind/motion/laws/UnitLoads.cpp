@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+
+#include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/motion/laws/AxisPaces.h>
+#include <osgTreeWind/motion/laws/PhysicalConstants.h>
+#include <osgTreeWind/motion/laws/ScaledUnit.h>
+#include <osgTreeWind/species/GrowthLaws.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr float pi = 3.14159265f;
+
+float largestHeight(const Skeleton& skeleton) {
+    float height = 0.0f;
+    for (const BranchUnit& unit : skeleton.units)
+        height = std::max(height, unit.tip.z);
+    return height;
+}
+
+/// Cross-section of the trunk at breast height (a tenth of a tree below 13 m), m^2.
+float trunkSection(const Skeleton& skeleton, const TreeScale& scale) {
+    const float height = std::min(1.3f, 0.1f * scale.axes.z * largestHeight(skeleton));
+    float radius = 0.0f;
+    for (const BranchUnit& unit : skeleton.units) {
+        const float base = scale.axes.z * unit.base.z, tip = scale.axes.z * unit.tip.z;
+        if (unit.parent < 0 || (unit.level == 0 && height >= base))
+            radius = glm::mix(unit.baseRadius, unit.tipRadius,
+                              std::clamp((height - base) / std::max(tip - base, 1.0e-6f), 0.0f, 1.0f));
+    }
+    return pi * radius * radius * scale.radius * scale.radius;
+}
+
+/// Share of the tree's leaves on each unit.
+std::vector<float> leafShares(const TreeModel& model) {
+    std::vector<float> shares(model.skeleton.units.size());
+    float sum = 0.0f;
+    for (const LeafCluster& cluster : model.leaves) {
+        const float area = cluster.size * cluster.size;
+        shares[static_cast<std::size_t>(cluster.unit)] += area;
+        sum += area;
+    }
+    for (float& share : shares)
+        share = sum > 0.0f ? share / sum : 0.0f;
+    return shares;
+}
+
+/// Outline of the crown seen from the side, taken as a rhombus, m^2.
+float crownOutline(const TreeModel& model, const TreeScale& scale) {
+    if (model.leaves.empty())
+        return 0.0f;
+    glm::vec3 low = model.leaves.front().anchor, high = low;
+    for (const LeafCluster& cluster : model.leaves) {
+        low = glm::min(low, cluster.anchor);
+        high = glm::max(high, cluster.anchor);
+    }
+    const glm::vec3 size = scale.axes * (high - low);
+    return 0.25f * (size.x + size.y) * size.z;
+}
+
+/// Brings the wood of all branches to the mass that such a tree has. A conifer's drawn branch stands for
+/// several side by side, which share their stiffness; a broadleaf's sections add up, so that twigs alone are
+/// missing.
+void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                   const WoodParameters& wood, float diameter) {
+    double trunk = 0.0, drawn = 0.0;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        (units[i].level > 0 ? drawn : trunk) += loads[i].woodMass;
+    if (!(drawn > 0.0))
+        return;
+    const auto factor = static_cast<float>(branchWoodMass(wood, diameter, trunk, drawn) / drawn);
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (units[i].level > 0) {
+            loads[i].woodMass *= factor;
+            if (wood.branchWood == WoodAllometry::Conifer)
+                loads[i].modulus *= factor;
+        }
+}
+
+/// What a unit carries, from its base along it.
+struct Carried {
+    float reach = 0.0f;   ///< Metres: the middle of the loads m r^2, and at least the tip of its axis.
+    float moment = 0.0f;  ///< Sum of m r, kg m.
+    float inertia = 0.0f; ///< Sum of m r^2, kg m^2.
+};
+
+std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                               const TreeScale& scale) {
+    std::vector<Carried> carried(units.size());
+    std::vector<glm::vec3> directions;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const ScaledUnit unit(units[i], scale);
+        directions.push_back(unit.direction());
+        const float mass = loads[i].leafMass + loads[i].woodMass;
+        for (int a = static_cast<int>(i); a >= 0; a = units[static_cast<std::size_t>(a)].parent) {
+            const auto carrier = static_cast<std::size_t>(a);
+            const float arm = std::max(
+                glm::dot(unit.middle() - scale.axes * units[carrier].base, directions[carrier]), 0.0f);
+            carried[carrier].moment += mass * arm;
+            carried[carrier].inertia += mass * arm * arm;
+        }
+    }
+    const std::vector<float> reaches = axisReaches(units, scale);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        Carried& c = carried[i];
+        c.reach = c.moment > 0.0f ? std::max(reaches[i], c.inertia / c.moment) : reaches[i];
+    }
+    return carried;
+}
+
+/// A joint bends as its wood does. A branch is at least so stiff that it does not hang down by its own
+/// weight, however many units it is made of: twigs of a slender tree are not as slender as its trunk.
+void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                  const TreeScale& scale) {
+    constexpr float deepestSag = 0.35f, g = static_cast<float>(gravity);
+    const std::vector<Carried> carried = carriedBy(loads, units, scale);
+    std::vector<float> branch = axisReaches(units, scale); // length of the one a unit is part of
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const ScaledUnit unit(units[i], scale);
+        if (carriesOn(units, i))
+            branch[i] = branch[static_cast<std::size_t>(units[i].parent)];
+        loads[i].stiffness = static_cast<float>(jointStiffness(
+            loads[i].modulus, unit.baseDiameter, unit.tipDiameter, unit.length, carried[i].reach));
+        if (units[i].level > 0)
+            loads[i].stiffness =
+                std::max(loads[i].stiffness, g * carried[i].moment * branch[i] / (deepestSag * unit.length));
+        if (loads[i].rootGive > 0.0f)
+            loads[i].stiffness = 1.0f / (1.0f / loads[i].stiffness + loads[i].rootGive);
+    }
+}
+
+} // namespace
+
+double breastDiameter(const TreeModel& model, const TreeScale& scale) {
+    return std::sqrt(4.0 * static_cast<double>(trunkSection(model.skeleton, scale)) /
+                     static_cast<double>(pi));
+}
+
+float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves) {
+    return clampOr(leaves, 0.0f, 1.0f, 1.0f) * species.wood.leafArea * trunkSection(model.skeleton, scale);
+}
+
+std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
+                                    float leaves) {
+    const std::vector<BranchUnit>& units = model.skeleton.units;
+    const WoodParameters& wood = species.wood;
+    const std::vector<float> shares = leafShares(model);
+    const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
+    const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
+    const auto diameter = static_cast<float>(breastDiameter(model, scale));
+    const float height = scale.axes.z * largestHeight(model.skeleton);
+    const double modulus =
+        std::pow(wood.underBark, 4.0) * stemModulus(wood, height / std::max(diameter, 1.0e-6f));
+    const float area = leafArea(model, scale, species, share);
+    const float crown =
+        known ? share * wood.crownDrag * std::pow(10.0f, -wood.streamlining) * crownOutline(model, scale)
+              : wood.leafDrag * area;
+    std::vector<UnitLoad> loads(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const ScaledUnit unit(units[i], scale);
+        const float d0 = unit.baseDiameter, d1 = unit.tipDiameter;
+        loads[i].woodMass = wood.density * unit.volume();
+        loads[i].modulus = static_cast<float>(units[i].level > 0 ? wood.branchModulus * modulus : modulus);
+        loads[i].rootGive = units[i].parent < 0 ? static_cast<float>(rootGive(wood, diameter, height)) : 0.0f;
+        loads[i].leafArea = area * shares[i];
+        loads[i].leafMass = wood.leafMass * loads[i].leafArea;
+        loads[i].leafDrag = crown * shares[i];
+        loads[i].woodDrag = wood.woodDrag * 0.5f * (d0 + d1) * unit.length;
+        if (known && units[i].level > 0) // a crown is measured with its branches
+            loads[i].woodDrag *= 1.0f - share;
+    }
+    weighBranches(loads, units, wood, diameter);
+    addStiffness(loads, units, scale);
+    return loads;
+}
+
+} // namespace osgTreeWind

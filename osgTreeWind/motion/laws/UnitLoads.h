@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/species/Species.h>
+
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What one unit bears by itself and what holds it, SI units: what all laws in SI units have in common.
+struct UnitLoad {
+    float woodMass = 0.0f;  ///< Fresh, with bark, kg.
+    float leafArea = 0.0f;  ///< m^2.
+    float leafMass = 0.0f;  ///< Fresh, kg.
+    float woodDrag = 0.0f;  ///< CdA that keeps its form, m^2.
+    float leafDrag = 0.0f;  ///< CdA that streamlines, up to 10 m/s: of leaves, or of the measured crown, m^2.
+    float modulus = 1.0f;   ///< Of its section as if it were all wood, Pa.
+    float rootGive = 0.0f;  ///< Of what holds its base, rad/(N m): roots and soil under a trunk, else 0.
+    float stiffness = 1.0f; ///< K of the joint at its base (jointStiffness()) and of its roots, N m/rad.
+};
+
+/// Loads of every unit of a tree. Leaves, and the drag of a crown that was measured, are where leaves are
+/// drawn, by the area of their clusters.
+/// @param leaves share of its leaves that the tree bears, 0 bare to 1; bare wood has a drag of its own, all
+/// branches of it.
+std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
+                                    float leaves = 1.0f);
+
+/// Diameter of its trunk at breast height (a tenth of a tree below 13 m), metres.
+double breastDiameter(const TreeModel& model, const TreeScale& scale);
+
+/// Area of all leaves of a tree, m^2.
+float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves = 1.0f);
+
+} // namespace osgTreeWind

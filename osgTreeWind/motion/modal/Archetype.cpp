@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/modal/Archetype.h>
+
+#include <osgTreeWind/motion/laws/ScaledUnit.h>
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/motion/modal/JointTree.h>
+#include <osgTreeWind/motion/modal/ModalLean.h>
+#include <osgTreeWind/species/GrowthLaws.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+// Steps between rungs: of logarithms, and of the leaves' share.
+constexpr float heightStep = 0.7f, girthStep = 0.7f, widthStep = 0.2f, leavesStep = 0.25f;
+
+JointTree jointsOf(const SwayingTree& tree) {
+    return makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves);
+}
+
+float widthOver(const TreeScale& scale) {
+    return scale.axes.x / scale.axes.z;
+}
+
+float girthOver(const TreeScale& scale) {
+    return scale.radius / scale.axes.z;
+}
+
+int steps(float value, float step) {
+    return static_cast<int>(std::lround(std::clamp(value / step, -100.0f, 100.0f)));
+}
+
+/// Logarithms of what growth gives to a tree beside its scale; of its leaves, over the mass of wood of that
+/// scale.
+SizePowers growthOf(const SwayingTree& tree, float leaves) {
+    const WoodParameters& wood = tree.species->wood;
+    double trunk = 0.0, drawn = 0.0, height = 0.0;
+    for (const BranchUnit& unit : tree.model->skeleton.units) {
+        const ScaledUnit scaled(unit, tree.scale);
+        (unit.level > 0 ? drawn : trunk) += static_cast<double>(wood.density * scaled.volume());
+        height = std::max(height, static_cast<double>(scaled.base.z + scaled.span.z));
+    }
+    const double diameter = std::max(breastDiameter(*tree.model, tree.scale), 1.0e-6);
+    const glm::vec3& axes = tree.scale.axes;
+    SizePowers logs;
+    logs.modulus = static_cast<float>(std::log(stemModulus(wood, height / diameter)));
+    logs.branches = drawn > 0.0
+                        ? static_cast<float>(std::log(branchWoodMass(wood, diameter, trunk, drawn) / drawn))
+                        : 0.0f;
+    logs.width = std::log(widthOver(tree.scale));
+    logs.leaves = leaves > 0.0f ? std::log(leaves / (tree.scale.radius * tree.scale.radius * axes.z)) : 0.0f;
+    return logs;
+}
+
+constexpr double little = 0.1; // of a logarithm
+
+/// The powers by which the modes follow one quantity: what is left on `other`, which has e^change as much of
+/// it.
+void addPowers(std::vector<ModalShape>& shapes, const JointTree& other, double change,
+               float SizePowers::*size) {
+    const ModalRatios ratios = modalRatios(shapes.front(), other);
+    for (ModalShape& shape : shapes)
+        for (std::size_t k = 0; k < shape.modes.size(); ++k) {
+            shape.modes[k].stiffness.*size = static_cast<float>(std::log(ratios.stiffness[k]) / change);
+            shape.modes[k].mass.*size = static_cast<float>(std::log(ratios.mass[k]) / change);
+        }
+}
+
+/// The tree with more wood in its branches.
+JointTree withBranches(const SwayingTree& tree, double factor) {
+    const std::vector<BranchUnit>& units = tree.model->skeleton.units;
+    SwayingTree bare = tree;
+    bare.leaves = 0.0f;
+    JointTree joints = jointsOf(tree);
+    const JointTree wood = jointsOf(bare);
+    for (std::size_t i = 0; i < joints.points.size(); ++i)
+        if (units[joints.points[i].link].level > 0)
+            joints.points[i].mass += (factor - 1.0) * wood.points[i].mass;
+    if (tree.species->wood.branchWood ==
+        WoodAllometry::Conifer) // several side by side, which share stiffness
+        for (std::size_t i = 0; i < units.size(); ++i)
+            if (units[i].level > 0)
+                joints.links[i].stiffness *= factor;
+    return joints;
+}
+
+/// The tree with a crown as many times wider, and the same wood in its branches.
+JointTree withWidth(const SwayingTree& tree, float factor) {
+    SwayingTree other = tree;
+    other.scale.axes.x *= factor;
+    other.scale.axes.y *= factor;
+    return withBranches(
+        other, std::exp(static_cast<double>(growthOf(tree, 0.0f).branches - growthOf(other, 0.0f).branches)));
+}
+
+void addPowers(std::vector<ModalShape>& shapes, const SwayingTree& tree) {
+    const double more = std::exp(little);
+    Species stiffer = *tree.species;
+    stiffer.wood.elasticModulus *= static_cast<float>(more);
+    SwayingTree other = tree;
+    other.species = &stiffer;
+    addPowers(shapes, jointsOf(other), little, &SizePowers::modulus);
+    addPowers(shapes, withBranches(tree, more), little, &SizePowers::branches);
+    addPowers(shapes, withWidth(tree, static_cast<float>(more)), little, &SizePowers::width);
+    other = tree;
+    other.leaves *= static_cast<float>(1.0 / more);
+    addPowers(shapes, jointsOf(other), -little, &SizePowers::leaves);
+}
+
+std::vector<std::size_t> nearestPatches(const ModalShape& shape, const ModalShape& other) {
+    std::vector<std::size_t> nearest;
+    for (const ModalShape::Patch& patch : shape.patches) {
+        const auto distance = [&](const ModalShape::Patch& o) { return glm::distance(patch.place, o.place); };
+        nearest.push_back(static_cast<std::size_t>(
+            std::min_element(other.patches.begin(), other.patches.end(),
+                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
+            other.patches.begin()));
+    }
+    return nearest;
+}
+
+} // namespace
+
+ArchetypeRung nearestRung(const SwayingTree& tree) {
+    return {tree.model,
+            tree.species,
+            steps(std::log(tree.scale.axes.z), heightStep),
+            steps(std::log(girthOver(tree.scale)), girthStep),
+            steps(std::log(widthOver(tree.scale)), widthStep),
+            steps(tree.leaves, leavesStep)};
+}
+
+SwayingTree treeOn(const ArchetypeRung& rung) {
+    SwayingTree tree{rung.model, rung.species, {}, leavesStep * static_cast<float>(rung.leaves)};
+    tree.scale.axes.z = std::exp(heightStep * static_cast<float>(rung.height));
+    tree.scale.radius = tree.scale.axes.z * std::exp(girthStep * static_cast<float>(rung.girth));
+    tree.scale.axes.x = tree.scale.axes.y =
+        tree.scale.axes.z * std::exp(widthStep * static_cast<float>(rung.width));
+    tree.scale.leaf = std::cbrt(tree.scale.axes.x * tree.scale.axes.y * tree.scale.axes.z);
+    return tree;
+}
+
+Archetype::Archetype(const SwayingTree& tree)
+    : _tree(tree), _leafArea(leafArea(*tree.model, tree.scale, *tree.species, tree.leaves)),
+      _logs(growthOf(tree, _leafArea)) {
+    const WoodParameters& wood = tree.species->wood;
+    const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
+                                 tree.species->branch.maxAngle};
+    const JointTree joints = jointsOf(tree);
+    _shapes = makeModalShapes(joints, material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
+    for (ModalShape& shape : _shapes) {
+        shape.height = measureTree(*tree.model, tree.scale).height;
+        shape.leans = modalLeans(*tree.model, tree.scale, joints, shape);
+    }
+    addPowers(_shapes, tree);
+    _other[0] = nearestPatches(_shapes[0], _shapes[1]);
+    _other[1] = nearestPatches(_shapes[1], _shapes[0]);
+}
+
+TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
+    const float l = tree.scale.axes.z / _tree.scale.axes.z, r = tree.scale.radius / _tree.scale.radius;
+    TreeFactors f;
+    f.cosine = std::cos(heading);
+    f.sine = std::sin(heading);
+    f.length = l;
+    f.pace = r * r / (l * l * l * l);
+    const float leaves = leafArea(*tree.model, tree.scale, *tree.species, tree.leaves);
+    const SizePowers logs = growthOf(tree, leaves);
+    f.logs.modulus = logs.modulus - _logs.modulus;
+    f.logs.branches = logs.branches - _logs.branches;
+    f.logs.width = logs.width - _logs.width;
+    f.logs.leaves = leaves > 0.0f && _leafArea > 0.0f ? logs.leaves - _logs.leaves : 0.0f;
+    f.stillDrag = _leafArea > 0.0f ? leaves / _leafArea : 0.0f;
+    f.leafDrag = tree.species->wood.crownDrag > 0.0f && _tree.leaves > 0.0f
+                     ? l * tree.scale.axes.x / _tree.scale.axes.x * tree.leaves / _tree.leaves // its outline
+                     : f.stillDrag;
+    return f;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/modal/ModalKernel.h>
+#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/species/Species.h>
+
+#include <tuple>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What a tree is to the law `modal`: a form grown to a size, with a share of its leaves.
+struct SwayingTree {
+    const TreeModel* model = nullptr;
+    const Species* species = nullptr;
+    TreeScale scale;
+    float leaves = 1.0f; ///< [0, 1]
+};
+
+/// A rung of size: trees near it share one archetype. Rungs do not depend on which trees there are.
+struct ArchetypeRung {
+    const TreeModel* model = nullptr;
+    const Species* species = nullptr;
+    /// Steps of height, of girth and crown width over height, of the leaves' share.
+    int height = 0, girth = 0, width = 0, leaves = 0;
+
+    bool operator<(const ArchetypeRung& o) const {
+        return std::tie(model, species, height, girth, width, leaves) <
+               std::tie(o.model, o.species, o.height, o.girth, o.width, o.leaves);
+    }
+};
+
+/// The rung nearest to a tree: heights and girths a factor of 2 apart, widths of 1.22, leaves by quarters.
+ArchetypeRung nearestRung(const SwayingTree& tree);
+/// The tree that stands on a rung.
+SwayingTree treeOn(const ArchetypeRung& rung);
+
+/// Shapes of one tree at each level of detail, and what it takes to fit them to others. Immutable.
+///
+/// Modes keep their shape on another tree; their stiffness and mass follow its sizes by the powers found on
+/// the archetype (Rayleigh's quotient: what the changing shape would do to the pace is of second order).
+class Archetype {
+public:
+    /// Modes of exactly this tree, which need not stand on a rung. Works on ModalDetail()s that suit trees
+    /// near by and far away.
+    explicit Archetype(const SwayingTree& tree);
+
+    /// 0: near. 1: far, 4 modes and 4 patches.
+    static constexpr std::size_t levels = 2;
+    const ModalShape& shape(std::size_t level) const { return _shapes[level]; }
+    /// Nearest patch of the other level to each patch of `level`.
+    const std::vector<std::size_t>& otherPatches(std::size_t level) const { return _other[level]; }
+
+    /// Factors of another tree of the same model and species.
+    TreeFactors factors(const SwayingTree& tree, float heading) const;
+    /// Scale of the tree it was made from.
+    const TreeScale& scale() const { return _tree.scale; }
+
+private:
+    SwayingTree _tree;
+    float _leafArea = 0.0f;
+    SizePowers _logs; ///< Logarithms of what its growth gives it.
+    std::vector<ModalShape> _shapes;
+    std::vector<std::size_t> _other[levels];
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/modal/ModalShape.h>
+
+#include <cstddef>
+#include <string>
+
+namespace osgTreeWind {
+
+/// One number of each of eight trees that are stepped together.
+struct alignas(32) TreeLanes {
+    static constexpr std::size_t count = 8;
+    float tree[count] = {};
+};
+
+/// A tree's own numbers beside its shape's, in the order in which they stand in a block of trees.
+///
+/// All lengths times l and all radii times r change stiffness by r^4 / l and mass by r^2 l^3. Where a tree is
+/// not so simple (its modulus follows its slenderness, its leaves do not follow its wood), the modes'
+/// SizePowers say how.
+struct TreeFactors {
+    float cosine = 1.0f, sine = 0.0f;        ///< Of its heading.
+    float length = 1.0f;                     ///< l
+    float pace = 1.0f;                       ///< r^2 / l^4: stiffness over mass.
+    SizePowers logs;                         ///< Logarithms of what else is not as on the shape's tree.
+    float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the shape's; that of wood is r l.
+};
+
+/// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in
+/// the tree's own axes), its factors.
+inline std::size_t treeFloats(const ModalShape& shape) {
+    return 2 * shape.modes.size() + 3 * shape.patches.size() + sizeof(TreeFactors) / sizeof(float);
+}
+
+/// A step of eight trees of one shape.
+struct ModalStep {
+    const ModalShape* shape = nullptr;
+    TreeLanes* block = nullptr; ///< treeFloats() elements.
+    TreeLanes* wind = nullptr;  ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
+    float seconds = 0.0f;       ///< > 0; the wind goes evenly from where it was to where it is.
+    int substeps = 1;           ///< 0: the wind is taken for that of now, and nothing moves.
+    float gain = 1.0f;          ///< [0, 100]
+};
+
+/// Instruction sets the law is compiled for. All give the same bits.
+enum class InstructionSet { Baseline, Avx2, Avx512 };
+
+/// The widest one this machine has; the environment's OSGTREEWIND_INSTRUCTIONS (baseline, avx2, avx512)
+/// narrows it.
+InstructionSet bestInstructionSet();
+const char* nameOf(InstructionSet set);
+
+/// Steps with that set; only one that the machine has.
+void stepTrees(const ModalStep& step, InstructionSet set);
+
+} // namespace osgTreeWind

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Executor.h>
+#include <osgTreeWind/motion/modal/Archetype.h>
+#include <osgTreeWind/motion/modal/ModalTree.h>
+#include <osgTreeWind/wind/WindField.h>
+
+#include <glm/vec2.hpp>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// The law `modal` for a forest: every tree a short vector, stepped eight at a time with those of its
+/// archetype.
+///
+/// A tree takes stateBytes() beside its archetype. What comes out does not depend on threads or on the
+/// processor's instruction set, nor, for near trees, on the other trees; far ones step in turns with those
+/// they are kept with. Not thread-safe, but for the threads of its executor.
+class ModalMotion {
+public:
+    using Tree = ModalTree;
+    using Level = ModalLevel;
+    static constexpr unsigned farInterval = 8; ///< Steps from one of a far tree to the next,
+    static constexpr float longestWait = 0.2f; ///< or seconds.
+
+    /// @param gain [0, 100], on the answer to the wind. @param exact gives each tree an archetype of its own
+    /// instead of that of the nearest rung, which takes milliseconds and tens of kB a tree.
+    ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact = false);
+    ~ModalMotion();
+    /// The same trees at the same levels, at rest in a calm. Shares the archetypes.
+    std::unique_ptr<ModalMotion> restarted() const;
+
+    /// Puts up a tree at rest in a calm, in microseconds whatever the number of trees; the first one on its
+    /// rung takes milliseconds, and its archetype stays. Its model and species must outlive this.
+    /// @return its number: one that was removed, or else treeCount().
+    std::size_t add(const Tree& tree);
+    /// Its number then is no tree's until add() gives it out again.
+    void remove(std::size_t tree);
+    /// Makes it another one, at its level. Keeps its sway: all of it on the same rung, else as nearly as the
+    /// patches of its crown can move alike.
+    void replace(std::size_t tree, const Tree& other);
+    bool holds(std::size_t tree) const;
+
+    /// Numbers given out, those of removed trees too.
+    std::size_t treeCount() const { return _leans.size(); }
+    std::size_t archetypeCount() const { return _archetypes.size(); }
+    const Archetype& archetype(std::size_t tree) const;
+    const ModalShape& shape(std::size_t tree) const; ///< Its archetype's, at its present level.
+    TreeFactors factors(std::size_t tree) const;     ///< Its sizes over its archetype's.
+
+    /// From the next step on. What modes and patches have in common is kept.
+    void setLevel(std::size_t tree, Level level);
+    Level level(std::size_t tree) const;
+
+    /// Takes the wind of this time as that of now, without moving. @param wind null: calm.
+    void meet(const WindField* wind, double time);
+    /// Moves on by `seconds` > 0 to `time`; the wind goes evenly to what it is then.
+    void step(const WindField* wind, double time, float seconds);
+    /// Back to rest, in a calm.
+    void reset();
+
+    /// What the pose is a matrix times: amplitudes of the modes, then forces of the air on the patches.
+    /// @param vector shape(tree).columns() elements.
+    void poseVector(std::size_t tree, float* vector) const;
+    /// Angles of each unit about its two axes as the tree stands (those of `damped`), held within the
+    /// species' largest. @param angles one per unit.
+    void angles(std::size_t tree, glm::vec2* angles) const;
+    /// Speed of the wind that each patch met last, m/s. @param speeds shape(tree).patches.size() elements.
+    void patchSpeeds(std::size_t tree, float* speeds) const;
+    /// How far its modes have moved the top of the tree, metres, scene axes; height z has moved by
+    /// (z / height)^leanPower of that (ModalLean.h).
+    glm::vec2 lean(std::size_t tree) const { return _leans[tree]; }
+    /// Per unit: the wind that its patch met last, m/s, scene axes.
+    void winds(std::size_t tree, glm::vec3* winds) const;
+
+    /// Amplitudes of the modes, in the order of the archetype's, at most as many as it has; speeds become 0.
+    void setAmplitudes(std::size_t tree, const std::vector<float>& amplitudes);
+    std::vector<float> amplitudes(std::size_t tree) const;
+
+    std::size_t stateBytes() const; ///< Of all trees.
+    std::size_t archetypeBytes() const;
+
+private:
+    struct Group;
+    struct Slot;
+    struct Place;
+    struct Work;
+
+    ModalMotion(const ModalMotion& other);
+    std::uint32_t archetypeOf(const SwayingTree& form);
+    void addGroups(std::shared_ptr<const Archetype> archetype);
+    void put(std::size_t tree, std::size_t group);
+    void take(std::size_t tree);
+    void stand(std::size_t tree, const Tree& given);
+    const Group& groupOf(std::size_t tree) const;
+    float& number(std::size_t tree, std::size_t index);
+    float number(std::size_t tree, std::size_t index) const;
+    void advance(const WindField* wind, double time);
+    void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
+    void refreshLean(std::size_t tree);
+
+    Executor _executor;
+    float _gain;
+    InstructionSet _instructions = bestInstructionSet();
+    bool _exact;
+    std::map<ArchetypeRung, std::uint32_t> _rungs; ///< To an index of `_archetypes`.
+    std::vector<std::shared_ptr<const Archetype>> _archetypes;
+    std::vector<Group> _groups;       ///< Two for each archetype, one a level.
+    std::vector<Slot> _slots;         ///< Per tree.
+    std::vector<Place> _places;       ///< Per tree.
+    std::vector<glm::vec2> _leans;    ///< Per tree.
+    std::vector<std::uint32_t> _free; ///< Numbers of removed trees.
+    std::vector<Work> _work;          ///< Of the step at hand.
+    unsigned _turn = 0;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/modal/ModalShape.h>
+
+#include <osgTreeWind/motion/laws/PhysicalConstants.h>
+#include <osgTreeWind/motion/modal/DragPatches.h>
+#include <osgTreeWind/motion/modal/TreeModes.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr std::size_t candidates = 32;
+constexpr std::size_t fewestModes = 8;
+constexpr double enoughEnergy = 0.95;
+
+/// Torque on each joint of unit forces x, y, z on a patch, spread over it as its drag is.
+using PatchTorques = std::vector<std::vector<glm::dvec3>>; // per patch and joint
+
+struct Patches {
+    std::vector<std::size_t> ofLink;
+    std::vector<ModalShape::Patch> list;
+    PatchTorques torques;
+};
+
+Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, std::size_t count) {
+    std::vector<std::size_t> ofLink = dragPatches(tree, count);
+    std::size_t made = 0;
+    for (const std::size_t patch : ofLink)
+        made = std::max(made, patch + 1);
+    std::vector<double> area(made), wood(made), leaves(made), still(made);
+    std::vector<glm::dvec3> place(made, glm::dvec3(0.0));
+    Patches patches{{},
+                    std::vector<ModalShape::Patch>(made),
+                    PatchTorques(made, std::vector<glm::dvec3>(tree.jointCount(), glm::dvec3(0.0)))};
+    for (const JointTree::Point& point : tree.points) {
+        const std::size_t p = ofLink[point.link];
+        const double drag = point.woodDrag + point.leafDrag;
+        area[p] += drag;
+        wood[p] += point.woodDrag;
+        leaves[p] += point.leafDrag;
+        still[p] += point.stillDrag;
+        place[p] += drag * point.place;
+    }
+    for (const JointTree::Point& point : tree.points) {
+        const std::size_t p = ofLink[point.link];
+        const double drag = point.woodDrag + point.leafDrag;
+        if (!(drag > 0.0))
+            continue;
+        for (int c = static_cast<int>(point.link); c >= 0; c = tree.links[static_cast<std::size_t>(c)].parent)
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                const auto carrier = static_cast<std::size_t>(c);
+                patches.torques[p][2 * carrier + axis] +=
+                    drag / area[p] * tree.displacement(point, carrier, axis);
+            }
+    }
+    for (std::size_t p = 0; p < made; ++p) {
+        ModalShape::Patch& patch = patches.list[p];
+        const double half = 0.5 * airDensity;
+        patch.place = area[p] > 0.0 ? place[p] / area[p] : glm::dvec3(0.0);
+        patch.woodDrag = static_cast<float>(half * wood[p]);
+        patch.leafDrag = static_cast<float>(half * leaves[p]);
+        patch.stillDrag = static_cast<float>(half * still[p]);
+        patch.streamlining =
+            area[p] > 0.0
+                ? static_cast<float>(static_cast<double>(material.streamlining) * leaves[p] / area[p])
+                : 0.0f;
+    }
+    patches.ofLink = std::move(ofLink);
+    return patches;
+}
+
+glm::dvec3 lever(const TreeMode& mode, const std::vector<glm::dvec3>& torques) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < torques.size(); ++i)
+        sum += mode.shape[i] * torques[i];
+    return sum;
+}
+
+double dragOf(const ModalShape::Patch& patch) {
+    return static_cast<double>(patch.woodDrag + patch.leafDrag);
+}
+
+/// Static energy of a mode under horizontal gusts as large at each patch, half of them of the whole crown at
+/// once.
+double energyUnderGusts(const TreeMode& mode, const Patches& patches) {
+    double alone = 0.0;
+    glm::dvec3 together(0.0);
+    for (std::size_t p = 0; p < patches.list.size(); ++p) {
+        const glm::dvec3 force = dragOf(patches.list[p]) * lever(mode, patches.torques[p]);
+        alone += force.x * force.x + force.y * force.y;
+        together += force;
+    }
+    return (alone + together.x * together.x + together.y * together.y) / (mode.speed * mode.speed);
+}
+
+/// Modes in the order of the energy with which gusts make them swing: slow ones are met by more of their
+/// spectrum, whose power falls as f^-5/3.
+std::vector<std::size_t> byEnergy(const std::vector<TreeMode>& modes, const std::vector<double>& energies) {
+    std::vector<std::size_t> order(modes.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    const auto swing = [&](std::size_t k) { return energies[k] * std::pow(modes[k].speed, -2.0 / 3.0); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return swing(a) > swing(b); });
+    return order;
+}
+
+/// Static energy of all modes, kept or not.
+double wholeEnergy(const JointTree& tree, const Patches& patches) {
+    double energy = 0.0;
+    std::vector<glm::dvec3> together(tree.jointCount(), glm::dvec3(0.0));
+    for (std::size_t i = 0; i < tree.jointCount(); ++i) {
+        double alone = 0.0;
+        for (std::size_t p = 0; p < patches.list.size(); ++p) {
+            const glm::dvec3 torque = dragOf(patches.list[p]) * patches.torques[p][i];
+            alone += torque.x * torque.x + torque.y * torque.y;
+            together[i] += torque;
+        }
+        energy += (alone + together[i].x * together[i].x + together[i].y * together[i].y) /
+                  tree.links[i / 2].stiffness;
+    }
+    return energy;
+}
+
+/// With those modes, in their order.
+ModalShape shapeOf(const JointTree& tree, const ModalMaterial& material, const std::vector<TreeMode>& modes,
+                   const std::vector<double>& shares, const Patches& patches) {
+    ModalShape shape;
+    const std::size_t joints = tree.jointCount(), count = modes.size(), patchCount = patches.list.size();
+    shape.joints = joints;
+    shape.patches = patches.list;
+    shape.patchOfLink = patches.ofLink;
+    shape.dampingRatio = material.dampingRatio;
+    shape.streamlinedTo = std::max(material.streamlinedTo, 10.0f);
+    shape.maxAngle = material.maxAngle;
+    std::vector<std::vector<glm::dvec3>> levers(patchCount); // per patch and mode
+    for (std::size_t p = 0; p < patchCount; ++p)
+        for (const TreeMode& mode : modes)
+            levers[p].push_back(lever(mode, patches.torques[p]));
+
+    for (std::size_t k = 0; k < count; ++k) {
+        ModalShape::Mode mode;
+        mode.pace = static_cast<float>(modes[k].speed);
+        mode.weightShare = static_cast<float>(modes[k].weightShare);
+        mode.energyShare = static_cast<float>(shares[k]);
+        double square = 1e-18; // mean of the squared angle, by elastic energy
+        for (std::size_t i = 0; i < joints; ++i) {
+            const double angle = modes[k].shape[i] * modes[k].shape[i];
+            square += angle * angle * tree.links[i / 2].stiffness / (modes[k].speed * modes[k].speed);
+        }
+        mode.limit = static_cast<float>(10.0 * static_cast<double>(material.maxAngle) / std::sqrt(square));
+        shape.modes.push_back(mode);
+    }
+    for (std::size_t p = 0; p < patchCount; ++p) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (std::size_t k = 0; k < count; ++k)
+                shape.levers.push_back(static_cast<float>(levers[p][k][axis]));
+        for (std::size_t k = 0; k < count; ++k)
+            shape.brakes.push_back(static_cast<float>(glm::dot(levers[p][k], levers[p][k])));
+    }
+    shape.poses.reserve(joints * shape.columns());
+    for (std::size_t i = 0; i < joints; ++i) {
+        for (const TreeMode& mode : modes)
+            shape.poses.push_back(static_cast<float>(mode.shape[i]));
+        for (std::size_t p = 0; p < patchCount; ++p) {
+            glm::dvec3 rest = patches.torques[p][i] / tree.links[i / 2].stiffness;
+            for (std::size_t k = 0; k < count; ++k)
+                rest -= modes[k].shape[i] / (modes[k].speed * modes[k].speed) * levers[p][k];
+            for (int axis = 0; axis < 3; ++axis)
+                shape.poses.push_back(static_cast<float>(rest[axis]));
+        }
+    }
+    return shape;
+}
+
+} // namespace
+
+std::vector<ModalShape> makeModalShapes(const JointTree& tree, const ModalMaterial& material,
+                                        const std::vector<ModalDetail>& details) {
+    std::vector<ModalShape> shapes;
+    std::vector<TreeMode> modes; // kept at the finest detail, in their order
+    std::vector<double> shares;
+    for (const ModalDetail& detail : details) {
+        const Patches patches = partIntoPatches(
+            tree, material, std::clamp<std::size_t>(detail.patches, 1, ModalDetail::maxPatches));
+        const std::size_t most = std::clamp<std::size_t>(detail.modes, 1, ModalDetail::maxModes);
+        if (shapes.empty()) {
+            const std::vector<TreeMode> found = slowestModes(tree, candidates);
+            std::vector<double> energies;
+            for (const TreeMode& mode : found)
+                energies.push_back(energyUnderGusts(mode, patches));
+            const double whole = wholeEnergy(tree, patches);
+            double kept = 0.0;
+            for (const std::size_t k : byEnergy(found, energies)) {
+                if (modes.size() == most || (modes.size() >= fewestModes && kept >= enoughEnergy))
+                    break;
+                modes.push_back(found[k]);
+                shares.push_back(whole > 0.0 ? energies[k] / whole : 0.0);
+                kept += shares.back();
+            }
+        }
+        const std::size_t count = std::min(most, modes.size());
+        shapes.push_back(shapeOf(tree, material,
+                                 {modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count)}, shares,
+                                 patches));
+    }
+    return shapes;
+}
+
+ModalShape makeModalShape(const JointTree& tree, const ModalMaterial& material, const ModalDetail& detail) {
+    return std::move(makeModalShapes(tree, material, {detail}).front());
+}
+
+ModalRatios modalRatios(const ModalShape& shape, const JointTree& other) {
+    const JointMasses masses(other);
+    ModalRatios ratios;
+    for (std::size_t k = 0; k < shape.modes.size(); ++k) {
+        std::vector<double> angles(shape.joints);
+        double stiffness = 0.0, mass = 0.0;
+        for (std::size_t i = 0; i < shape.joints; ++i) {
+            angles[i] = shape.poses[i * shape.columns() + k];
+            stiffness += angles[i] * angles[i] * other.links[i / 2].stiffness;
+        }
+        const std::vector<double> momenta = masses.times(angles);
+        for (std::size_t i = 0; i < shape.joints; ++i)
+            mass += angles[i] * momenta[i];
+        const double pace = shape.modes[k].pace;
+        ratios.stiffness.push_back(stiffness / (pace * pace));
+        ratios.mass.push_back(mass);
+    }
+    return ratios;
+}
+
+} // namespace osgTreeWind

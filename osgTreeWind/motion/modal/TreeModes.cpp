@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/modal/TreeModes.h>
+
+#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/laws/PhysicalConstants.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr std::size_t startVectors = 4;
+constexpr std::size_t smallestSpace = 72;
+
+/// What the points beyond a joint weigh, about the base of its link.
+struct Carried {
+    double mass = 0.0;
+    glm::dvec3 first{0.0};  ///< Sum of m r.
+    glm::dmat3 second{0.0}; ///< Sum of m r r^T.
+
+    /// Seen from another place, `shift` away from its own base.
+    Carried from(const glm::dvec3& shift) const {
+        return {mass, first + mass * shift,
+                second + glm::outerProduct(first, shift) + glm::outerProduct(shift, first) +
+                    mass * glm::outerProduct(shift, shift)};
+    }
+    void add(const Carried& other) {
+        mass += other.mass;
+        first += other.first;
+        second += other.second;
+    }
+};
+
+double trace(const glm::dmat3& m) {
+    return m[0][0] + m[1][1] + m[2][2];
+}
+
+std::vector<double> weightShares(const JointTree& tree, const Eigen::MatrixXd& shapes,
+                                 const Eigen::VectorXd& energies) {
+    const std::size_t count = tree.links.size();
+    std::vector<double> mass(count);
+    std::vector<glm::dvec3> moment(count,
+                                   glm::dvec3(0.0)); // of all that hangs on a link, where it is fixed to it
+    for (const JointTree::Point& point : tree.points) {
+        mass[point.link] += point.mass;
+        moment[point.link] += point.mass * (point.place - tree.links[point.link].base);
+    }
+    for (std::size_t i = count; i-- > 0;)
+        if (tree.links[i].parent >= 0) {
+            const auto parent = static_cast<std::size_t>(tree.links[i].parent);
+            mass[parent] += mass[i];
+            moment[parent] += mass[i] * (tree.links[i].base - tree.links[parent].base);
+        }
+    std::vector<double> shares;
+    std::vector<glm::dvec3> turn(count);
+    for (Eigen::Index k = 0; k < shapes.cols(); ++k) {
+        double work = 0.0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const JointTree::Link& link = tree.links[i];
+            turn[i] = link.parent >= 0 ? turn[static_cast<std::size_t>(link.parent)] : glm::dvec3(0.0);
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                turn[i] += shapes(static_cast<Eigen::Index>(2 * i + axis), k) * link.axes[axis];
+            work += glm::dot(turn[i], turn[i]) * moment[i].z - glm::dot(turn[i], moment[i]) * turn[i].z;
+        }
+        shares.push_back(gravity * work / energies[k]);
+    }
+    return shares;
+}
+
+/// An orthonormal basis of the Krylov space of `a`, and a times it.
+void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::MatrixXd& basis,
+                 Eigen::MatrixXd& images) {
+    const Eigen::Index n = a.rows(), m = static_cast<Eigen::Index>(size);
+    Random random(1);
+    basis.resize(n, m);
+    images.resize(n, m);
+    for (Eigen::Index filled = 0, worked = 0; worked < m;) {
+        if (filled < m) {
+            Eigen::VectorXd next(n);
+            if (filled < static_cast<Eigen::Index>(startVectors))
+                for (Eigen::Index i = 0; i < n; ++i)
+                    next[i] = random.symmetric();
+            else
+                next = images.col(filled - static_cast<Eigen::Index>(startVectors));
+            double norm = next.norm();
+            for (int attempt = 0;; ++attempt) {
+                const auto known = basis.leftCols(filled);
+                next -= known * (known.transpose() * next);
+                double left = next.norm();
+                if (left < 0.5 * norm) { // what is left has rounding in it (Kahan: twice is enough)
+                    next -= known * (known.transpose() * next);
+                    left = next.norm();
+                }
+                if (left > 1e-10 * norm && left > 0.0) {
+                    basis.col(filled) = next / left;
+                    break;
+                }
+                for (Eigen::Index i = 0; i < n; ++i) // nothing new: go on elsewhere
+                    next[i] = random.symmetric();
+                norm = next.norm();
+            }
+            ++filled;
+        }
+        if (filled == m || filled - worked >= static_cast<Eigen::Index>(startVectors)) {
+            images.col(worked) = a * basis.col(worked);
+            ++worked;
+        }
+    }
+}
+
+} // namespace
+
+JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()), _first(tree.links.size()) {
+    const std::size_t count = tree.links.size();
+    std::vector<Carried> own(count);                      // points of the link itself
+    std::vector<Carried> beyond(count);                   // all that is carried by links fixed to it
+    std::vector<glm::dvec3> bent(count, glm::dvec3(0.0)); // sum of m lever
+    std::vector<glm::dmat3> bentBent(count, glm::dmat3(0.0)), bentOwn(count, glm::dmat3(0.0));
+    for (const JointTree::Point& point : tree.points) {
+        const std::size_t i = point.link;
+        const glm::dvec3 r = point.place - tree.links[i].base;
+        own[i].add({point.mass, point.mass * r, point.mass * glm::outerProduct(r, r)});
+        bent[i] += point.mass * point.lever;
+        bentBent[i] += point.mass * glm::outerProduct(point.lever, point.lever);
+        bentOwn[i] += point.mass * glm::outerProduct(point.lever, r);
+    }
+    for (std::size_t i = count; i-- > 0;)
+        if (tree.links[i].parent >= 0) {
+            const auto parent = static_cast<std::size_t>(tree.links[i].parent);
+            Carried all = own[i];
+            all.add(beyond[i]);
+            beyond[parent].add(all.from(tree.links[i].base - tree.links[parent].base));
+        }
+    for (std::size_t i = 0; i < count; ++i) {
+        _first[i] = _blocks.size();
+        for (int c = static_cast<int>(i); c >= 0; c = tree.links[static_cast<std::size_t>(c)].parent) {
+            const auto carrier = static_cast<std::size_t>(c);
+            const glm::dvec3 shift = tree.links[i].base - tree.links[carrier].base;
+            const glm::dvec3 first = beyond[i].first + bent[i]; // sum of m r, r the arm about joint i
+            // Sum of m r s^T, s the arm about the carrier's joint.
+            const glm::dmat3 arms = carrier == i
+                                        ? beyond[i].second + bentBent[i]
+                                        : beyond[i].second + bentOwn[i] + glm::outerProduct(first, shift);
+            Block block{i, carrier, {}};
+            for (std::size_t p = 0; p < 2; ++p)
+                for (std::size_t q = 0; q < 2; ++q) {
+                    const glm::dvec3 a = tree.links[i].axes[p], b = tree.links[carrier].axes[q];
+                    // (a x r).(b x s) = (a.b)(r.s) - (a.s)(b.r)
+                    block.m[p][q] = glm::dot(a, b) * trace(arms) - glm::dot(b, arms * a);
+                }
+            _blocks.push_back(block);
+        }
+    }
+}
+
+double JointMasses::at(std::size_t i, std::size_t j) const {
+    const std::size_t link = std::max(i, j) / 2, carrier = std::min(i, j) / 2;
+    const std::size_t end = link + 1 < _first.size() ? _first[link + 1] : _blocks.size();
+    for (std::size_t b = _first[link]; b < end; ++b)
+        if (_blocks[b].carrier == carrier)
+            return i / 2 >= j / 2 ? _blocks[b].m[i % 2][j % 2] : _blocks[b].m[j % 2][i % 2];
+    return 0.0;
+}
+
+std::vector<double> JointMasses::times(const std::vector<double>& x) const {
+    std::vector<double> y(_size, 0.0);
+    for (const Block& block : _blocks)
+        for (std::size_t p = 0; p < 2; ++p)
+            for (std::size_t q = 0; q < 2; ++q) {
+                const std::size_t i = 2 * block.link + p, j = 2 * block.carrier + q;
+                y[i] += block.m[p][q] * x[j];
+                if (block.link != block.carrier)
+                    y[j] += block.m[p][q] * x[i];
+            }
+    return y;
+}
+
+std::vector<TreeMode> slowestModes(const JointTree& tree, std::size_t count) {
+    const std::size_t joints = tree.jointCount();
+    count = std::min(count, joints);
+    if (count == 0)
+        return {};
+    // K^-1/2 M K^-1/2, whose largest eigenvalues are 1 / omega^2.
+    const JointMasses masses(tree);
+    Eigen::VectorXd root(static_cast<Eigen::Index>(joints));
+    for (std::size_t i = 0; i < joints; ++i)
+        root[static_cast<Eigen::Index>(i)] = 1.0 / std::sqrt(tree.links[i / 2].stiffness);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(8 * masses._blocks.size());
+    for (const JointMasses::Block& block : masses._blocks)
+        for (std::size_t p = 0; p < 2; ++p)
+            for (std::size_t q = 0; q < 2; ++q) {
+                const auto i = static_cast<int>(2 * block.link + p),
+                           j = static_cast<int>(2 * block.carrier + q);
+                const double value = block.m[p][q] * root[i] * root[j];
+                entries.emplace_back(i, j, value);
+                if (block.link != block.carrier)
+                    entries.emplace_back(j, i, value);
+            }
+    Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(joints), static_cast<Eigen::Index>(joints));
+    a.setFromTriplets(entries.begin(), entries.end());
+
+    Eigen::MatrixXd basis, images;
+    krylovSpace(a, std::min(joints, std::max(smallestSpace, 9 * count / 4)), basis, images);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transpose() * images);
+    const auto kept = static_cast<Eigen::Index>(count);
+    const Eigen::VectorXd slowness = ritz.eigenvalues().tail(kept).reverse();
+    Eigen::MatrixXd shapes = basis * ritz.eigenvectors().rightCols(kept).rowwise().reverse();
+    Eigen::VectorXd energies(kept); // 2 U of each shape
+    for (Eigen::Index k = 0; k < kept; ++k) {
+        shapes.col(k) = root.cwiseProduct(shapes.col(k)) / std::sqrt(slowness[k]);
+        energies[k] = 1.0 / slowness[k];
+    }
+    const std::vector<double> weight = weightShares(tree, shapes, energies);
+
+    std::vector<TreeMode> modes(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto column = static_cast<Eigen::Index>(k);
+        modes[k].speed = std::sqrt(energies[column]);
+        modes[k].weightShare = weight[k];
+        modes[k].shape.assign(shapes.col(column).data(), shapes.col(column).data() + joints);
+    }
+    return modes;
+}
+
+} // namespace osgTreeWind

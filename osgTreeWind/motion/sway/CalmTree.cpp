@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/sway/CalmTree.h>
+
+#include <osgTreeWind/motion/laws/Laws.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr std::size_t halfSwings = 6;
+constexpr double stepsPerSwing = 60.0; // to and fro
+constexpr double longest = 600.0;      // seconds
+
+/// Times something that swings about 0, from its first crossing on.
+class HalfSwings {
+public:
+    explicit HalfSwings(double start) : _before(start) {}
+
+    void add(double now, double time, double step) {
+        if (done())
+            return;
+        if ((_before > 0.0) != (now > 0.0)) {
+            if (!_crossings.empty())
+                _peaks.push_back(_peak);
+            _crossings.push_back(time - step * now / (now - _before));
+            _peak = 0.0;
+        }
+        _peak = std::max(_peak, std::abs(now));
+        _before = now;
+    }
+
+    bool done() const { return _crossings.size() > halfSwings; }
+    double frequency() const {
+        return 0.5 * static_cast<double>(halfSwings) / (_crossings.back() - _crossings.front());
+    }
+    /// From the decrement of its peaks.
+    double dampingRatio() const {
+        const double decrement =
+            std::log(_peaks.front() / _peaks.back()) / static_cast<double>(_peaks.size() - 1);
+        return decrement / std::hypot(glm::pi<double>(), decrement);
+    }
+
+private:
+    std::vector<double> _crossings, _peaks;
+    double _before, _peak = 0.0;
+};
+
+ForestDescription forestOf(const Species& species, const TreePlacement& tree) {
+    ForestDescription forest;
+    forest.species = {species};
+    forest.trees = {tree};
+    forest.trees[0].species = 0;
+    return forest;
+}
+
+ModalMotion::Tree swaying(const PlacedForest& forest) {
+    const PlacedTree& tree = forest.trees.front();
+    return {{&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves}, glm::vec3(0.0f), 0.0f};
+}
+
+} // namespace
+
+CalmTree::CalmTree(const Species& species, const TreePlacement& tree)
+    : _forest(forestOf(species, tree)), _motion({swaying(_forest)}, 1.0f, {}, true), _angles(_forest.units),
+      _rotations(_forest.units), _poses(_forest.units) {
+    const PlacedTree& placed = _forest.trees.front();
+    const std::vector<BranchUnit>& units = _forest.modelOf(placed).skeleton.units;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        _rest.push_back(placed.scale.axes * units[i].tip);
+        if (units[i].level == 0)
+            _top = i;
+    }
+}
+
+double CalmTree::pace(std::size_t mode) const {
+    const ModalShape::Mode& m = modes()[mode];
+    return static_cast<double>(m.pace) * std::sqrt(static_cast<double>(Laws().weightLeaves(m.weightShare)));
+}
+
+void CalmTree::step(double seconds) {
+    _time += seconds;
+    _motion.step(nullptr, _time, static_cast<float>(seconds));
+}
+
+std::vector<glm::vec3> CalmTree::shifts() {
+    const PlacedTree& tree = _forest.trees.front();
+    const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
+    _motion.angles(0, _angles.data());
+    swingPoses(skeleton, tree.scale, _angles.data(), _rotations.data(), _poses.data());
+    std::vector<glm::vec3> shifts(_rest.size());
+    for (std::size_t i = 0; i < _rest.size(); ++i)
+        shifts[i] = _poses[i].apply(_rest[i]) - _rest[i];
+    return shifts;
+}
+
+std::vector<std::vector<glm::vec3>> CalmTree::shiftsByMode() {
+    constexpr float part = 1e-3f; // of the limit, which is some ten times the largest angle
+    std::vector<std::vector<glm::vec3>> byMode;
+    for (std::size_t k = 0; k < modes().size(); ++k) {
+        std::vector<float> amplitudes(modes().size(), 0.0f);
+        amplitudes[k] = part * modes()[k].limit;
+        setAmplitudes(amplitudes);
+        byMode.push_back(shifts());
+        for (glm::vec3& shift : byMode.back())
+            shift /= amplitudes[k];
+    }
+    setAmplitudes({});
+    return byMode;
+}
+
+std::optional<FreeSway> CalmTree::release(std::size_t mode, const std::function<double()>& followed) {
+    const double h = glm::two_pi<double>() / pace(mode) / stepsPerSwing;
+    HalfSwings all(followed()), own(static_cast<double>(amplitude(mode)));
+    for (double time = h; time < longest && !(all.done() && own.done()); time += h) {
+        step(h);
+        all.add(followed(), time, h);
+        own.add(static_cast<double>(amplitude(mode)), time, h);
+    }
+    if (!all.done() || !own.done())
+        return {};
+    return FreeSway{all.frequency(), own.dampingRatio()};
+}
+
+} // namespace osgTreeWind

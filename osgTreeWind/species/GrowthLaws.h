@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/species/Species.h>
+
+namespace osgTreeWind {
+
+// What height and diameter tell of a tree that nobody looked into. Sources: docs/validation.md.
+
+/// The size with its crown's width where that is not given, but known from the diameter of the trunk.
+TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown);
+
+/// Modulus of a living trunk: that of clear wood, less what knots and young wood take, and less where it is
+/// stout for its height, Pa.
+/// @param slenderness height over diameter at breast height.
+double stemModulus(const WoodParameters& wood, double slenderness);
+
+/// Mass of all branch wood with its bark, kg.
+/// @param diameter of the trunk at breast height, metres. @param trunk its mass, kg. @param drawn mass of the
+/// branches of the model, kg.
+double branchWoodMass(const WoodParameters& wood, double diameter, double trunk, double drawn);
+
+/// How far roots and soil let the foot of a trunk turn, rad/(N m).
+double rootGive(const WoodParameters& wood, double diameter, double height);
+
+} // namespace osgTreeWind

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <tests/MessageCollector.h>
+#include <tests/drawing/branchwise/BranchwiseFixtures.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// Trees of the reference species, 122 units and 1,920 leaf clusters each.
+ForestDescription referenceTrees(std::size_t trees) {
+    ForestDescription description;
+    description.species = {Species()};
+    description.trees.resize(trees);
+    description.law = MotionLaw::Damped;
+    return description;
+}
+
+} // namespace
+
+TEST(BranchwiseForestTest, moreThanATextureHoldsIsRefusedByName) {
+    EXPECT_EQ(BranchwiseForest::problemOf(referenceTrees(17476)), "");
+    const std::string problem = BranchwiseForest::problemOf(referenceTrees(17477));
+    EXPECT_EQ(problem,
+              "17477 trees under a law of a branch need 33555840 texels of leaf angles; a texture holds "
+              "33554432. The law modal has no such limit");
+    ForestDescription bare = referenceTrees(100000);
+    bare.species[0].tree.leaves.clustersPerBranch = 0;
+    EXPECT_NE(BranchwiseForest::problemOf(bare).find("branch parameters"), std::string::npos);
+    bare.law = MotionLaw::Modal;
+    EXPECT_EQ(BranchwiseForest::problemOf(bare), "");
+}
+
+TEST(BranchwiseForestTest, whatIsRefusedLeavesTheForestEmptyWithOneWarning) {
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
+    osg::setNotifyHandler(messages);
+    osg::ref_ptr<Forest> forest = new Forest(referenceTrees(20000));
+    osg::setNotifyHandler(former);
+    const std::string said = messages->take();
+    EXPECT_EQ(said.rfind("osgTreeWind: 20000 trees", 0), 0u) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(forest->getNumTrees(), 0u);
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <tests/drawing/branchwise/BranchwiseFixtures.h>
+#include <tests/drawing/branchwise/Onlooker.h>
+
+#include <osgTreeWind/drawing/branchwise/LeafDrawable.h>
+#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+
+#include <osgUtil/IntersectionVisitor>
+#include <osgUtil/LineSegmentIntersector>
+#include <osgUtil/Statistics>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// Nodes of a scene that a segment meets, nearest first.
+osgUtil::LineSegmentIntersector::Intersections pick(osg::Node& scene, const osg::Vec3d& from,
+                                                    const osg::Vec3d& to) {
+    osg::ref_ptr<osgUtil::LineSegmentIntersector> segment = new osgUtil::LineSegmentIntersector(from, to);
+    osgUtil::IntersectionVisitor visitor(segment);
+    scene.accept(visitor);
+    return segment->getIntersections();
+}
+
+/// A bare tree, bent far by a storm, and the way its last unit's middle went.
+struct BentTree {
+    osg::ref_ptr<Forest> forest;
+    osg::Vec3d before, now;
+
+    explicit BentTree(BranchwiseForest::BranchDrawing drawing) {
+        Species species = smallSpecies();
+        species.tree.leaves.clustersPerBranch = 0;
+        species.tree.wood.radius = 0.05f;
+        forest = new Forest(branchwise(oneTree(species, 40.0f)));
+        forest->getBranchwise()->setBranchDrawing(drawing);
+        before = middle();
+        updateFrames(*forest, 1, 60);
+        now = middle();
+    }
+    osg::Vec3d middle() const {
+        const PosedTree& tree = *forest->getBranchwise()->getTree(0)->getPosedTree();
+        const std::size_t last = tree.model().skeleton.units.size() - 1;
+        return toOsg(tree.pose(last).apply(tree.scale().axes * tree.model().skeleton.point(last, 7)));
+    }
+    /// A short way through a point, across the last unit.
+    osgUtil::LineSegmentIntersector::Intersections pickAt(const osg::Vec3d& point) const {
+        return pick(*forest, point + osg::Vec3d(0, 0.1, 0), point - osg::Vec3d(0, 0.1, 0));
+    }
+};
+
+class PickingTest : public ::testing::TestWithParam<BranchwiseForest::BranchDrawing> {};
+
+} // namespace
+
+TEST_P(PickingTest, hitsABranchWhereItIs) {
+    const BentTree tree(GetParam());
+    ASSERT_GT((tree.now - tree.before).length(), 0.5) << "the storm bends the branch away";
+    const auto hits = tree.pickAt(tree.now);
+    ASSERT_FALSE(hits.empty());
+    EXPECT_LT((hits.begin()->getWorldIntersectPoint() - tree.now).length(), 0.1);
+}
+
+TEST_P(PickingTest, doesNotHitABranchWhereItWas) {
+    const BentTree tree(GetParam());
+    EXPECT_TRUE(tree.pickAt(tree.before).empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(TreeAndBranch, PickingTest,
+                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING));
+
+class LeafPickingTest : public ::testing::TestWithParam<BranchwiseForest::LeafDrawing> {};
+
+TEST_P(LeafPickingTest, hitsALeafWhereItIs) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
+    forest->getBranchwise()->setLeafDrawing(GetParam());
+    updateFrames(*forest, 1, 20);
+    glm::vec3 corners[verticesPerLeafCluster];
+    forest->getBranchwise()->getTree(0)->getPosedTree()->leafPoints(20, corners);
+    const glm::vec3 inside = 0.3f * corners[0] + 0.4f * corners[1] + 0.3f * corners[2];
+    const glm::vec3 across = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const auto hits = pick(*forest, toOsg(inside + 0.05f * across), toOsg(inside - 0.05f * across));
+    ASSERT_FALSE(hits.empty());
+    const std::string hit = hits.begin()->drawable->className();
+    EXPECT_EQ(hit, GetParam() == BranchwiseForest::TREE_LEAVES ? "LeafDrawable" : "LeafClusterDrawable");
+}
+
+INSTANTIATE_TEST_SUITE_P(TreeAndCluster, LeafPickingTest,
+                         ::testing::Values(BranchwiseForest::TREE_LEAVES, BranchwiseForest::LEAF_TRANSFORMS));
+
+TEST(BoundsTest, holdEveryPosedPointInAStorm) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(3, 45.0f)));
+    for (unsigned frame = 1; frame <= 200; ++frame) {
+        update(*forest, frame, frame / 25.0);
+        if (frame % 20)
+            continue;
+        for (unsigned i = 0; i < forest->getNumTrees(); ++i) {
+            const PosedTree& tree = *forest->getBranchwise()->getTree(i)->getPosedTree();
+            for (const SkinVertex& v : tree.model().skin.vertices)
+                ASSERT_TRUE(tree.bounds().contains(
+                    toOsg(tree.skinPoint(v, tree.pose(static_cast<std::size_t>(v.unit))))))
+                    << "bark, frame " << frame;
+            glm::vec3 corners[verticesPerLeafCluster];
+            for (std::size_t leaf = 0; leaf < tree.model().leaves.size(); ++leaf) {
+                tree.leafPoints(leaf, corners);
+                for (const glm::vec3& corner : corners)
+                    ASSERT_TRUE(tree.bounds().contains(toOsg(corner)))
+                        << "leaf " << leaf << ", frame " << frame;
+            }
+        }
+    }
+}
+
+TEST(BoundsTest, ofTheSceneGrowWithTheTrees) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 45.0f)));
+    const osg::BoundingSphere rest = forest->getBound();
+    updateFrames(*forest, 1, 100);
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    const osg::Group& drawn = *tree.getLod()->level(TreeLod::STAND_IN);
+    for (unsigned i = 0; i < drawn.getNumChildren(); ++i)
+        EXPECT_TRUE(
+            drawn.getChild(i)->asDrawable()->getBoundingBox().contains(tree.getPosedTree()->bounds()._max));
+    EXPECT_GT(forest->getBound().center().x() + forest->getBound().radius(),
+              rest.center().x() + rest.radius());
+}
+
+TEST(BoundsTest, settleInASteadyWind) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
+    updateFrames(*forest, 1, 250);
+    const osg::BoundingBox settled = forest->getBranchwise()->getTree(0)->getPosedTree()->bounds();
+    updateFrames(*forest, 251, 400);
+    EXPECT_EQ(forest->getBranchwise()->getTree(0)->getPosedTree()->bounds()._max, settled._max);
+    EXPECT_EQ(forest->getBranchwise()->getTree(0)->getPosedTree()->bounds()._min, settled._min);
+}
+
+class StatisticsTest : public ::testing::TestWithParam<BranchwiseForest::BranchDrawing> {};
+
+TEST_P(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
+    forest->getBranchwise()->setBranchDrawing(GetParam());
+    forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
+    Onlooker onlooker(1.0f);
+    forest->accept(onlooker);
+    updateFrames(*forest, 1, 1);
+    osgUtil::StatsVisitor statistics;
+    statistics.setTraversalMode(osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN);
+    forest->accept(statistics);
+    statistics.totalUpStats();
+    EXPECT_EQ(statistics._uniqueStats._vertexCount, 38656u);
+    EXPECT_EQ(statistics._uniqueStats._primitiveCount[GL_TRIANGLES].second, 3 * 40800u);
+    EXPECT_EQ(statistics._instancedStats._primitiveCount[GL_TRIANGLES].second, 3 * 40800u);
+}
+
+INSTANTIATE_TEST_SUITE_P(TreeAndBranch, StatisticsTest,
+                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING));
+
+TEST(TreeDrawableTest, emptyOnesHaveNoBoundsAndNoTriangles) {
+    for (osg::ref_ptr<osg::Drawable> drawable :
+         {osg::ref_ptr<osg::Drawable>(new SkinDrawable), osg::ref_ptr<osg::Drawable>(new LeafDrawable)})
+        EXPECT_FALSE(drawable->getBoundingBox().valid());
+}

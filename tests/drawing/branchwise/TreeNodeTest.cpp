@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <tests/drawing/branchwise/BranchwiseFixtures.h>
+
+#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+TEST(TreeNodeTest, hasABranchForEveryUnitAndNoneBeyond) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    EXPECT_EQ(tree.getNumBranches(), 122u);
+    EXPECT_NE(tree.getBranch(121), nullptr);
+    EXPECT_EQ(tree.getBranch(122), nullptr);
+    EXPECT_EQ(tree.getBranch(~0u), nullptr);
+}
+
+TEST(TreeNodeTest, givesTheSameBranchEveryTime) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
+    BranchTransform* const branch = forest->getBranchwise()->getTree(0)->getBranch(9);
+    EXPECT_EQ(forest->getBranchwise()->getTree(0)->getBranch(9), branch);
+    EXPECT_EQ(branch->getUnit(), 9u);
+}
+
+TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(5)));
+    const unsigned unit = 13, treeIndex = 4;
+    TreeNode& tree = *forest->getBranchwise()->getTree(treeIndex);
+    const glm::vec3 tip =
+        tree.getPosedTree()->scale().axes * tree.getPosedTree()->model().skeleton.units[unit].tip;
+    osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(toOsg(tip)));
+    tree.getBranch(unit)->addChild(sensor);
+    const osg::Vec3d before = worldMatrix(*sensor).getTrans();
+    updateFrames(*forest, 1, 40);
+
+    const ForestSimulation& simulation = forest->getSimulation();
+    const PlacedTree& place = simulation.trees()[treeIndex];
+    const osg::Vec3d inTree = toOsg(simulation.motion(treeIndex).poses[unit].apply(tip));
+    const osg::Vec3d expected =
+        osg::Quat(place.heading, osg::Z_AXIS) * inTree + osg::Vec3d(toOsg(place.position));
+    EXPECT_LT((worldMatrix(*sensor).getTrans() - expected).length(), 1e-4);
+    EXPECT_GT(expected.x(), before.x() + 0.01) << "a wind toward +x takes the tip toward +x";
+}
+
+TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
+    updateFrames(*forest, 1, 40);
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    const osg::Matrix late = worldMatrix(*tree.getBranch(13));
+    tree.updatePose();
+    EXPECT_EQ(worldMatrix(*tree.getBranch(13)), late);
+    EXPECT_FALSE(tree.getBranch(13)->getRotation().zeroRotation());
+}
+
+TEST(TreeNodeTest, anEmptyOneHasNothingAndTakesEverything) {
+    osg::ref_ptr<TreeNode> tree = new TreeNode;
+    tree->setBranchwise(true);
+    tree->updatePose();
+    EXPECT_EQ(tree->getNumBranches(), 0u);
+    EXPECT_EQ(tree->getBranch(0), nullptr);
+    EXPECT_EQ(tree->getPosedTree(), nullptr);
+    EXPECT_FALSE(tree->getBound().valid());
+    osg::ref_ptr<TreeNode> copy = osg::clone(tree.get(), osg::CopyOp::DEEP_COPY_ALL);
+    EXPECT_EQ(copy->getNumChildren(), 0u);
+}
+
+TEST(TreeNodeTest, drawingBranchByBranchAndBackLeavesHungNodesThere) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    osg::ref_ptr<osg::Group> nest = new osg::Group;
+    tree.getBranch(5)->addChild(nest);
+    const unsigned children = tree.getNumChildren();
+    tree.setBranchwise(true);
+    EXPECT_TRUE(tree.getBranchwise());
+    tree.setBranchwise(false);
+    EXPECT_TRUE(tree.getBranch(5)->containsNode(nest));
+    EXPECT_EQ(tree.getNumChildren(), children);
+    for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit)
+        for (unsigned i = 0; i < tree.getBranch(unit)->getNumChildren(); ++i)
+            EXPECT_EQ(dynamic_cast<SkinDrawable*>(tree.getBranch(unit)->getChild(i)), nullptr);
+}
+
+class TreeNodeCopyTest : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
+    updateFrames(*forest, 1, 40);
+    TreeNode& tree = *forest->getBranchwise()->getTree(1);
+    tree.setName("by the gate");
+    tree.addChild(new osg::Group);
+    tree.getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::ON);
+    tree.getBranch(3);
+    osg::ref_ptr<TreeNode> copy = osg::clone(&tree, osg::CopyOp(GetParam()));
+    EXPECT_EQ(copy->getName(), "by the gate");
+    EXPECT_EQ(copy->getPosition(), tree.getPosition());
+    EXPECT_EQ(copy->getAttitude(), tree.getAttitude());
+    EXPECT_EQ(copy->getNumBranches(), tree.getNumBranches());
+    EXPECT_EQ(copy->getNumChildren(), 2u) << "its levels of detail, and the user's group";
+    EXPECT_NE(copy->getPosedTree(), tree.getPosedTree());
+    EXPECT_NE(copy->getBranch(3), tree.getBranch(3));
+    EXPECT_TRUE(copy->getBranch(3)->getRotation().zeroRotation()) << "at rest";
+    EXPECT_EQ(copy->getStateSet()->getMode(GL_FOG), GLuint(osg::StateAttribute::ON));
+}
+
+TEST_P(TreeNodeCopyTest, doesNotTurnTheOriginalToRest) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
+    TreeNode& tree = *forest->getBranchwise()->getTree(1);
+    int before = -2, after = -2;
+    tree.getStateSet()->getUniform("treeFirstUnit")->get(before);
+    osg::ref_ptr<TreeNode> copy = osg::clone(&tree, osg::CopyOp(GetParam()));
+    tree.getStateSet()->getUniform("treeFirstUnit")->get(after);
+    EXPECT_EQ(after, before);
+    int resting = 0;
+    copy->getStateSet()->getUniform("treeFirstUnit")->get(resting);
+    EXPECT_EQ(resting, -1);
+}
+
+INSTANTIATE_TEST_SUITE_P(ShallowAndDeep, TreeNodeCopyTest,
+                         ::testing::Values(osg::CopyOp::SHALLOW_COPY, osg::CopyOp::DEEP_COPY_ALL));

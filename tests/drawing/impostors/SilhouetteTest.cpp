@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/impostors/Silhouette.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace osgTreeWind;
+
+namespace {
+
+const Silhouette::Mask solid{1, {1}};
+
+/// Four by four squares, every other one solid.
+Silhouette::Mask chequered() {
+    Silhouette::Mask mask{4, {}};
+    for (int i = 0; i < 16; ++i)
+        mask.solid.push_back((i + i / 4) % 2);
+    return mask;
+}
+
+} // namespace
+
+TEST(Silhouette, ARectangleCoversThePixelsWhoseMiddlesAreInIt) {
+    Silhouette picture(32);
+    picture.draw({4.0f, 5.0f}, {10.0f, 0.0f}, {0.0f, 6.0f}, solid);
+    EXPECT_EQ(picture.count(), 60u);
+    EXPECT_TRUE(picture.black(4, 5));
+    EXPECT_TRUE(picture.black(13, 10));
+    EXPECT_FALSE(picture.black(14, 10));
+    EXPECT_FALSE(picture.black(13, 11));
+}
+
+TEST(Silhouette, AParallelogramCoversItsArea) {
+    for (const float turn : {0.0f, 0.4f, 1.9f, 4.0f}) {
+        Silhouette picture(400);
+        const glm::vec2 across = 150.0f * glm::vec2(std::cos(turn), std::sin(turn)),
+                        along = 90.0f * glm::vec2(std::cos(turn + 1.2f), std::sin(turn + 1.2f));
+        const glm::vec2 corner = glm::vec2(200.0f) - 0.5f * (across + along);
+        const float area = std::abs(across.x * along.y - across.y * along.x);
+        picture.draw(corner, across, along, solid);
+        EXPECT_NEAR(static_cast<float>(picture.count()) / area, 1.0f, 0.01f) << turn;
+        Silhouette half(400);
+        half.draw(corner, across, along, chequered());
+        EXPECT_NEAR(static_cast<float>(half.count()) / area, chequered().coverage(), 0.01f) << turn;
+    }
+}
+
+TEST(Silhouette, WhatLiesOutsideIsLeftOut) {
+    Silhouette picture(16);
+    picture.draw({-8.0f, -8.0f}, {16.0f, 0.0f}, {0.0f, 16.0f}, solid);
+    EXPECT_EQ(picture.count(), 64u);
+    picture.draw({5.0f, 5.0f}, {4.0f, 4.0f}, {8.0f, 8.0f}, solid); // edge on
+    picture.draw({1e9f, 0.0f}, {4.0f, 0.0f}, {0.0f, 4.0f}, solid);
+    picture.draw({NAN, 0.0f}, {4.0f, 0.0f}, {0.0f, 4.0f}, solid);
+    EXPECT_EQ(picture.count(), 64u);
+}
+
+TEST(Silhouette, TheOutlineClosesGapsAndHolesAndKeepsBays) {
+    Silhouette picture(100);
+    picture.draw({20.0f, 20.0f}, {60.0f, 0.0f}, {0.0f, 60.0f}, solid);
+    const Silhouette square = picture.outline(8);
+    EXPECT_EQ(square.count(), 3600u); // nothing to close
+    Silhouette ring(100);
+    ring.draw({20.0f, 20.0f}, {60.0f, 0.0f}, {0.0f, 10.0f}, solid);
+    ring.draw({20.0f, 70.0f}, {60.0f, 0.0f}, {0.0f, 10.0f}, solid);
+    ring.draw({20.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 60.0f}, solid);
+    ring.draw({70.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 25.0f}, solid);
+    ring.draw({70.0f, 51.0f}, {10.0f, 0.0f}, {0.0f, 29.0f}, solid); // a gap of 6 on the right
+    EXPECT_EQ(ring.outline(8).count(), 3600u);
+    EXPECT_EQ(ring.outline(4).count(), ring.count()); // too narrow for it: the inside is outside
+    EXPECT_EQ(ring.common(square), ring.count());
+}

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/ForestFixtures.h>
+#include <tests/nodes/Pictures.h>
+
+#include <osg/Fog>
+#include <osg/LightModel>
+#include <osg/LightSource>
+#include <osg/MatrixTransform>
+#include <osg/ShapeDrawable>
+#include <osgShadow/ShadowMap>
+#include <osgShadow/ShadowedScene>
+#include <osgShadow/ViewDependentShadowMap>
+
+#include <cmath>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int size = 128;
+
+/// The mean of what is not background.
+osg::Vec3d meanColour(const osg::Image& image) {
+    osg::Vec3d sum;
+    int pixels = 0;
+    for (int i = 0; i < image.s() * image.t(); ++i) {
+        const unsigned char* p = image.data() + 4 * i;
+        if (p[0] || p[1] || p[2]) {
+            sum += osg::Vec3d(p[0], p[1], p[2]);
+            ++pixels;
+        }
+    }
+    return sum / std::max(pixels, 1);
+}
+
+osg::ref_ptr<osg::LightSource> lightSource(int number, const osg::Vec4& position, const osg::Vec4& diffuse) {
+    osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
+    osg::Light& light = *source->getLight();
+    light.setLightNum(number);
+    light.setPosition(position);
+    light.setDiffuse(diffuse);
+    light.setAmbient(osg::Vec4(0, 0, 0, 1));
+    return source;
+}
+
+/// A tree of bark and leaves in still air, on black, and the light that a test gives it. Colours stay linear.
+class SceneShadingGlTest : public GlTest {
+protected:
+    SceneShadingGlTest() : scene(new osg::Group), forest(new Forest(oneTree(smallSpecies(), 0.0f))) {
+        scene->addChild(forest);
+        osg::ref_ptr<osg::LightModel> model = new osg::LightModel;
+        model->setAmbientIntensity(osg::Vec4(0.1f, 0.1f, 0.1f, 1.0f));
+        scene->getOrCreateStateSet()->setAttribute(model);
+        scene->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
+        scene->getOrCreateStateSet()->setDefine("LINEAR_COLORS");
+    }
+    void light(osg::LightSource* source) {
+        scene->addChild(source);
+        source->setStateSetModes(*scene->getOrCreateStateSet(), osg::StateAttribute::ON);
+    }
+    /// From the south, `distance` metres away, the tree as large each time.
+    osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = size, int samples = 0,
+                                     double half = 3.0) {
+        open(pixels, pixels, samples);
+        viewer().setSceneData(scene);
+        viewer().setLightingMode(osg::View::NO_LIGHT);
+        osg::Camera& camera = *viewer().getCamera();
+        camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(half / distance)), 1.0,
+                                                1.0, 500.0);
+        camera.setViewMatrixAsLookAt(osg::Vec3d(0, -distance, 2.5), osg::Vec3d(0, 0, 2.5),
+                                     osg::Vec3d(0, 0, 1));
+        frame(0.0);
+        return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
+    }
+
+    osg::ref_ptr<osg::Group> scene;
+    osg::ref_ptr<Forest> forest;
+};
+
+const osg::Vec4 sun(0.3f, -1.0f, 0.6f, 0.0f), white(0.4f, 0.4f, 0.4f, 1.0f);
+
+} // namespace
+
+TEST_F(SceneShadingGlTest, everyLightThatIsOnCounts) {
+    light(lightSource(0, sun, white));
+    const osg::Vec3d one = meanColour(*picture());
+    light(lightSource(3, sun, osg::Vec4(0.4f, 0, 0, 1)));
+    const osg::Vec3d two = meanColour(*picture());
+    EXPECT_GT(two.x(), 1.4 * one.x());
+    EXPECT_NEAR(two.y(), one.y(), 1.0);
+    scene->getStateSet()->setMode(GL_LIGHT3, osg::StateAttribute::OFF);
+    EXPECT_NEAR(meanColour(*picture()).x(), one.x(), 0.5);
+    scene->getStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::OFF);
+    scene->getStateSet()->setMode(GL_LIGHT3, osg::StateAttribute::ON);
+    const osg::Vec3d red = meanColour(*picture());
+    EXPECT_GT(red.x(), 2.0 * red.y());
+}
+
+TEST_F(SceneShadingGlTest, coloursAreWrittenAsSrgb) {
+    light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
+    osg::ref_ptr<osg::Image> linear = picture();
+    scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    osg::ref_ptr<osg::Image> encoded = picture();
+    int pixels = 0;
+    for (int i = 0; i < 4 * size * size; ++i) {
+        const double value = encoded->data()[i] / 255.0;
+        const double decoded = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+        if (i % 4 < 3) {
+            ASSERT_NEAR(255.0 * decoded, linear->data()[i], 1.6) << "IEC 61966-2-1";
+            pixels += linear->data()[i] > 8;
+        }
+    }
+    EXPECT_GT(pixels, 1000);
+    scene->getStateSet()->setMode(GL_FRAMEBUFFER_SRGB, osg::StateAttribute::ON);
+    EXPECT_EQ(difference(*linear, *picture()).mean, 0.0) << "OpenGL encodes, were its buffer for sRGB";
+}
+
+TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
+    osg::ref_ptr<osg::LightSource> source = lightSource(0, osg::Vec4(0, -1, 0.2f, 0), osg::Vec4(2, 2, 2, 1));
+    light(source);
+    osg::ref_ptr<osg::Image> one = picture(), turned;
+    osg::ref_ptr<osg::MatrixTransform> turn = new osg::MatrixTransform(osg::Matrix::rotate(1.1, osg::Z_AXIS));
+    ForestDescription description = oneTree(smallSpecies(), 0.0f);
+    description.trees[0].heading = -1.1f;
+    scene->removeChild(forest);
+    scene->addChild(turn);
+    turn->addChild(new Forest(description));
+    turned = picture();
+    EXPECT_LT(difference(*one, *turned).mean, 0.3);
+    source->getLight()->setPosition(osg::Vec4(0, 1, 0.2f, 0)); // from behind
+    EXPECT_GT(difference(*turned, *picture()).mean, 2.0);
+}
+
+TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
+    scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * size, 0, 1.0), plain = picture(20.0, size, 0, 1.0),
+                             multisampled = picture(20.0, size, 4, 1.0);
+    osg::ref_ptr<osg::Image> mean = new osg::Image(*plain, osg::CopyOp::DEEP_COPY_ALL);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            for (int c = 0; c < 3; ++c) {
+                int sum = 0;
+                for (int i = 0; i < 16; ++i)
+                    sum += fine->data(4 * x + i % 4, 4 * y + i / 4)[c];
+                mean->data(x, y)[c] = static_cast<unsigned char>(sum / 16);
+            }
+    EXPECT_LT(difference(*multisampled, *mean).mean, 0.8 * difference(*plain, *mean).mean);
+    for (int i = 3; i < 4 * size * size; i += 4)
+        ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "alpha is written as ever";
+}
+
+TEST_F(SceneShadingGlTest, modesAboveOverrideAndAreProtectedAsInOsg) {
+    light(lightSource(0, sun, white));
+    light(lightSource(1, sun, white));
+    const osg::Vec3d both = meanColour(*picture());
+    osg::StateSet& below = *forest->getOrCreateStateSet();
+    below.setMode(GL_LIGHT1, osg::StateAttribute::OFF);
+    const osg::Vec3d one = meanColour(*picture());
+    EXPECT_LT(one.y(), 0.8 * both.y());
+    scene->getStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+    EXPECT_NEAR(meanColour(*picture()).y(), both.y(), 0.5);
+    below.setMode(GL_LIGHT1, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    EXPECT_NEAR(meanColour(*picture()).y(), one.y(), 0.5);
+}
+
+TEST_F(SceneShadingGlTest, withoutLightingNoLightCounts) {
+    osg::ref_ptr<osg::LightSource> source = lightSource(0, sun, white);
+    light(source);
+    scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    osg::ref_ptr<osg::Image> one = picture();
+    source->getLight()->setDiffuse(osg::Vec4(0, 0, 0, 1));
+    EXPECT_EQ(difference(*one, *picture()).mean, 0.0);
+    EXPECT_GT(meanColour(*one).y(), 30.0) << "in full colour";
+}
+
+TEST_F(SceneShadingGlTest, aLampLightsWhatIsInItsConeAndNear) {
+    osg::ref_ptr<osg::LightSource> source =
+        lightSource(0, osg::Vec4(0, -30, 2.5f, 1), osg::Vec4(0.8f, 0.8f, 0.8f, 1));
+    light(source);
+    osg::Light& lamp = *source->getLight();
+    const osg::Vec3d open = meanColour(*picture());
+    lamp.setSpotCutoff(20.0f);
+    lamp.setDirection(osg::Vec3(0, 1, 0));
+    EXPECT_NEAR(meanColour(*picture()).y(), open.y(), 0.5);
+    lamp.setDirection(osg::Vec3(1, 0, 0));
+    const osg::Vec3d dark = meanColour(*picture());
+    EXPECT_LT(dark.y(), 0.5 * open.y());
+    lamp.setDirection(osg::Vec3(0, 1, 0));
+    lamp.setSpotExponent(128.0f);
+    EXPECT_LT(meanColour(*picture()).y(), 0.97 * open.y());
+    lamp.setSpotExponent(0.0f);
+    lamp.setSpotCutoff(180.0f);
+    lamp.setConstantAttenuation(2.0f);
+    const double half = 0.5 * (open.y() + dark.y());
+    EXPECT_NEAR(meanColour(*picture()).y(), half, 0.03 * half);
+    lamp.setConstantAttenuation(1.0f);
+    lamp.setLinearAttenuation(1.0f / 30.0f);
+    EXPECT_NEAR(meanColour(*picture()).y(), half, 0.05 * half);
+}
+
+TEST_F(SceneShadingGlTest, fogTakesAsMuchAsOpenGLs) {
+    light(lightSource(0, sun, white));
+    scene->getStateSet()->removeDefine("LINEAR_COLORS"); // it is mixed into what is seen
+    const double distance = 60.0;
+    const osg::Vec3d clear = meanColour(*picture(distance)), colour(0.7, 0.75, 0.8);
+    osg::ref_ptr<osg::Fog> fog = new osg::Fog;
+    fog->setColor(osg::Vec4(0.7f, 0.75f, 0.8f, 1));
+    fog->setDensity(0.015f);
+    fog->setStart(20.0f);
+    fog->setEnd(100.0f);
+    scene->getStateSet()->setAttributeAndModes(fog);
+    const struct {
+        osg::Fog::Mode mode;
+        double left;
+    } cases[] = {{osg::Fog::LINEAR, 0.5},
+                 {osg::Fog::EXP, std::exp(-0.015 * distance)},
+                 {osg::Fog::EXP2, std::exp(-std::pow(0.015 * distance, 2.0))}};
+    for (const auto& each : cases) {
+        fog->setMode(each.mode);
+        const osg::Vec3d found = meanColour(*picture(distance));
+        const osg::Vec3d expected = clear * each.left + colour * (255.0 * (1.0 - each.left));
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[c], expected[c], 4.0) << each.mode;
+    }
+    forest->getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::OFF);
+    EXPECT_NEAR(meanColour(*picture(distance)).y(), clear.y(), 0.5);
+}
+
+namespace {
+
+enum Technique { Map, ViewDependent, TwoViewDependent };
+
+/// With the sun in the east, half way up.
+class ShadowsGlTest : public GlTest, public ::testing::WithParamInterface<Technique> {
+protected:
+    osg::ref_ptr<osg::Group> shadowedScene() {
+        osg::ref_ptr<osgShadow::ShadowedScene> scene = new osgShadow::ShadowedScene;
+        if (GetParam() == Map) {
+            scene->setShadowTechnique(new osgShadow::ShadowMap);
+        } else {
+            scene->setShadowTechnique(new osgShadow::ViewDependentShadowMap);
+            scene->getShadowSettings()->setNumShadowMapsPerLight(GetParam() == ViewDependent ? 1 : 2);
+        }
+        osg::ref_ptr<osg::LightSource> light =
+            lightSource(0, osg::Vec4(1, 0, 1, 0), osg::Vec4(0.8f, 0.8f, 0.8f, 1));
+        light->getLight()->setAmbient(osg::Vec4(0.2f, 0.2f, 0.2f, 1));
+        scene->addChild(light);
+        scene->getOrCreateStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
+        scene->getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::ON);
+        return scene;
+    }
+    void look(osg::Node* scene, const osg::Vec3d& eye, const osg::Vec3d& centre, const osg::Vec3d& up,
+              double half) {
+        open(size, size);
+        viewer().setSceneData(scene);
+        viewer().setLightingMode(osg::View::NO_LIGHT);
+        osg::Camera& camera = *viewer().getCamera();
+        const double distance = (eye - centre).length();
+        camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(half / distance)), 1.0,
+                                                1.0, 200.0);
+        camera.setViewMatrixAsLookAt(eye, centre, up);
+    }
+    osg::ref_ptr<osg::Image> run(int first, int last) {
+        for (int i = first; i <= last; ++i)
+            frame(i / 25.0);
+        return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
+    }
+};
+
+} // namespace
+
+TEST_P(ShadowsGlTest, fallOnTrees) {
+    osg::Vec3d colours[2];
+    for (const bool shaded : {false, true}) {
+        osg::ref_ptr<osg::Group> scene = shadowedScene();
+        scene->addChild(new Forest(oneTree(smallSpecies(), 0.0f)));
+        // In the sun's way, or as far from it.
+        osg::ref_ptr<osg::ShapeDrawable> cloud =
+            new osg::ShapeDrawable(new osg::Box(osg::Vec3(20, shaded ? 0 : 40, 22), 14.0f, 14.0f, 14.0f));
+        scene->addChild(cloud);
+        look(scene, osg::Vec3d(0, -20, 2.5), osg::Vec3d(0, 0, 2.5), osg::Vec3d(0, 0, 1), 3.0);
+        colours[shaded] = meanColour(*run(0, 2));
+    }
+    EXPECT_GT(colours[0].y(), 20.0);
+    EXPECT_LT(colours[1].y(), 0.8 * colours[0].y());
+    EXPECT_GT(colours[1].y(), 0.2 * colours[0].y()) << "the sky still lights it";
+}
+
+TEST_P(ShadowsGlTest, ofTreesMoveOnTheGroundWithTheWind) {
+    osg::ref_ptr<osg::Group> scene = shadowedScene();
+    osg::ref_ptr<Forest> forest = new Forest(oneTree(smallSpecies(), 15.0f));
+    scene->addChild(forest);
+    osg::ref_ptr<osg::ShapeDrawable> ground =
+        new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, -0.5f), 40.0f, 40.0f, 1.0f));
+    scene->addChild(ground);
+    look(scene, osg::Vec3d(-4.5, 0, 30), osg::Vec3d(-4.5, 0, 0), osg::Vec3d(0, 1, 0), 2.0); // beside the tree
+    forest->setNodeMask(0);
+    osg::ref_ptr<osg::Image> bare = run(0, 1);
+    forest->setNodeMask(~0u);
+    osg::ref_ptr<osg::Image> first = run(2, 3), later = run(4, 40);
+    EXPECT_GT(difference(*bare, *first).outliers, 0.02) << "no shadow";
+    EXPECT_LT(meanColour(*first).y(), meanColour(*bare).y());
+    EXPECT_GT(difference(*first, *later).outliers, 0.01) << "it stands still";
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, ShadowsGlTest, ::testing::Values(Map, ViewDependent, TwoViewDependent));

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <tests/MessageCollector.h>
+#include <tests/io/TemporaryFolder.h>
+
+#include <osgTreeWind/drawing/looks/TreePicture.h>
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
+
+#include <osgDB/WriteFile>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// Its right half is there; the upper one of that is twice as bright (in linear light) as the lower.
+std::string writePicture(const TemporaryFolder& folder) {
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(100, 60, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const unsigned char shade = y < 30 ? 124 : 169; // 0.2 and 0.4
+            const unsigned char color[4] = {shade, shade, shade,
+                                            static_cast<unsigned char>(x < 50 ? 0 : 255)};
+            std::copy(color, color + 4, image->data(x, y));
+        }
+    const std::string path = folder.path() + "/spray.png";
+    EXPECT_TRUE(osgDB::writeImageFile(*image, path));
+    return path;
+}
+
+} // namespace
+
+TEST(TreePicture, BecomesALeafCard) {
+    const TemporaryFolder folder;
+    const osg::ref_ptr<osg::Image> leaf = readLeafPicture(writePicture(folder));
+    ASSERT_TRUE(leaf);
+    EXPECT_EQ(leaf->s(), 256);
+    EXPECT_EQ(leaf->getNumMipmapLevels(), 9u);
+    const unsigned char *low = leaf->data(200, 50), *high = leaf->data(200, 200), *off = leaf->data(50, 50);
+    EXPECT_NEAR(low[0], 0.8 * 2.0 / 3.0 * 255.0, 4.0);
+    EXPECT_EQ(high[0], 255); // 4/3 of the mean, as far as it goes
+    EXPECT_NEAR(low[1], 128, 2) << "grey has no hue";
+    EXPECT_EQ(low[2], 0) << "no twigs of its own";
+    EXPECT_EQ(low[3], 255);
+    EXPECT_EQ(off[3], 0);
+}
+
+TEST(TreePicture, BecomesBarkWhoseBrightPartsStandOut) {
+    const TemporaryFolder folder;
+    const osg::ref_ptr<osg::Image> bark = readBarkPicture(writePicture(folder));
+    ASSERT_TRUE(bark);
+    EXPECT_GT(bark->data(200, 400)[0], bark->data(200, 100)[0]);
+    EXPECT_GT(bark->data(200, 400)[1], bark->data(200, 100)[1]);
+}
+
+TEST(TreePicture, IsReadOnceForAllWhoShowIt) {
+    const TemporaryFolder folder;
+    Appearance appearance;
+    appearance.leafImage = writePicture(folder);
+    const osg::ref_ptr<osg::Image> one = leafImage(appearance), other = leafImage(appearance);
+    EXPECT_EQ(one, other);
+    EXPECT_NE(one, leafImage({}));
+    TreeTextures textures;
+    EXPECT_EQ(textures.leaves(appearance), textures.leaves(appearance));
+    EXPECT_NE(textures.leaves(appearance), textures.leaves({}));
+}
+
+TEST(TreePicture, WhatIsNoneIsSaidAndOurOwnIsShown) {
+    const TemporaryFolder folder;
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
+    osg::setNotifyHandler(messages);
+    Appearance appearance;
+    appearance.leafImage = folder.write("spray.png", "no picture");
+    appearance.barkImage = folder.path() + "/no.png";
+    const osg::ref_ptr<osg::Image> leaves = leafImage(appearance), bark = barkImage(appearance);
+    osg::setNotifyHandler(before);
+    EXPECT_EQ(leaves, leafImage({}));
+    EXPECT_EQ(bark, barkImage({}));
+    const std::string said = messages->take();
+    EXPECT_NE(said.find("spray.png\" is no picture"), std::string::npos) << said;
+    EXPECT_NE(said.find("no.png\" is no picture"), std::string::npos) << said;
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <tests/gl/GlTest.h>
+
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int width = 640, height = 368; // whole blocks of 8
+
+/// A row of trees of several species that goes away from the camera, 12 m apart.
+ForestDescription wood(int trees, bool tiers) {
+    ForestDescription forest;
+    for (const char* name : {"oak", "Norway spruce", "silver birch", "beech"}) {
+        forest.species.push_back(*findBuiltInSpecies(name));
+        forest.species.back().shapes = 1;
+    }
+    for (int i = 0; i < trees; ++i) {
+        TreePlacement tree;
+        tree.species = static_cast<std::size_t>(i) % forest.species.size();
+        tree.position = {14.0 * (i % 3 - 1) + 3.0 * std::sin(7.0 * i), 12.0 * i, 0.0};
+        tree.heading = 2.1f * static_cast<float>(i);
+        tree.size.height = 13.0f + static_cast<float>(i % 5);
+        tree.seed = static_cast<std::uint32_t>(i);
+        forest.trees.push_back(tree);
+    }
+    forest.wind = std::make_shared<UniformWind>(glm::vec3(9.0f, 2.0f, 0.0f));
+    forest.drawing.tiers = tiers;
+    return forest;
+}
+
+using Picture = std::vector<unsigned char>;
+
+/// Of blocks of 8 x 8 pixels.
+std::vector<double> blockMeans(const Picture& picture) {
+    std::vector<double> means;
+    for (int y = 0; y < height; y += 8)
+        for (int x = 0; x < width; x += 8)
+            for (int c = 0; c < 3; ++c) {
+                double sum = 0.0;
+                for (int i = 0; i < 64; ++i)
+                    sum += picture[static_cast<std::size_t>(4 * ((y + i / 8) * width + x + i % 8) + c)];
+                means.push_back(sum / 64.0);
+            }
+    return means;
+}
+
+double meanDifference(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += std::abs(a[i] - b[i]);
+    return sum / static_cast<double>(a.size());
+}
+
+double coveredPixels(const Picture& picture) {
+    double pixels = 0.0;
+    for (std::size_t i = 0; i < picture.size(); i += 4)
+        pixels += picture[i] || picture[i + 1] || picture[i + 2];
+    return pixels;
+}
+
+class TreeTiersGlTest : public GlTest {
+protected:
+    void show(const ForestDescription& description) {
+        _forest = new Forest(description);
+        open(width, height);
+        viewer().setSceneData(_forest);
+        viewer().getCamera()->setClearColor(osg::Vec4(0, 0, 0, 1));
+        viewer().getCamera()->setProjectionMatrixAsPerspective(40, double(width) / height, 1, 2000);
+    }
+    Picture pictureFrom(const osg::Vec3d& eye, const osg::Vec3d& center, double time) {
+        viewer().getCamera()->setViewMatrixAsLookAt(eye, center, osg::Z_AXIS);
+        frame(time);
+        return {image().data(), image().data() + 4 * width * height};
+    }
+    osg::ref_ptr<Forest> _forest;
+};
+
+} // namespace
+
+TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
+    for (const osg::Vec3d& eye :
+         {osg::Vec3d(0, -60, 3), osg::Vec3d(40, -150, 60), osg::Vec3d(-80, 100, 25)}) {
+        std::vector<Picture> pictures;
+        for (const bool tiers : {true, false}) {
+            show(wood(24, tiers));
+            for (int i = 0; i < 8; ++i) // what is seen from near is followed closely from the next frame on
+                pictureFrom(eye, {0, 140, 8}, i / 30.0);
+            pictures.push_back(pictureFrom(eye, {0, 140, 8}, 8 / 30.0));
+            if (tiers) {
+                const auto listed = _forest->getStand()->listedTrees();
+                EXPECT_GT(listed[3], 0u) << "no impostors in the test";
+            }
+        }
+        EXPECT_LT(meanDifference(blockMeans(pictures[0]), blockMeans(pictures[1])), 3.0);
+        EXPECT_NEAR(coveredPixels(pictures[0]) / coveredPixels(pictures[1]), 1.0, 0.035);
+    }
+}
+
+TEST_F(TreeTiersGlTest, nothingPopsInAFlight) {
+    const int frames = std::getenv("OSGTREEWIND_FLIGHT") ? std::atoi(std::getenv("OSGTREEWIND_FLIGHT"))
+                                                         : 30; // a longer one by hand
+    std::vector<double> jumps[2];
+    for (const bool tiers : {true, false}) {
+        show(wood(18, tiers));
+        std::vector<double> before;
+        for (int i = -5; i < frames; ++i) {
+            const double t = std::max(i, 0) / double(frames);
+            const osg::Vec3d eye(30.0 * std::sin(3.0 * t), -220.0 + 200.0 * t, 4.0 + 30.0 * t * t);
+            const std::vector<double> now = blockMeans(pictureFrom(eye, {0, 120, 8}, (i + 5) / 60.0));
+            if (i > 0)
+                jumps[tiers].push_back(meanDifference(now, before));
+            before = now;
+        }
+    }
+    double most = 0.0;
+    for (std::size_t i = 0; i < jumps[0].size(); ++i)
+        most = std::max(most, jumps[1][i] - jumps[0][i]);
+    EXPECT_LT(most, 1.0);
+}

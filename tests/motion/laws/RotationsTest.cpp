@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/laws/Rotations.h>
+
+#include <osgTreeWind/model/ThesisAxes.h>
+#include <osgTreeWind/motion/laws/Laws.h>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+const glm::vec3 up(0, 0, 1);
+
+/// A turn about an axis given in the thesis' frame.
+glm::quat thesisTurn(const glm::vec3& axis, float angle) {
+    return glm::angleAxis(angle, fromThesis(axis));
+}
+
+void expectNear(const glm::vec3& a, const glm::vec3& b) {
+    EXPECT_LT(glm::length(a - b), 1e-5f) << a.x << " " << a.y << " " << a.z;
+}
+
+} // namespace
+
+TEST(Rotations, WindTowardPlusXMovesATipTowardPlusX) {
+    expectNear(branchRotation({0.4f, 0, 0, 0}) * up, {std::sin(0.4f), 0, std::cos(0.4f)});
+}
+
+TEST(Rotations, WindTowardThesisPlusZMovesATipThere) {
+    const glm::vec3 tip = toThesis(branchRotation({0, 0.4f, 0, 0}) * up);
+    expectNear(tip, {0, std::cos(0.4f), std::sin(0.4f)});
+}
+
+TEST(Rotations, BranchTurnsAboutZFirstThenAboutX) {
+    const glm::quat expected = thesisTurn({1, 0, 0}, 0.3f) * thesisTurn({0, 0, 1}, -0.7f);
+    for (const glm::vec3 v : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), up})
+        expectNear(branchRotation({0.7f, 0.3f, 0, 0}) * v, expected * v);
+}
+
+TEST(Rotations, LeafTurnsAboutPetioleThenZThenX) {
+    const glm::quat expected =
+        thesisTurn({1, 0, 0}, 0.3f) * thesisTurn({0, 0, 1}, 0.2f) * thesisTurn({0, 1, 0}, 0.9f);
+    for (const glm::vec3 v : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), up})
+        expectNear(leafRotation({0.2f, 0.3f, 0.9f, 0}) * v, expected * v);
+}
+
+TEST(Rotations, LeafRotationKeepsThePetiole) {
+    expectNear(leafRotation({0, 0, 1.0f, 0}) * up, up);
+}
+
+TEST(Rotations, ShaderArithmeticIsThatOfGlm) {
+    Laws laws;
+    const glm::vec4 q = laws.branchRotation(0.7f, -0.4f);
+    const glm::quat g(q.w, q.x, q.y, q.z);
+    EXPECT_NEAR(glm::length(q), 1.0f, 1e-6f);
+    expectNear(laws.turnVector(q, {0.3f, -2.0f, 1.5f}), g * glm::vec3(0.3f, -2.0f, 1.5f));
+}

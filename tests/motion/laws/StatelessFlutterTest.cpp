@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/motion/laws/StatelessFlutter.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace osgTreeWind;
+
+namespace {
+
+using Limits = std::numeric_limits<float>;
+
+glm::vec3 angles(float speed, double time, int leaf = 5, const LeafMotion& motion = {}, float own = 0.3f) {
+    Laws laws;
+    return laws.leafFlutter(laws.flutterAmplitude(speed), flutterPhases(time, motion), own,
+                            static_cast<float>(leaf), flutterLimits(motion));
+}
+
+float largest(const glm::vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Of all angles of a leaf over 400 s.
+double meanSquare(float speed) {
+    double sum = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::vec3 a = angles(speed, 0.1 * i);
+        sum += static_cast<double>(a.x * a.x + a.y * a.y + a.z * a.z);
+    }
+    return sum / 4000.0;
+}
+
+} // namespace
+
+TEST(StatelessFlutter, CalmIsStill) {
+    for (int leaf = 0; leaf < 50; ++leaf)
+        EXPECT_EQ(largest(angles(0.0f, 3.7 * leaf, leaf)), 0.0f);
+}
+
+TEST(StatelessFlutter, LeavesRustleWhereBeaufortSaysSo) { // 1.6 to 3.3 m/s rustle, 3.4 to 5.4 constant motion
+    EXPECT_LT(Laws().flutterAmplitude(0.3f), 0.01f);
+    EXPECT_NEAR(Laws().flutterAmplitude(1.6f), 0.2f, 0.01f);
+    EXPECT_GT(Laws().flutterAmplitude(3.4f), 0.5f);
+    EXPECT_GT(Laws().flutterAmplitude(9.0f), 0.85f);
+    EXPECT_LE(Laws().flutterAmplitude(Limits::infinity()), 1.0f);
+}
+
+TEST(StatelessFlutter, GrowsWithTheWind) {
+    double before = 0.0;
+    for (const float speed : {0.5f, 1.6f, 3.4f, 5.5f, 10.0f, 25.0f}) {
+        const double now = meanSquare(speed);
+        EXPECT_GT(now, before) << speed;
+        before = now;
+    }
+}
+
+TEST(StatelessFlutter, StaysWithinTheLimitsOfTheSpecies) {
+    LeafMotion motion;
+    motion.maxAngleX = 0.4f;
+    motion.maxAngleZ = 0.1f;
+    motion.maxRotation = 0.2f;
+    motion.factor = 0.5f;
+    glm::vec3 most(0.0f);
+    for (int i = 0; i < 40000; ++i)
+        most = glm::max(most, glm::abs(angles(1e6f, 0.07 * i, i % 97, motion)));
+    EXPECT_LE(most.x, 0.2f);
+    EXPECT_LE(most.y, 0.05f);
+    EXPECT_LE(most.z, 0.2f);
+    EXPECT_GT(most.x, 0.17f); // and comes near them
+    EXPECT_GT(most.y, 0.042f);
+    EXPECT_GT(most.z, 0.17f);
+}
+
+TEST(StatelessFlutter, StaysWithinLimitsWhateverIsGiven) {
+    constexpr std::array<float, 9> hostile = {0.0f,
+                                              -5.0f,
+                                              0.4f,
+                                              1e30f,
+                                              -1e30f,
+                                              Limits::max(),
+                                              Limits::infinity(),
+                                              -Limits::infinity(),
+                                              Limits::quiet_NaN()};
+    for (const float a : hostile)
+        for (const float b : hostile)
+            for (const float c : hostile)
+                for (const float d : hostile) {
+                    LeafMotion motion;
+                    motion.maxAngleX = a;
+                    motion.maxAngleZ = b;
+                    motion.maxRotation = c;
+                    motion.factor = motion.linkedFactor = motion.noiseFrequency = d;
+                    const glm::vec3 v = angles(b, static_cast<double>(c), 3, motion, d);
+                    ASSERT_LE(std::abs(v.x), 1.5708f);
+                    ASSERT_LE(std::abs(v.y), 1.5708f);
+                    ASSERT_LE(std::abs(v.z), 10.0f);
+                }
+}
+
+TEST(StatelessFlutter, IsContinuousInTime) {
+    for (int i = 0; i < 100000; ++i) // a wave of 2.1 Hz and 0.35 rad moves at most 4.7 rad/s
+        ASSERT_LT(largest(angles(20.0f, 0.001 * i, i / 1000) - angles(20.0f, 0.001 * (i + 1), i / 1000)),
+                  0.012f)
+            << i;
+}
+
+TEST(StatelessFlutter, MeanIsNearNothing) {
+    for (int leaf = 0; leaf < 20; ++leaf) {
+        glm::dvec3 sum(0.0);
+        for (int i = 0; i < 20000; ++i)
+            sum += glm::dvec3(angles(20.0f, 0.1 * i, leaf));
+        EXPECT_LT(largest(glm::vec3(sum / 20000.0)), 0.004f) << leaf;
+    }
+}
+
+TEST(StatelessFlutter, LeavesOfOneTreeAndTreesAreNotInStep) {
+    for (int i = 0; i < 20; ++i) {
+        double products = 0.0, squares = 0.0;
+        for (int k = 0; k < 20000; ++k) {
+            const float one = angles(20.0f, 0.1 * k, i).x;
+            const float other =
+                i % 2 ? angles(20.0f, 0.1 * k, i + 1).x : angles(20.0f, 0.1 * k, i, {}, 0.8f).x;
+            products += static_cast<double>(one * other);
+            squares += static_cast<double>(one * one);
+        }
+        EXPECT_LT(products / squares, 0.9) << i;
+    }
+}
+
+TEST(StatelessFlutter, IsAsExactAfterThirtyDays) {
+    const LeafMotion motion;
+    const double month = 30.0 * 86400.0;
+    for (int i = 0; i < 1000; ++i) {
+        const double time = month + 0.013 * i;
+        const glm::vec3 phases = flutterPhases(time, motion);
+        const long double periods =
+            static_cast<long double>(time) * static_cast<long double>(motion.noiseFrequency);
+        EXPECT_NEAR(static_cast<double>(phases.y), static_cast<double>(periods - std::floor(periods)), 1e-6);
+        ASSERT_LT(largest(angles(20.0f, time) - angles(20.0f, time + 0.001)), 0.012f);
+    }
+}
+
+TEST(StatelessFlutter, ATreesLeavesFollowTheWindOfTheirUnits) {
+    std::vector<LeafCluster> leaves(4);
+    for (int i = 0; i < 4; ++i)
+        leaves[static_cast<std::size_t>(i)].unit = i / 2;
+    const std::vector<glm::vec3> winds = {{0.0f, 0.0f, 0.0f}, {0.0f, -6.0f, 8.0f}};
+    std::vector<glm::vec4> result(4, glm::vec4(9.0f));
+    StatelessFlutter flutter;
+    flutter.leaves = {leaves.data(), leaves.size()};
+    flutter.winds = {winds.data(), winds.size()};
+    flutter.phases = flutterPhases(12.3, {});
+    flutter.limits = flutterLimits({});
+    flutter.own = 0.3f;
+    flutter.run(result.data());
+    EXPECT_EQ(result[0], glm::vec4(0.0f));
+    EXPECT_EQ(result[1], glm::vec4(0.0f));
+    for (int i = 2; i < 4; ++i)
+        EXPECT_EQ(glm::vec3(result[static_cast<std::size_t>(i)]), angles(10.0f, 12.3, i));
+}
+
+TEST(StatelessFlutter, NumbersOfTreesSpreadEvenly) {
+    int low = 0;
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        const float own = ownNumber(seed);
+        ASSERT_GE(own, 0.0f);
+        ASSERT_LT(own, 1.0f);
+        low += own < 0.5f;
+    }
+    EXPECT_NEAR(low, 500, 60);
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/species/GrowthLaws.h>
+
+#include <osgTreeWind/species/BuiltInSpecies.h>
+
+#include <tests/TestData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+using namespace osgTreeWind;
+
+TEST(GrowthLaws, ACrownFollowsTheTrunkAndTheRoomItHas) {
+    const Species oak = *findBuiltInSpecies("oak");
+    TreeSize size;
+    size.trunkDiameter = 0.4f;
+    const float forest = withCrown(size, oak.crown, false).crownWidth;
+    const float open = withCrown(size, oak.crown, true).crownWidth;
+    EXPECT_NEAR(forest, 0.36f + 0.19f * 40.0f, 0.05f);              // ForestGALES
+    EXPECT_NEAR(open / 0.3048f, 3.12f + 1.829f * 40 / 2.54f, 0.2f); // Krajicek et al. 1961, feet and inches
+    EXPECT_GT(open / size.trunkDiameter, 23.0f); // Coombes et al. 2019: 24 to 27 free-standing in towns
+    EXPECT_LT(open / size.trunkDiameter, 28.0f);
+}
+
+TEST(GrowthLaws, ACrownThatIsGivenOrHasNoTrunkStays) {
+    const Species oak = *findBuiltInSpecies("oak");
+    TreeSize size;
+    EXPECT_EQ(withCrown(size, oak.crown, true).crownWidth, 0.0f);
+    size.trunkDiameter = 0.4f;
+    EXPECT_EQ(withCrown(size, {}, true).crownWidth, 0.0f);
+    size.crownWidth = 3.0f;
+    EXPECT_EQ(withCrown(size, oak.crown, true).crownWidth, 3.0f);
+}
+
+TEST(GrowthLaws, OpenCrownsAreAsWideAsThoseOfACampus) {
+    REQUIRE_REAL_DATA(path, "utah_campus/utah_campus_trees.csv");
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    const CrownAllometry crown = defaultSpecies().crown;
+    std::vector<double> ratios; // trunks of 20 to 90 cm: few are young street trees
+    while (std::getline(file, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');)
+            cells.push_back(cell);
+        TreeSize size;
+        size.trunkDiameter = std::strtof(cells.at(2).c_str(), nullptr);
+        const float width = std::strtof(cells.at(3).c_str(), nullptr);
+        const std::string genus = cells.at(7).substr(0, cells.at(7).find(' '));
+        const bool conifer = genus == "Pinus" || genus == "Picea" || genus == "Abies" || genus == "Juniperus";
+        if (!conifer && width > 0.0f && size.trunkDiameter > 0.2f && size.trunkDiameter < 0.9f)
+            ratios.push_back(withCrown(size, crown, true).crownWidth / width);
+    }
+    ASSERT_GT(ratios.size(), 400u);
+    std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2),
+                     ratios.end());
+    const double median = ratios[ratios.size() / 2];
+    EXPECT_GT(median, 0.7) << median;
+    EXPECT_LT(median, 1.1) << median;
+}
+
+TEST(GrowthLaws, StoutTreesHaveSofterWood) {
+    WoodParameters wood;
+    wood.elasticModulus = 10.0e9f;
+    wood.modulusPower = 0.78f;
+    EXPECT_NEAR(stemModulus(wood, 80.0) / 10.0e9, 1.0, 1e-6);
+    EXPECT_NEAR(stemModulus(wood, 100.0) / stemModulus(wood, 60.0), std::pow(100.0 / 60.0, 0.78), 1e-4);
+}
+
+TEST(GrowthLaws, TheModulusIsNotCarriedBeyondWhereItWasMeasured) {
+    WoodParameters wood;
+    wood.modulusPower = 0.78f;
+    EXPECT_EQ(stemModulus(wood, 10.0), stemModulus(wood, 50.0));
+    EXPECT_EQ(stemModulus(wood, 400.0), stemModulus(wood, 110.0));
+}
+
+TEST(GrowthLaws, AStemIsSofterThanItsClearWood) {
+    WoodParameters wood;
+    const double clear = stemModulus(wood, 80.0);
+    wood.wholeStem = 0.85f;
+    EXPECT_NEAR(stemModulus(wood, 80.0) / clear, 0.85, 1e-6);
+    // Milne and Blackburn 1989: intact Sitka spruces of 22 years, over bark, 2.0 to 6.4 GPa.
+    const WoodParameters sitka = findBuiltInSpecies("Sitka spruce")->wood;
+    const double overBark = stemModulus(sitka, 98.0) * std::pow(sitka.underBark, 4.0);
+    EXPECT_GT(overBark, 2.0e9);
+    EXPECT_LT(overBark, 6.4e9);
+}
+
+TEST(GrowthLaws, ConifersBearTheBranchesOfSoftwoods) {
+    // Jenkins et al. 2003 at 35 cm: stem wood 0.65, bark 0.12, needles 0.06, the rest branches.
+    WoodParameters wood;
+    wood.branchWood = WoodAllometry::Conifer;
+    EXPECT_NEAR(branchWoodMass(wood, 0.35, 1000.0, 5.0) / 1000.0, 0.168 / 0.773, 0.003);
+}
+
+TEST(GrowthLaws, BroadleavesBearWhatTheirTrunkLeavesOfTheTotal) {
+    // Jenkins et al. 2003, hard maple, oak, hickory and beech of 30 cm: 524 kg dry, a 40th of it leaves.
+    WoodParameters wood;
+    wood.density = 1000.0f;
+    wood.branchWood = WoodAllometry::Broadleaf;
+    const double total = branchWoodMass(wood, 0.3, 400.0, 300.0) + 400.0;
+    EXPECT_NEAR(total / 1000.0 * 580.0, 524.0 * 0.98, 10.0);
+    EXPECT_EQ(branchWoodMass(wood, 0.3, 900.0, 300.0), 300.0); // never less than drawn
+    EXPECT_EQ(branchWoodMass(wood, 0.3, 10.0, 100.0), 300.0);  // nor more than three times
+}
+
+TEST(GrowthLaws, RootsGiveAQuarterOfADegreeEarlyOn) {
+    // 1/2.5 of the overturning moment, 150 N m per kg of a stem of 0.45 pi/4 d^2 h.
+    WoodParameters wood;
+    EXPECT_EQ(rootGive(wood, 0.3, 20.0), 0.0);
+    wood.anchorage = 150.0f;
+    const double stem = 0.45 * 900.0 * 3.141592653589793 * 0.0225 * 20.0;
+    EXPECT_NEAR(rootGive(wood, 0.3, 20.0) * 0.4 * 150.0 * stem * 180.0 / 3.141592653589793, 0.25, 1e-9);
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/species/Season.h>
+
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/sway/PullAndRelease.h>
+#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <limits>
+
+namespace osgTreeWind {
+namespace {
+
+Appearance looksOf(const char* species) {
+    return findBuiltInSpecies(species)->appearance;
+}
+
+ForestDescription wood(float season, MotionLaw law = MotionLaw::Modal) {
+    ForestDescription forest;
+    forest.species = {*findBuiltInSpecies("oak"), *findBuiltInSpecies("Norway spruce")};
+    for (Species& species : forest.species)
+        species.shapes = 1;
+    for (std::size_t i = 0; i < 4; ++i) {
+        TreePlacement tree;
+        tree.species = i % 2;
+        tree.position = {10.0 * static_cast<double>(i), 0.0, 0.0};
+        tree.size.height = 15.0f;
+        tree.leaves = i < 2 ? 1.0f : 0.8f;
+        forest.trees.push_back(tree);
+    }
+    forest.law = law;
+    forest.season = season;
+    forest.wind = std::make_shared<UniformWind>(glm::vec3(8, 1, 0));
+    return forest;
+}
+
+/// How far apart the trees of two forests stand, radians and metres.
+float apart(const ForestSimulation& a, const ForestSimulation& b) {
+    float most = 0.0f;
+    for (std::size_t tree = 0; tree < a.trees().size(); ++tree) {
+        const TreeMotion ma = a.motion(tree), mb = b.motion(tree);
+        for (std::size_t unit = 0; unit < ma.poses.size; ++unit)
+            most = std::max(most, glm::length(ma.poses[unit].translation - mb.poses[unit].translation) +
+                                      glm::length(ma.states[unit] - mb.states[unit]));
+    }
+    return most;
+}
+
+TEST(Season, WordsNumbersAndDatesAreOneScale) {
+    EXPECT_EQ(parseSeason("winter"), midwinter);
+    EXPECT_EQ(parseSeason("spring"), midspring);
+    EXPECT_EQ(parseSeason("summer"), midsummer);
+    EXPECT_EQ(parseSeason("autumn"), midautumn);
+    EXPECT_EQ(parseSeason("2.25"), 2.25f);
+    EXPECT_NEAR(*parseSeason("2023-02-04"), midwinter, 1e-4);
+    EXPECT_NEAR(*parseSeason("2024-05-05"), midspring, 0.02);
+    EXPECT_NEAR(*parseSeason("2024-08-06"), midsummer, 0.02);
+    EXPECT_NEAR(*parseSeason("2024-11-05"), midautumn, 0.02);
+    EXPECT_NEAR(*parseSeason("2025-02-03"), 4.0, 0.02);
+    EXPECT_TRUE(parseSeason("2024-02-29"));
+}
+
+TEST(Season, OtherTextIsNone) {
+    for (const char* text : {"", "Summer", "fall", "-1", "4.1", "nan", "2024-13-01", "2024-00-10",
+                             "2023-02-29", "2024-04-31", "2024-4-1", "2024-05-05x", "05-05"})
+        EXPECT_FALSE(parseSeason(text)) << text;
+}
+
+TEST(Season, BroadleavesAreBareInWinterAndFullInSummer) {
+    const Appearance oak = looksOf("oak");
+    EXPECT_EQ(leafShare(oak, midwinter), 0.0f);
+    EXPECT_EQ(leafShare(oak, *parseSeason("2024-01-15")), 0.0f);
+    EXPECT_EQ(leafShare(oak, *parseSeason("2024-06-21")), 1.0f);
+    EXPECT_EQ(leafShare(oak, midsummer), 1.0f);
+    EXPECT_NEAR(leafShare(oak, midautumn), 0.5, 0.15); // PEP725: half of them have fallen about 1 November
+    EXPECT_GT(leafShare(oak, midspring), 0.4f);
+    EXPECT_LT(leafShare(oak, midspring), 0.9f);
+    EXPECT_EQ(leafColor(oak, midsummer), oak.leaves);
+    EXPECT_EQ(leafColor(oak, midspring), oak.springLeaves);
+    EXPECT_EQ(leafColor(oak, midautumn), oak.autumnLeaves);
+}
+
+TEST(Season, EvergreensStay) {
+    const Appearance spruce = looksOf("Norway spruce");
+    for (float season = 0.0f; season < 4.0f; season += 0.25f) {
+        EXPECT_EQ(leafShare(spruce, season), 1.0f);
+        EXPECT_EQ(leafColor(spruce, season), spruce.leaves);
+    }
+    Appearance holly;
+    holly.evergreen = true;
+    EXPECT_EQ(leafShare(holly, midwinter), 1.0f);
+    Appearance larch;
+    larch.leafForm = LeafForm::Tufts;
+    EXPECT_EQ(leafShare(larch, midwinter), 0.0f);
+}
+
+TEST(Season, GoesRoundWithoutAJump) {
+    const Appearance oak = looksOf("oak");
+    for (float season = -8.0f; season < 8.0f; season += 0.01f) {
+        EXPECT_NEAR(leafShare(oak, season), leafShare(oak, season + 0.01f), 0.06);
+        EXPECT_LT(glm::length(leafColor(oak, season) - leafColor(oak, season + 0.01f)), 0.3f);
+        EXPECT_NEAR(leafShare(oak, season), leafShare(oak, season + 4.0f), 1e-3);
+    }
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(leafShare(oak, none), 1.0f);
+}
+
+TEST(Season, ABroadleafSwaysFasterAndLongerInWinterAndASpruceTheSame) {
+    TreePlacement summer;
+    summer.size.height = 20.0f;
+    summer.size.trunkDiameter = 0.3f;
+    for (const char* name : {"oak", "beech", "silver birch"}) {
+        const Species species = *findBuiltInSpecies(name);
+        TreePlacement winter = summer;
+        winter.leaves = leafShare(species.appearance, midwinter);
+        const FreeSway on = *pullAndRelease(species, summer), off = *pullAndRelease(species, winter);
+        // Bunce et al. 2019 found red oaks 1.0 to 1.5 times as fast once their leaves had fallen.
+        EXPECT_GT(off.frequency, 1.01 * on.frequency) << name;
+        EXPECT_LT(off.frequency, 1.6 * on.frequency) << name;
+        EXPECT_LT(off.dampingRatio, on.dampingRatio) << name;
+    }
+    EXPECT_EQ(leafShare(looksOf("spruce"), midwinter), leafShare(looksOf("spruce"), midsummer));
+}
+
+TEST(Season, AForestFollowsItAsIfMadeInIt) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped, MotionLaw::Thesis}) {
+        ForestSimulation changed(wood(midsummer, law)), made(wood(midwinter, law)),
+            summer(wood(midsummer, law));
+        changed.setSeason(midwinter);
+        EXPECT_EQ(changed.season(), midwinter);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_EQ(changed.trees()[i].leaves, made.trees()[i].leaves);
+        for (ForestSimulation* forest : {&changed, &made, &summer})
+            for (int frame = 0; frame <= 90; ++frame)
+                forest->advance(frame / 30.0);
+        EXPECT_LT(apart(changed, made), 1e-6f);
+        if (law != MotionLaw::Thesis) { // which knows of no leaves
+            EXPECT_GT(apart(changed, summer), 1e-3f);
+        }
+        changed.setSeason(midsummer);
+        EXPECT_EQ(changed.trees()[2].leaves, 0.8f);
+    }
+}
+
+TEST(Season, TreesThatComeLaterAndCopiesAreInIt) {
+    ForestSimulation forest(wood(midwinter));
+    TreePlacement tree;
+    tree.leaves = 0.5f;
+    const TreeId oak = forest.addTree(tree);
+    EXPECT_EQ(forest.trees()[forest.slotOf(oak)].leaves, 0.0f);
+    EXPECT_EQ(forest.placementOf(oak).leaves, 0.5f);
+    forest.setSeason(midsummer);
+    const auto copy = forest.restarted();
+    EXPECT_EQ(copy->season(), midsummer);
+    EXPECT_EQ(copy->trees()[copy->slotOf(oak)].leaves, 0.5f);
+    copy->setSeason(midwinter);
+    EXPECT_EQ(forest.season(), midsummer);
+}
+
+TEST(Season, ChangesInFullSway) {
+    ForestSimulation forest(wood(midsummer));
+    for (int frame = 0; frame <= 60; ++frame)
+        forest.advance(frame / 30.0);
+    const glm::vec2 before = forest.modal()->lean(0);
+    forest.setSeason(midautumn);
+    EXPECT_LT(glm::distance(forest.modal()->lean(0), before), 0.1f * glm::length(before));
+    EXPECT_GT(glm::length(before), 0.01f);
+}
+
+} // namespace
+} // namespace osgTreeWind
