@@ -85,7 +85,7 @@ constexpr TreeLodRanges alwaysFull{always, always};
 
 osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest& forest,
                                     const std::shared_ptr<const TreeModel>& model) {
-    osg::ref_ptr<TreeShape> shape = new TreeShape(model);
+    osg::ref_ptr<TreeBuffers> shape = new TreeBuffers(model);
     const TreeStyle style = TreeStyles().style(forest.description().species.front().appearance);
     const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
     osg::ref_ptr<osg::Geometry> lines;

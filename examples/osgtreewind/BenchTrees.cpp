@@ -122,7 +122,7 @@ TimedKernel modalStep(InstructionSet set) {
     const PlacedForest forest(referenceTrees(MotionLaw::Modal, 1));
     const auto archetype = std::make_shared<const Archetype>(
         SwayingTree{&forest.models().front(), &forest.description().species.front(), {}, 1.0f});
-    const ModalShape& shape = archetype->shape(0);
+    const ModalModel& shape = archetype->shape(0);
     const std::size_t floats = treeFloats(shape);
     float factors[sizeof(TreeFactors) / sizeof(float)];
     const TreeFactors asItIs;

@@ -62,7 +62,7 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
     if (const ModalMotion* modal = simulation.modal()) {
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
-        result.shapesSeconds = secondsOf([&] { StandDrawing(simulation.forest()); });
+        result.shapesSeconds = secondsOf([&] { StandResources(simulation.forest()); });
     }
     return forest;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/forest/ForestDrawing.h>
+#include <osgTreeWind/forest/DrawingOptions.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/species/Species.h>
@@ -48,7 +48,7 @@ struct ForestDescription {
     std::optional<float> noiseExponent;
     WindFieldPtr wind;        ///< In scene coordinates. Null: calm.
     float season = midsummer; ///< Of the year (Season.h).
-    ForestDrawing drawing;
+    DrawingOptions drawing;
 
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.
     std::string source; ///< Text of the .treewind file it was read from; empty for one made by hand.

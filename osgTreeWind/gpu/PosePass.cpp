@@ -111,7 +111,7 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
 
 PosePass::~PosePass() = default;
 
-void PosePass::refer(const ModalShape& shape, PoseRequest& request) {
+void PosePass::refer(const ModalModel& shape, PoseRequest& request) {
     const std::size_t columns = shape.columns(), texels = (columns + 3) / 4;
     request.rowTexels = static_cast<float>(texels);
     request.maxAngle = shape.maxAngle;

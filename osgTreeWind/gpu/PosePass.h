@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/Skeleton.h>
-#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalModel.h>
 
 #include <osg/Program>
 #include <osg/State>
@@ -36,7 +36,7 @@ public:
 
     /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call. A shape past
     /// what a texture holds is posed at rest, with one warning.
-    void refer(const ModalShape& shape, PoseRequest& request);
+    void refer(const ModalModel& shape, PoseRequest& request);
 
     /// A tree's row among those of the frame.
     struct Row {
@@ -91,7 +91,7 @@ private:
 
     // Locked in this order: rows, a page, matrices.
     mutable std::mutex _matrixMutex; ///< Guards the next two.
-    std::unordered_map<const ModalShape*, int> _firstTexels;
+    std::unordered_map<const ModalModel*, int> _firstTexels;
     std::vector<glm::vec4> _matrices;
 
     std::mutex _rowMutex; ///< Guards all up to contexts.

@@ -110,7 +110,7 @@ void readMotion(TableReader& table, ForestReading& reading) {
 }
 
 void readDrawing(TableReader& table, ForestReading& reading) {
-    ForestDrawing& drawing = reading.forest.drawing;
+    DrawingOptions& drawing = reading.forest.drawing;
     table.read("tiers", drawing.tiers);
     table.read("full", drawing.full, above(0, 100000));
     table.read("reduced", drawing.reduced, above(0, 100000));

@@ -70,15 +70,15 @@ void readGrowth(TableReader& table, GrownTreeParameters& tree) {
     table.read("trunk_crook", tree.trunkCrook, within(0, 1));
     table.read("forks", tree.forks, within(0, 16));
     table.readDegrees("fork_inclination", tree.forkInclination, within(0, 180));
-    table.readChoice<CrownShape>("shape", tree.shape,
-                                 {{"cone", CrownShape::Cone},
-                                  {"sphere", CrownShape::Sphere},
-                                  {"hemisphere", CrownShape::Hemisphere},
-                                  {"cylinder", CrownShape::Cylinder},
-                                  {"tapered_cylinder", CrownShape::TaperedCylinder},
-                                  {"flame", CrownShape::Flame},
-                                  {"inverse_cone", CrownShape::InverseCone},
-                                  {"tend_flame", CrownShape::TendFlame}});
+    table.readChoice<CrownOutline>("shape", tree.shape,
+                                   {{"cone", CrownOutline::Cone},
+                                    {"sphere", CrownOutline::Sphere},
+                                    {"hemisphere", CrownOutline::Hemisphere},
+                                    {"cylinder", CrownOutline::Cylinder},
+                                    {"tapered_cylinder", CrownOutline::TaperedCylinder},
+                                    {"flame", CrownOutline::Flame},
+                                    {"inverse_cone", CrownOutline::InverseCone},
+                                    {"tend_flame", CrownOutline::TendFlame}});
     table.read("crown_base", tree.crownBase, within(0, 0.95));
     table.read("crown_width", tree.crownWidth, within(0.001, 600));
     table.read("whorl", tree.whorl, within(1, 32));
@@ -128,7 +128,7 @@ void readWood(TableReader& table, WoodParameters& wood) {
     table.read("streamlined_to", wood.streamlinedTo, within(10, 200));
 }
 
-void readBranchMotion(TableReader& table, BranchMotion& branch) {
+void readBranchParameters(TableReader& table, BranchParameters& branch) {
     table.readDegrees("max_angle", branch.maxAngle, within(0, 90));
     table.read("partial_steps", branch.partialSteps, within(1, 10000));
     table.read("level_factor", branch.levelFactor, within(-100, 100));
@@ -284,7 +284,7 @@ void readSpecies(TableReader& table, ForestReading& reading) {
         leafSize = t.has("length") || t.has("width");
     });
     table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
-    table.table("branch", [&](TableReader& t) { readBranchMotion(t, species.branch); });
+    table.table("branch", [&](TableReader& t) { readBranchParameters(t, species.branch); });
     table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
     table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance, reading); });
     const bool meant = (species.tree.grown || species.tree.scans) && !leafSize;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/CrownShape.h>
+#include <osgTreeWind/model/CrownOutline.h>
 #include <osgTreeWind/model/Skeleton.h>
 
 #include <array>
@@ -42,7 +42,7 @@ struct GrownTreeParameters {
     float trunkCrook = 0.05f;     ///< How far it winds, [0, 1].
     int forks = 3;                ///< Boughs that spring from the very end of the trunk, [0, 16].
     float forkInclination = 0.4f; ///< Their angle from the trunk, [0, pi].
-    CrownShape shape = CrownShape::Sphere;
+    CrownOutline shape = CrownOutline::Sphere;
     float crownBase = 0.3f;   ///< Height of the lowest bough over that of the tree, [0, 0.95].
     float crownWidth = 10.0f; ///< Where it is widest, at most 4 heights, at least 0.01 of it.
     int whorl = 1;            ///< Boughs at about one height, 1 to 32.

@@ -114,7 +114,7 @@ void Forest::setDescription(ForestDescription description) {
     show(std::make_shared<ForestSimulation>(std::move(description), options));
 }
 
-void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandDrawing* drawing) {
+void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandResources* drawing) {
     const osg::ref_ptr<BranchwiseForest> former = _branchwise;
     for (osg::Node* node : {static_cast<osg::Node*>(_stand), static_cast<osg::Node*>(_branchwise),
                             static_cast<osg::Node*>(_followed)})
@@ -191,8 +191,8 @@ void Forest::setLeafState(std::size_t species, osg::StateSet* state) {
 
 void Forest::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves) {
     if (_stand && model < _simulation->models().size()) {
-        osg::ref_ptr<StandShape>& shape = _stand->drawing().shapes[model];
-        shape = new StandShape(*shape, bark, leaves);
+        osg::ref_ptr<ModelResources>& shape = _stand->drawing().shapes[model];
+        shape = new ModelResources(*shape, bark, leaves);
     }
 }
 

@@ -100,7 +100,7 @@ protected:
 
 private:
     /// @param drawing to share; null: its own.
-    void show(std::shared_ptr<ForestSimulation> simulation, const StandDrawing* drawing = nullptr);
+    void show(std::shared_ptr<ForestSimulation> simulation, const StandResources* drawing = nullptr);
     void update(osg::NodeVisitor& visitor);
     bool isHidden(const osg::NodePath& path, unsigned frame) const;
     WindFieldPtr windAt(const osg::NodePath& path);

@@ -48,7 +48,7 @@ struct CrownAllometry {
 };
 
 /// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.
-struct BranchMotion {
+struct BranchParameters {
     float maxAngle = 0.5f;       ///< Largest angle about either axis, [0, pi/2].
     float partialSteps = 24.0f;  ///< `NUMB`: a new angle is reached in this many partial steps, >= 1.
     float levelFactor = 0.0f;    ///< `factor`: added to the load per branch level (§3.1.2), m/s.
@@ -73,7 +73,7 @@ struct Species {
     int shapes = 3; ///< Distinct models shared by all trees of the species, 1 to 64.
     CrownAllometry crown;
     WoodParameters wood;
-    BranchMotion branch;
+    BranchParameters branch;
     LeafMotion leaf;
     Appearance appearance;
 };

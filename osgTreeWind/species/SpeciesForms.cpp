@@ -15,7 +15,7 @@ float deg(float angle) {
 /// Of the whole tree: metres, shares of its height.
 struct Crown {
     float height, diameter, width; ///< Diameter at breast height.
-    CrownShape shape;
+    CrownOutline shape;
     float base, trunk;
 };
 
@@ -129,7 +129,7 @@ TreeParameters pine(const Crown& crown, int boughs, const Angles& bough, const A
 
 TreeParameters palm() {
     TreeParameters form =
-        treeOf({14.0f, 0.35f, 4.8f, CrownShape::Cylinder, 0.8f, 0.84f}, {135, 15, -15, -70}, {}, {});
+        treeOf({14.0f, 0.35f, 4.8f, CrownOutline::Cylinder, 0.8f, 0.84f}, {135, 15, -15, -70}, {}, {});
     GrownTreeParameters& tree = *form.grown;
     tree.trunkUnits = 5;
     tree.trunkTaper = 0.75f;
@@ -151,7 +151,7 @@ TreeParameters palm() {
 } // namespace
 
 TreeParameters speciesForm(SpeciesForm form) {
-    using S = CrownShape;
+    using S = CrownOutline;
     TreeParameters tree;
     switch (form) {
     case SpeciesForm::Spruce: // boughs hang and turn up at their ends, branches hang from them

@@ -118,7 +118,7 @@ TEST(DocumentedKeys, DefaultsOfASpeciesAreTrue) {
 }
 
 TEST(DocumentedKeys, DefaultsOfDrawingAreTrue) {
-    const ForestDrawing usual;
+    const DrawingOptions usual;
     int checked = 0;
     std::istringstream lines(manual());
     for (std::string line; std::getline(lines, line);) {
@@ -129,7 +129,7 @@ TEST(DocumentedKeys, DefaultsOfDrawingAreTrue) {
                                     cells[0].substr(8) + " = " + cells[3] + '\n');
         const auto forest = readForest(document);
         ASSERT_TRUE(forest.ok()) << forest.problems().front().text();
-        const ForestDrawing& drawing = forest.value().drawing;
+        const DrawingOptions& drawing = forest.value().drawing;
         EXPECT_TRUE(drawing.tiers == usual.tiers && drawing.full == usual.full &&
                     drawing.reduced == usual.reduced && drawing.impostor == usual.impostor &&
                     drawing.blend == usual.blend)

@@ -205,13 +205,13 @@ TEST(ForestFile, AnglesAreDegrees) {
 }
 
 TEST(ForestFile, DrawingIsReadAndKeepsWhatIsNotGiven) {
-    const ForestDrawing drawing =
+    const DrawingOptions drawing =
         forestOf(
             "[[tree]]\nposition = [0, 0]\n[drawing]\ntiers = false\nfull = 500\nimpostor = 0\nblend = 0.5\n")
             .drawing;
     EXPECT_FALSE(drawing.tiers);
     EXPECT_EQ(drawing.full, 500.0f);
-    EXPECT_EQ(drawing.reduced, ForestDrawing().reduced);
+    EXPECT_EQ(drawing.reduced, DrawingOptions().reduced);
     EXPECT_EQ(drawing.impostor, 0.0f);
     EXPECT_EQ(drawing.blend, 0.5f);
 }

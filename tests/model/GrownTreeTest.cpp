@@ -75,25 +75,25 @@ float distanceFromLine(const Skeleton& skeleton, std::size_t unit, const glm::ve
     return nearest;
 }
 
-TEST(CrownShape, WidthsAreThoseOfWeberAndPenn) {
+TEST(CrownOutline, WidthsAreThoseOfWeberAndPenn) {
     // Weber and Penn 1995, appendix; r = 0 at the top.
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::Cone, 0.0f), 0.2f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::Cone, 1.0f), 1.0f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::Sphere, 0.5f), 1.0f);
-    EXPECT_NEAR(crownWidth(CrownShape::Sphere, 1.0f), 0.2f, 1e-6f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::Hemisphere, 1.0f), 1.0f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::Cylinder, 0.3f), 1.0f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::TaperedCylinder, 0.5f), 0.75f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::Flame, 0.35f), 0.5f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::Flame, 0.85f), 0.5f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::InverseCone, 1.0f), 0.2f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::TendFlame, 0.7f), 1.0f);
-    EXPECT_FLOAT_EQ(crownWidth(CrownShape::TendFlame, 0.0f), 0.5f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::Cone, 0.0f), 0.2f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::Cone, 1.0f), 1.0f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::Sphere, 0.5f), 1.0f);
+    EXPECT_NEAR(crownWidth(CrownOutline::Sphere, 1.0f), 0.2f, 1e-6f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::Hemisphere, 1.0f), 1.0f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::Cylinder, 0.3f), 1.0f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::TaperedCylinder, 0.5f), 0.75f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::Flame, 0.35f), 0.5f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::Flame, 0.85f), 0.5f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::InverseCone, 1.0f), 0.2f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::TendFlame, 0.7f), 1.0f);
+    EXPECT_FLOAT_EQ(crownWidth(CrownOutline::TendFlame, 0.0f), 0.5f);
 }
 
 TEST(GrownTree, BoughsEndOnTheOutlineOfTheCrown) {
-    for (const CrownShape shape : {CrownShape::Cone, CrownShape::Sphere, CrownShape::Hemisphere,
-                                   CrownShape::Cylinder, CrownShape::TendFlame}) {
+    for (const CrownOutline shape : {CrownOutline::Cone, CrownOutline::Sphere, CrownOutline::Hemisphere,
+                                     CrownOutline::Cylinder, CrownOutline::TendFlame}) {
         GrownTreeParameters p = boughsAlone(60);
         p.shape = shape;
         p.boughs.crook = 0.0f;

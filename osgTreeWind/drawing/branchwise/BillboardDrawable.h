@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-/// A tree as a picture that faces the eye and stands still (thesis §7): the strip of an ImpostorShape.
+/// A tree as a picture that faces the eye and stands still (thesis §7): the strip of an ImpostorStrip.
 class BillboardDrawable : public TreeDrawable {
 public:
     BillboardDrawable() = default;

@@ -33,7 +33,7 @@ osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, 
         ImpostorSettings settings;
         settings.leaves = leavesOn(tier);
         pictures.shape =
-            new ImpostorShape(paintImpostor(posed.model(), species.appearance, settings), _pictureProgram);
+            new ImpostorStrip(paintImpostor(posed.model(), species.appearance, settings), _pictureProgram);
         pictures.state = new SharedStateSet(*pictures.shape->stateSet());
         pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
     }
@@ -81,8 +81,8 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     for (std::size_t i = 0; i < simulation.models().size(); ++i) {
         const Species& species = simulation.description().species[simulation.forest().speciesOfModel(i)];
         _shapes.push_back(
-            new TreeShape(std::shared_ptr<const TreeModel>(_simulation, &simulation.models()[i]),
-                          species.appearance.leafForm));
+            new TreeBuffers(std::shared_ptr<const TreeModel>(_simulation, &simulation.models()[i]),
+                            species.appearance.leafForm));
     }
 
     _stand = new osg::Group;
@@ -213,7 +213,7 @@ void BranchwiseForest::traverse(osg::NodeVisitor& visitor) {
 
 void BranchwiseForest::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Group::resizeGLObjectBuffers(maxSize);
-    for (const osg::ref_ptr<TreeShape>& shape : _shapes)
+    for (const osg::ref_ptr<TreeBuffers>& shape : _shapes)
         shape->resizeGLObjectBuffers(maxSize);
     for (const auto& [key, pictures] : _pictures)
         if (pictures.shape)
@@ -224,7 +224,7 @@ void BranchwiseForest::resizeGLObjectBuffers(unsigned maxSize) {
 
 void BranchwiseForest::releaseGLObjects(osg::State* state) const {
     osg::Group::releaseGLObjects(state);
-    for (const osg::ref_ptr<TreeShape>& shape : _shapes)
+    for (const osg::ref_ptr<TreeBuffers>& shape : _shapes)
         shape->releaseGLObjects(state);
     for (const TreeStyle& style : _styles)
         style.releaseGLObjects(state);

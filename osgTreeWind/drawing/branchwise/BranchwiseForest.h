@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
-#include <osgTreeWind/drawing/impostors/ImpostorShape.h>
+#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
@@ -97,7 +97,7 @@ protected:
 
 private:
     struct Pictures {
-        osg::ref_ptr<ImpostorShape> shape;
+        osg::ref_ptr<ImpostorStrip> shape;
         osg::ref_ptr<SharedStateSet> state;
     };
     osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed);
@@ -110,7 +110,7 @@ private:
     void useCpuAngles();
 
     std::shared_ptr<ForestSimulation> _simulation;
-    std::vector<osg::ref_ptr<TreeShape>> _shapes;               ///< By model.
+    std::vector<osg::ref_ptr<TreeBuffers>> _shapes;             ///< By model.
     std::map<std::pair<std::size_t, Tier>, Pictures> _pictures; ///< By model and share of leaves.
     osg::ref_ptr<osg::Program> _pictureProgram;
     std::vector<TreeStyle> _styles;  ///< By species.

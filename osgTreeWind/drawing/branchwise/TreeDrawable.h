@@ -8,7 +8,7 @@
 namespace osgTreeWind {
 
 /// A part of one tree, drawn from geometry that all trees of its shape share, and that is released by its
-/// TreeShape only. Vertices are posed by shaders;
+/// TreeBuffers only. Vertices are posed by shaders;
 /// for bounds, picking and statistics they are posed on the CPU.
 class TreeDrawable : public osg::Drawable {
 public:

@@ -22,7 +22,7 @@ TreeNode::TreeNode() {
     setDataVariance(osg::Object::DYNAMIC);
 }
 
-TreeNode::TreeNode(TreeShape* shape, const TreeStyle& style, const TreeScale& scale) : TreeNode() {
+TreeNode::TreeNode(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale) : TreeNode() {
     build(shape, style, scale);
 }
 
@@ -43,7 +43,7 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
     }
 }
 
-void TreeNode::build(TreeShape* shape, const TreeStyle& style, const TreeScale& scale) {
+void TreeNode::build(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale) {
     _shape = shape;
     _style = style;
     _tree = new PosedTree(shape->model(), scale);

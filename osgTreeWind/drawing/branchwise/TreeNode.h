@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/drawing/branchwise/PosedTree.h>
+#include <osgTreeWind/drawing/branchwise/TreeBuffers.h>
 #include <osgTreeWind/drawing/branchwise/TreeLod.h>
-#include <osgTreeWind/drawing/branchwise/TreeShape.h>
 #include <osgTreeWind/drawing/branchwise/TreeStyle.h>
 
 #include <osg/PositionAttitudeTransform>
@@ -23,7 +23,7 @@ public:
     /// Draws nothing.
     TreeNode();
     /// A tree at rest.
-    TreeNode(TreeShape* shape, const TreeStyle& style, const TreeScale& scale);
+    TreeNode(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale);
     /// A tree of the same shape, size and place, at rest; nodes hung on branches are not copied.
     TreeNode(const TreeNode& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, TreeNode)
@@ -77,7 +77,7 @@ private:
         osg::ref_ptr<BranchTransform> transform;
         bool followed = false; ///< Asked for, by getBranch().
     };
-    void build(TreeShape* shape, const TreeStyle& style, const TreeScale& scale);
+    void build(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale);
     BranchTransform* branch(unsigned unit);
     void fillFullLevel();
     void clearFullLevel();
@@ -87,7 +87,7 @@ private:
     void bringUpToDate();
     bool hasTransforms() const { return _branchwise || _leafwise; }
 
-    osg::ref_ptr<TreeShape> _shape;
+    osg::ref_ptr<TreeBuffers> _shape;
     TreeStyle _style;
     osg::ref_ptr<PosedTree> _tree;
     osg::ref_ptr<TreeLod> _lod;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/StandPicking.h>
 
-#include <osgTreeWind/drawing/stand/PickedTree.h>
+#include <osgTreeWind/drawing/stand/TreeHit.h>
 
 #include <osg/Group>
 
@@ -35,7 +35,7 @@ void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulatio
     const TreeCells::Cell* cell = nullptr;
     const TreeCells::Tree* tree = nullptr;
     const osg::ref_ptr<Within> ofTree = new Within([&] {
-        const osg::ref_ptr<PickedTree> picked = new PickedTree(simulation, tree->number);
+        const osg::ref_ptr<TreeHit> picked = new TreeHit(simulation, tree->number);
         picked->accept(visitor);
     });
     const osg::ref_ptr<Within> ofCell = new Within([&] {

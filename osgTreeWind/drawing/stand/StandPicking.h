@@ -8,7 +8,7 @@
 
 namespace osgTreeWind {
 
-/// Has an intersection visitor meet the trees that it may hit, each as a PickedTree. Between frames, or in
+/// Has an intersection visitor meet the trees that it may hit, each as a TreeHit. Between frames, or in
 /// any traversal that does not move the trees.
 void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulation& simulation,
                     const TreeCells& cells);

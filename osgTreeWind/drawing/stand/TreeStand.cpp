@@ -20,9 +20,9 @@ constexpr unsigned framesNear = 60; // for which a tree is followed closely afte
 TreeStand::TreeStand() : TreeStand(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
 TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation)
-    : TreeStand(simulation, StandDrawing(simulation->forest())) {}
+    : TreeStand(simulation, StandResources(simulation->forest())) {}
 
-TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandDrawing& drawing)
+TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& drawing)
     : _simulation(std::move(simulation)), _drawing(drawing), _tiers(_simulation->description().drawing),
       _flutter(_simulation->description().species.size()) {
     setName("trees");

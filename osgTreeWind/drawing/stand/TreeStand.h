@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/stand/CullLists.h>
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/StandResources.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -19,14 +19,14 @@ namespace osgTreeWind {
 /// of a Forest.
 ///
 /// Each cull chooses what its camera sees of them and how finely; the draws that it hands on are made of
-/// lists. osgUtil::IntersectionVisitor meets each tree that it may hit as a PickedTree.
+/// lists. osgUtil::IntersectionVisitor meets each tree that it may hit as a TreeHit.
 class TreeStand : public osg::Drawable {
 public:
     /// No trees.
     TreeStand();
     explicit TreeStand(std::shared_ptr<ForestSimulation> simulation);
     /// Drawn from the same shapes and state as another one of the same models and species.
-    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandDrawing& drawing);
+    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& drawing);
     /// Of the same trees, which the original's forest moves.
     TreeStand(const TreeStand& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     osg::Object* cloneType() const override { return new TreeStand; }
@@ -47,8 +47,8 @@ public:
     void update(unsigned frame, double time);
 
     /// What its trees are drawn from. Changed between frames.
-    StandDrawing& drawing() { return _drawing; }
-    const StandDrawing& drawing() const { return _drawing; }
+    StandResources& drawing() { return _drawing; }
+    const StandResources& drawing() const { return _drawing; }
     /// Trees that are followed closely, since a camera saw their branches of late.
     std::size_t nearTrees() const { return _near.size(); }
     /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts
@@ -72,7 +72,7 @@ private:
     osg::ref_ptr<CullLists> freeLists(const osgUtil::CullVisitor& visitor);
 
     std::shared_ptr<ForestSimulation> _simulation;
-    StandDrawing _drawing;
+    StandResources _drawing;
     std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.
     TreeTiers _tiers;
     mutable TreeCells _cells;

@@ -133,10 +133,10 @@ void TreeStandCull::handOver() {
         list.trees->values->dirty();
         osg::StateSet* const inBand = lists.bandState(list.band);
         osg::StateSet* const fading = list.fading ? drawing.fading.get() : nullptr;
-        const StandShape& shape = *drawing.shapes[list.shape];
+        const ModelResources& shape = *drawing.shapes[list.shape];
         const SpeciesLooks& looks = drawing.looks[shape.species()];
         if (list.tier >= Tier::Impostor) {
-            const ImpostorShape& impostor = *shape.impostor(list.tier);
+            const ImpostorStrip& impostor = *shape.impostor(list.tier);
             draw(impostor.geometry(), *list.bark, *list.trees,
                  {inBand, fading, impostor.stateSet(), looks.impostors});
             continue;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/stand/CullLists.h>
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/StandResources.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/drawing/stand/ViewFrustum.h>
@@ -19,7 +19,7 @@ public:
     osgUtil::CullVisitor& visitor;
     unsigned frame;
     const ForestSimulation& simulation;
-    const StandDrawing& drawing;
+    const StandResources& drawing;
     const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
     const TreeTiers& tiers;
     const TreeCells& cells;

@@ -5,7 +5,7 @@
 
 namespace osgTreeWind {
 
-TreeTiers::TreeTiers(const ForestDrawing& drawing) : _on(drawing.tiers) {
+TreeTiers::TreeTiers(const DrawingOptions& drawing) : _on(drawing.tiers) {
     const float heights[branchTiers] = {drawing.full, drawing.reduced, drawing.impostor};
     for (int tier = 0; tier < branchTiers; ++tier) {
         _from[tier] = drawing.tiers ? heights[tier] : 0.0f;

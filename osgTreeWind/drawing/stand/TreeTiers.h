@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/forest/ForestDrawing.h>
+#include <osgTreeWind/forest/DrawingOptions.h>
 
 namespace osgTreeWind {
 
@@ -40,7 +40,7 @@ struct TierChoice {
 /// Tiers by height on the screen.
 class TreeTiers {
 public:
-    explicit TreeTiers(const ForestDrawing& drawing = {});
+    explicit TreeTiers(const DrawingOptions& drawing = {});
 
     TierChoice choose(float pixels) const {
         for (int tier = 0; tier < branchTiers; ++tier) {

@@ -61,10 +61,10 @@ constexpr double little = 0.1; // of a logarithm
 
 /// The powers by which the modes follow one quantity: what is left on `other`, which has e^change as much of
 /// it.
-void addPowers(std::vector<ModalShape>& shapes, const JointTree& other, double change,
+void addPowers(std::vector<ModalModel>& shapes, const JointTree& other, double change,
                float SizePowers::*size) {
     const ModalRatios ratios = modalRatios(shapes.front(), other);
-    for (ModalShape& shape : shapes)
+    for (ModalModel& shape : shapes)
         for (std::size_t k = 0; k < shape.modes.size(); ++k) {
             shape.modes[k].stiffness.*size = static_cast<float>(std::log(ratios.stiffness[k]) / change);
             shape.modes[k].mass.*size = static_cast<float>(std::log(ratios.mass[k]) / change);
@@ -98,7 +98,7 @@ JointTree withWidth(const SwayingTree& tree, float factor) {
         other, std::exp(static_cast<double>(growthOf(tree, 0.0f).branches - growthOf(other, 0.0f).branches)));
 }
 
-void addPowers(std::vector<ModalShape>& shapes, const SwayingTree& tree) {
+void addPowers(std::vector<ModalModel>& shapes, const SwayingTree& tree) {
     const double more = std::exp(little);
     Species stiffer = *tree.species;
     stiffer.wood.elasticModulus *= static_cast<float>(more);
@@ -112,10 +112,10 @@ void addPowers(std::vector<ModalShape>& shapes, const SwayingTree& tree) {
     addPowers(shapes, jointsOf(other), -little, &SizePowers::leaves);
 }
 
-std::vector<std::size_t> nearestPatches(const ModalShape& shape, const ModalShape& other) {
+std::vector<std::size_t> nearestPatches(const ModalModel& shape, const ModalModel& other) {
     std::vector<std::size_t> nearest;
-    for (const ModalShape::Patch& patch : shape.patches) {
-        const auto distance = [&](const ModalShape::Patch& o) { return glm::distance(patch.place, o.place); };
+    for (const ModalModel::Patch& patch : shape.patches) {
+        const auto distance = [&](const ModalModel::Patch& o) { return glm::distance(patch.place, o.place); };
         nearest.push_back(static_cast<std::size_t>(
             std::min_element(other.patches.begin(), other.patches.end(),
                              [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
@@ -152,8 +152,8 @@ Archetype::Archetype(const SwayingTree& tree)
     const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
                                  tree.species->branch.maxAngle};
     const JointTree joints = jointsOf(tree);
-    _shapes = makeModalShapes(joints, material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
-    for (ModalShape& shape : _shapes) {
+    _shapes = makeModalModels(joints, material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
+    for (ModalModel& shape : _shapes) {
         shape.height = measureTree(*tree.model, tree.scale).height;
         shape.leans = modalLeans(*tree.model, tree.scale, joints, shape);
     }

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/modal/ModalKernel.h>
-#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalModel.h>
 #include <osgTreeWind/species/Species.h>
 
 #include <tuple>
@@ -49,7 +49,7 @@ public:
 
     /// 0: near. 1: far, 4 modes and 4 patches.
     static constexpr std::size_t levels = 2;
-    const ModalShape& shape(std::size_t level) const { return _shapes[level]; }
+    const ModalModel& shape(std::size_t level) const { return _shapes[level]; }
     /// Nearest patch of the other level to each patch of `level`.
     const std::vector<std::size_t>& otherPatches(std::size_t level) const { return _other[level]; }
 
@@ -62,7 +62,7 @@ private:
     SwayingTree _tree;
     float _leafArea = 0.0f;
     SizePowers _logs; ///< Logarithms of what its growth gives it.
-    std::vector<ModalShape> _shapes;
+    std::vector<ModalModel> _shapes;
     std::vector<std::size_t> _other[levels];
 };
 

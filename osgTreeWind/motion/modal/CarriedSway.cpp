@@ -12,20 +12,20 @@ namespace {
 
 constexpr double certainty = 1.0e-3; // what the least of the modes counts of the most, so that none runs away
 
-float topOf(const ModalShape& shape) {
+float topOf(const ModalModel& shape) {
     float top = 1.0e-6f;
-    for (const ModalShape::Patch& patch : shape.patches)
+    for (const ModalModel::Patch& patch : shape.patches)
         top = std::max(top, patch.place.z);
     return top;
 }
 
 } // namespace
 
-CarriedSway::CarriedSway(const ModalShape& from, float fromLength, const ModalShape& to, float toLength)
+CarriedSway::CarriedSway(const ModalModel& from, float fromLength, const ModalModel& to, float toLength)
     : _from(from), _to(to), _length(static_cast<double>(fromLength) / static_cast<double>(toLength)) {
     const float fromTop = topOf(from), toTop = topOf(to);
-    for (const ModalShape::Patch& patch : to.patches) {
-        const auto distance = [&](const ModalShape::Patch& other) {
+    for (const ModalModel::Patch& patch : to.patches) {
+        const auto distance = [&](const ModalModel::Patch& other) {
             return glm::distance(patch.place / toTop, other.place / fromTop);
         };
         _patches.push_back(static_cast<std::size_t>(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalModel.h>
 
 namespace osgTreeWind {
 
@@ -10,7 +10,7 @@ namespace osgTreeWind {
 class CarriedSway {
 public:
     /// @param fromLength, toLength lengths of either tree over those of its shape.
-    CarriedSway(const ModalShape& from, float fromLength, const ModalShape& to, float toLength);
+    CarriedSway(const ModalModel& from, float fromLength, const ModalModel& to, float toLength);
 
     /// Amplitudes of the other tree's modes, or their speeds, from those of the tree's.
     std::vector<float> carried(const float* amplitudes) const;
@@ -18,8 +18,8 @@ public:
     const std::vector<std::size_t>& patches() const { return _patches; }
 
 private:
-    const ModalShape& _from;
-    const ModalShape& _to;
+    const ModalModel& _from;
+    const ModalModel& _to;
     double _length; ///< Of the tree over that of the other.
     std::vector<std::size_t> _patches;
     std::vector<std::vector<double>> _factor; ///< Of Cholesky, of V^T V of the other tree, lower triangle.

@@ -40,7 +40,7 @@ struct ModalMotion::Group {
     std::vector<std::uint32_t> trees; ///< Which tree is at each place.
     std::vector<float> waiting;       ///< Per block, seconds since its last step.
 
-    const ModalShape& shape() const { return archetype->shape(level); }
+    const ModalModel& shape() const { return archetype->shape(level); }
     std::size_t firstFactor() const { return treeFloats(shape()) - factorCount; }
 
     TreeLanes* block(std::size_t index) { return numbers.data() + index * treeFloats(shape()); }

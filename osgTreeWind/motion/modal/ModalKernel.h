@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalModel.h>
 
 #include <cstddef>
 #include <string>
@@ -29,13 +29,13 @@ struct TreeFactors {
 
 /// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in
 /// the tree's own axes), its factors.
-inline std::size_t treeFloats(const ModalShape& shape) {
+inline std::size_t treeFloats(const ModalModel& shape) {
     return 2 * shape.modes.size() + 3 * shape.patches.size() + sizeof(TreeFactors) / sizeof(float);
 }
 
 /// A step of eight trees of one shape.
 struct ModalStep {
-    const ModalShape* shape = nullptr;
+    const ModalModel* shape = nullptr;
     TreeLanes* block = nullptr; ///< treeFloats() elements.
     TreeLanes* wind = nullptr;  ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
     float seconds = 0.0f;       ///< > 0; the wind goes evenly from where it was to where it is.

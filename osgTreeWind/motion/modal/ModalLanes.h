@@ -95,7 +95,7 @@ private:
 
     void fitModes() {
         for (std::size_t k = 0; k < _modes; ++k) {
-            const ModalShape::Mode& mode = _shape.modes[k];
+            const ModalModel::Mode& mode = _shape.modes[k];
             const real stiffness = grown(mode.stiffness), mass = grown(mode.mass);
             // Weight slows a tree as more mass would.
             const real left = _laws.weightLeaves(mode.weightShare * _factors.weight * mass / stiffness);
@@ -112,7 +112,7 @@ private:
             real* air = _air + 3 * p;
             for (int c = 0; c < 3; ++c)
                 air[c] = _wind[3 * p + c] + at * (_windNow[3 * p + c] - _wind[3 * p + c]);
-            const ModalShape::Patch& patch = _shape.patches[p];
+            const ModalModel::Patch& patch = _shape.patches[p];
             _airSquare[p] = air[0] * air[0] + air[1] * air[1] + air[2] * air[2];
             const real wood = patch.woodDrag * _factors.woodDrag;
             _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) *
@@ -165,7 +165,7 @@ private:
     }
 
     mutable LaneLaws _laws;
-    const ModalShape& _shape;
+    const ModalModel& _shape;
     const std::size_t _modes, _patches;
     const ModalStep& _step;
     const int _first;

@@ -28,7 +28,7 @@ std::vector<CrownPoint> crownOf(const TreeModel& model, const TreeScale& scale) 
 } // namespace
 
 std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale, const JointTree& joints,
-                                  const ModalShape& shape, float power) {
+                                  const ModalModel& shape, float power) {
     const double height = std::max(static_cast<double>(measureTree(model, scale).height), 1.0e-6);
     std::vector<glm::dvec2> sums(shape.modes.size(), glm::dvec2(0.0));
     double squares = 1.0e-30;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/motion/modal/JointTree.h>
-#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalModel.h>
 
 namespace osgTreeWind {
 
@@ -15,6 +15,6 @@ constexpr float leanPower = 1.75f;
 /// squares over its clusters of leaves, or the tips of its units where it has none.
 /// @param joints of a tree of that model and scale.
 std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale, const JointTree& joints,
-                                  const ModalShape& shape, float power = leanPower);
+                                  const ModalModel& shape, float power = leanPower);
 
 } // namespace osgTreeWind

@@ -172,8 +172,8 @@ void ModalMotion::replace(std::size_t tree, const Tree& other) {
         return;
     }
     const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
-    const ModalShape& from = _groups[before].shape();
-    const ModalShape& to = _groups[after].shape();
+    const ModalModel& from = _groups[before].shape();
+    const ModalModel& to = _groups[after].shape();
     const float length = factors(tree).length;
     take(tree);
     put(tree, after);
@@ -224,8 +224,8 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     if (level(tree) == wanted)
         return;
     const std::uint32_t before = _slots[tree].group, after = before ^ 1u;
-    const ModalShape& from = _groups[before].shape();
-    const ModalShape& to = _groups[after].shape();
+    const ModalModel& from = _groups[before].shape();
+    const ModalModel& to = _groups[after].shape();
     const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
     const TreeFactors factors = this->factors(tree);
     take(tree);

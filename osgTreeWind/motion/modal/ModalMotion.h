@@ -49,7 +49,7 @@ public:
     std::size_t treeCount() const { return _leans.size(); }
     std::size_t archetypeCount() const { return _archetypes.size(); }
     const Archetype& archetype(std::size_t tree) const;
-    const ModalShape& shape(std::size_t tree) const; ///< Its archetype's, at its present level.
+    const ModalModel& shape(std::size_t tree) const; ///< Its archetype's, at its present level.
     TreeFactors factors(std::size_t tree) const;     ///< Its sizes over its archetype's.
 
     /// From the next step on. What modes and patches have in common is kept.

@@ -10,7 +10,7 @@ const Archetype& ModalMotion::archetype(std::size_t tree) const {
     return *groupOf(tree).archetype;
 }
 
-const ModalShape& ModalMotion::shape(std::size_t tree) const {
+const ModalModel& ModalMotion::shape(std::size_t tree) const {
     return groupOf(tree).shape();
 }
 
@@ -23,7 +23,7 @@ TreeFactors ModalMotion::factors(std::size_t tree) const {
 }
 
 void ModalMotion::poseVector(std::size_t tree, float* vector) const {
-    const ModalShape& shape = this->shape(tree);
+    const ModalModel& shape = this->shape(tree);
     const std::size_t modes = shape.modes.size(), patches = shape.patches.size();
     const TreeFactors f = factors(tree);
     Laws laws;
@@ -37,7 +37,7 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
         laws.nearExponential(stiffness.modulus * f.logs.modulus + stiffness.branches * f.logs.branches +
                              stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
     for (std::size_t p = 0; p < patches; ++p) {
-        const ModalShape::Patch& patch = shape.patches[p];
+        const ModalModel::Patch& patch = shape.patches[p];
         glm::vec3 air, own(0.0f);
         for (std::size_t c = 0; c < 3; ++c) {
             const auto axis = static_cast<glm::length_t>(c);
@@ -57,7 +57,7 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
 }
 
 void ModalMotion::patchSpeeds(std::size_t tree, float* speeds) const {
-    const ModalShape& shape = this->shape(tree);
+    const ModalModel& shape = this->shape(tree);
     for (std::size_t p = 0; p < shape.patches.size(); ++p) {
         const std::size_t first = 2 * shape.modes.size() + 3 * p;
         speeds[p] =
@@ -66,7 +66,7 @@ void ModalMotion::patchSpeeds(std::size_t tree, float* speeds) const {
 }
 
 void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
-    const ModalShape& shape = this->shape(tree);
+    const ModalModel& shape = this->shape(tree);
     float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
     poseVector(tree, vector);
     Laws laws;
@@ -87,7 +87,7 @@ std::vector<float> ModalMotion::amplitudes(std::size_t tree) const {
 }
 
 void ModalMotion::winds(std::size_t tree, glm::vec3* winds) const {
-    const ModalShape& shape = this->shape(tree);
+    const ModalModel& shape = this->shape(tree);
     const TreeFactors f = factors(tree);
     for (std::size_t unit = 0; unit < shape.patchOfLink.size(); ++unit) {
         const std::size_t first = 2 * shape.modes.size() + 3 * shape.patchOfLink[unit];
@@ -109,10 +109,10 @@ std::size_t ModalMotion::archetypeBytes() const {
     std::size_t bytes = 0;
     for (const auto& archetype : _archetypes)
         for (std::size_t level = 0; level < Archetype::levels; ++level) {
-            const ModalShape& shape = archetype->shape(level);
+            const ModalModel& shape = archetype->shape(level);
             bytes += sizeof(float) * (shape.poses.size() + shape.levers.size() + shape.brakes.size()) +
-                     sizeof(ModalShape::Mode) * shape.modes.size() +
-                     sizeof(ModalShape::Patch) * shape.patches.size();
+                     sizeof(ModalModel::Mode) * shape.modes.size() +
+                     sizeof(ModalModel::Patch) * shape.patches.size();
         }
     return bytes;
 }

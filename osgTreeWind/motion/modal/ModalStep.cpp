@@ -61,7 +61,7 @@ void ModalMotion::advance(const WindField* wind, double time) {
         const glm::vec3* met = scratch.winds.data();
         for (std::size_t w = job * blocksPerJob; w < end; ++w) {
             Group& group = _groups[_work[w].group];
-            const ModalShape& shape = group.shape();
+            const ModalModel& shape = group.shape();
             const std::size_t patches = shape.patches.size();
             const std::size_t trees = std::min(lanes, group.trees.size() - _work[w].block * lanes);
             scratch.lanes.assign(3 * patches, TreeLanes());

@@ -78,7 +78,7 @@ CalmTree::CalmTree(const Species& species, const TreePlacement& tree)
 }
 
 double CalmTree::pace(std::size_t mode) const {
-    const ModalShape::Mode& m = modes()[mode];
+    const ModalModel::Mode& m = modes()[mode];
     return static_cast<double>(m.pace) * std::sqrt(static_cast<double>(Laws().weightLeaves(m.weightShare)));
 }
 

@@ -3,7 +3,7 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
-#include <osgTreeWind/drawing/impostors/ImpostorShape.h>
+#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/species/BuiltInSpecies.h>
 
@@ -87,13 +87,13 @@ protected:
         return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
     }
 
-    osg::ref_ptr<ImpostorShape> shapeOf(const Species& species, const ImpostorSettings& settings = {}) {
+    osg::ref_ptr<ImpostorStrip> shapeOf(const Species& species, const ImpostorSettings& settings = {}) {
         const TreeModel model = makeTreeModel(species.tree);
-        return new ImpostorShape(paintImpostor(model, species.appearance, settings),
+        return new ImpostorStrip(paintImpostor(model, species.appearance, settings),
                                  createProgram("impostor", "impostor"));
     }
 
-    osg::ref_ptr<osg::Node> impostor(ImpostorShape& shape, Instance* instance) {
+    osg::ref_ptr<osg::Node> impostor(ImpostorStrip& shape, Instance* instance) {
         osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(*shape.geometry());
         geometry->setDrawCallback(instance);
         geometry->setCullingActive(false);
@@ -112,7 +112,7 @@ protected:
 TEST_F(ImpostorGlTest, looksLikeTheTreeDrawnInFull) {
     for (const char* name : {"thesis", "oak", "birch", "Norway spruce", "Scots pine", "larch"}) {
         const Species species = speciesCalled(name);
-        osg::ref_ptr<ImpostorShape> shape = shapeOf(species);
+        osg::ref_ptr<ImpostorStrip> shape = shapeOf(species);
         osg::ref_ptr<osg::Node> flat = impostor(*shape, new Instance), full = inFull(oneTree(species, 0.0f));
         for (const double pixels : {25.0, 50.0}) {
             double blocks = 0.0, areas[2] = {0.0, 0.0};
@@ -149,7 +149,7 @@ osg::Vec2d middleOf(const osg::Image& image, int fromRow) {
 } // namespace
 
 TEST_F(ImpostorGlTest, leansAsTheTopDoesAndNotAtTheFoot) {
-    osg::ref_ptr<ImpostorShape> shape = shapeOf(Species());
+    osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const float height = shape->pictures().height;
     const Sight sight{-90.0, 0.0, 80.0}; // from the south: +x is to the right
     osg::ref_ptr<Instance> still = new Instance, leaning = new Instance;
@@ -172,7 +172,7 @@ TEST_F(ImpostorGlTest, leansAsTheTopDoesAndNotAtTheFoot) {
 }
 
 TEST_F(ImpostorGlTest, twoHalvesOfAFadeAreTheWhole) {
-    osg::ref_ptr<ImpostorShape> shape = shapeOf(Species());
+    osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const Sight sight{30.0, 20.0, 80.0};
     osg::ref_ptr<osg::Image> parts[3];
     const float fades[] = {1.0f, 0.3f, -0.3f};
@@ -190,7 +190,7 @@ TEST_F(ImpostorGlTest, twoHalvesOfAFadeAreTheWhole) {
 
 TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
     const Species species = speciesCalled("oak");
-    osg::ref_ptr<ImpostorShape> shape = shapeOf(species);
+    osg::ref_ptr<ImpostorStrip> shape = shapeOf(species);
     ForestDescription turned = oneTree(species, 0.0f);
     turned.trees[0].heading = 1.1f;
     turned.trees[0].size.height = 20.0f;
@@ -210,7 +210,7 @@ TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
 }
 
 TEST_F(ImpostorGlTest, aParallelCameraSeesTheSameTree) {
-    osg::ref_ptr<ImpostorShape> shape = shapeOf(Species());
+    osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
     const float height = shape->pictures().height;
     osg::ref_ptr<osg::Node> flat = impostor(*shape, new Instance), full = inFull(oneTree(Species(), 0.0f));
     osg::ref_ptr<osg::Image> pictures[2];

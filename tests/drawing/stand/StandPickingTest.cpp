@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/drawing/stand/PickedTree.h>
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
+#include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 
 #include <osg/MatrixTransform>
@@ -50,15 +50,15 @@ osg::Vec3d middleOf(const Forest& forest, std::size_t tree, std::size_t unit, bo
     return standing(placed, pose.apply(placed.scale.axes * (0.5f * (rest.base + rest.tip))));
 }
 
-const PickedTree* pickedTree(const LineSegmentIntersector::Intersection& hit) {
-    return dynamic_cast<const PickedTree*>(hit.drawable.get());
+const TreeHit* pickedTree(const LineSegmentIntersector::Intersection& hit) {
+    return dynamic_cast<const TreeHit*>(hit.drawable.get());
 }
 
 /// Whether a short line across a place meets bark of that unit of that tree.
 bool meets(osg::Node& scene, const osg::Vec3d& place, TreeId tree, unsigned unit) {
     for (const auto& hit :
          hits(scene, place - osg::Vec3d(0.0, 0.4, 0.0), place + osg::Vec3d(0.0, 0.4, 0.0))) {
-        const PickedTree* picked = pickedTree(hit);
+        const TreeHit* picked = pickedTree(hit);
         if (picked && !picked->isLeaf(hit.primitiveIndex) && picked->getTree() == tree &&
             picked->getUnit(hit.primitiveIndex) == unit)
             return true;
@@ -104,7 +104,7 @@ TEST(StandPickingTest, hitsLeavesAsTheyFlutter) {
         across *= 0.02 / across.length();
         bool hit = false;
         for (const auto& each : hits(*forest, middle - across, middle + across)) {
-            const PickedTree* picked = pickedTree(each);
+            const TreeHit* picked = pickedTree(each);
             hit = hit || (picked && picked->isLeaf(each.primitiveIndex) &&
                           picked->getUnit(each.primitiveIndex) == static_cast<unsigned>(leaf.unit));
         }
@@ -158,7 +158,7 @@ TEST(StandPickingTest, aPolytopeMeetsTheTreesInIt) {
     forest->accept(visitor);
     bool trunkMet = false;
     for (const auto& hit : polytope->getIntersections()) {
-        const auto* picked = dynamic_cast<const PickedTree*>(hit.drawable.get());
+        const auto* picked = dynamic_cast<const TreeHit*>(hit.drawable.get());
         ASSERT_NE(picked, nullptr);
         trunkMet = trunkMet || (picked->getTree() == 5 && picked->getUnit(hit.primitiveIndex) == 0);
     }

@@ -3,8 +3,8 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
-#include <osgTreeWind/drawing/stand/PickedTree.h>
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
+#include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/species/LeafCoverage.h>
@@ -54,7 +54,7 @@ osg::ref_ptr<osg::Geometry> white(osg::Vec3Array* corners) {
 osg::ref_ptr<osg::Node> posedByCpu(const Forest& forest) {
     osg::TriangleFunctor<Triangles> triangles;
     for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
-        osg::ref_ptr<PickedTree>(new PickedTree(forest.getSimulation(), tree))->accept(triangles);
+        osg::ref_ptr<TreeHit>(new TreeHit(forest.getSimulation(), tree))->accept(triangles);
     return white(triangles.corners);
 }
 

@@ -9,8 +9,8 @@ using namespace osgTreeWind;
 
 namespace {
 
-ForestDrawing heights() {
-    ForestDrawing drawing;
+DrawingOptions heights() {
+    DrawingOptions drawing;
     drawing.full = 300.0f;
     drawing.reduced = 120.0f;
     drawing.impostor = 50.0f;
@@ -44,7 +44,7 @@ TEST(TreeTiersTest, tiersCrossOverEvenly) {
 }
 
 TEST(TreeTiersTest, withoutTiersAllIsDrawnInFull) {
-    ForestDrawing drawing = heights();
+    DrawingOptions drawing = heights();
     drawing.tiers = false;
     const TreeTiers tiers(drawing);
     EXPECT_FALSE(tiers.on());
@@ -55,7 +55,7 @@ TEST(TreeTiersTest, withoutTiersAllIsDrawnInFull) {
 }
 
 TEST(TreeTiersTest, withoutABlendTiersChangeAtOnce) {
-    ForestDrawing drawing = heights();
+    DrawingOptions drawing = heights();
     drawing.blend = 0.0f;
     const TreeTiers tiers(drawing);
     EXPECT_EQ(tiers.choose(300.0f).tier, Tier::Full);

@@ -60,7 +60,7 @@ float grown(const SizePowers& powers, const SizePowers& logs) {
 
 /// Of a mode of the only tree, with weight, rad/s.
 float paceOf(const ModalMotion& motion, std::size_t mode) {
-    const ModalShape::Mode& m = motion.archetype(0).shape(0).modes[mode];
+    const ModalModel::Mode& m = motion.archetype(0).shape(0).modes[mode];
     const TreeFactors f = motion.factors(0);
     const float stiffness = grown(m.stiffness, f.logs), mass = grown(m.mass, f.logs);
     const float weight = std::clamp(m.weightShare * mass / (f.pace * f.length * stiffness), -1.0f, 0.75f);
@@ -68,7 +68,7 @@ float paceOf(const ModalMotion& motion, std::size_t mode) {
 }
 
 std::vector<double> shapeOf(const ModalMotion& motion, std::size_t mode) {
-    const ModalShape& shape = motion.archetype(0).shape(0);
+    const ModalModel& shape = motion.archetype(0).shape(0);
     std::vector<double> angles;
     for (std::size_t i = 0; i < shape.joints; ++i)
         angles.push_back(static_cast<double>(shape.poses[i * shape.columns() + mode]));
@@ -187,7 +187,7 @@ TEST(Archetype, ARungDoesNotDependOnTheForest) {
     const ModalMotion all(trees, 1.0f, runInTurn);
     for (const std::size_t i : {std::size_t(0), std::size_t(31), std::size_t(59)}) {
         const ModalMotion alone({trees[i]}, 1.0f, runInTurn);
-        const ModalShape &a = all.archetype(i).shape(0), &b = alone.archetype(0).shape(0);
+        const ModalModel &a = all.archetype(i).shape(0), &b = alone.archetype(0).shape(0);
         EXPECT_EQ(a.poses, b.poses) << forest.nameOf(i);
         EXPECT_EQ(all.factors(i).pace, alone.factors(0).pace);
         EXPECT_EQ(all.factors(i).logs.branches, alone.factors(0).logs.branches);

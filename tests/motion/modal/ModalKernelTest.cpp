@@ -20,22 +20,22 @@ namespace {
 using Limits = std::numeric_limits<float>;
 constexpr std::size_t lanes = TreeLanes::count;
 
-ModalShape shapeOf(const char* species, const TreeSize& size, float dampingRatio = 0.05f) {
+ModalModel shapeOf(const char* species, const TreeSize& size, float dampingRatio = 0.05f) {
     const GrownTree tree(species, size);
     ModalMaterial material = tree.material();
     material.dampingRatio = dampingRatio;
-    return makeModalShape(tree.joints(), material);
+    return makeModalModel(tree.joints(), material);
 }
 
-const ModalShape& oak() {
-    static const ModalShape shape = shapeOf("oak", {18, 0.3f, 0});
+const ModalModel& oak() {
+    static const ModalModel shape = shapeOf("oak", {18, 0.3f, 0});
     return shape;
 }
 
 /// No air, and wood that takes nothing.
-ModalShape withoutDamping(ModalShape shape) {
+ModalModel withoutDamping(ModalModel shape) {
     shape.dampingRatio = 0.0f;
-    for (ModalShape::Patch& patch : shape.patches)
+    for (ModalModel::Patch& patch : shape.patches)
         patch.woodDrag = patch.leafDrag = patch.stillDrag = 0.0f;
     return shape;
 }
@@ -43,7 +43,7 @@ ModalShape withoutDamping(ModalShape shape) {
 /// Eight trees of one shape.
 class Block {
 public:
-    explicit Block(const ModalShape& shape)
+    explicit Block(const ModalModel& shape)
         : _shape(&shape), _numbers(treeFloats(shape)), _wind(3 * shape.patches.size()) {
         for (std::size_t tree = 0; tree < lanes; ++tree)
             setFactors(tree, TreeFactors());
@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    const ModalShape* _shape;
+    const ModalModel* _shape;
     std::vector<TreeLanes> _numbers, _wind;
 };
 
@@ -140,7 +140,7 @@ std::vector<InstructionSet> instructionSets() {
 }
 
 /// Each mode up to a hundredth of its limit, moving.
-Block movingBlock(const ModalShape& shape) {
+Block movingBlock(const ModalModel& shape) {
     Block block(shape);
     Random random(1);
     for (std::size_t tree = 0; tree < lanes; ++tree)
@@ -153,7 +153,7 @@ Block movingBlock(const ModalShape& shape) {
 
 TEST(ModalKernel, EnergyStaysWithoutDamping) {
     // Measured: up by 1.3e-6, down by 2.7e-4.
-    const ModalShape shape = withoutDamping(oak());
+    const ModalModel shape = withoutDamping(oak());
     Block block = movingBlock(shape);
     Random random(5);
     std::array<double, lanes> before, highest, lowest;
@@ -175,7 +175,7 @@ TEST(ModalKernel, EnergyStaysWithoutDamping) {
 
 TEST(ModalKernel, EqualStepsAddUpNoMoreThanTheirRounding) {
     // A step of one length is rounded the same way each time: by up to one unit in the last place.
-    const ModalShape shape = withoutDamping(oak());
+    const ModalModel shape = withoutDamping(oak());
     constexpr int steps = 20000;
     for (const float seconds : {1e-5f, 1e-3f, 1.0f / 240.0f, 1.0f / 60.0f, 1.0f / 30.0f, 0.1f}) {
         Block block = movingBlock(shape);
@@ -315,7 +315,7 @@ TEST(ModalKernel, ATreeTakesNoNoticeOfTheOthers) {
 
 TEST(ModalKernel, ComesToRestInACalm) {
     // Numbers near the smallest of all would make a processor slow.
-    const ModalShape shape = shapeOf("broadleaf", {10, 0.2f, 0}, 0.08f);
+    const ModalModel shape = shapeOf("broadleaf", {10, 0.2f, 0}, 0.08f);
     Block block(shape);
     for (std::size_t tree = 0; tree < lanes; ++tree)
         block.setWind(tree, {8.0f, 3.0f, 0.5f});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/impostors/ImpostorShape.h>
+#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/model/TreeModel.h>
 
@@ -11,18 +11,18 @@
 namespace osgTreeWind {
 
 /// What the trees of one model are drawn from, at each tier.
-class StandShape : public osg::Referenced {
+class ModelResources : public osg::Referenced {
 public:
     /// @param species that it is a shape of.
-    StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance);
+    ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance);
     /// As another one, but drawn from these at every tier; null for none.
-    StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves);
+    ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves);
 
     /// Null where there is none, as the next one.
     osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
     osg::Geometry* leaves(Tier tier) const { return _leaves[static_cast<int>(tier)].get(); }
     /// Null before it was painted.
-    const ImpostorShape* impostor(Tier tier) const {
+    const ImpostorStrip* impostor(Tier tier) const {
         return _impostors[static_cast<int>(tier) - branchTiers].get();
     }
     /// Paints the impostor of that tier. In update; different threads may paint different ones.
@@ -39,7 +39,7 @@ private:
     std::size_t _species;
     osg::ref_ptr<osg::Geometry> _bark[branchTiers], _leaves[branchTiers];
     osg::ref_ptr<osg::StateSet> _states[branchTiers];
-    osg::ref_ptr<ImpostorShape> _impostors[impostorTiers];
+    osg::ref_ptr<ImpostorStrip> _impostors[impostorTiers];
 };
 
 } // namespace osgTreeWind

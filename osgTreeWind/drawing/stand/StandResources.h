@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
-#include <osgTreeWind/drawing/stand/StandShape.h>
+#include <osgTreeWind/drawing/stand/ModelResources.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/PosePass.h>
 
@@ -13,19 +13,19 @@
 namespace osgTreeWind {
 
 /// What the trees of a stand are drawn from. A copy shares all of it.
-struct StandDrawing {
-    StandDrawing() = default;
-    explicit StandDrawing(const PlacedForest& forest);
+struct StandResources {
+    StandResources() = default;
+    explicit StandResources(const PlacedForest& forest);
 
     /// Has leaves the colour of the forest's season, and all impostors that its trees need. In update.
     void followSeason(const PlacedForest& forest);
     /// The same for one tree.
     void paintImpostor(const PlacedForest& forest, const PlacedTree& tree);
 
-    std::vector<osg::ref_ptr<StandShape>> shapes; ///< By model.
-    std::vector<SpeciesLooks> looks;              ///< By species.
-    osg::ref_ptr<osg::StateSet> state;            ///< Of all trees with branches.
-    osg::ref_ptr<osg::StateSet> fading;           ///< Of trees that cross over to another tier.
+    std::vector<osg::ref_ptr<ModelResources>> shapes; ///< By model.
+    std::vector<SpeciesLooks> looks;                  ///< By species.
+    osg::ref_ptr<osg::StateSet> state;                ///< Of all trees with branches.
+    osg::ref_ptr<osg::StateSet> fading;               ///< Of trees that cross over to another tier.
     osg::ref_ptr<osg::Program> impostorProgram;
     osg::ref_ptr<PosePrograms> programs;
 

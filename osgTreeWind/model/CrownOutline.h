@@ -4,7 +4,7 @@
 namespace osgTreeWind {
 
 /// The outline of a crown, by Weber and Penn 1995.
-enum class CrownShape {
+enum class CrownOutline {
     Cone,            ///< 0.2 + 0.8 r
     Sphere,          ///< 0.2 + 0.8 sin(pi r)
     Hemisphere,      ///< 0.2 + 0.8 sin(pi r / 2)
@@ -16,6 +16,6 @@ enum class CrownShape {
 };
 
 /// Width of the crown over its largest one. @param r 0 at its top, 1 at its base.
-float crownWidth(CrownShape shape, float r);
+float crownWidth(CrownOutline shape, float r);
 
 } // namespace osgTreeWind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/StandResources.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-StandDrawing::StandDrawing(const PlacedForest& forest)
+StandResources::StandResources(const PlacedForest& forest)
     : shapes(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
       programs(new PosePrograms) {
     SpeciesStyles styles;
@@ -22,13 +22,13 @@ StandDrawing::StandDrawing(const PlacedForest& forest)
     impostorProgram = createProgram("impostor", "impostor");
     ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
         const std::size_t species = forest.speciesOfModel(model);
-        shapes[model] =
-            new StandShape(forest.models()[model], species, forest.description().species[species].appearance);
+        shapes[model] = new ModelResources(forest.models()[model], species,
+                                           forest.description().species[species].appearance);
     });
     followSeason(forest);
 }
 
-void StandDrawing::followSeason(const PlacedForest& forest) {
+void StandResources::followSeason(const PlacedForest& forest) {
     const std::vector<Species>& species = forest.description().species;
     for (std::size_t i = 0; i < looks.size(); ++i)
         looks[i].showSeason(species[i].appearance, forest.season());
@@ -42,12 +42,13 @@ void StandDrawing::followSeason(const PlacedForest& forest) {
     paintImpostors(forest, std::move(wanted));
 }
 
-void StandDrawing::paintImpostor(const PlacedForest& forest, const PlacedTree& tree) {
+void StandResources::paintImpostor(const PlacedForest& forest, const PlacedTree& tree) {
     paintImpostors(forest, {{tree.model, impostorTier(tree.leaves)}});
 }
 
-void StandDrawing::paintImpostors(const PlacedForest& forest, std::set<std::pair<std::size_t, Tier>> wanted) {
-    const ForestDrawing& drawing = forest.description().drawing;
+void StandResources::paintImpostors(const PlacedForest& forest,
+                                    std::set<std::pair<std::size_t, Tier>> wanted) {
+    const DrawingOptions& drawing = forest.description().drawing;
     std::vector<std::pair<std::size_t, Tier>> missing;
     for (const auto& [model, tier] : wanted)
         if (drawing.tiers && drawing.impostor > 0.0f && !shapes[model]->impostor(tier))
@@ -64,8 +65,8 @@ void StandDrawing::paintImpostors(const PlacedForest& forest, std::set<std::pair
         ThreadPool::executor()(missing.size(), paint);
 }
 
-void StandDrawing::resizeGLObjectBuffers(unsigned maxSize) const {
-    for (const osg::ref_ptr<StandShape>& shape : shapes)
+void StandResources::resizeGLObjectBuffers(unsigned maxSize) const {
+    for (const osg::ref_ptr<ModelResources>& shape : shapes)
         shape->resizeGLObjectBuffers(maxSize);
     for (const SpeciesLooks& look : looks)
         for (const osg::ref_ptr<osg::StateSet>& set :
@@ -78,8 +79,8 @@ void StandDrawing::resizeGLObjectBuffers(unsigned maxSize) const {
     }
 }
 
-void StandDrawing::releaseGLObjects(osg::State* of) const {
-    for (const osg::ref_ptr<StandShape>& shape : shapes)
+void StandResources::releaseGLObjects(osg::State* of) const {
+    for (const osg::ref_ptr<ModelResources>& shape : shapes)
         shape->releaseGLObjects(of);
     for (const SpeciesLooks& look : looks)
         for (const osg::ref_ptr<osg::StateSet>& set :

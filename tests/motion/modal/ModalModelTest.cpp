@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalModel.h>
 
 #include <osgTreeWind/motion/branchwise/DampedBranches.h>
 #include <osgTreeWind/motion/modal/DragPatches.h>
@@ -49,7 +49,7 @@ std::vector<double> staticAngles(const JointTree& tree, std::size_t patches, con
 }
 
 /// [Phi R](q, F) with each mode where F holds it.
-std::vector<double> modalAngles(const ModalShape& shape, const PatchForces& forces) {
+std::vector<double> modalAngles(const ModalModel& shape, const PatchForces& forces) {
     std::vector<double> vector(shape.columns(), 0.0);
     const std::size_t modes = shape.modes.size();
     for (std::size_t p = 0; p < forces.size(); ++p)
@@ -76,12 +76,12 @@ double largest(const std::vector<double>& values) {
     return most;
 }
 
-TEST(ModalShape, StandsInAForceAsItsSpringsSay) {
+TEST(ModalModel, StandsInAForceAsItsSpringsSay) {
     for (const char* name : {"oak", "Norway spruce", "silver birch"}) {
         const GrownTree tree(name, {18, 0.25f, 0});
         const JointTree joints = tree.joints();
         for (const ModalDetail detail : {ModalDetail{12, 10}, ModalDetail{2, 3}, ModalDetail{16, 28}}) {
-            const ModalShape shape = makeModalShape(joints, tree.material(), detail);
+            const ModalModel shape = makeModalModel(joints, tree.material(), detail);
             ASSERT_EQ(shape.patches.size(), detail.patches);
             const PatchForces forces = mixedForces(detail.patches);
             const std::vector<double> expected = staticAngles(joints, detail.patches, forces),
@@ -105,10 +105,10 @@ GrownTree smallTree() {
     return {species, {6, 0.1f, 0}};
 }
 
-TEST(ModalShape, NothingRemainsBesideAllModes) {
+TEST(ModalModel, NothingRemainsBesideAllModes) {
     const GrownTree tree = smallTree();
     const JointTree joints = tree.joints();
-    const ModalShape shape = makeModalShape(joints, tree.material(), {16, 4});
+    const ModalModel shape = makeModalModel(joints, tree.material(), {16, 4});
     ASSERT_EQ(shape.modes.size(), joints.jointCount());
     for (std::size_t p = 0; p < shape.patches.size(); ++p) {
         PatchForces forces(shape.patches.size(), glm::dvec3(0.0));
@@ -125,11 +125,11 @@ TEST(ModalShape, NothingRemainsBesideAllModes) {
     }
 }
 
-TEST(ModalShape, ModesOfACoarserOneAreTheFirst) {
+TEST(ModalModel, ModesOfACoarserOneAreTheFirst) {
     const GrownTree tree("beech", {20, 0.3f, 0});
-    const std::vector<ModalShape> shapes =
-        makeModalShapes(tree.joints(), tree.material(), {ModalDetail{12, 10}, ModalDetail{4, 4}});
-    const ModalShape &fine = shapes[0], &coarse = shapes[1];
+    const std::vector<ModalModel> shapes =
+        makeModalModels(tree.joints(), tree.material(), {ModalDetail{12, 10}, ModalDetail{4, 4}});
+    const ModalModel &fine = shapes[0], &coarse = shapes[1];
     ASSERT_EQ(coarse.modes.size(), 4u);
     ASSERT_EQ(coarse.patches.size(), 4u);
     for (std::size_t k = 0; k < coarse.modes.size(); ++k) {
@@ -141,13 +141,13 @@ TEST(ModalShape, ModesOfACoarserOneAreTheFirst) {
     }
 }
 
-TEST(ModalShape, KeepsTheModesWithMostEnergy) {
+TEST(ModalModel, KeepsTheModesWithMostEnergy) {
     for (const BuiltInSpecies& built : builtInSpecies()) {
         const GrownTree tree(built.species, {20, 0.3f, 0});
-        const ModalShape shape = makeModalShape(tree.joints(), tree.material());
+        const ModalModel shape = makeModalModel(tree.joints(), tree.material());
         EXPECT_GE(shape.modes.size(), 8u) << built.species.name;
         double sum = 0.0;
-        for (const ModalShape::Mode& mode : shape.modes) {
+        for (const ModalModel::Mode& mode : shape.modes) {
             EXPECT_GE(mode.energyShare, 0.0f) << built.species.name;
             sum += static_cast<double>(mode.energyShare);
         }
@@ -158,7 +158,7 @@ TEST(ModalShape, KeepsTheModesWithMostEnergy) {
     }
 }
 
-TEST(ModalShape, AllDragIsOnItsPatches) {
+TEST(ModalModel, AllDragIsOnItsPatches) {
     const GrownTree tree("oak", {20, 0.3f, 0});
     const JointTree joints = tree.joints();
     double wood = 0.0, leaves = 0.0, still = 0.0;
@@ -167,7 +167,7 @@ TEST(ModalShape, AllDragIsOnItsPatches) {
         leaves += 0.5 * 1.225 * point.leafDrag;
         still += 0.5 * 1.225 * point.stillDrag;
     }
-    for (const ModalShape::Patch& patch : makeModalShape(joints, tree.material()).patches) {
+    for (const ModalModel::Patch& patch : makeModalModel(joints, tree.material()).patches) {
         wood -= static_cast<double>(patch.woodDrag);
         leaves -= static_cast<double>(patch.leafDrag);
         still -= static_cast<double>(patch.stillDrag);
@@ -177,8 +177,8 @@ TEST(ModalShape, AllDragIsOnItsPatches) {
     EXPECT_NEAR(still, 0.0, 1e-4);
 }
 
-TEST(ModalShape, NothingStandsStill) {
-    const ModalShape shape = makeModalShape(JointTree(), ModalMaterial());
+TEST(ModalModel, NothingStandsStill) {
+    const ModalModel shape = makeModalModel(JointTree(), ModalMaterial());
     EXPECT_TRUE(shape.modes.empty());
     EXPECT_TRUE(shape.poses.empty());
 }
@@ -231,7 +231,7 @@ void expectSameTrunk(const GrownTree& tree, const glm::vec3& wind) {
 // stand alike where units are upright and the wind is along an axis. Beyond 10 m/s they streamline otherwise:
 // by axis there, by patch here.
 
-TEST(ModalShape, APoleStandsInTheWindAsUnderDamped) {
+TEST(ModalModel, APoleStandsInTheWindAsUnderDamped) {
     GrownTree pole = smallTree();
     pole.species.wood.dampingRatio = 0.3f;
     pole.model = TreeModel();
@@ -245,7 +245,7 @@ TEST(ModalShape, APoleStandsInTheWindAsUnderDamped) {
     expectSameTrunk(pole, {0.0f, -6.0f, 0.0f});
 }
 
-TEST(ModalShape, TheTrunkOfATreeStandsInTheWindAsUnderDamped) {
+TEST(ModalModel, TheTrunkOfATreeStandsInTheWindAsUnderDamped) {
     for (const char* name : {"oak", "Norway spruce"}) {
         Species species = *findBuiltInSpecies(name);
         species.tree.grown.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/stand/StandShape.h>
+#include <osgTreeWind/drawing/stand/ModelResources.h>
 
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/PosePage.h>
@@ -12,7 +12,7 @@
 
 namespace osgTreeWind {
 
-StandShape::StandShape(const TreeModel& model, std::size_t species, const Appearance& appearance)
+ModelResources::ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance)
     : _species(species) {
     const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
@@ -32,7 +32,7 @@ StandShape::StandShape(const TreeModel& model, std::size_t species, const Appear
     }
 }
 
-StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geometry* leaves)
+ModelResources::ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves)
     : _species(other._species) {
     for (int tier = 0; tier < branchTiers; ++tier) {
         _bark[tier] = bark;
@@ -42,32 +42,32 @@ StandShape::StandShape(const StandShape& other, osg::Geometry* bark, osg::Geomet
     std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
 }
 
-void StandShape::paint(Tier tier, const TreeModel& model, const Appearance& appearance,
-                       osg::Program* program) {
+void ModelResources::paint(Tier tier, const TreeModel& model, const Appearance& appearance,
+                           osg::Program* program) {
     ImpostorSettings settings;
     settings.leaves = leavesOn(tier);
     _impostors[static_cast<int>(tier) - branchTiers] =
-        new ImpostorShape(paintImpostor(model, appearance, settings), program);
+        new ImpostorStrip(paintImpostor(model, appearance, settings), program);
 }
 
-void StandShape::resizeGLObjectBuffers(unsigned maxSize) const {
+void ModelResources::resizeGLObjectBuffers(unsigned maxSize) const {
     for (int tier = 0; tier < branchTiers; ++tier)
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
                 geometry->resizeGLObjectBuffers(maxSize);
-    for (const osg::ref_ptr<ImpostorShape>& impostor : _impostors)
+    for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor) {
             impostor->geometry()->resizeGLObjectBuffers(maxSize);
             impostor->stateSet()->resizeGLObjectBuffers(maxSize);
         }
 }
 
-void StandShape::releaseGLObjects(osg::State* state) const {
+void ModelResources::releaseGLObjects(osg::State* state) const {
     for (int tier = 0; tier < branchTiers; ++tier)
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
                 geometry->releaseGLObjects(state);
-    for (const osg::ref_ptr<ImpostorShape>& impostor : _impostors)
+    for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor) {
             impostor->geometry()->releaseGLObjects(state);
             impostor->stateSet()->releaseGLObjects(state);

@@ -29,7 +29,7 @@ struct SizePowers {
 /// one form; immutable once made.
 ///
 /// Numbers are those of the tree it was made from. A tree of other sizes has its own factors (TreeFactors).
-struct ModalShape {
+struct ModalModel {
     /// A mode. Its amplitude q turns joint i by shape_i q.
     struct Mode {
         float pace = 1.0f;        ///< Circular frequency without weight, rad/s.
@@ -74,18 +74,18 @@ struct ModalMaterial {
 
 /// Takes the modes with most energy under gusts out of the slowest ones: at least 8 (where there are as
 /// many), and as many more as it takes for 95 % of the energy.
-ModalShape makeModalShape(const JointTree& tree, const ModalMaterial& material,
+ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material,
                           const ModalDetail& detail = {});
 
 /// The same at several levels of detail, finest first. The modes of a coarser one are the first of a finer
 /// one.
-std::vector<ModalShape> makeModalShapes(const JointTree& tree, const ModalMaterial& material,
+std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMaterial& material,
                                         const std::vector<ModalDetail>& details);
 
 /// Stiffness and mass of each mode of `shape` on another tree of as many joints, over those on its own.
 struct ModalRatios {
     std::vector<double> stiffness, mass;
 };
-ModalRatios modalRatios(const ModalShape& shape, const JointTree& other);
+ModalRatios modalRatios(const ModalModel& shape, const JointTree& other);
 
 } // namespace osgTreeWind

@@ -13,14 +13,14 @@ namespace osgTreeWind {
 /// A tree as an intersection visitor met it: posed as it stood then, in the forest's frame. The `drawable` of
 /// a hit on a tree of a TreeStand:
 ///
-///     if (auto* tree = dynamic_cast<const PickedTree*>(hit.drawable.get()))
+///     if (auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get()))
 ///         use(tree->getTree(), tree->getUnit(hit.primitiveIndex));
-class PickedTree : public osg::Drawable {
+class TreeHit : public osg::Drawable {
 public:
-    PickedTree() = default;
-    PickedTree(const ForestSimulation& simulation, std::size_t slot);
-    PickedTree(const PickedTree& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
-    META_Node(osgTreeWind, PickedTree)
+    TreeHit() = default;
+    TreeHit(const ForestSimulation& simulation, std::size_t slot);
+    TreeHit(const TreeHit& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgTreeWind, TreeHit)
 
         /// Which tree of its forest it is.
         TreeId getTree() const {
@@ -39,7 +39,7 @@ public:
     void drawImplementation(osg::RenderInfo&) const override {}
 
 protected:
-    ~PickedTree() override = default;
+    ~TreeHit() override = default;
 
 private:
     TreeId _tree = noTree;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/modal/ModalShape.h>
+#include <osgTreeWind/motion/modal/ModalModel.h>
 
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/modal/DragPatches.h>
@@ -25,7 +25,7 @@ using PatchTorques = std::vector<std::vector<glm::dvec3>>; // per patch and join
 
 struct Patches {
     std::vector<std::size_t> ofLink;
-    std::vector<ModalShape::Patch> list;
+    std::vector<ModalModel::Patch> list;
     PatchTorques torques;
 };
 
@@ -37,7 +37,7 @@ Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, st
     std::vector<double> area(made), wood(made), leaves(made), still(made);
     std::vector<glm::dvec3> place(made, glm::dvec3(0.0));
     Patches patches{{},
-                    std::vector<ModalShape::Patch>(made),
+                    std::vector<ModalModel::Patch>(made),
                     PatchTorques(made, std::vector<glm::dvec3>(tree.jointCount(), glm::dvec3(0.0)))};
     for (const JointTree::Point& point : tree.points) {
         const std::size_t p = ofLink[point.link];
@@ -61,7 +61,7 @@ Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, st
             }
     }
     for (std::size_t p = 0; p < made; ++p) {
-        ModalShape::Patch& patch = patches.list[p];
+        ModalModel::Patch& patch = patches.list[p];
         const double half = 0.5 * airDensity;
         patch.place = area[p] > 0.0 ? place[p] / area[p] : glm::dvec3(0.0);
         patch.woodDrag = static_cast<float>(half * wood[p]);
@@ -83,7 +83,7 @@ glm::dvec3 lever(const TreeMode& mode, const std::vector<glm::dvec3>& torques) {
     return sum;
 }
 
-double dragOf(const ModalShape::Patch& patch) {
+double dragOf(const ModalModel::Patch& patch) {
     return static_cast<double>(patch.woodDrag + patch.leafDrag);
 }
 
@@ -129,9 +129,9 @@ double wholeEnergy(const JointTree& tree, const Patches& patches) {
 }
 
 /// With those modes, in their order.
-ModalShape shapeOf(const JointTree& tree, const ModalMaterial& material, const std::vector<TreeMode>& modes,
+ModalModel shapeOf(const JointTree& tree, const ModalMaterial& material, const std::vector<TreeMode>& modes,
                    const std::vector<double>& shares, const Patches& patches) {
-    ModalShape shape;
+    ModalModel shape;
     const std::size_t joints = tree.jointCount(), count = modes.size(), patchCount = patches.list.size();
     shape.joints = joints;
     shape.patches = patches.list;
@@ -145,7 +145,7 @@ ModalShape shapeOf(const JointTree& tree, const ModalMaterial& material, const s
             levers[p].push_back(lever(mode, patches.torques[p]));
 
     for (std::size_t k = 0; k < count; ++k) {
-        ModalShape::Mode mode;
+        ModalModel::Mode mode;
         mode.pace = static_cast<float>(modes[k].speed);
         mode.weightShare = static_cast<float>(modes[k].weightShare);
         mode.energyShare = static_cast<float>(shares[k]);
@@ -181,9 +181,9 @@ ModalShape shapeOf(const JointTree& tree, const ModalMaterial& material, const s
 
 } // namespace
 
-std::vector<ModalShape> makeModalShapes(const JointTree& tree, const ModalMaterial& material,
+std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMaterial& material,
                                         const std::vector<ModalDetail>& details) {
-    std::vector<ModalShape> shapes;
+    std::vector<ModalModel> shapes;
     std::vector<TreeMode> modes; // kept at the finest detail, in their order
     std::vector<double> shares;
     for (const ModalDetail& detail : details) {
@@ -213,11 +213,11 @@ std::vector<ModalShape> makeModalShapes(const JointTree& tree, const ModalMateri
     return shapes;
 }
 
-ModalShape makeModalShape(const JointTree& tree, const ModalMaterial& material, const ModalDetail& detail) {
-    return std::move(makeModalShapes(tree, material, {detail}).front());
+ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material, const ModalDetail& detail) {
+    return std::move(makeModalModels(tree, material, {detail}).front());
 }
 
-ModalRatios modalRatios(const ModalShape& shape, const JointTree& other) {
+ModalRatios modalRatios(const ModalModel& shape, const JointTree& other) {
     const JointMasses masses(other);
     ModalRatios ratios;
     for (std::size_t k = 0; k < shape.modes.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/impostors/ImpostorShape.h>
+#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
@@ -34,10 +34,10 @@ osg::ref_ptr<osg::Texture2D> texture(const char* name, osg::Image* image) {
 osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Program* program) {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
-    state->setTextureAttribute(ImpostorShape::colorUnit, texture("impostor colors", pictures.colors));
-    state->setTextureAttribute(ImpostorShape::normalUnit, texture("impostor normals", pictures.normals));
-    state->addUniform(new osg::Uniform("impostorColors", ImpostorShape::colorUnit));
-    state->addUniform(new osg::Uniform("impostorNormals", ImpostorShape::normalUnit));
+    state->setTextureAttribute(ImpostorStrip::colorUnit, texture("impostor colors", pictures.colors));
+    state->setTextureAttribute(ImpostorStrip::normalUnit, texture("impostor normals", pictures.normals));
+    state->addUniform(new osg::Uniform("impostorColors", ImpostorStrip::colorUnit));
+    state->addUniform(new osg::Uniform("impostorNormals", ImpostorStrip::normalUnit));
     state->addUniform(new osg::Uniform("impostorSize", osg::Vec4(pictures.halfWidth, pictures.height,
                                                                  static_cast<float>(pictures.azimuths),
                                                                  static_cast<float>(pictures.elevations))));
@@ -54,7 +54,7 @@ osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Prog
 
 } // namespace
 
-ImpostorShape::ImpostorShape(ImpostorPictures pictures, osg::Program* program, int segments)
+ImpostorStrip::ImpostorStrip(ImpostorPictures pictures, osg::Program* program, int segments)
     : _pictures(std::move(pictures)), _geometry(strip(std::max(segments, 1))),
       _stateSet(osgTreeWind::stateSet(_pictures, program)) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/branchwise/TreeShape.h>
+#include <osgTreeWind/drawing/branchwise/TreeBuffers.h>
 
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/species/LeafCoverage.h>
@@ -20,7 +20,7 @@ std::vector<unsigned> unitsWithoutLeaves(const TreeModel& model) {
 
 } // namespace
 
-TreeShape::TreeShape(std::shared_ptr<const TreeModel> model, LeafForm leafForm)
+TreeBuffers::TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafForm)
     : _model(std::move(model)), _leafCluster(new LeafClusterDrawable(*_model)),
       _unitSkins(_model->skeleton.units.size()) {
     const CrownShade crown(_model->leaves, _model->leafMesh, leafCoverage(leafForm));
@@ -29,7 +29,7 @@ TreeShape::TreeShape(std::shared_ptr<const TreeModel> model, LeafForm leafForm)
     _bareSkin = skinOf(unitsWithoutLeaves(*_model));
 }
 
-osg::ref_ptr<osg::Geometry> TreeShape::skinOf(const std::vector<unsigned>& units) const {
+osg::ref_ptr<osg::Geometry> TreeBuffers::skinOf(const std::vector<unsigned>& units) const {
     const std::size_t count = _model->skin.indicesPerUnit;
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     for (const unsigned unit : units) {
@@ -41,13 +41,13 @@ osg::ref_ptr<osg::Geometry> TreeShape::skinOf(const std::vector<unsigned>& units
     return geometry;
 }
 
-osg::Geometry* TreeShape::unitSkin(unsigned unit) {
+osg::Geometry* TreeBuffers::unitSkin(unsigned unit) {
     if (!_unitSkins[unit])
         _unitSkins[unit] = skinOf({unit});
     return _unitSkins[unit].get();
 }
 
-std::vector<osg::Geometry*> TreeShape::geometries() const {
+std::vector<osg::Geometry*> TreeBuffers::geometries() const {
     std::vector<osg::Geometry*> all = {_skin, _bareSkin, _leaves, _leafCluster->geometry()};
     for (const osg::ref_ptr<osg::Geometry>& unit : _unitSkins)
         if (unit)
@@ -55,12 +55,12 @@ std::vector<osg::Geometry*> TreeShape::geometries() const {
     return all;
 }
 
-void TreeShape::resizeGLObjectBuffers(unsigned maxSize) {
+void TreeBuffers::resizeGLObjectBuffers(unsigned maxSize) {
     for (osg::Geometry* geometry : geometries())
         geometry->resizeGLObjectBuffers(maxSize);
 }
 
-void TreeShape::releaseGLObjects(osg::State* state) const {
+void TreeBuffers::releaseGLObjects(osg::State* state) const {
     for (const osg::Geometry* geometry : geometries())
         geometry->releaseGLObjects(state);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/stand/PickedTree.h>
+#include <osgTreeWind/drawing/stand/TreeHit.h>
 
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-PickedTree::PickedTree(const ForestSimulation& simulation, std::size_t slot) : _tree(simulation.idOf(slot)) {
+TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) : _tree(simulation.idOf(slot)) {
     const PlacedTree& tree = simulation.trees()[slot];
     const TreeModel& model = simulation.forest().modelOf(tree);
     UnitValues values;
@@ -38,24 +38,24 @@ PickedTree::PickedTree(const ForestSimulation& simulation, std::size_t slot) : _
         _indices.push_back(firstLeaf + index);
 }
 
-PickedTree::PickedTree(const PickedTree& other, const osg::CopyOp& copyop)
+TreeHit::TreeHit(const TreeHit& other, const osg::CopyOp& copyop)
     : osg::Drawable(other, copyop), _tree(other._tree), _barkTriangles(other._barkTriangles),
       _trianglesPerUnit(other._trianglesPerUnit), _vertices(other._vertices), _indices(other._indices),
       _leafUnits(other._leafUnits) {}
 
-unsigned PickedTree::getUnit(unsigned primitive) const {
+unsigned TreeHit::getUnit(unsigned primitive) const {
     if (!isLeaf(primitive))
         return primitive / _trianglesPerUnit;
     const std::size_t leaf = (primitive - _barkTriangles) / trianglesPerLeafCluster;
     return leaf < _leafUnits.size() ? static_cast<unsigned>(_leafUnits[leaf]) : 0;
 }
 
-void PickedTree::accept(osg::PrimitiveFunctor& functor) const {
+void TreeHit::accept(osg::PrimitiveFunctor& functor) const {
     functor.setVertexArray(static_cast<unsigned>(_vertices.size()), _vertices.data());
     functor.drawElements(GL_TRIANGLES, static_cast<GLsizei>(_indices.size()), _indices.data());
 }
 
-osg::BoundingBox PickedTree::computeBoundingBox() const {
+osg::BoundingBox TreeHit::computeBoundingBox() const {
     osg::BoundingBox box;
     for (const osg::Vec3& vertex : _vertices)
         box.expandBy(vertex);

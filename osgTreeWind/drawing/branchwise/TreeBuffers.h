@@ -11,9 +11,9 @@ namespace osgTreeWind {
 
 /// The drawn form of a model, shared by all trees of that shape: vertex buffers for bark and leaves as
 /// shaders/branchwise/bark.vert and shaders/branchwise/leaf.vert describe them.
-class TreeShape : public osg::Referenced {
+class TreeBuffers : public osg::Referenced {
 public:
-    explicit TreeShape(std::shared_ptr<const TreeModel> model, LeafForm leafForm = LeafForm::Blade);
+    explicit TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafForm = LeafForm::Blade);
 
     const std::shared_ptr<const TreeModel>& model() const { return _model; }
     osg::Geometry* skin() const { return _skin.get(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/model/CrownShape.h>
+#include <osgTreeWind/model/CrownOutline.h>
 
 #include <osgTreeWind/model/PortableMath.h>
 
@@ -15,24 +15,24 @@ float flame(float r) {
 
 } // namespace
 
-float crownWidth(CrownShape shape, float wanted) {
+float crownWidth(CrownOutline shape, float wanted) {
     const float r = glm::clamp(wanted, 0.0f, 1.0f);
     switch (shape) {
-    case CrownShape::Cone:
+    case CrownOutline::Cone:
         return 0.2f + 0.8f * r;
-    case CrownShape::Sphere:
+    case CrownOutline::Sphere:
         return 0.2f + 0.8f * sine(glm::pi<float>() * r);
-    case CrownShape::Hemisphere:
+    case CrownOutline::Hemisphere:
         return 0.2f + 0.8f * sine(glm::half_pi<float>() * r);
-    case CrownShape::Cylinder:
+    case CrownOutline::Cylinder:
         return 1.0f;
-    case CrownShape::TaperedCylinder:
+    case CrownOutline::TaperedCylinder:
         return 0.5f + 0.5f * r;
-    case CrownShape::Flame:
+    case CrownOutline::Flame:
         return flame(r);
-    case CrownShape::InverseCone:
+    case CrownOutline::InverseCone:
         return 1.0f - 0.8f * r;
-    case CrownShape::TendFlame:
+    case CrownOutline::TendFlame:
         return 0.5f + 0.5f * flame(r);
     }
     return 1.0f;
