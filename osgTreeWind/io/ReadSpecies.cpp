@@ -3,7 +3,6 @@
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <filesystem>
@@ -284,8 +283,8 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     Species species;
     std::string like;
     if (table.read("like", like)) {
-        if (const std::optional<Species> built = findBuiltInSpecies(like))
-            species = *built;
+        if (const Species* model = reading.builtIn().findModel(like))
+            species = *model;
         else
             table.problem("like", "no built-in species " + inQuotes(like));
     }
