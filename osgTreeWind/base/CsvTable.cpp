@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/Problem.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
@@ -104,7 +105,7 @@ Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char
     if (!rows)
         return rows.problems();
     if (rows.value().empty())
-        return Diagnostic{file, 1, 0, {}, "expected a header row, found only blank lines"};
+        return fileProblem(file, "expected a header row, found only blank lines", 1);
 
     CsvTable table;
     table.file = file;
@@ -122,12 +123,11 @@ Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char
     }
     for (const Row& row : table.rows)
         if (row.cells.size() != table.columns.size())
-            problems.push_back({file,
-                                row.line,
-                                0,
-                                {},
-                                "expected " + std::to_string(table.columns.size()) +
-                                    " cells as in the header, found " + std::to_string(row.cells.size())});
+            problems.push_back(fileProblem(file,
+                                           "expected " + std::to_string(table.columns.size()) +
+                                               " cells as in the header, found " +
+                                               std::to_string(row.cells.size()),
+                                           row.line));
     if (!problems.empty())
         return problems;
     return table;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
 #include <algorithm>
@@ -31,11 +32,11 @@ Result<std::string> readText(std::istream& input, const std::string& file) {
     while (input.read(buffer, sizeof buffer) || input.gcount() > 0)
         text.append(buffer, static_cast<std::size_t>(input.gcount()));
     if (!input.eof() || input.bad())
-        return Diagnostic{file, 0, 0, {}, "cannot be read"};
+        return fileProblem(file, "cannot be read");
     if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
         text.erase(0, 3);
     if (text.empty())
-        return Diagnostic{file, 0, 0, {}, "the file is empty"};
+        return fileProblem(file, "the file is empty");
 
     const auto binary = std::find_if(text.begin(), text.end(), isBinary);
     if (binary != text.end()) {

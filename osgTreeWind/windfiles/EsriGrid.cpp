@@ -5,6 +5,7 @@
 #include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
 #include <glm/common.hpp>
@@ -105,7 +106,7 @@ Result<WindContent> windOfEsriGrids(const EsriGrid& speed, const EsriGrid& direc
     const double tolerance = 1e-3 * speed.cellSize;
     if (speed.cells != direction.cells || std::max(apart.x, apart.y) > tolerance ||
         std::abs(speed.cellSize - direction.cellSize) * speed.cells.x > tolerance)
-        return Diagnostic{file, 0, 0, {}, "expected the same header in both grids of the pair"};
+        return fileProblem(file, "expected the same header in both grids of the pair");
     WindContent content;
     content.summary.format = "ESRI ASCII speed and direction";
     content.summary.direction = "from, degrees clockwise from grid north";
@@ -118,14 +119,11 @@ Result<WindContent> windOfEsriGrids(const EsriGrid& speed, const EsriGrid& direc
         const double s = speed.values[i], d = direction.values[i];
         const bool known = !std::isnan(s) && !std::isnan(d);
         if (known && (s < 0.0 || std::abs(d) > maxDirection))
-            return Diagnostic{file,
-                              0,
-                              0,
-                              {},
-                              "expected a speed not below 0 and a direction of -360 to 360 degrees, found " +
-                                  numberText(s) + " and " + numberText(d) + " in row " +
-                                  std::to_string(speed.cells.y - static_cast<int>(i) / speed.cells.x) +
-                                  ", column " + std::to_string(static_cast<int>(i) % speed.cells.x + 1)};
+            return fileProblem(file,
+                               "expected a speed not below 0 and a direction of -360 to 360 degrees, found " +
+                                   numberText(s) + " and " + numberText(d) + " in row " +
+                                   std::to_string(speed.cells.y - static_cast<int>(i) / speed.cells.x) +
+                                   ", column " + std::to_string(static_cast<int>(i) % speed.cells.x + 1));
         const glm::vec3 v = known ? windVelocity({s, d}, DirectionSense::From) : glm::vec3(noData);
         grid.values.insert(grid.values.end(), {v.x, v.y, v.z});
     }

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/windfiles/NetCdfClassic.h>
 #include <osgTreeWind/windfiles/QesSensor.h>
@@ -17,19 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Diagnostic problem(const std::string& file, std::string message) {
-    return {file, 0, 0, {}, std::move(message)};
-}
-
 Result<std::string> readBytes(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream bytes;
     std::error_code ignored;
     if (!file || fs::is_directory(path, ignored))
-        return problem(path, "cannot be read");
+        return fileProblem(path, "cannot be read");
     bytes << file.rdbuf();
     if (bytes.str().empty())
-        return problem(path, "the file is empty");
+        return fileProblem(path, "the file is empty");
     return bytes.str();
 }
 
@@ -51,8 +48,8 @@ Result<WindContent> readEsriPair(const std::string& path) {
     const std::string stem = given.stem().string(), extension = given.extension().string();
     const std::string end = stem.size() > 4 ? stem.substr(stem.size() - 4) : "";
     if (end != "_vel" && end != "_ang")
-        return problem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
-                                 ", a pair of speed and direction");
+        return fileProblem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
+                                     ", a pair of speed and direction");
     const std::string begin = (given.parent_path() / stem.substr(0, stem.size() - 4)).string();
     EsriGrid grids[2];
     const std::string paths[2] = {begin + "_vel" + extension, begin + "_ang" + extension};
@@ -159,7 +156,7 @@ Result<WindContent> readWindContent(const std::string& path, const WindSeriesCol
         return readVtkLegacy(bytes, path);
     if (startsWith(bytes, "CDF") || startsWith(bytes, "\x89HDF")) {
         const std::string damage = problemOfNetCdfHeader(bytes);
-        return damage.empty() ? readNetCdf(path, asStored) : problem(path, damage);
+        return damage.empty() ? readNetCdf(path, asStored) : fileProblem(path, damage);
     }
     if (startsWith(bytes, "\"TOA5\""))
         return readToa5(bytes, path, columns);
@@ -173,9 +170,9 @@ Result<WindContent> readWindContent(const std::string& path, const WindSeriesCol
         return readTurbSim(bytes, path);
     if (extension == ".csv")
         return readCsv(bytes, path, columns);
-    return problem(path,
-                   "no known format of wind data; expected ESRI ASCII, VTK, TurbSim .bts, TOA5, NetCDF, QES "
-                   "sensor XML or .csv");
+    return fileProblem(
+        path, "no known format of wind data; expected ESRI ASCII, VTK, TurbSim .bts, TOA5, NetCDF, QES "
+              "sensor XML or .csv");
 }
 
 } // namespace osgTreeWind

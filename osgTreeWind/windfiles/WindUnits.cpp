@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 
 namespace osgTreeWind {
 
@@ -24,7 +25,7 @@ Result<double> valueOf(const Unit (&units)[N], const char* what, const std::stri
             return unit.value;
         accepted += (accepted.empty() ? "" : ", ") + std::string(unit.name);
     }
-    return Diagnostic{{}, 0, 0, {}, expectedFound(std::string(what) + " (" + accepted + ")", name)};
+    return fileProblem({}, expectedFound(std::string(what) + " (" + accepted + ")", name));
 }
 
 } // namespace
