@@ -23,13 +23,13 @@ public:
         Span<float> velocities; ///< u, v, w of each point, m/s, ordered as in GridWind::Grid.
         /// Where the grid's first point now stands, metres; empty: where it stood. Its heights, where it has
         /// any, rise and sink with it.
-        std::optional<glm::dvec3> origin;
+        std::optional<glm::dvec3> origin = std::nullopt;
         /// Simulation time in seconds at which the velocities hold; empty: from now on, at all times.
         ///
         /// Between the last two updates with times the wind is linear in time; before the one it is held, and
         /// after the other. So a host that updates for a time a little ahead gives trees a steady wind, and
         /// one that is late a wind that stands still until it comes.
-        std::optional<double> time;
+        std::optional<double> time = std::nullopt;
     };
 
     /// A field that starts with the grid's values, or what is wrong with the grid. It has one time at most:

@@ -3,6 +3,7 @@
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/TextTokens.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
+#include <osgTreeWind/windfiles/WindInput.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
@@ -13,12 +14,16 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <map>
 
 namespace osgTreeWind {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr float noData = std::numeric_limits<float>::quiet_NaN();
 constexpr double farthest = 1e9; // metres
@@ -69,6 +74,15 @@ double firstCentre(const Header& header, const std::string& axis) {
     const std::string corner = axis + "llcorner", centre = axis + "llcenter";
     return header.has(corner.c_str()) ? header.of(corner.c_str()) + 0.5 * header.of("cellsize")
                                       : header.of(centre.c_str());
+}
+
+/// The name in the .prj beside a grid; empty without one.
+std::string coordinatesBeside(const std::string& path) {
+    std::ifstream file(fs::path(path).replace_extension(".prj"));
+    std::string text, name;
+    std::getline(file, text, '"');
+    std::getline(file, name, '"');
+    return name;
 }
 
 } // namespace
@@ -128,6 +142,31 @@ Result<WindContent> windOfEsriGrids(const EsriGrid& speed, const EsriGrid& direc
         grid.values.insert(grid.values.end(), {v.x, v.y, v.z});
     }
     content.data = std::move(grid);
+    return content;
+}
+
+Result<WindContent> readEsriPair(const std::string& path) {
+    const fs::path given(path);
+    const std::string stem = given.stem().string(), extension = given.extension().string();
+    const std::string end = stem.size() > 4 ? stem.substr(stem.size() - 4) : "";
+    if (end != "_vel" && end != "_ang")
+        return fileProblem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
+                                     ", a pair of speed and direction");
+    const std::string begin = (given.parent_path() / stem.substr(0, stem.size() - 4)).string();
+    EsriGrid grids[2];
+    const std::string paths[2] = {begin + "_vel" + extension, begin + "_ang" + extension};
+    for (int i = 0; i < 2; ++i) {
+        const Result<std::string> text = readBytes(paths[i]);
+        if (!text)
+            return text.problems();
+        Result<EsriGrid> grid = readEsriGrid(text.value(), paths[i]);
+        if (!grid)
+            return grid.problems();
+        grids[i] = std::move(grid.value());
+    }
+    Result<WindContent> content = windOfEsriGrids(grids[0], grids[1], path);
+    if (content)
+        content.value().summary.coordinates = coordinatesBeside(path);
     return content;
 }
 

@@ -104,7 +104,9 @@ Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, co
 
 /// One file, velocities in m/s.
 Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options) {
-    Result<WindContent> read = readWindContent(path, options.columns, options.asStored);
+    WindSeriesColumns columns = options.columns;
+    columns.speedUnit = "m/s"; // converted with all other formats
+    Result<WindContent> read = readWindContent(path, columns, options.asStored);
     if (!read)
         return read;
     const std::string& inFile = read.value().summary.unit;
@@ -166,6 +168,23 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
         return step;
     };
     return fileOf(readWindSteps(files, times, read), files.empty() ? "" : files.front(), options);
+}
+
+Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns) {
+    Result<WindContent> read = readWindContent(path, columns, false);
+    if (!read)
+        return read.problems();
+    auto* series = std::get_if<WindSeries>(&read.value().data);
+    if (!series)
+        return fileProblem(path,
+                           "expected a record at one point, found a grid: " + read.value().summary.format);
+    const std::string& inFile = read.value().summary.unit;
+    const Result<double> unit = speedUnit(inFile.empty() ? "m/s" : inFile);
+    if (!unit)
+        return fileProblem(path, unit.problems().front().message);
+    for (glm::vec3& velocity : series->velocities)
+        velocity *= static_cast<float>(unit.value());
+    return std::move(*series);
 }
 
 Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options) {
