@@ -54,7 +54,7 @@ GridWind::Grid simulateWind(double time) {
 /// A new wind sixty times a second.
 void streamWind(StreamedWind& wind, const std::atomic<bool>& done) {
     for (double time = 0.0; !done; time += 1.0 / 60.0) {
-        wind.update(simulateWind(time).values); // gives what is wrong with them: nothing
+        wind.update({simulateWind(time).values}); // gives what is wrong with them: nothing
         std::this_thread::sleep_for(std::chrono::microseconds(16667));
     }
 }
