@@ -71,34 +71,51 @@ ModalMotion::Tree ForestSimulation::swaying(const PlacedTree& tree) const {
             _level};
 }
 
-TreeId ForestSimulation::addTree(const TreePlacement& placement) {
-    const std::optional<PlacedTree> tree = _modal ? _forest.fitted(placement) : std::nullopt;
-    if (!tree)
-        return noTree;
-    const std::size_t slot = _modal->add(swaying(*tree));
-    _forest.put(slot, *tree, placement.name);
+/// Why a tree cannot come, go or change; empty where it can. @param wanted of whatever species there is.
+Diagnostics ForestSimulation::problemsOf(const TreeId* tree, const TreePlacement* wanted) const {
+    if (!_modal)
+        return {{{}, 0, 0, "law", "trees come, go and change under the law modal only"}};
+    if (tree && !holds(*tree))
+        return {{{}, 0, 0, "tree", "no tree has this id, or it is gone"}};
+    const std::size_t species = description().species.size();
+    if (wanted && wanted->species >= species)
+        return {{{},
+                 0,
+                 0,
+                 "species",
+                 "there is no species " + std::to_string(wanted->species) + "; the forest has " +
+                     std::to_string(species) + ", from 0 on"}};
+    return {};
+}
+
+Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
+    if (Diagnostics problems = problemsOf(nullptr, &placement); !problems.empty())
+        return problems;
+    const PlacedTree tree = *_forest.fitted(placement);
+    const std::size_t slot = _modal->add(swaying(tree));
+    _forest.put(slot, tree, placement.name);
     return idOf(slot);
 }
 
-bool ForestSimulation::removeTree(TreeId tree) {
-    if (!_modal || !holds(tree))
-        return false;
-    _modal->remove(slotOf(tree));
-    _forest.remove(slotOf(tree));
-    _values.erase(slotOf(tree));
-    return true;
+Diagnostics ForestSimulation::removeTree(TreeId tree) {
+    Diagnostics problems = problemsOf(&tree, nullptr);
+    if (problems.empty()) {
+        _modal->remove(slotOf(tree));
+        _forest.remove(slotOf(tree));
+        _values.erase(slotOf(tree));
+    }
+    return problems;
 }
 
-bool ForestSimulation::changeTree(TreeId tree, const TreePlacement& placement) {
-    if (!_modal || !holds(tree))
-        return false;
-    const std::size_t slot = slotOf(tree);
-    const std::optional<PlacedTree> other = _forest.fitted(placement, &trees()[slot]);
-    if (!other)
-        return false;
-    _modal->replace(slot, swaying(*other));
-    _forest.put(slot, *other, placement.name);
-    return true;
+Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& placement) {
+    Diagnostics problems = problemsOf(&tree, &placement);
+    if (problems.empty()) {
+        const std::size_t slot = slotOf(tree);
+        const PlacedTree other = *_forest.fitted(placement, &trees()[slot]);
+        _modal->replace(slot, swaying(other));
+        _forest.put(slot, other, placement.name);
+    }
+    return problems;
 }
 
 void ForestSimulation::setSeason(float season) {

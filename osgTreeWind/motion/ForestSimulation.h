@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/SimulationOptions.h>
 #include <osgTreeWind/motion/branchwise/LeafFlutter.h>
@@ -31,23 +32,24 @@ public:
     /// As given, but without its trees, which are trees(), and with its first wind and season, whatever
     /// setWind() and setSeason() did.
     const ForestDescription& description() const { return _forest.description(); }
-    /// The forest as it is now: the trees that are alive, with all of their sizes and names, in the season and
-    /// in the wind of now. One made of it has the same trees at rest; its `source` is empty.
+    /// The forest as it is now: the trees that are alive, with all of their sizes and names, in the season
+    /// and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
     ForestDescription describe() const;
     const std::vector<TreeModel>& models() const { return _forest.models(); }
     /// By slot: in the order of the description, then as they were added. Not all of them are alive.
     const std::vector<PlacedTree>& trees() const { return _forest.trees; }
     const PlacedForest& forest() const { return _forest; }
 
-    // Trees come and go in a time that does not depend on the forest (ModalMotion::add()), under `modal`
-    // only: else nothing is changed, and the answer is noTree or false, as for a tree or species that is not
-    // there.
+    // Trees come and go in a time that does not depend on the forest (ModalMotion::add()). It is a problem,
+    // and nothing is changed, under a law of a branch, and where there is no such tree or species.
 
     /// Puts up a tree at rest.
-    TreeId addTree(const TreePlacement& placement);
-    bool removeTree(TreeId tree);
+    Result<TreeId> addTree(const TreePlacement& placement);
+    /// @return the problems; empty when it is done.
+    Diagnostics removeTree(TreeId tree);
     /// Moves it, or makes it another one, in full sway (ModalMotion::replace()).
-    bool changeTree(TreeId tree, const TreePlacement& placement);
+    /// @return the problems; empty when it is done.
+    Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
 
     bool holds(TreeId tree) const { return _forest.holds(tree); }
     /// Where a tree stands in trees().
@@ -107,6 +109,7 @@ public:
 
 private:
     ForestSimulation(const ForestSimulation& other);
+    Diagnostics problemsOf(const TreeId* tree, const TreePlacement* wanted) const;
     ModalMotion::Tree swaying(const PlacedTree& tree) const;
     void meetWind(double time);
     void stepModal(double time, double elapsed);

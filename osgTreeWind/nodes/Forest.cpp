@@ -139,28 +139,29 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandResou
     }
 }
 
-TreeId Forest::addTree(const TreePlacement& placement) {
-    const TreeId tree = _simulation->addTree(placement);
-    if (tree != noTree) {
+Result<TreeId> Forest::addTree(const TreePlacement& placement) {
+    Result<TreeId> tree = _simulation->addTree(placement);
+    if (tree) {
         ++_treeCount;
-        _stand->treeChanged(_simulation->slotOf(tree));
+        _stand->treeChanged(_simulation->slotOf(tree.value()));
     }
     return tree;
 }
 
-bool Forest::removeTree(TreeId tree) {
-    if (!_simulation->removeTree(tree))
-        return false;
-    --_treeCount;
-    _stand->treeChanged(_simulation->slotOf(tree));
-    return true;
+Diagnostics Forest::removeTree(TreeId tree) {
+    Diagnostics problems = _simulation->removeTree(tree);
+    if (problems.empty()) {
+        --_treeCount;
+        _stand->treeChanged(_simulation->slotOf(tree));
+    }
+    return problems;
 }
 
-bool Forest::changeTree(TreeId tree, const TreePlacement& placement) {
-    if (!_simulation->changeTree(tree, placement))
-        return false;
-    _stand->treeChanged(_simulation->slotOf(tree));
-    return true;
+Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
+    Diagnostics problems = _simulation->changeTree(tree, placement);
+    if (problems.empty())
+        _stand->treeChanged(_simulation->slotOf(tree));
+    return problems;
 }
 
 TreeId Forest::findTree(const std::string& name) const {

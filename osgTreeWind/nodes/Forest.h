@@ -52,14 +52,15 @@ public:
     osg::Vec3d getOrigin() const;
 
     // Trees that come and go, in update or between frames, at a cost that does not depend on how many there
-    // are (ForestSimulation says more). Under the law `modal` only; elsewhere nothing happens, and the answer
-    // is noTree or false.
+    // are (ForestSimulation says more). Under the law `modal` only: elsewhere it is a problem.
 
     /// @param placement in world coordinates. @return an id that lasts.
-    TreeId addTree(const TreePlacement& placement);
-    bool removeTree(TreeId tree);
+    Result<TreeId> addTree(const TreePlacement& placement);
+    /// @return the problems; empty when it is done.
+    Diagnostics removeTree(TreeId tree);
     /// Moves it, or makes it one of another size or species, in full sway.
-    bool changeTree(TreeId tree, const TreePlacement& placement);
+    /// @return the problems; empty when it is done.
+    Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
     /// By the name it has in an inventory; noTree for none.
     TreeId findTree(const std::string& name) const;
     /// Trees there are now.

@@ -82,12 +82,12 @@ TEST(ForestBytes, TreesThatComeAndGoLeaveNone) {
     if (!allocatorTells())
         GTEST_SKIP() << "the allocator does not say what it gave out";
     const std::unique_ptr<ForestSimulation> simulation = wood(2000);
-    const TreePlacement tree = simulation->placementOf(0);
+    const TreePlacement tree = simulation->placementOf(TreeId(0));
     const auto churn = [&] {
         std::vector<TreeId> ids;
         ids.reserve(1000);
         for (int i = 0; i < 1000; ++i)
-            ids.push_back(simulation->addTree(tree));
+            ids.push_back(simulation->addTree(tree).value());
         for (const TreeId id : ids)
             simulation->removeTree(id);
     };

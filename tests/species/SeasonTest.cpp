@@ -150,7 +150,7 @@ TEST(Season, TreesThatComeLaterAndCopiesAreInIt) {
     ForestSimulation forest(wood(midwinter));
     TreePlacement tree;
     tree.leaves = 0.5f;
-    const TreeId oak = forest.addTree(tree);
+    const TreeId oak = forest.addTree(tree).value();
     EXPECT_EQ(forest.trees()[forest.slotOf(oak)].leaves, 0.0f);
     EXPECT_EQ(forest.placementOf(oak).leaves, 0.5f);
     forest.setSeason(midsummer);
