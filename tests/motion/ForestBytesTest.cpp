@@ -53,7 +53,7 @@ TEST(ForestBytes, AFarTreeTakesAtMost250) {
         const std::size_t before = bytesInUse();
         const std::unique_ptr<ForestSimulation> simulation = wood(count);
         for (std::size_t i = 0; i < count; i += 50)
-            simulation->setLevel(i, ModalMotion::Level::Near);
+            simulation->modal()->setLevel(i, ModalMotion::Level::Near);
         for (int i = 0; i < 20; ++i)
             simulation->advance(i / 60.0);
         taken[count == 100000u] = bytesInUse() - before;

@@ -70,9 +70,9 @@ void ModalMotion::Group::remove(std::size_t place) {
 }
 
 ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact)
-    : _executor(executor ? std::move(executor) : Executor(runInTurn)),
-      _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)), _exact(exact), _slots(trees.size()), _places(trees.size()),
+    : _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)), _exact(exact), _slots(trees.size()), _places(trees.size()),
       _leans(trees.size(), glm::vec2(0.0f)) {
+    setExecutor(std::move(executor));
     std::vector<std::uint32_t> archetypes; // per tree
     std::vector<SwayingTree> forms;        // per archetype
     for (const Tree& tree : trees) {
@@ -107,10 +107,8 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
 ModalMotion::ModalMotion(const ModalMotion& other) = default;
 ModalMotion::~ModalMotion() = default;
 
-std::unique_ptr<ModalMotion> ModalMotion::restarted() const {
-    std::unique_ptr<ModalMotion> copy(new ModalMotion(*this));
-    copy->reset();
-    return copy;
+void ModalMotion::setExecutor(Executor executor) {
+    _executor = executor ? std::move(executor) : Executor(runInTurn);
 }
 
 void ModalMotion::addGroups(std::shared_ptr<const Archetype> archetype) {
