@@ -655,6 +655,20 @@ TEST(ForestSimulation, UnderModalTheFrameRateDoesNotMatter) {
     EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
 }
 
+TEST(ForestSimulation, StepsOfATenthOfAMillisecondKeepTheirTime) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+        ForestDescription forest = oneTree(law);
+        forest.wind = uniform({4, 0, 0});
+        ForestSimulation usual(forest), fast(forest);
+        const float upright = tip(usual, 1).x;
+        run(usual, 100, 0.0, 0.01);
+        run(fast, 10000, 0.0, 0.0001);
+        const float bent = tip(usual, 1).x - upright;
+        EXPECT_GT(std::abs(bent), 1e-3f);
+        EXPECT_NEAR(tip(fast, 1).x - upright, bent, 0.03f * std::abs(bent));
+    }
+}
+
 TEST(ForestSimulation, UnderModalAHostsThreadsDoTheWork) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.trees.resize(100, forest.trees.front());
