@@ -59,8 +59,10 @@ public:
     /// What would put that tree up again, with all of its sizes, in world coordinates. Only of one it holds.
     TreePlacement placementOf(TreeId tree) const { return _forest.placementOf(slotOf(tree)); }
 
-    /// Of the year (Season.h), which all trees follow in full sway: the leaves they bear, and by them their
-    /// mass, drag and damping.
+    /// Of the year (Season.h), which all trees follow in full sway: the leaves they bear, at once, and by
+    /// them their mass, drag and damping. Under `modal` 256 trees at most, and two new archetypes, do so at
+    /// once and in each step that comes, which takes up to 10 ms more: 100,000 trees of five species follow
+    /// within some 700 steps.
     void setSeason(float season);
     float season() const { return _forest.season(); }
 

@@ -20,7 +20,8 @@ ModalForest::ModalForest(const PlacedForest& forest, ModalLevel level, bool leav
       _sway(swayingTrees(), forest.description().gain, std::move(executor)) {}
 
 ModalForest::ModalForest(const ModalForest& other, const PlacedForest& forest)
-    : _forest(forest), _level(other._level), _withLeaves(other._withLeaves), _sway(other._sway) {
+    : _forest(forest), _level(other._level), _withLeaves(other._withLeaves), _sway(other._sway),
+      _behind(other._behind) {
     _sway.reset();
 }
 
@@ -50,6 +51,8 @@ void ModalForest::meet(const WindField* wind, double time) {
 
 void ModalForest::step(const WindField* wind, double time, float seconds) {
     _time = time;
+    if (_behind < _forest.trees.size())
+        followOn();
     const auto elapsed = static_cast<double>(seconds);
     const int parts = static_cast<int>(std::ceil(elapsed / longestPart));
     for (int part = parts - 1; part >= 0; --part)
@@ -62,9 +65,23 @@ void ModalForest::reset() {
 }
 
 void ModalForest::followSeason() {
-    for (std::size_t slot = 0; slot < _forest.trees.size(); ++slot)
-        if (_forest.trees[slot].alive)
-            _sway.replace(slot, swaying(_forest.trees[slot]));
+    _behind = 0;
+    followOn();
+}
+
+void ModalForest::followOn() {
+    std::vector<std::size_t> slots;
+    std::vector<ModalTree> wanted;
+    for (; _behind < _forest.trees.size() && slots.size() < treesAtOnce; ++_behind)
+        if (_forest.trees[_behind].alive) {
+            slots.push_back(_behind);
+            wanted.push_back(swaying(_forest.trees[_behind]));
+        }
+    const std::size_t ready = _sway.prepare(wanted, archetypesAtOnce);
+    for (std::size_t i = 0; i < ready; ++i)
+        _sway.replace(slots[i], wanted[i]);
+    if (ready < slots.size())
+        _behind = slots[ready];
 }
 
 Diagnostics ModalForest::remove(std::size_t slot) {

@@ -25,7 +25,9 @@ public:
     /// Meets the wind every tenth of a second on its way.
     void step(const WindField* wind, double time, float seconds) override;
     void reset() override;
+    /// `treesAtOnce` at most, with `archetypesAtOnce` new archetypes, and as many in each step that comes.
     void followSeason() override;
+    static constexpr std::size_t treesAtOnce = 256, archetypesAtOnce = 2;
     Result<std::size_t> add(const PlacedTree& tree) override { return _sway.add(swaying(tree)); }
     Diagnostics remove(std::size_t slot) override;
     Diagnostics replace(std::size_t slot, const PlacedTree& tree) override;
@@ -35,6 +37,7 @@ public:
 private:
     ModalForest(const ModalForest& other, const PlacedForest& forest);
     ModalTree swaying(const PlacedTree& tree) const;
+    void followOn();
     std::vector<ModalTree> swayingTrees() const;
     UnitValues& valuesOf(std::size_t slot) const;
     void flutter(const PlacedTree& tree, UnitValues& values) const;
@@ -44,7 +47,8 @@ private:
     bool _withLeaves;
     ModalMotion _sway;
     double _time = 0.0;
-    mutable std::mutex _valuesMutex;                             // guards _values
+    std::size_t _behind = ~std::size_t(0); ///< The first slot whose tree has yet to follow the season.
+    mutable std::mutex _valuesMutex;       // guards _values
     mutable std::unordered_map<std::size_t, UnitValues> _values; ///< Of trees asked for.
 };
 

@@ -47,6 +47,9 @@ public:
     /// patches of its crown can move alike.
     void replace(std::size_t tree, const Tree& other);
     bool holds(std::size_t tree) const;
+    /// Makes archetypes that these trees lack, which replace() and add() then need not; `most` of them at
+    /// most, on the executor. @return how many of the trees, from the first on, have theirs by now.
+    std::size_t prepare(const std::vector<Tree>& trees, std::size_t most);
 
     /// Numbers given out, those of removed trees too.
     std::size_t treeCount() const { return _leans.size(); }
@@ -94,7 +97,7 @@ private:
     struct Work;
 
     std::uint32_t archetypeOf(const SwayingTree& form);
-    void addGroups(std::shared_ptr<const Archetype> archetype);
+    void addArchetypes(const std::vector<SwayingTree>& forms);
     void put(std::size_t tree, std::size_t group);
     void take(std::size_t tree);
     void stand(std::size_t tree, const Tree& given);
