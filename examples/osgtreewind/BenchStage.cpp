@@ -85,7 +85,7 @@ constexpr TreeLodRanges alwaysFull{always, always};
 
 osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest& forest,
                                     const std::shared_ptr<const TreeModel>& model) {
-    osg::ref_ptr<TreeBuffers> shape = new TreeBuffers(model);
+    osg::ref_ptr<TreeBuffers> buffers = new TreeBuffers(model);
     const TreeStyle style = TreeStyles().style(forest.description().species.front().appearance);
     const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
     osg::ref_ptr<osg::Geometry> lines;
@@ -99,7 +99,7 @@ osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest&
             node = new osg::PositionAttitudeTransform;
             node->addChild(lines);
         } else {
-            osg::ref_ptr<TreeNode> still = new TreeNode(shape, style, tree.scale);
+            osg::ref_ptr<TreeNode> still = new TreeNode(buffers, style, tree.scale);
             still->getLod()->setRanges(alwaysFull);
             node = still;
         }

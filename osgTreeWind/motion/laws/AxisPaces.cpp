@@ -101,7 +101,7 @@ double strongestEigenvalue(std::array<std::array<double, krylovSize>, krylovSize
 /// Free sway of the slices [first, end), all carried by the first.
 class Sway {
 public:
-    using Shape = std::vector<glm::dvec3>; // shift of each slice
+    using Shifts = std::vector<glm::dvec3>; // of each slice
 
     /// @param axis per slice: the axis it is part of. @param own the one that sways. @param foot its base.
     Sway(const std::vector<Slice>& slices, const std::vector<std::size_t>& axis, std::size_t own,
@@ -119,15 +119,15 @@ public:
 
 private:
     /// 1 / speed^2 of the mode that takes the largest part when the axis, pulled along `direction` with all
-    /// it carries unbent, is let go. By Lanczos' method from that shape.
+    /// it carries unbent, is let go. By Lanczos' method from that bend.
     double slowness(const glm::dvec3& direction) {
-        Shape before(_size), now = bent(Shape(_size, direction), true);
+        Shifts before(_size), now = bent(Shifts(_size, direction), true);
         std::array<std::array<double, krylovSize>, krylovSize> ritz{};
         const double left = 1.0 - weightShare(now, direction);
         double coupling = 0.0;
         scale(now, 1.0 / std::sqrt(product(now, now)));
         for (std::size_t k = 0;; ++k) {
-            Shape next = bent(now, false);
+            Shifts next = bent(now, false);
             const double diagonal = product(next, now);
             ritz[k][k] = diagonal;
             for (std::size_t i = 0; i < _size; ++i)
@@ -142,13 +142,13 @@ private:
         }
     }
 
-    /// What weight takes of the elastic energy of `shape`, just bent() by an even load along `direction`: the
-    /// work of all parts as they sink, at most heaviestShare; below 0 for what hangs.
-    double weightShare(const Shape& shape, const glm::dvec3& direction) {
+    /// What weight takes of the elastic energy of `shifts`, just bent() by an even load along `direction`:
+    /// the work of all parts as they sink, at most heaviestShare; below 0 for what hangs.
+    double weightShare(const Shifts& shifts, const glm::dvec3& direction) {
         double elastic = 0.0, work = 0.0;
         for (std::size_t i = _size; i-- > 0;) {
             _carried[i] += mass(i);
-            elastic += mass(i) * glm::dot(direction, shape[i]);
+            elastic += mass(i) * glm::dot(direction, shifts[i]);
             const glm::dvec3 link = linkTo(i), turn = i > 0 ? _turn[parent(i)] : _rootTurn;
             work += _carried[i] * (glm::dot(turn, turn) * link.z - glm::dot(turn, link) * turn.z);
             if (i > 0)
@@ -168,19 +168,19 @@ private:
     static glm::dvec3 across(const Slice& slice, const glm::dvec3& moment) {
         return moment - slice.direction * glm::dot(slice.direction, moment);
     }
-    double product(const Shape& a, const Shape& b) const {
+    double product(const Shifts& a, const Shifts& b) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < _size; ++i)
             sum += mass(i) * glm::dot(a[i], b[i]);
         return sum;
     }
-    void scale(Shape& shape, double factor) const {
-        for (glm::dvec3& shift : shape)
+    void scale(Shifts& shifts, double factor) const {
+        for (glm::dvec3& shift : shifts)
             shift *= factor;
     }
 
-    /// Shape under a load of mass times `shift`. @param stiff only the axis itself bends.
-    Shape bent(const Shape& shift, bool stiff) {
+    /// Shifts under a load of mass times `shift`. @param stiff only the axis itself bends.
+    Shifts bent(const Shifts& shift, bool stiff) {
         for (std::size_t i = 0; i < _size; ++i) {
             _force[i] = mass(i) * shift[i];
             _moment[i] = glm::dvec3(0.0);
@@ -191,7 +191,7 @@ private:
         }
         const Slice& first = _slices[_first];
         _rootTurn = first.rootGive * across(first, _moment[0] + glm::cross(linkTo(0), _force[0]));
-        Shape result(_size);
+        Shifts result(_size);
         for (std::size_t i = 0; i < _size; ++i) {
             const Slice& slice = _slices[_first + i];
             const glm::dvec3 turn = i > 0 ? _turn[parent(i)] : _rootTurn;
@@ -210,7 +210,7 @@ private:
     const glm::dvec3 _foot;
     const double _gravity;
     glm::dvec3 _rootTurn{0.0};
-    Shape _force, _moment, _turn;
+    Shifts _force, _moment, _turn;
     std::vector<double> _carried; ///< Mass, 0 between uses.
 };
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double certainty = 1.0e-3; // what the least of the modes counts of the most, so that none runs away
 
-float topOf(const ModalModel& shape) {
+float topOf(const ModalModel& model) {
     float top = 1.0e-6f;
-    for (const ModalModel::Patch& patch : shape.patches)
+    for (const ModalModel::Patch& patch : model.patches)
         top = std::max(top, patch.place.z);
     return top;
 }

@@ -9,7 +9,7 @@ namespace osgTreeWind {
 /// tree that becomes another one.
 class CarriedSway {
 public:
-    /// @param fromLength, toLength lengths of either tree over those of its shape.
+    /// @param fromLength, toLength lengths of either tree over those of its model.
     CarriedSway(const ModalModel& from, float fromLength, const ModalModel& to, float toLength);
 
     /// Amplitudes of the other tree's modes, or their speeds, from those of the tree's.

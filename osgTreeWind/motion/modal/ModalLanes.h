@@ -50,7 +50,7 @@ struct LaneMode {
 class ModalLanes {
 public:
     ModalLanes(const ModalStep& step, int first)
-        : _shape(*step.shape), _modes(_shape.modes.size()), _patches(_shape.patches.size()), _step(step),
+        : _model(*step.model), _modes(_model.modes.size()), _patches(_model.patches.size()), _step(step),
           _first(first), _amplitude(step.block, first), _speed(_amplitude + _modes), _wind(_speed + _modes),
           _factors(_wind + 3 * _patches, step.gain) {}
 
@@ -95,7 +95,7 @@ private:
 
     void fitModes() {
         for (std::size_t k = 0; k < _modes; ++k) {
-            const ModalModel::Mode& mode = _shape.modes[k];
+            const ModalModel::Mode& mode = _model.modes[k];
             const real stiffness = grown(mode.stiffness), mass = grown(mode.mass);
             // Weight slows a tree as more mass would.
             const real left = _laws.weightLeaves(mode.weightShare * _factors.weight * mass / stiffness);
@@ -107,12 +107,12 @@ private:
 
     /// The wind part of the way through the step.
     void blow(float at) {
-        const real upTo = every(_shape.streamlinedTo);
+        const real upTo = every(_model.streamlinedTo);
         for (std::size_t p = 0; p < _patches; ++p) {
             real* air = _air + 3 * p;
             for (int c = 0; c < 3; ++c)
                 air[c] = _wind[3 * p + c] + at * (_windNow[3 * p + c] - _wind[3 * p + c]);
-            const ModalModel::Patch& patch = _shape.patches[p];
+            const ModalModel::Patch& patch = _model.patches[p];
             _airSquare[p] = air[0] * air[0] + air[1] * air[1] + air[2] * air[2];
             const real wood = patch.woodDrag * _factors.woodDrag;
             _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) *
@@ -127,8 +127,8 @@ private:
         for (std::size_t k = 0; k < _modes; ++k)
             _force[k] = _brake[k] = every(0.0f);
         for (std::size_t p = 0; p < _patches; ++p) {
-            const float* lever = _shape.levers.data() + 3 * _modes * p;
-            const float* brakes = _shape.brakes.data() + _modes * p;
+            const float* lever = _model.levers.data() + 3 * _modes * p;
+            const float* brakes = _model.brakes.data() + _modes * p;
             const real* air = _air + 3 * p;
             real own[3], relative[3], start[3];
             for (int c = 0; c < 3; ++c) {
@@ -161,11 +161,11 @@ private:
         start.angle = _amplitude[k];
         start.speed = _speed[k];
         return _laws.modeStep(start, mode.drive * _force[k], mode.drive * _factors.reach * _brake[k],
-                              mode.pace, every(_shape.dampingRatio), mode.limit, every(seconds));
+                              mode.pace, every(_model.dampingRatio), mode.limit, every(seconds));
     }
 
     mutable LaneLaws _laws;
-    const ModalModel& _shape;
+    const ModalModel& _model;
     const std::size_t _modes, _patches;
     const ModalStep& _step;
     const int _first;

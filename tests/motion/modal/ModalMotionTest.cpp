@@ -32,13 +32,13 @@ ModalMotion::Tree placed(const GrownTree& tree, const glm::vec3& foot = {0, 0, 0
 }
 
 Angles anglesOf(const ModalMotion& motion, std::size_t tree) {
-    Angles angles(motion.archetype(tree).shape(0).joints / 2);
+    Angles angles(motion.archetype(tree).model(0).joints / 2);
     motion.angles(tree, angles.data());
     return angles;
 }
 
 std::vector<glm::vec3> windsOf(const ModalMotion& motion, std::size_t tree) {
-    std::vector<glm::vec3> winds(motion.archetype(tree).shape(0).joints / 2);
+    std::vector<glm::vec3> winds(motion.archetype(tree).model(0).joints / 2);
     motion.winds(tree, winds.data());
     return winds;
 }
