@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/AxisPaces.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 constexpr std::size_t slicesPerUnit = 4;
-constexpr std::size_t krylovSize = 6;
+constexpr Eigen::Index krylovSize = 6;
 constexpr double heaviestShare = 0.75; ///< A tree that leans so far on its stiffness still has half its pace.
 
 /// A short piece of a unit: its mass and its bending are in the middle.
@@ -71,31 +72,14 @@ std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale,
     return slices;
 }
 
-/// Of a symmetric matrix, the eigenvalue whose eigenvector has the largest first component (Jacobi's
-/// rotations).
-double strongestEigenvalue(std::array<std::array<double, krylovSize>, krylovSize> a, std::size_t size) {
-    std::array<double, krylovSize> first{1.0}; // row of the product of the rotations
-    for (int sweep = 0; sweep < 12; ++sweep)
-        for (std::size_t p = 0; p < size; ++p)
-            for (std::size_t q = p + 1; q < size; ++q) {
-                const double angle = 0.5 * std::atan2(2.0 * a[p][q], a[q][q] - a[p][p]);
-                const double c = std::cos(angle), s = std::sin(angle);
-                const auto turn = [c, s](double& x, double& y) {
-                    const double old = x;
-                    x = c * old - s * y;
-                    y = s * old + c * y;
-                };
-                for (std::size_t k = 0; k < size; ++k)
-                    turn(a[k][p], a[k][q]);
-                for (std::size_t k = 0; k < size; ++k)
-                    turn(a[p][k], a[q][k]);
-                turn(first[p], first[q]);
-            }
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < size; ++k)
-        if (std::abs(first[k]) > std::abs(first[best]))
-            best = k;
-    return a[best][best];
+/// Of a symmetric matrix of these diagonals, the eigenvalue whose eigenvector has the largest first
+/// component.
+double strongestEigenvalue(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& besideIt) {
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes;
+    modes.computeFromTridiagonal(diagonal, besideIt);
+    Eigen::Index best = 0;
+    modes.eigenvectors().row(0).cwiseAbs().maxCoeff(&best);
+    return modes.eigenvalues()[best];
 }
 
 /// Free sway of the slices [first, end), all carried by the first.
@@ -122,20 +106,20 @@ private:
     /// it carries unbent, is let go. By Lanczos' method from that bend.
     double slowness(const glm::dvec3& direction) {
         Shifts before(_size), now = bent(Shifts(_size, direction), true);
-        std::array<std::array<double, krylovSize>, krylovSize> ritz{};
+        Eigen::VectorXd diagonal(krylovSize),
+            besideIt(krylovSize); // of the matrix in the space of those shifts
         const double left = 1.0 - weightShare(now, direction);
         double coupling = 0.0;
         scale(now, 1.0 / std::sqrt(product(now, now)));
-        for (std::size_t k = 0;; ++k) {
+        for (Eigen::Index k = 0;; ++k) {
             Shifts next = bent(now, false);
-            const double diagonal = product(next, now);
-            ritz[k][k] = diagonal;
+            diagonal[k] = product(next, now);
             for (std::size_t i = 0; i < _size; ++i)
-                next[i] -= diagonal * now[i] + coupling * before[i];
+                next[i] -= diagonal[k] * now[i] + coupling * before[i];
             coupling = std::sqrt(product(next, next));
-            if (k + 1 == krylovSize || coupling < 1e-6 * ritz[0][0])
-                return strongestEigenvalue(ritz, k + 1) / left;
-            ritz[k][k + 1] = ritz[k + 1][k] = coupling;
+            if (k + 1 == krylovSize || coupling < 1e-6 * diagonal[0])
+                return strongestEigenvalue(diagonal.head(k + 1), besideIt.head(k)) / left;
+            besideIt[k] = coupling;
             scale(next, 1.0 / coupling);
             before = std::move(now);
             now = std::move(next);

@@ -7,8 +7,6 @@
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -112,18 +110,6 @@ void addPowers(std::vector<ModalModel>& models, const SwayingTree& tree) {
     addPowers(models, jointsOf(other), -little, &SizePowers::leaves);
 }
 
-std::vector<std::size_t> nearestPatches(const ModalModel& model, const ModalModel& other) {
-    std::vector<std::size_t> nearest;
-    for (const ModalModel::Patch& patch : model.patches) {
-        const auto distance = [&](const ModalModel::Patch& o) { return glm::distance(patch.place, o.place); };
-        nearest.push_back(static_cast<std::size_t>(
-            std::min_element(other.patches.begin(), other.patches.end(),
-                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
-            other.patches.begin()));
-    }
-    return nearest;
-}
-
 } // namespace
 
 ArchetypeRung nearestRung(const SwayingTree& tree) {
@@ -158,8 +144,8 @@ Archetype::Archetype(const SwayingTree& tree)
         model.leans = modalLeans(*tree.model, tree.scale, joints, model);
     }
     addPowers(_models, tree);
-    _other[0] = nearestPatches(_models[0], _models[1]);
-    _other[1] = nearestPatches(_models[1], _models[0]);
+    _other[0] = nearestPatches(_models[0], 1.0f, _models[1], 1.0f);
+    _other[1] = nearestPatches(_models[1], 1.0f, _models[0], 1.0f);
 }
 
 TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {

@@ -217,6 +217,21 @@ ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material, 
     return std::move(makeModalModels(tree, material, {detail}).front());
 }
 
+std::vector<std::size_t> nearestPatches(const ModalModel& model, float length, const ModalModel& other,
+                                        float otherLength) {
+    std::vector<std::size_t> nearest;
+    for (const ModalModel::Patch& patch : model.patches) {
+        const auto distance = [&](const ModalModel::Patch& o) {
+            return glm::distance(patch.place / length, o.place / otherLength);
+        };
+        nearest.push_back(static_cast<std::size_t>(
+            std::min_element(other.patches.begin(), other.patches.end(),
+                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
+            other.patches.begin()));
+    }
+    return nearest;
+}
+
 ModalRatios modalRatios(const ModalModel& model, const JointTree& other) {
     const JointMasses masses(other);
     ModalRatios ratios;

@@ -82,6 +82,10 @@ ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material,
 std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMaterial& material,
                                         const std::vector<ModalDetail>& details);
 
+/// Per patch of `model`, the nearest one of `other`, in lengths of either.
+std::vector<std::size_t> nearestPatches(const ModalModel& model, float length, const ModalModel& other,
+                                        float otherLength);
+
 /// Stiffness and mass of each mode of `model` on another tree of as many joints, over those on its own.
 struct ModalRatios {
     std::vector<double> stiffness, mass;
