@@ -17,10 +17,10 @@ namespace {
 constexpr int warmUp = 4;             // rounds
 constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anything beyond
 
-/// What the process has of the allocator.
-std::size_t allocatedBytes() {
+/// What the process has of the allocator; 0 of another one than glibc's.
+double allocatedBytes() {
     const struct mallinfo2 memory = mallinfo2();
-    return memory.uordblks + memory.hblkhd;
+    return static_cast<double>(memory.uordblks + memory.hblkhd);
 }
 
 template <typename Do>
@@ -49,13 +49,14 @@ osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, 
 
 /// A forest, and what it took to make it.
 osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, BenchView& result) {
-    const std::size_t before = allocatedBytes();
+    const double before = allocatedBytes();
     osg::ref_ptr<Forest> forest;
     {
         ForestDescription description = make();
         result.forestSeconds = secondsOf([&] { forest = new Forest(std::move(description)); });
     }
-    result.forestBytes = allocatedBytes() - before;
+    if (before > 0.0)
+        result.forestBytes = allocatedBytes() - before;
     const ForestSimulation& simulation = forest->getSimulation();
     result.trees = forest->getNumTrees();
     result.shapes = simulation.models().size();
@@ -134,7 +135,7 @@ Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees, con
         BenchScale scale;
         scale.view = std::move(view.value());
         const auto own = [](const BenchView& forest) {
-            return static_cast<double>(forest.forestBytes) - static_cast<double>(forest.archetypeBytes);
+            return forest.forestBytes - static_cast<double>(forest.archetypeBytes);
         };
         scale.bytesPerTree =
             scale.view.trees > fewTrees

@@ -9,8 +9,8 @@ namespace osgTreeWind {
 /// How a ForestSimulation works.
 struct SimulationOptions {
     bool leaves = true; ///< Whether leaves flutter.
-    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
-    /// memory of near ones, from the start.
+    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take
+    /// less memory (simulatedTreeBytes()), from the start.
     ModalLevel level = ModalLevel::Near;
     Executor executor;            ///< A host's threads; none: for a large forest a thread for each processor.
     std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.

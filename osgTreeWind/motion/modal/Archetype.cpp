@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace osgTreeWind {
 
@@ -138,7 +139,7 @@ Archetype::Archetype(const SwayingTree& tree)
     const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
                                  tree.species->branch.maxAngle};
     const JointTree joints = jointsOf(tree);
-    _models = makeModalModels(joints, material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
+    _models = makeModalModels(joints, material, {std::begin(details), std::end(details)});
     for (ModalModel& model : _models) {
         model.height = measureTree(*tree.model, tree.scale).height;
         model.leans = modalLeans(*tree.model, tree.scale, joints, model);

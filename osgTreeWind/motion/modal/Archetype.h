@@ -47,8 +47,9 @@ public:
     /// near by and far away.
     explicit Archetype(const SwayingTree& tree);
 
-    /// 0: near. 1: far, 4 modes and 4 patches.
+    /// 0: near. 1: far.
     static constexpr std::size_t levels = 2;
+    static constexpr ModalDetail details[levels] = {{12, 10}, {4, 4}};
     const ModalModel& model(std::size_t level) const { return _models[level]; }
     /// Nearest patch of the other level to each patch of `level`.
     const std::vector<std::size_t>& otherPatches(std::size_t level) const { return _other[level]; }

@@ -29,8 +29,11 @@ struct TreeFactors {
 
 /// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in
 /// the tree's own axes), its factors.
+constexpr std::size_t treeFloats(std::size_t modes, std::size_t patches) {
+    return 2 * modes + 3 * patches + sizeof(TreeFactors) / sizeof(float);
+}
 inline std::size_t treeFloats(const ModalModel& model) {
-    return 2 * model.modes.size() + 3 * model.patches.size() + sizeof(TreeFactors) / sizeof(float);
+    return treeFloats(model.modes.size(), model.patches.size());
 }
 
 /// A step of eight trees of one model.

@@ -82,6 +82,8 @@ public:
     std::vector<float> amplitudes(std::size_t tree) const;
 
     std::size_t stateBytes() const; ///< Of all trees.
+    /// Of one among many, with all the modes and patches of that level.
+    static std::size_t treeBytes(Level level);
     std::size_t archetypeBytes() const;
 
 private:

@@ -105,6 +105,12 @@ std::size_t ModalMotion::stateBytes() const {
     return bytes;
 }
 
+std::size_t ModalMotion::treeBytes(Level level) {
+    const ModalDetail& detail = Archetype::details[static_cast<std::size_t>(level)];
+    return sizeof(Slot) + sizeof(Place) + sizeof(glm::vec2) + sizeof(std::uint32_t) +
+           treeFloats(detail.modes, detail.patches) * sizeof(float);
+}
+
 std::size_t ModalMotion::archetypeBytes() const {
     std::size_t bytes = 0;
     for (const auto& archetype : _archetypes)
