@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "BenchView.h"
 
+#include "BenchClock.h"
 #include "BenchForests.h"
 #include "DefaultView.h"
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
-#include <chrono>
 #include <cmath>
 #include <malloc.h>
 
@@ -21,13 +21,6 @@ constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anythi
 double allocatedBytes() {
     const struct mallinfo2 memory = mallinfo2();
     return static_cast<double>(memory.uordblks + memory.hblkhd);
-}
-
-template <typename Do>
-double secondsOf(Do&& act) {
-    const auto start = std::chrono::steady_clock::now();
-    act();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 const BenchStage& stageOfInstances() {
@@ -53,7 +46,9 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
     osg::ref_ptr<Forest> forest;
     {
         ForestDescription description = make();
-        result.forestSeconds = secondsOf([&] { forest = new Forest(std::move(description)); });
+        const BenchClock clock;
+        forest = new Forest(std::move(description));
+        result.forestSeconds = clock.seconds();
     }
     if (before > 0.0)
         result.forestBytes = allocatedBytes() - before;
@@ -63,7 +58,9 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
     if (const ModalMotion* modal = simulation.modal()) {
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
-        result.shapesSeconds = secondsOf([&] { StandResources(simulation.forest()); });
+        const BenchClock clock;
+        StandResources(simulation.forest());
+        result.shapesSeconds = clock.seconds();
     }
     return forest;
 }
@@ -92,7 +89,9 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
         variants.push_back({new Forest(std::move(description)), view});
     }
     BenchViewer viewer(settings.size, *context.value(), driver, variants, 3 * (warmUp + settings.frames));
-    result.firstFrameSeconds = secondsOf([&] { viewer.draw(Drawn, 0.0); });
+    const BenchClock clock;
+    viewer.draw(Drawn, 0.0);
+    result.firstFrameSeconds = clock.seconds();
     const BenchWinds winds;
     double time = 0.0;
     for (int round = -warmUp; round < settings.frames; ++round) {

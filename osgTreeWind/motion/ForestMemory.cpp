@@ -38,12 +38,6 @@ std::uint64_t shapeBytes(const TreeCounts& counts) {
            counts.leafVertices / verticesPerLeafCluster * sizeof(LeafCluster);
 }
 
-std::uint64_t geometryBytes(const TreeCounts& counts) {
-    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
-    return counts.skinVertices * skinVertex + counts.leafVertices * leafVertex +
-           3 * index * counts.totalTriangles();
-}
-
 /// "1.5 GB", three digits.
 std::string bytesText(std::uint64_t bytes) {
     const char* units[] = {" bytes", " kB", " MB", " GB", " TB"};
@@ -99,6 +93,12 @@ ForestMemory forestMemory(const ForestDescription& description) {
                 trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes);
     }
     return memory;
+}
+
+std::uint64_t geometryBytes(const TreeCounts& counts) {
+    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
+    return counts.skinVertices * skinVertex + counts.leafVertices * leafVertex +
+           3 * index * counts.totalTriangles();
 }
 
 std::size_t simulatedTreeBytes(ModalLevel level) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/AxisPaces.h>
 
+#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/motion/laws/ScaledUnit.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <glm/geometric.hpp>
@@ -96,8 +99,7 @@ public:
     /// Circular frequency, the mean of both directions across the first slice.
     double speed() {
         const glm::dvec3 along = _slices[_first].direction;
-        const glm::dvec3 hint = std::abs(along.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-        const glm::dvec3 e1 = glm::normalize(hint - along * glm::dot(hint, along));
+        const glm::dvec3 e1 = perpendicular(along);
         return std::sqrt(2.0 / (slowness(e1) + slowness(glm::cross(e1, along))));
     }
 
@@ -211,12 +213,9 @@ std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const std::vector<Slice> slices = slicesOf(model, scale, loads);
     const auto parent = [&](std::size_t i) { return static_cast<std::size_t>(units[i].parent); };
-    const auto goesOn = [&](std::size_t i) {
-        return units[i].parent >= 0 && units[parent(i)].level == units[i].level;
-    };
     std::vector<std::size_t> axis(units.size()), ends(units.size(), 0); // what a unit carries is one run
     for (std::size_t i = 0; i < units.size(); ++i)
-        axis[i] = goesOn(i) ? axis[parent(i)] : i;
+        axis[i] = carriesOn(units, i) ? axis[parent(i)] : i;
     for (std::size_t i = units.size(); i-- > 0;) {
         ends[i] = std::max(ends[i], i + 1);
         if (units[i].parent >= 0)
@@ -225,10 +224,10 @@ std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
 
     std::vector<double> speeds(units.size());
     for (std::size_t i = 0; i < units.size(); ++i)
-        speeds[i] = goesOn(i) ? speeds[parent(i)]
-                              : Sway(slices, axis, i, i * slicesPerUnit, ends[i] * slicesPerUnit,
-                                     glm::dvec3(scale.axes * units[i].base), gravity)
-                                    .speed();
+        speeds[i] = carriesOn(units, i) ? speeds[parent(i)]
+                                        : Sway(slices, axis, i, i * slicesPerUnit, ends[i] * slicesPerUnit,
+                                               glm::dvec3(scale.axes * units[i].base), gravity)
+                                              .speed();
     return speeds;
 }
 
