@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/motion/modal/ModalAir.h>
 #include <osgTreeWind/motion/modal/ModalGroup.h>
 
 #include <cmath>
 
 namespace osgTreeWind {
+
+namespace {
+
+/// A tree by itself.
+struct OneLane {
+    using Number = float;
+    using Laws = osgTreeWind::Laws;
+    static float every(float x) { return x; }
+    static float root(float x) { return std::sqrt(x); }
+};
+
+} // namespace
 
 const Archetype& ModalMotion::archetype(std::size_t tree) const {
     return *groupOf(tree).archetype;
@@ -23,36 +36,22 @@ TreeFactors ModalMotion::factors(std::size_t tree) const {
 }
 
 void ModalMotion::poseVector(std::size_t tree, float* vector) const {
-    const ModalModel& model = this->model(tree);
+    const Group& group = groupOf(tree);
+    const ModalModel& model = group.model();
     const std::size_t modes = model.modes.size(), patches = model.patches.size();
-    const TreeFactors f = factors(tree);
-    Laws laws;
+    const std::size_t place = _slots[tree].place, lane = place % Group::lanes;
+    const TreeLanes* block = group.block(place / Group::lanes);
+    const LaneColumn<OneLane> numbers(block, lane), wind(block + 2 * modes, lane);
+    ModalAir<OneLane> air(model, block, lane, _gain);
     for (std::size_t k = 0; k < modes; ++k)
-        vector[k] = number(tree, k);
-    const SizePowers& stiffness = model.modes.front().stiffness;
-    const float reach = _gain > 0.0f ? f.length / _gain : 0.0f;
-    const float wooden = std::sqrt(f.pace) * f.length * f.length * f.length;
-    const float rest =
-        _gain / (wooden * wooden * f.pace) / // gain l / stiffness
-        laws.nearExponential(stiffness.modulus * f.logs.modulus + stiffness.branches * f.logs.branches +
-                             stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
+        vector[k] = numbers[k];
+    const LaneFactors<OneLane>& factors = air.factors();
+    const float rest = // gain l / stiffness
+        factors.drive / (factors.pace * factors.grown(model.modes.front().stiffness));
     for (std::size_t p = 0; p < patches; ++p) {
-        const ModalModel::Patch& patch = model.patches[p];
-        glm::vec3 air, own(0.0f);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto axis = static_cast<glm::length_t>(c);
-            air[axis] = number(tree, 2 * modes + 3 * p + c);
-            for (std::size_t k = 0; k < modes; ++k)
-                own[axis] += reach * model.levers[(3 * p + c) * modes + k] * number(tree, modes + k);
-        }
-        const float wood = patch.woodDrag * wooden;
-        const float drag = (wood + patch.leafDrag * f.leafDrag) *
-                           laws.streamlinedShare(patch.streamlining, model.streamlinedTo, glm::length(air));
-        const glm::vec3 relative = air - own;
-        const float brake = laws.airBrake(drag, wood + patch.stillDrag * f.stillDrag, glm::dot(air, air),
-                                          glm::dot(own, own), glm::dot(relative, relative));
+        air.meet(p, wind[3 * p], wind[3 * p + 1], wind[3 * p + 2]);
         for (std::size_t c = 0; c < 3; ++c)
-            vector[modes + 3 * p + c] = rest * brake * relative[static_cast<glm::length_t>(c)];
+            vector[modes + 3 * p + c] = rest * air.brake(p) * air.past(p)[c];
     }
 }
 
