@@ -25,6 +25,16 @@ Result<std::vector<int>> parentsOf(const std::vector<ScanName>& names, int root,
     return parents;
 }
 
+std::optional<Diagnostic> linkCylinders(ScanCylinders& cylinders, const std::vector<ScanName>& names,
+                                        int root, const std::string& file) {
+    const Result<std::vector<int>> parents = parentsOf(names, root, file);
+    if (!parents)
+        return parents.problems().front();
+    for (std::size_t i = 0; i < cylinders.size(); ++i)
+        cylinders[i].parent = parents.value()[i];
+    return {};
+}
+
 Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const std::string& file) {
     std::vector<ScanName> names;
     for (const ScanPoint& point : points)

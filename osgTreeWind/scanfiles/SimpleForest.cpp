@@ -100,11 +100,8 @@ Result<ScanFile> readSimpleForest(std::string_view text, const std::string& file
     }
     if (cells.problem())
         return *cells.problem();
-    const Result<std::vector<int>> parents = parentsOf(names, -1, file);
-    if (!parents)
-        return parents.problems();
-    for (std::size_t i = 0; i < cylinders.size(); ++i)
-        cylinders[i].parent = parents.value()[i];
+    if (auto problem = linkCylinders(cylinders, names, -1, file))
+        return std::move(*problem);
     return scan;
 }
 
