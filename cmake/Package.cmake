@@ -29,6 +29,7 @@ if(TARGET osgTreeWindHeadless)
 endif()
 
 install(DIRECTORY shaders DESTINATION ${data_folder} PATTERN CMakeLists.txt EXCLUDE)
+install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder})
 install(FILES examples/thesis.treewind examples/forest.treewind DESTINATION ${data_folder}/examples)
 install(FILES LICENSE docs/treewind.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -39,6 +39,7 @@ set(public_headers
     osgTreeWind/gpu/PosePage.h
     osgTreeWind/gpu/PosePass.h
     osgTreeWind/io/ForestFile.h
+    osgTreeWind/io/SpeciesCatalogue.h
     osgTreeWind/model/BranchSkin.h
     osgTreeWind/model/CrownOutline.h
     osgTreeWind/model/GrownTree.h
@@ -67,7 +68,6 @@ set(public_headers
     osgTreeWind/offscreen/FrameImage.h
     osgTreeWind/offscreen/OffscreenContext.h
     osgTreeWind/species/Appearance.h
-    osgTreeWind/species/BuiltInSpecies.h
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h
     osgTreeWind/wind/ForestWind.h

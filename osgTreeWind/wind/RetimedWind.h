@@ -9,6 +9,7 @@
 namespace osgTreeWind {
 
 /// Another wind at another time: at x and t it is the inner wind at start + scale * t - (x - plane) / speed.
+/// Of a wind that is retimed already it takes the wind within, and one clock that is both.
 class OSGTREEWIND_EXPORT RetimedWind final : public WindField {
 public:
     struct Clock {
