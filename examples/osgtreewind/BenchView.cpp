@@ -5,6 +5,7 @@
 #include "BenchForests.h"
 #include "DefaultView.h"
 
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <cmath>

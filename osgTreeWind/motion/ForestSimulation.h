@@ -6,7 +6,6 @@
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/SimulationOptions.h>
 #include <osgTreeWind/motion/laws/TreeMotion.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 namespace osgTreeWind {
 
 class BranchwiseMotion;
+class ModalMotion;
 class Motion;
 
 /// A forest in motion, without graphics: the `cpu` way to the pose.

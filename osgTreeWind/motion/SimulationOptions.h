@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Executor.h>
-#include <osgTreeWind/motion/modal/ModalTree.h>
+#include <osgTreeWind/motion/modal/ModalLevel.h>
 #include <osgTreeWind/wind/GivenWind.h>
 
 #include <memory>

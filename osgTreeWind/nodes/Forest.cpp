@@ -2,6 +2,7 @@
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>

@@ -4,6 +4,7 @@
 
 #include <osgTreeWind/gpu/PosePass.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osg/GLExtensions>
 

@@ -2,6 +2,7 @@
 #include <tests/MessageCollector.h>
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
 #include <osg/LOD>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trees that are put up, removed and changed, and branches that are followed, while a forest runs.
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include <osgTreeWind/drawing/stand/TreeStandCull.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osgUtil/IntersectionVisitor>
 

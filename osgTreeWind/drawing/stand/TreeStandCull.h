@@ -7,6 +7,7 @@
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/drawing/stand/ViewFrustum.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <cstdint>
 #include <vector>

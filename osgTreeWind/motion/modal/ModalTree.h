@@ -2,18 +2,11 @@
 #pragma once
 
 #include <osgTreeWind/motion/modal/Archetype.h>
+#include <osgTreeWind/motion/modal/ModalLevel.h>
 
 #include <glm/vec3.hpp>
 
-#include <cstdint>
-
 namespace osgTreeWind {
-
-/// How closely the law `modal` follows a tree.
-enum class ModalLevel : std::uint8_t {
-    Near, ///< Up to 12 modes, 10 patches, every step.
-    Far   ///< Up to 4 modes, 4 patches, one step in eight, or after a fifth of a second, over all of it.
-};
 
 /// A tree under the law `modal`, and where it stands.
 struct ModalTree {
