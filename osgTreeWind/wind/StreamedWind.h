@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/GridWind.h>
 
@@ -13,7 +14,7 @@ namespace osgTreeWind {
 ///
 /// update() may be called from any thread, once at a time, beside any number of threads that sample: the new
 /// array becomes the wind by swapping a pointer, and every sample() sees one array from beginning to end.
-class StreamedWind final : public WindField {
+class OSGTREEWIND_EXPORT StreamedWind final : public WindField {
 public:
     /// A field that starts with the grid's values, or what is wrong with the grid. It has one time at most.
     static Result<std::shared_ptr<StreamedWind>> create(GridWind::Grid grid);
