@@ -4,9 +4,9 @@
 #include "BenchClock.h"
 
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ ForestDescription madeForest(const std::vector<std::string>& species, std::size_
     ForestDescription forest;
     forest.wind = createSeries();
     for (const std::string& name : species) {
-        forest.species.push_back(*findBuiltInSpecies(name));
+        forest.species.push_back(*findSpecies(name));
         forest.species.back().shapes = 3;
     }
     Random random(8);
@@ -107,7 +107,7 @@ BenchForests runBenchForests(const std::optional<ForestDescription>& described, 
         if (i % nearEvery == 0)
             ++modal.result.nearTrees;
         else
-            modal.simulation->setLevel(i, ModalMotion::Level::Far);
+            modal.simulation->modal()->setLevel(i, ModalMotion::Level::Far);
     const ModalMotion& motion = *modal.simulation->modal();
     modal.result.archetypes = motion.archetypeCount();
     modal.result.archetypeBytes = motion.archetypeBytes();

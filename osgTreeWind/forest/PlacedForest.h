@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/forest/TreeNames.h>
@@ -29,7 +30,7 @@ struct PlacedTree {
 };
 
 /// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes.
-struct PlacedForest {
+struct OSGTREEWIND_EXPORT PlacedForest {
     /// Trees of a species that is not there are left out. @param placed called after each tree; may be empty.
     explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
 
@@ -55,6 +56,9 @@ struct PlacedForest {
     TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
     /// What gives that tree again; all of its sizes are given.
     TreePlacement placementOf(std::size_t slot) const;
+    /// The forest as it is by now, but for its wind: what gives it again, with the trees that are alive by
+    /// slot. Not what any file says: without a source.
+    ForestDescription describe() const;
     /// Of the year, as it is by now (Season.h).
     float season() const { return _season; }
     /// Has all trees bear the leaves they bear then.

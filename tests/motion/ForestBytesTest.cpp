@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a tree costs, by what the allocator has given out.
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ bool allocatorTells() {
 
 std::unique_ptr<ForestSimulation> wood(std::size_t count, ModalLevel level = ModalLevel::Far) {
     ForestDescription forest;
-    forest.species = {*findBuiltInSpecies("oak"), *findBuiltInSpecies("Norway spruce")};
+    forest.species = {*findSpecies("oak"), *findSpecies("Norway spruce")};
     forest.wind = std::make_shared<UniformWind>(glm::vec3(7, 0, 0));
     Random random(1);
     for (std::size_t i = 0; i < count; ++i) {
@@ -82,12 +82,12 @@ TEST(ForestBytes, TreesThatComeAndGoLeaveNone) {
     if (!allocatorTells())
         GTEST_SKIP() << "the allocator does not say what it gave out";
     const std::unique_ptr<ForestSimulation> simulation = wood(2000);
-    const TreePlacement tree = simulation->placementOf(0);
+    const TreePlacement tree = simulation->placementOf(TreeId(0));
     const auto churn = [&] {
         std::vector<TreeId> ids;
         ids.reserve(1000);
         for (int i = 0; i < 1000; ++i)
-            ids.push_back(simulation->addTree(tree));
+            ids.push_back(simulation->addTree(tree).value());
         for (const TreeId id : ids)
             simulation->removeTree(id);
     };
