@@ -33,8 +33,7 @@ foreach(room base model scanfiles species wind windfiles forest motion gpu drawi
     install(DIRECTORY osgTreeWind/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
         FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "LawTexels.h" EXCLUDE
         PATTERN "Lanes.h" EXCLUDE PATTERN "ModalLanes.h" EXCLUDE PATTERN "ModalGroup.h" EXCLUDE
-        PATTERN "ThesisParts.h" EXCLUDE PATTERN "DampedBranches.h" EXCLUDE PATTERN "BranchwiseMotion.h" EXCLUDE
-        PATTERN "NetCdf*.h" EXCLUDE)
+        PATTERN "ThesisParts.h" EXCLUDE PATTERN "DampedBranches.h" EXCLUDE PATTERN "BranchwiseMotion.h" EXCLUDE)
 endforeach()
 install(FILES osgTreeWind/io/ForestFile.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind/io)
 install(DIRECTORY shaders DESTINATION ${data_folder} PATTERN CMakeLists.txt EXCLUDE)
