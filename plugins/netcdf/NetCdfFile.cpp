@@ -44,6 +44,12 @@ std::string textOf(const char* text) {
     return text ? text : "";
 }
 
+/// What GDAL said last.
+std::string reason() {
+    const std::string said = CPLGetLastErrorMsg();
+    return said.empty() ? "damaged, or of a kind that it does not know" : said;
+}
+
 /// An attribute of an array or of a group.
 template <typename Handle>
 auto attributeOf(Handle handle, const char* name, GDALAttributeH (*get)(Handle, const char*)) {
@@ -102,10 +108,8 @@ NetCdfFile::NetCdfFile(const std::string& path)
     _dataset.reset(GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr));
     if (_dataset)
         _root.reset(GDALDatasetGetRootGroup(_dataset.get()));
-    const std::string reason = CPLGetLastErrorMsg();
     if (!_root)
-        fail({}, "no NetCDF file that GDAL can read: " +
-                     (reason.empty() ? "damaged, or of a kind that it does not know" : reason));
+        fail({}, "no NetCDF file that GDAL can read: " + reason());
 }
 
 void NetCdfFile::fail(const std::string& array, const std::string& message) {
@@ -161,7 +165,7 @@ std::vector<float> NetCdfFile::read(const NetCdfArray& array, double count) {
         return {};
     std::vector<float> numbers(static_cast<std::size_t>(count));
     if (!readInto(array, GDT_Float32, numbers.data(), numbers.size() * sizeof(float))) {
-        fail(array.name, std::string("cannot be read: ") + CPLGetLastErrorMsg());
+        fail(array.name, "cannot be read: " + reason());
         return {};
     }
     int packed = 0, marked = 0;
@@ -185,7 +189,7 @@ std::vector<double> NetCdfFile::readDoubles(const NetCdfArray& array) {
     }
     std::vector<double> numbers(static_cast<std::size_t>(count));
     if (!readInto(array, GDT_Float64, numbers.data(), numbers.size() * sizeof(double)))
-        fail(array.name, std::string("cannot be read: ") + CPLGetLastErrorMsg());
+        fail(array.name, "cannot be read: " + reason());
     for (double number : numbers)
         if (!std::isfinite(number))
             fail(array.name, "expected finite coordinates");
