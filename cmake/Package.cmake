@@ -28,7 +28,7 @@ if(TARGET osgTreeWindHeadless)
     install(TARGETS osgTreeWindHeadless LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
-# Not the headers that only our own sources use: the reader's insides, and what needs shaders/ or GDAL.
+# Not the headers that only our own sources use: the reader's insides, and what needs shaders/.
 foreach(room base model scanfiles species wind windfiles forest motion gpu drawing nodes offscreen)
     install(DIRECTORY osgTreeWind/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
         FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "LawTexels.h" EXCLUDE
