@@ -72,6 +72,7 @@ set(public_headers
     osgTreeWind/species/Species.h
     osgTreeWind/wind/ForestWind.h
     osgTreeWind/wind/FunctionWind.h
+    osgTreeWind/wind/GivenWind.h
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h
@@ -85,4 +86,4 @@ set(public_headers
     osgTreeWind/wind/WindSeries.h
     osgTreeWind/windfiles/WindContent.h
     osgTreeWind/windfiles/WindFile.h
-    osgTreeWind/windfiles/WindSeriesCsv.h)
+    osgTreeWind/windfiles/WindSeriesColumns.h)
