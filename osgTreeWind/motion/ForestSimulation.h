@@ -17,7 +17,7 @@ namespace osgTreeWind {
 
 class BranchwiseMotion;
 
-/// A forest in motion, without graphics: the `cpu` way to the pose (design, "The frame").
+/// A forest in motion, without graphics (docs/frame.md).
 ///
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
 class ForestSimulation {

@@ -72,7 +72,7 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop) : osg::Group(othe
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
     _wind = other.getWind();
-    show(other._simulation->restarted(), other._stand ? &other._stand->drawing() : nullptr);
+    show(other._simulation->restarted(), other._stand ? &other._stand->resources() : nullptr);
     if (_branchwise)
         _branchwise->takeSettings(*other._branchwise);
 }
@@ -181,18 +181,18 @@ BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
 
 void Forest::setBarkState(std::size_t species, osg::StateSet* state) {
     if (_stand && species < getDescription().species.size())
-        _stand->drawing().looks[species].ownBark = state;
+        _stand->resources().looks[species].ownBark = state;
 }
 
 void Forest::setLeafState(std::size_t species, osg::StateSet* state) {
     if (_stand && species < getDescription().species.size())
-        _stand->drawing().looks[species].ownLeaves = state;
+        _stand->resources().looks[species].ownLeaves = state;
 }
 
 void Forest::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves) {
     if (_stand && model < _simulation->models().size()) {
-        osg::ref_ptr<ModelResources>& shape = _stand->drawing().shapes[model];
-        shape = new ModelResources(*shape, bark, leaves);
+        osg::ref_ptr<ModelResources>& resources = _stand->resources().models[model];
+        resources = new ModelResources(*resources, bark, leaves);
     }
 }
 

@@ -57,8 +57,8 @@ TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     EXPECT_EQ(&copy->getSimulation().models(), &forest->getSimulation().models());
     EXPECT_EQ(&copy->getSimulation().modal()->archetype(0), &forest->getSimulation().modal()->archetype(0));
-    const StandResources &one = forest->getStand()->drawing(), &other = copy->getStand()->drawing();
-    EXPECT_EQ(one.shapes, other.shapes);
+    const StandResources &one = forest->getStand()->resources(), &other = copy->getStand()->resources();
+    EXPECT_EQ(one.models, other.models);
     EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
     EXPECT_EQ(other.looks[0].ownLeaves, own);
     copy->setLeafState(0, nullptr);

@@ -54,8 +54,7 @@ public:
     BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, BranchwiseForest)
 
-        /// From the next frame on. Not during a traversal. It starts with the environment's
-        /// OSGTREEWIND_ANGLES (cpu or gpu), else CPU_ANGLES.
+        /// From the next frame on; GPU_ANGLES until it is called. Not during a traversal.
         void setAngleSource(AngleSource source);
     /// Where they are worked out now: GPU_ANGLES only once a context has been found to support it.
     AngleSource getAngleSource() const { return _prePass ? GPU_ANGLES : CPU_ANGLES; }
@@ -97,7 +96,7 @@ protected:
 
 private:
     struct Pictures {
-        osg::ref_ptr<ImpostorStrip> shape;
+        osg::ref_ptr<ImpostorStrip> strip;
         osg::ref_ptr<SharedStateSet> state;
     };
     osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed);
@@ -110,7 +109,7 @@ private:
     void useCpuAngles();
 
     std::shared_ptr<ForestSimulation> _simulation;
-    std::vector<osg::ref_ptr<TreeBuffers>> _shapes;             ///< By model.
+    std::vector<osg::ref_ptr<TreeBuffers>> _buffers;            ///< By model.
     std::map<std::pair<std::size_t, Tier>, Pictures> _pictures; ///< By model and share of leaves.
     osg::ref_ptr<osg::Program> _pictureProgram;
     std::vector<TreeStyle> _styles;  ///< By species.

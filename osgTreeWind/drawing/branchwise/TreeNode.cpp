@@ -22,8 +22,8 @@ TreeNode::TreeNode() {
     setDataVariance(osg::Object::DYNAMIC);
 }
 
-TreeNode::TreeNode(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale) : TreeNode() {
-    build(shape, style, scale);
+TreeNode::TreeNode(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale) : TreeNode() {
+    build(buffers, style, scale);
 }
 
 TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
@@ -36,22 +36,22 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
         setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
     if (other._tree) {
         _leafShare = other._leafShare;
-        build(other._shape, other._style, other._tree->scale());
+        build(other._buffers, other._style, other._tree->scale());
         _lod->setRanges(other._lod->getRanges());
         setBranchwise(other._branchwise);
         setLeafwise(other._leafwise);
     }
 }
 
-void TreeNode::build(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale) {
-    _shape = shape;
+void TreeNode::build(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale) {
+    _buffers = buffers;
     _style = style;
-    _tree = new PosedTree(shape->model(), scale);
+    _tree = new PosedTree(buffers->model(), scale);
     _branches.resize(getNumBranches());
-    _skin = styled(new SkinDrawable(shape->skin(), _tree), style.bark);
-    _leaves = styled(new LeafDrawable(shape->leaves(), _tree), style.leaves);
-    _bareSkin = styled(new SkinDrawable(shape->bareSkin(), _tree), style.bark);
-    _lod = new TreeLod(measureTree(shape->model()->extents, scale).height);
+    _skin = styled(new SkinDrawable(buffers->skin(), _tree), style.bark);
+    _leaves = styled(new LeafDrawable(buffers->leaves(), _tree), style.leaves);
+    _bareSkin = styled(new SkinDrawable(buffers->bareSkin(), _tree), style.bark);
+    _lod = new TreeLod(measureTree(buffers->model()->extents, scale).height);
     for (osg::Drawable* drawable : {_skin.get(), _leaves.get()})
         _lod->level(TreeLod::STAND_IN)->addChild(drawable);
     for (osg::Drawable* drawable : {_bareSkin.get(), _leaves.get()})
@@ -138,8 +138,8 @@ void TreeNode::makeTransforms() {
         return;
     _full = true;
     for (unsigned unit = 0; _branchwise && unit < getNumBranches(); ++unit)
-        branch(unit)->addChild(styled(new SkinDrawable(_shape->unitSkin(unit), _tree, static_cast<int>(unit)),
-                                      _style.branchBark));
+        branch(unit)->addChild(styled(
+            new SkinDrawable(_buffers->unitSkin(unit), _tree, static_cast<int>(unit)), _style.branchBark));
     if (!_leafwise)
         return;
     std::size_t index = 0;
@@ -148,7 +148,7 @@ void TreeNode::makeTransforms() {
         osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
         leaf->setDataVariance(osg::Object::DYNAMIC);
         leaf->setStateSet(borne ? _style.leafCluster : _style.bareCluster);
-        leaf->addChild(_shape->leafCluster());
+        leaf->addChild(_buffers->leafCluster());
         branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
         _leafTransforms.push_back(leaf);
     }

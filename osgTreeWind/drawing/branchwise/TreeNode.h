@@ -13,7 +13,7 @@
 
 namespace osgTreeWind {
 
-/// One tree: placed by its position and attitude, drawn from a shared shape, moved by its forest.
+/// One tree: placed by its position and attitude, drawn from shared buffers, moved by its forest.
 ///
 /// Any branch can be had as a BranchTransform to hang nodes on. Transforms are made when first asked for, or
 /// first looked at, and turned for cameras and picking that look: a tree far away, or out of sight, costs
@@ -23,8 +23,8 @@ public:
     /// Draws nothing.
     TreeNode();
     /// A tree at rest.
-    TreeNode(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale);
-    /// A tree of the same shape, size and place, at rest; nodes hung on branches are not copied.
+    TreeNode(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale);
+    /// A tree of the same model, size and place, at rest; nodes hung on branches are not copied.
     TreeNode(const TreeNode& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, TreeNode)
 
@@ -77,7 +77,7 @@ private:
         osg::ref_ptr<BranchTransform> transform;
         bool followed = false; ///< Asked for, by getBranch().
     };
-    void build(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale);
+    void build(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale);
     BranchTransform* branch(unsigned unit);
     void fillFullLevel();
     void clearFullLevel();
@@ -87,7 +87,7 @@ private:
     void bringUpToDate();
     bool hasTransforms() const { return _branchwise || _leafwise; }
 
-    osg::ref_ptr<TreeBuffers> _shape;
+    osg::ref_ptr<TreeBuffers> _buffers;
     TreeStyle _style;
     osg::ref_ptr<PosedTree> _tree;
     osg::ref_ptr<TreeLod> _lod;

@@ -13,7 +13,7 @@ namespace osgTreeWind {
 /// What the trees of one model are drawn from, at each tier.
 class ModelResources : public osg::Referenced {
 public:
-    /// @param species that it is a shape of.
+    /// @param species that it is a model of.
     ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance);
     /// As another one, but drawn from these at every tier; null for none.
     ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves);

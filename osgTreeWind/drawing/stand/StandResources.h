@@ -22,7 +22,7 @@ struct StandResources {
     /// The same for one tree.
     void paintImpostor(const PlacedForest& forest, const PlacedTree& tree);
 
-    std::vector<osg::ref_ptr<ModelResources>> shapes; ///< By model.
+    std::vector<osg::ref_ptr<ModelResources>> models; ///< By model.
     std::vector<SpeciesLooks> looks;                  ///< By species.
     osg::ref_ptr<osg::StateSet> state;                ///< Of all trees with branches.
     osg::ref_ptr<osg::StateSet> fading;               ///< Of trees that cross over to another tier.

@@ -22,13 +22,13 @@ TreeStand::TreeStand() : TreeStand(std::make_shared<ForestSimulation>(ForestDesc
 TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation)
     : TreeStand(simulation, StandResources(simulation->forest())) {}
 
-TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& drawing)
-    : _simulation(std::move(simulation)), _drawing(drawing), _tiers(_simulation->description().drawing),
+TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)
+    : _simulation(std::move(simulation)), _resources(resources), _tiers(_simulation->description().drawing),
       _flutter(_simulation->description().species.size()) {
     setName("trees");
     setSupportsDisplayList(false);
     for (const TreeModel& model : _simulation->models())
-        _passes.push_back(new PosePass(model.skeleton, _drawing.programs));
+        _passes.push_back(new PosePass(model.skeleton, _resources.programs));
     for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
         if (_simulation->trees()[tree].alive)
             treeChanged(tree);
@@ -36,7 +36,7 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandRe
 }
 
 TreeStand::TreeStand(const TreeStand& other, const osg::CopyOp&)
-    : TreeStand(other._simulation, other._drawing) {}
+    : TreeStand(other._simulation, other._resources) {}
 
 void TreeStand::treeChanged(std::size_t tree) {
     const PlacedTree& placed = _simulation->trees()[tree];
@@ -50,7 +50,7 @@ void TreeStand::treeChanged(std::size_t tree) {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
-        _drawing.paintImpostor(_simulation->forest(), placed);
+        _resources.paintImpostor(_simulation->forest(), placed);
         if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
             follow(number);
     }
@@ -58,7 +58,7 @@ void TreeStand::treeChanged(std::size_t tree) {
 }
 
 void TreeStand::seasonChanged() {
-    _drawing.followSeason(_simulation->forest());
+    _resources.followSeason(_simulation->forest());
 }
 
 void TreeStand::follow(std::uint32_t tree) {
@@ -151,7 +151,7 @@ void TreeStand::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
     const osg::ref_ptr<CullLists> lists = freeLists(visitor);
-    TreeStandCull{visitor, frame, *_simulation, _drawing, _passes, _tiers, _cells, _flutter, *lists}.run();
+    TreeStandCull{visitor, frame, *_simulation, _resources, _passes, _tiers, _cells, _flutter, *lists}.run();
 }
 
 std::array<std::size_t, tierCount> TreeStand::listedTrees() const {
@@ -165,12 +165,12 @@ std::array<std::size_t, tierCount> TreeStand::listedTrees() const {
 
 void TreeStand::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Drawable::resizeGLObjectBuffers(maxSize);
-    _drawing.resizeGLObjectBuffers(maxSize);
+    _resources.resizeGLObjectBuffers(maxSize);
 }
 
 void TreeStand::releaseGLObjects(osg::State* state) const {
     osg::Drawable::releaseGLObjects(state);
-    _drawing.releaseGLObjects(state);
+    _resources.releaseGLObjects(state);
     for (const osg::ref_ptr<PosePass>& passes : _passes)
         passes->releaseGLObjects(state);
     const std::lock_guard<std::mutex> lock(_listsMutex);

@@ -25,8 +25,8 @@ public:
     /// No trees.
     TreeStand();
     explicit TreeStand(std::shared_ptr<ForestSimulation> simulation);
-    /// Drawn from the same shapes and state as another one of the same models and species.
-    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& drawing);
+    /// Drawn from the same models and state as another one of the same models and species.
+    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources);
     /// Of the same trees, which the original's forest moves.
     TreeStand(const TreeStand& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     osg::Object* cloneType() const override { return new TreeStand; }
@@ -47,8 +47,8 @@ public:
     void update(unsigned frame, double time);
 
     /// What its trees are drawn from. Changed between frames.
-    StandResources& drawing() { return _drawing; }
-    const StandResources& drawing() const { return _drawing; }
+    StandResources& resources() { return _resources; }
+    const StandResources& resources() const { return _resources; }
     /// Trees that are followed closely, since a camera saw their branches of late.
     std::size_t nearTrees() const { return _near.size(); }
     /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts
@@ -72,7 +72,7 @@ private:
     osg::ref_ptr<CullLists> freeLists(const osgUtil::CullVisitor& visitor);
 
     std::shared_ptr<ForestSimulation> _simulation;
-    StandResources _drawing;
+    StandResources _resources;
     std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.
     TreeTiers _tiers;
     mutable TreeCells _cells;

@@ -19,7 +19,7 @@ public:
     osgUtil::CullVisitor& visitor;
     unsigned frame;
     const ForestSimulation& simulation;
-    const StandResources& drawing;
+    const StandResources& resources;
     const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
     const TreeTiers& tiers;
     const TreeCells& cells;
