@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/Forest.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/wind/MovedWind.h>
 
 #include <osg/ApplicationUsage>
@@ -57,6 +60,12 @@ private:
 constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
 constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidden
 
+osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& simulation) {
+    if (simulation->description().law == MotionLaw::Modal)
+        return new StandDrawing(simulation);
+    return new BranchwiseForest(simulation);
+}
+
 } // namespace
 
 Forest::Forest() : Forest(ForestDescription()) {}
@@ -72,9 +81,8 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop) : osg::Group(othe
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
     _wind = other.getWind();
-    show(other._simulation->restarted(), other._stand ? &other._stand->resources() : nullptr);
-    if (_branchwise)
-        _branchwise->takeSettings(*other._branchwise);
+    const std::shared_ptr<ForestSimulation> simulation = other._simulation->restarted();
+    show(simulation, other._drawing->again(simulation));
 }
 
 Forest::~Forest() = default;
@@ -91,10 +99,15 @@ WindFieldPtr Forest::getWind() const {
 
 void Forest::setSeason(float season) {
     _simulation->setSeason(season);
-    if (_stand)
-        _stand->seasonChanged();
-    else
-        _branchwise->seasonChanged();
+    _drawing->seasonChanged();
+}
+
+float Forest::getSeason() const {
+    return _simulation->season();
+}
+
+const ForestDescription& Forest::getDescription() const {
+    return _simulation->description();
 }
 
 void Forest::setDescription(ForestDescription description) {
@@ -111,39 +124,28 @@ void Forest::setDescription(ForestDescription description) {
     options.placed = Patience(description.trees.size());
     if (description.drawing.tiers && description.trees.size() > smallStand)
         options.level = ModalLevel::Far; // until someone sees them
-    show(std::make_shared<ForestSimulation>(std::move(description), options));
+    const auto simulation = std::make_shared<ForestSimulation>(std::move(description), options);
+    const osg::ref_ptr<ForestDrawing> drawing = drawingFor(simulation);
+    if (_drawing)
+        drawing->takeSettings(*_drawing);
+    show(simulation, drawing);
 }
 
-void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandResources* drawing) {
-    const osg::ref_ptr<BranchwiseForest> former = _branchwise;
-    for (osg::Node* node : {static_cast<osg::Node*>(_stand), static_cast<osg::Node*>(_branchwise),
-                            static_cast<osg::Node*>(_followed)})
-        removeChild(node);
-    _stand = nullptr;
-    _branchwise = nullptr;
-    _followed = nullptr;
+void Forest::show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<ForestDrawing> drawing) {
+    removeChild(_drawing);
     _simulation = std::move(simulation);
+    _drawing = std::move(drawing);
+    insertChild(0, _drawing);
     _treeCount =
         static_cast<std::size_t>(std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
                                                [](const PlacedTree& tree) { return tree.alive; }));
-    if (_simulation->modal()) {
-        _stand = drawing ? new TreeStand(_simulation, *drawing) : new TreeStand(_simulation);
-        _followed = new FollowedBranches;
-        insertChild(0, _stand);
-        insertChild(1, _followed);
-    } else {
-        _branchwise = new BranchwiseForest(_simulation);
-        if (former)
-            _branchwise->takeSettings(*former);
-        insertChild(0, _branchwise);
-    }
 }
 
 TreeId Forest::addTree(const TreePlacement& placement) {
     const TreeId tree = _simulation->addTree(placement);
     if (tree != noTree) {
         ++_treeCount;
-        _stand->treeChanged(_simulation->slotOf(tree));
+        _drawing->treeChanged(_simulation->slotOf(tree));
     }
     return tree;
 }
@@ -152,14 +154,14 @@ bool Forest::removeTree(TreeId tree) {
     if (!_simulation->removeTree(tree))
         return false;
     --_treeCount;
-    _stand->treeChanged(_simulation->slotOf(tree));
+    _drawing->treeChanged(_simulation->slotOf(tree));
     return true;
 }
 
 bool Forest::changeTree(TreeId tree, const TreePlacement& placement) {
     if (!_simulation->changeTree(tree, placement))
         return false;
-    _stand->treeChanged(_simulation->slotOf(tree));
+    _drawing->treeChanged(_simulation->slotOf(tree));
     return true;
 }
 
@@ -168,36 +170,19 @@ TreeId Forest::findTree(const std::string& name) const {
 }
 
 BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
-    if (!_simulation->holds(tree))
-        return nullptr;
-    if (_followed) {
-        BranchTransform* branch = _followed->follow(*_simulation, tree, unit);
-        if (branch)
-            _stand->keepNear(_simulation->slotOf(tree));
-        return branch;
-    }
-    return _branchwise->getTree(static_cast<unsigned>(_simulation->slotOf(tree)))->getBranch(unit);
+    return _drawing->follow(tree, unit);
 }
 
-void Forest::setBarkState(std::size_t species, osg::StateSet* state) {
-    if (_stand && species < getDescription().species.size())
-        _stand->resources().looks[species].ownBark = state;
+StandDrawing* Forest::getStand() const {
+    return dynamic_cast<StandDrawing*>(_drawing.get());
 }
 
-void Forest::setLeafState(std::size_t species, osg::StateSet* state) {
-    if (_stand && species < getDescription().species.size())
-        _stand->resources().looks[species].ownLeaves = state;
-}
-
-void Forest::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves) {
-    if (_stand && model < _simulation->models().size()) {
-        osg::ref_ptr<ModelResources>& resources = _stand->resources().models[model];
-        resources = new ModelResources(*resources, bark, leaves);
-    }
+BranchwiseForest* Forest::getBranchwise() const {
+    return dynamic_cast<BranchwiseForest*>(_drawing.get());
 }
 
 bool Forest::isOwnChild(const osg::Node* child) const {
-    return child == _stand || child == _branchwise || child == _followed;
+    return child == _drawing;
 }
 
 osg::Vec3d Forest::getOrigin() const {
@@ -259,13 +244,7 @@ void Forest::update(osg::NodeVisitor& visitor) {
     }
     _lastFrame = stamp.getFrameNumber();
     _simulation->setWind(windAt(path));
-    if (_branchwise) {
-        _branchwise->update(stamp.getSimulationTime());
-        return;
-    }
-    _simulation->advance(stamp.getSimulationTime());
-    _stand->update(stamp.getFrameNumber(), stamp.getSimulationTime());
-    _followed->update(*_simulation);
+    _drawing->update(stamp);
 }
 
 } // namespace osgTreeWind

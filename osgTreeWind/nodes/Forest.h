@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/drawing/stand/TreeStand.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/nodes/FollowedBranches.h>
+#include <osgTreeWind/forest/TreeId.h>
+#include <osgTreeWind/wind/WindField.h>
 
 #include <osg/Group>
+#include <osg/Matrix>
+#include <osg/Vec3d>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
+#include <string>
 
 namespace osgTreeWind {
+
+class BranchTransform;
+class BranchwiseForest;
+class ForestDrawing;
+class ForestSimulation;
+class StandDrawing;
+struct ForestDescription;
+struct TreePlacement;
 
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 ///
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's
 /// simulation time; a paused time holds the trees, and one below a Switch that is off rests. Under the law
-/// `modal` trees are instances (TreeStand); a law of a branch has them drawn the thesis' way
+/// `modal` trees are instances (StandDrawing); a law of a branch has them drawn the thesis' way
 /// (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of where it
 /// really stands; with two parents, that of the first one.
 class Forest : public osg::Group {
@@ -35,7 +45,7 @@ public:
         void setDescription(ForestDescription description);
     /// As given, but without its trees; its wind is the one it came with, whatever setWind() did since, and
     /// so its season.
-    const ForestDescription& getDescription() const { return _simulation->description(); }
+    const ForestDescription& getDescription() const;
 
     /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any
     /// time, also while a description is set: whichever of the two comes last counts.
@@ -45,7 +55,7 @@ public:
     /// Of the year (species/Season.h): leaves, their colour, and what they do to how trees sway. In update or
     /// between frames.
     void setSeason(float season);
-    float getSeason() const { return _simulation->season(); }
+    float getSeason() const;
 
     /// World coordinates of the node's own origin: geometry is relative to it, so that it keeps its precision
     /// far from the world's origin.
@@ -70,25 +80,13 @@ public:
     /// none. It stays where it was when its tree is removed. In update or between frames.
     BranchTransform* branch(TreeId tree, unsigned unit);
 
-    /// Puts state after that of a species' bark or leaves (index into the description's); null takes it away.
-    /// One with a program of its own replaces ours: it finds a tree's `treePlace`, `treeSize` and `treeState`
-    /// at the attribute locations 12, 13 and 14 (shaders/instance.glsl). Under `modal`; not during a
-    /// traversal.
-    void setBarkState(std::size_t species, osg::StateSet* state);
-    void setLeafState(std::size_t species, osg::StateSet* state);
-    /// Draws the trees of a model (index into getSimulation().models()) from these, at every tier with
-    /// branches, null for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
-    /// instance_leaf.vert, the index of the unit that moves a vertex among them. Under `modal`; not during a
-    /// traversal.
-    void setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
-
     /// Whether a child is a part of the forest; all others are yours.
     bool isOwnChild(const osg::Node* child) const;
 
-    /// The trees as instances; null under a law of a branch.
-    TreeStand* getStand() const { return _stand.get(); }
-    /// The trees drawn branch by branch: a node a tree, its transforms and passes; null under `modal`.
-    BranchwiseForest* getBranchwise() const { return _branchwise.get(); }
+    /// What draws the trees as instances, and state and geometry of your own; null under a law of a branch.
+    StandDrawing* getStand() const;
+    /// What draws them branch by branch: a node a tree, its transforms and passes; null under `modal`.
+    BranchwiseForest* getBranchwise() const;
 
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }
@@ -99,8 +97,7 @@ protected:
     ~Forest() override;
 
 private:
-    /// @param drawing to share; null: its own.
-    void show(std::shared_ptr<ForestSimulation> simulation, const StandResources* drawing = nullptr);
+    void show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<ForestDrawing> drawing);
     void update(osg::NodeVisitor& visitor);
     bool isHidden(const osg::NodePath& path, unsigned frame) const;
     WindFieldPtr windAt(const osg::NodePath& path);
@@ -108,9 +105,7 @@ private:
     mutable std::mutex _windMutex; ///< Guards _wind.
     WindFieldPtr _wind;
     std::shared_ptr<ForestSimulation> _simulation;
-    osg::ref_ptr<TreeStand> _stand;
-    osg::ref_ptr<BranchwiseForest> _branchwise;
-    osg::ref_ptr<FollowedBranches> _followed;
+    osg::ref_ptr<ForestDrawing> _drawing;
     std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/nodes/Forest.h>

@@ -140,11 +140,20 @@ void BranchwiseForest::seasonChanged() {
     }
 }
 
-void BranchwiseForest::takeSettings(const BranchwiseForest& other) {
-    setAngleSource(other._wantedSource);
-    setBranchDrawing(other._branchDrawing);
-    setLeafDrawing(other._leafDrawing);
-    setLodRanges(other._lodRanges);
+osg::ref_ptr<ForestDrawing> BranchwiseForest::again(std::shared_ptr<ForestSimulation> simulation) const {
+    const osg::ref_ptr<BranchwiseForest> drawing = new BranchwiseForest(std::move(simulation));
+    drawing->takeSettings(*this);
+    return drawing;
+}
+
+void BranchwiseForest::takeSettings(const ForestDrawing& former) {
+    const auto* other = dynamic_cast<const BranchwiseForest*>(&former);
+    if (!other)
+        return;
+    setAngleSource(other->_wantedSource);
+    setBranchDrawing(other->_branchDrawing);
+    setLeafDrawing(other->_leafDrawing);
+    setLodRanges(other->_lodRanges);
 }
 
 void BranchwiseForest::setBranchDrawing(BranchDrawing drawing) {
@@ -237,13 +246,18 @@ void BranchwiseForest::releaseGLObjects(osg::State* state) const {
         _prePass->node()->releaseGLObjects(state);
 }
 
-void BranchwiseForest::update(double time) {
+void BranchwiseForest::update(const osg::FrameStamp& stamp) {
     chooseAngleSource();
+    const double time = stamp.getSimulationTime();
     const bool moved = _prePass ? stepOnGpu(time) : stepOnCpu(time);
     if (moved)
         uploadUnitPoses();
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
         tree->updatePose(moved);
+}
+
+BranchTransform* BranchwiseForest::follow(TreeId tree, unsigned unit) {
+    return _simulation->holds(tree) ? _trees[_simulation->slotOf(tree)]->getBranch(unit) : nullptr;
 }
 
 bool BranchwiseForest::stepOnCpu(double time) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/ForestDrawing.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-
-#include <osg/Group>
 
 #include <map>
 #include <memory>
@@ -20,9 +19,8 @@ class AnglePrePass;
 class DataTexture;
 class FloatTargetProbe;
 
-/// A forest drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit. A
-/// part of a Forest, which tells it the time.
-class BranchwiseForest : public osg::Group {
+/// Trees drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit.
+class BranchwiseForest : public ForestDrawing {
 public:
     /// Where the angles of branches and leaves are worked out.
     enum AngleSource {
@@ -71,21 +69,18 @@ public:
     void setLodRanges(const TreeLodRanges& ranges);
     const TreeLodRanges& getLodRanges() const { return _lodRanges; }
 
-    /// Has it drawn and moved in the same ways as another one.
-    void takeSettings(const BranchwiseForest& other);
-
-    /// The simulation's season is another one. Not during a traversal.
-    void seasonChanged();
-
     unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); }
     TreeNode* getTree(unsigned index) const { return _trees[index].get(); }
 
     /// The passes at work; null with CPU_ANGLES.
     const AnglePrePass* getAnglePrePass() const { return _prePass.get(); }
 
-    /// Moves the trees on to `time` (seconds), in the wind of the simulation. Once a frame, in the update
-    /// traversal.
-    void update(double time);
+    osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const override;
+    void takeSettings(const ForestDrawing& former) override;
+    void update(const osg::FrameStamp& stamp) override;
+    void treeChanged(std::size_t) override {} // never: its trees are those it was made with
+    void seasonChanged() override;
+    BranchTransform* follow(TreeId tree, unsigned unit) override;
 
     void traverse(osg::NodeVisitor& visitor) override;
     void resizeGLObjectBuffers(unsigned maxSize) override;

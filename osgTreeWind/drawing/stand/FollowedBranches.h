@@ -11,7 +11,7 @@
 namespace osgTreeWind {
 
 /// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A
-/// part of a Forest.
+/// part of a StandDrawing.
 class FollowedBranches : public osg::Group {
 public:
     FollowedBranches();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/nodes/FollowedBranches.h>
+#include <osgTreeWind/drawing/stand/FollowedBranches.h>
 
 #include <osgTreeWind/gpu/OsgConversions.h>
 
