@@ -199,6 +199,10 @@ void Forest::traverse(osg::NodeVisitor& visitor) {
     osg::Group::traverse(visitor);
 }
 
+osg::BoundingSphere Forest::computeBound() const {
+    return getNumChildren() == 1 ? _drawing->getBound() : osg::Group::computeBound(); // no box about a sphere
+}
+
 /// Update visitors enter what a Switch or LOD hides, too.
 bool Forest::isHidden(const osg::NodePath& path, unsigned frame) const {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {

@@ -92,6 +92,7 @@ public:
     const ForestSimulation& getSimulation() const { return *_simulation; }
 
     void traverse(osg::NodeVisitor& visitor) override;
+    osg::BoundingSphere computeBound() const override;
 
 protected:
     ~Forest() override;
