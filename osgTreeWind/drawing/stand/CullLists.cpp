@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/stand/CullLists.h>
 
 #include <osgTreeWind/drawing/looks/SceneShading.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 
 namespace osgTreeWind {
 
@@ -53,6 +54,8 @@ void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
+    if (!canRunPrograms(*renderInfo.getState()))
+        return;
     osg::ref_ptr<osg::Camera> camera;
     setSceneDefines(*_shading, _place, _camera.lock(camera) && isMultisampled(*camera));
     for (std::size_t i = 0; i < _used; ++i)
