@@ -31,6 +31,8 @@ public:
 
     /// The transform that goes where that unit of a tree goes, always the same one; null where there is none.
     virtual BranchTransform* follow(TreeId tree, unsigned unit) = 0;
+    /// Lets it go, with what hangs on it. @return false where it is not followed.
+    virtual bool unfollow(TreeId tree, unsigned unit) = 0;
 
 protected:
     ForestDrawing() { setDataVariance(osg::Object::DYNAMIC); }

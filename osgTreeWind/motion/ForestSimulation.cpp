@@ -213,6 +213,25 @@ TreeMotion ForestSimulation::motion(std::size_t index, UnitValues& values) const
             {values.leaves.data(), values.leaves.size()}};
 }
 
+UnitMotion ForestSimulation::unitMotion(std::size_t index, std::size_t unit) const {
+    if (!_modal) {
+        const TreeMotion motion = branchwiseMotion(index);
+        return {motion.poses[unit], motion.rotations[unit]};
+    }
+    const PlacedTree& tree = _forest.trees[index];
+    const std::vector<BranchUnit>& units = _forest.modelOf(tree).skeleton.units;
+    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+    _modal->poseVector(index, vector);
+    const auto motionOf = [&](const auto& self, std::size_t at) -> UnitMotion {
+        const int parent = units[at].parent;
+        const UnitPose carrier = parent < 0 ? UnitPose() : self(self, static_cast<std::size_t>(parent)).pose;
+        const glm::quat rotation =
+            swungRotation(units[at], tree.scale, _modal->unitAngles(index, at, vector));
+        return {carriedPose(carrier, rotation, tree.scale.axes * units[at].base), rotation};
+    };
+    return motionOf(motionOf, unit);
+}
+
 void ForestSimulation::flutter(const PlacedTree& tree, UnitValues& values) const {
     const std::vector<LeafCluster>& leaves = _forest.modelOf(tree).leaves;
     const LeafMotion& leaf = _forest.speciesOf(tree).leaf;

@@ -85,6 +85,9 @@ public:
     /// until `values` is used again.
     TreeMotion motion(std::size_t tree, UnitValues& values) const;
 
+    /// One unit of a tree that stands there: the same numbers, at the cost of the units that carry it.
+    UnitMotion unitMotion(std::size_t tree, std::size_t unit) const;
+
     /// How closely a tree is followed from the next step on, as for one far from all viewers. Laws of a
     /// branch follow all alike.
     void setLevel(std::size_t tree, ModalMotion::Level level);

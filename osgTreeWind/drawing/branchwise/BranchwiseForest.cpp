@@ -260,6 +260,10 @@ BranchTransform* BranchwiseForest::follow(TreeId tree, unsigned unit) {
     return _simulation->holds(tree) ? _trees[_simulation->slotOf(tree)]->getBranch(unit) : nullptr;
 }
 
+bool BranchwiseForest::unfollow(TreeId tree, unsigned unit) {
+    return _simulation->holds(tree) && _trees[_simulation->slotOf(tree)]->letGo(unit);
+}
+
 bool BranchwiseForest::stepOnCpu(double time) {
     if (!_simulation->advance(time))
         return false;

@@ -81,6 +81,7 @@ public:
     void treeChanged(std::size_t) override {} // never: its trees are those it was made with
     void seasonChanged() override;
     BranchTransform* follow(TreeId tree, unsigned unit) override;
+    bool unfollow(TreeId tree, unsigned unit) override;
 
     void traverse(osg::NodeVisitor& visitor) override;
     void resizeGLObjectBuffers(unsigned maxSize) override;

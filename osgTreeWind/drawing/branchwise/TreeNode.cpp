@@ -6,6 +6,9 @@
 
 #include <osgUtil/IntersectionVisitor>
 
+#include <algorithm>
+#include <utility>
+
 namespace osgTreeWind {
 namespace {
 
@@ -73,13 +76,35 @@ unsigned TreeNode::getNumBranches() const {
 BranchTransform* TreeNode::getBranch(unsigned unit) {
     if (unit >= getNumBranches())
         return nullptr;
-    if (const int parent = _tree->model().skeleton.units[unit].parent; parent >= 0)
-        getBranch(static_cast<unsigned>(parent));
     BranchTransform* const transform = branch(unit);
-    if (!_branches[unit].followed)
-        transform->setRotation(toOsg(_tree->rotation(unit)));
-    _branches[unit].followed = true;
+    if (std::exchange(_branches[unit].asked, true))
+        return transform;
+    for (int at = static_cast<int>(unit); at >= 0; at = parentOf(at))
+        if (Branch& carrier = _branches[static_cast<std::size_t>(at)]; carrier.followed++ == 0)
+            carrier.transform->setRotation(toOsg(_tree->rotation(static_cast<std::size_t>(at))));
     return transform;
+}
+
+bool TreeNode::letGo(unsigned unit) {
+    if (unit >= getNumBranches() || !std::exchange(_branches[unit].asked, false))
+        return false;
+    for (int at = static_cast<int>(unit); at >= 0; at = parentOf(at))
+        --_branches[static_cast<std::size_t>(at)].followed;
+    BranchTransform& transform = *_branches[unit].transform;
+    for (unsigned i = transform.getNumChildren(); i-- > 0;)
+        if (!isOwn(transform.getChild(i)))
+            transform.removeChild(i);
+    return true;
+}
+
+int TreeNode::parentOf(int unit) const {
+    return _tree->model().skeleton.units[static_cast<std::size_t>(unit)].parent;
+}
+
+/// Whether a child of a branch is a part of the tree.
+bool TreeNode::isOwn(const osg::Node* child) const {
+    return dynamic_cast<const BranchTransform*>(child) || dynamic_cast<const SkinDrawable*>(child) ||
+           std::find(_leafTransforms.begin(), _leafTransforms.end(), child) != _leafTransforms.end();
 }
 
 BranchTransform* TreeNode::branch(unsigned unit) {

@@ -34,6 +34,9 @@ public:
     /// the tree from then on, seen or not; what hangs on it is drawn with the level FULL. Call it where the
     /// scene may be changed (update or event traversal, between frames).
     BranchTransform* getBranch(unsigned unit);
+    /// Takes off what hangs on a branch that was asked for, which from then on follows as others do.
+    /// @return false where it was not asked for.
+    bool letGo(unsigned unit);
 
     /// Draws the bark branch by branch below BranchTransforms (the thesis' way) instead of in one draw.
     void setBranchwise(bool branchwise);
@@ -75,10 +78,13 @@ protected:
 private:
     struct Branch {
         osg::ref_ptr<BranchTransform> transform;
-        bool followed = false; ///< Asked for, by getBranch().
+        bool asked = false;    ///< For, by getBranch().
+        unsigned followed = 0; ///< It and those that it carries, as far as they were asked for.
     };
     void build(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale);
     BranchTransform* branch(unsigned unit);
+    int parentOf(int unit) const;
+    bool isOwn(const osg::Node* child) const;
     void fillFullLevel();
     void clearFullLevel();
     void makeTransforms();

@@ -70,8 +70,22 @@ void StandDrawing::seasonChanged() {
 BranchTransform* StandDrawing::follow(TreeId tree, unsigned unit) {
     BranchTransform* branch = _followed->follow(*_simulation, tree, unit);
     if (branch)
-        _trees->keepNear(_simulation->slotOf(tree));
+        _trees->keepNear(_simulation->slotOf(tree), true);
     return branch;
+}
+
+bool StandDrawing::unfollow(TreeId tree, unsigned unit) {
+    if (!_followed->unfollow(tree, unit))
+        return false;
+    if (_simulation->holds(tree) && !_followed->follows(tree))
+        _trees->keepNear(_simulation->slotOf(tree), false);
+    return true;
+}
+
+osg::BoundingSphere StandDrawing::computeBound() const {
+    osg::BoundingSphere bound(_trees->reach());
+    bound.expandBy(_followed->getBound());
+    return bound;
 }
 
 } // namespace osgTreeWind

@@ -42,6 +42,10 @@ public:
     void treeChanged(std::size_t slot) override;
     void seasonChanged() override;
     BranchTransform* follow(TreeId tree, unsigned unit) override;
+    bool unfollow(TreeId tree, unsigned unit) override;
+
+    /// As far as the trees may sway, so that none is culled that is seen; boxes are of trees at rest.
+    osg::BoundingSphere computeBound() const override;
 
 protected:
     ~StandDrawing() override;

@@ -65,32 +65,16 @@ void StandResources::paintImpostors(const PlacedForest& forest,
         ThreadPool::executor()(missing.size(), paint);
 }
 
-void StandResources::resizeGLObjectBuffers(unsigned maxSize) const {
+std::vector<osg::Object*> StandResources::glObjects() const {
+    std::vector<osg::Object*> objects = {programs->turns, programs->poses};
     for (const osg::ref_ptr<ModelResources>& model : models)
-        model->resizeGLObjectBuffers(maxSize);
+        model->addGLObjects(objects);
     for (const SpeciesLooks& look : looks)
         for (const osg::ref_ptr<osg::StateSet>& set :
              {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
             if (set)
-                set->resizeGLObjectBuffers(maxSize);
-    if (programs) {
-        programs->turns->resizeGLObjectBuffers(maxSize);
-        programs->poses->resizeGLObjectBuffers(maxSize);
-    }
-}
-
-void StandResources::releaseGLObjects(osg::State* of) const {
-    for (const osg::ref_ptr<ModelResources>& model : models)
-        model->releaseGLObjects(of);
-    for (const SpeciesLooks& look : looks)
-        for (const osg::ref_ptr<osg::StateSet>& set :
-             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
-            if (set)
-                set->releaseGLObjects(of);
-    if (programs) {
-        programs->turns->releaseGLObjects(of);
-        programs->poses->releaseGLObjects(of);
-    }
+                objects.push_back(set);
+    return objects;
 }
 
 } // namespace osgTreeWind

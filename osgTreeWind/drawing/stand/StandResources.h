@@ -14,7 +14,6 @@ namespace osgTreeWind {
 
 /// What the trees of a stand are drawn from. A copy shares all of it.
 struct StandResources {
-    StandResources() = default;
     explicit StandResources(const PlacedForest& forest);
 
     /// Has leaves the colour of the forest's season, and all impostors that its trees need. In update.
@@ -29,8 +28,8 @@ struct StandResources {
     osg::ref_ptr<osg::Program> impostorProgram;
     osg::ref_ptr<PosePrograms> programs;
 
-    void resizeGLObjectBuffers(unsigned maxSize) const;
-    void releaseGLObjects(osg::State* state) const;
+    /// Programs, geometries and state sets: all that OpenGL keeps something of.
+    std::vector<osg::Object*> glObjects() const;
 
 private:
     /// Those of them that are not painted yet. @param wanted models and tiers.

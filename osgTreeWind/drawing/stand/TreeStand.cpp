@@ -9,6 +9,7 @@
 #include <osgUtil/IntersectionVisitor>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
 namespace {
@@ -27,6 +28,7 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandRe
       _flutter(_simulation->description().species.size()) {
     setName("trees");
     setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true); // else nobody asks it to compile them
     for (const TreeModel& model : _simulation->models())
         _passes.push_back(new PosePass(model.skeleton, _resources.programs));
     for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
@@ -57,6 +59,21 @@ void TreeStand::treeChanged(std::size_t tree) {
     dirtyBound();
 }
 
+osg::BoundingBox TreeStand::computeBoundingBox() const {
+    osg::BoundingBox box;
+    for (const PlacedTree& tree : _simulation->trees()) {
+        if (!tree.alive)
+            continue;
+        const std::array<float, 5> reach = _simulation->forest().modelOf(tree).extents.reach(tree.scale);
+        const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+        for (const float x : {-reach[1], reach[0]})
+            for (const float y : {-reach[3], reach[2]})
+                for (const float z : {0.0f, reach[4]})
+                    box.expandBy(toOsg(tree.position + turnHeading({x, y, z}, sine, cosine)));
+    }
+    return box;
+}
+
 void TreeStand::seasonChanged() {
     _resources.followSeason(_simulation->forest());
 }
@@ -69,10 +86,12 @@ void TreeStand::follow(std::uint32_t tree) {
     attention.isNear = true;
 }
 
-void TreeStand::keepNear(std::size_t tree) {
+void TreeStand::keepNear(std::size_t tree, bool kept) {
+    _attention[tree].kept = kept;
+    if (!kept)
+        return;
     _simulation->setLevel(tree, ModalMotion::Level::Near);
     follow(static_cast<std::uint32_t>(tree));
-    _attention[tree].kept = true;
 }
 
 void TreeStand::update(unsigned frame, double time) {
@@ -163,14 +182,26 @@ std::array<std::size_t, tierCount> TreeStand::listedTrees() const {
     return trees;
 }
 
+void TreeStand::compileGLObjects(osg::RenderInfo& renderInfo) const {
+    for (osg::Object* object : _resources.glObjects())
+        if (const osg::StateSet* state = object->asStateSet())
+            state->compileGLObjects(*renderInfo.getState());
+        else if (const osg::StateAttribute* program = object->asStateAttribute())
+            program->compileGLObjects(*renderInfo.getState());
+        else
+            object->asDrawable()->compileGLObjects(renderInfo);
+}
+
 void TreeStand::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Drawable::resizeGLObjectBuffers(maxSize);
-    _resources.resizeGLObjectBuffers(maxSize);
+    for (osg::Object* object : _resources.glObjects())
+        object->resizeGLObjectBuffers(maxSize);
 }
 
 void TreeStand::releaseGLObjects(osg::State* state) const {
     osg::Drawable::releaseGLObjects(state);
-    _resources.releaseGLObjects(state);
+    for (const osg::Object* object : _resources.glObjects())
+        object->releaseGLObjects(state);
     for (const osg::ref_ptr<PosePass>& passes : _passes)
         passes->releaseGLObjects(state);
     const std::lock_guard<std::mutex> lock(_listsMutex);

@@ -41,8 +41,8 @@ public:
     void treeChanged(std::size_t tree);
     /// The forest's season is another one. In update.
     void seasonChanged();
-    /// Has a tree followed closely from now on, whoever sees it. In update.
-    void keepNear(std::size_t tree);
+    /// Has a tree followed closely from now on, whoever sees it; or no more. In update.
+    void keepNear(std::size_t tree, bool kept);
     /// After each step: which trees are followed how closely. In update.
     void update(unsigned frame, double time);
 
@@ -57,8 +57,13 @@ public:
 
     using osg::Drawable::accept;
     void accept(osg::NodeVisitor& visitor) override;
-    osg::BoundingBox computeBoundingBox() const override { return _cells.bounds(); }
+    /// The trees at rest, from the foot of the lowest; exact for trees that head north or south.
+    osg::BoundingBox computeBoundingBox() const override;
+    /// The trees as far as they may sway, as culling takes them.
+    osg::BoundingBox reach() const { return _cells.bounds(); }
     void drawImplementation(osg::RenderInfo&) const override {}
+    /// Whatever its trees are drawn with, as osgUtil::GLObjectsVisitor and pagers ask for it.
+    void compileGLObjects(osg::RenderInfo& renderInfo) const override;
     void resizeGLObjectBuffers(unsigned maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
 
