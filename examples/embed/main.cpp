@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     unsigned frames = 0;
     osg::ArgumentParser(&argc, argv).read("--frames", frames);
     osg::ref_ptr<Forest> forest = new Forest(describeForest());
-    markBranch(*forest, 4, 60); // trees of the description have their numbers for ids
+    markBranch(*forest, TreeId(4), 60); // trees of the description have their numbers for ids
     const auto wind = StreamedWind::create(simulateWind(0.0));
     if (!wind) {
         for (const Diagnostic& problem : wind.problems())

@@ -116,7 +116,7 @@ BenchForests runBenchForests(const std::optional<ForestDescription>& described, 
         if (i % nearEvery == 0)
             ++modal.result.nearTrees;
         else
-            modal.simulation->setLevel(i, ModalMotion::Level::Far);
+            modal.simulation->modal()->setLevel(i, ModalMotion::Level::Far);
     const ModalMotion& motion = *modal.simulation->modal();
     modal.result.archetypes = motion.archetypeCount();
     modal.result.archetypeBytes = motion.archetypeBytes();

@@ -75,14 +75,14 @@ TimedKernel dampedTree(const char* name, const WindFieldPtr& wind, bool calm) {
     };
     const auto trees = std::make_shared<Trees>();
     warmUp([&](double time) {
-        trees->motion.sampleWind(wind.get(), time);
+        trees->motion.meet(wind.get(), time);
         trees->step();
     });
     for (int i = 0; i < 2; ++i) // the one before the step and the one after it
-        trees->motion.sampleWind(calm ? nullptr : wind.get(), 0.0);
+        trees->motion.meet(calm ? nullptr : wind.get(), 0.0);
     return {treeKernel(name, dampedTrees), [=](double time) {
                 if (!calm)
-                    trees->motion.sampleWind(wind.get(), time);
+                    trees->motion.meet(wind.get(), time);
                 trees->step();
                 kept = trees->states[7].x;
             }};

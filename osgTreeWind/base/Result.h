@@ -3,7 +3,6 @@
 
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace osgTreeWind {
@@ -22,34 +21,28 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// Ends the program for who takes a value that is not there: prints the problems on standard error, aborts.
-[[noreturn]] void abortWithoutValue(const Diagnostics& problems);
-
-/// A value, or the problems that kept it from being made. Never throws.
+/// A value, or the problems that kept it from being made. Never throws, never ends a program.
 template <typename T>
-class Result {
+class [[nodiscard]] Result {
 public:
-    Result(T value) : _content(std::move(value)) {}
-    Result(Diagnostic problem) : _content(Diagnostics{std::move(problem)}) {}
+    Result(T value) : _value(std::move(value)) {}
+    Result(Diagnostic problem) : _problems{std::move(problem)} {}
     /// @param problems at least one.
-    Result(Diagnostics problems) : _content(std::move(problems)) {}
+    Result(Diagnostics problems) : _problems(std::move(problems)) {}
 
-    bool ok() const { return std::holds_alternative<T>(_content); }
+    bool ok() const { return _problems.empty(); }
     explicit operator bool() const { return ok(); }
 
-    /// The value; without one the program ends with the problems on standard error, so ask ok() before.
-    T& value() {
-        if (!ok())
-            abortWithoutValue(problems());
-        return *std::get_if<T>(&_content);
-    }
-    const T& value() const { return const_cast<Result*>(this)->value(); }
+    /// The value; an empty one, T(), where there is none.
+    T& value() { return _value; }
+    const T& value() const { return _value; }
 
-    /// All problems in the order of the input; only when not ok().
-    const Diagnostics& problems() const { return *std::get_if<Diagnostics>(&_content); }
+    /// All problems in the order of the input; none when ok().
+    const Diagnostics& problems() const { return _problems; }
 
 private:
-    std::variant<T, Diagnostics> _content;
+    T _value{};
+    Diagnostics _problems;
 };
 
 } // namespace osgTreeWind

@@ -3,6 +3,9 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/motion/modal/ModalTree.h>
+#include <osgTreeWind/wind/GivenWind.h>
+
+#include <memory>
 
 namespace osgTreeWind {
 
@@ -12,7 +15,11 @@ struct SimulationOptions {
     /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
     /// memory of near ones, from the start.
     ModalLevel level = ModalLevel::Near;
-    Executor executor;            ///< A host's threads; none: for a large forest a thread for each processor.
+    /// A host's threads, for copies (restarted()) too, which other threads may advance; none: those of the
+    /// process (ThreadPool::executor()) for a large forest, the calling thread for a small one.
+    Executor executor;
+    /// Where the wind is given from now on; null: a place of its own, with the description's.
+    std::shared_ptr<GivenWind> wind;
     std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
 };
 

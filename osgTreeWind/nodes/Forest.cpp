@@ -5,7 +5,7 @@
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/wind/MovedWind.h>
+#include <osgTreeWind/nodes/TreeUnit.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>
@@ -60,6 +60,12 @@ private:
 constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
 constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidden
 
+/// For want of what a forest cannot be; empty where it can.
+std::string problemOfRoom(const ForestDescription& description) {
+    const std::string problem = BranchwiseForest::problemOf(description);
+    return problem.empty() ? problemOfMemory(description, true) : problem;
+}
+
 osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& simulation) {
     if (simulation->description().law == MotionLaw::Modal)
         return new StandDrawing(simulation);
@@ -70,31 +76,27 @@ osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& 
 
 Forest::Forest() : Forest(ForestDescription()) {}
 
-Forest::Forest(ForestDescription description) {
+Forest::Forest(ForestDescription description) : _wind(std::make_shared<GivenWind>()) {
     setNumChildrenRequiringUpdateTraversal(1);
     setDescription(std::move(description));
 }
 
-Forest::Forest(const Forest& other, const osg::CopyOp& copyop) : osg::Group(other, copyop) {
+Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
+    : osg::Group(other, copyop), _executor(other._executor) {
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
-    _wind = other.getWind();
     const std::shared_ptr<ForestSimulation> simulation = other._simulation->restarted();
     show(simulation, other._drawing->again(simulation));
+    _wind = _simulation->givenWind();
 }
 
 Forest::~Forest() = default;
 
-void Forest::setWind(WindFieldPtr wind) {
-    const std::lock_guard<std::mutex> lock(_windMutex);
-    _wind.swap(wind); // the old field goes when the parameter does, after the lock
-}
-
-WindFieldPtr Forest::getWind() const {
-    const std::lock_guard<std::mutex> lock(_windMutex);
-    return _wind;
+void Forest::setExecutor(Executor executor) {
+    _simulation->setExecutor(executor);
+    _executor = std::move(executor);
 }
 
 void Forest::setSeason(float season) {
@@ -110,18 +112,40 @@ const ForestDescription& Forest::getDescription() const {
     return _simulation->description();
 }
 
+Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description) {
+    if (const std::string problem = problemOfRoom(description); !problem.empty())
+        return Diagnostic{{}, 0, 0, {}, problem};
+    const osg::ref_ptr<Forest> forest = new Forest;
+    forest->grow(std::move(description));
+    return forest;
+}
+
+void Forest::setWind(WindFieldPtr wind) {
+    _wind->set(std::move(wind));
+}
+
+WindFieldPtr Forest::getWind() const {
+    return _wind->get();
+}
+
 void Forest::setDescription(ForestDescription description) {
-    if (description.wind)
-        setWind(description.wind);
-    std::string problem = BranchwiseForest::problemOf(description);
-    if (problem.empty())
-        problem = problemOfMemory(description, true);
+    const std::string problem = problemOfRoom(description);
     if (!problem.empty()) {
         OSG_WARN << "osgTreeWind: " << problem << "; the forest is left empty" << std::endl;
+        WindFieldPtr wind = std::move(description.wind);
         description = ForestDescription();
+        description.wind = std::move(wind);
     }
+    grow(std::move(description));
+}
+
+void Forest::grow(ForestDescription description) {
+    if (description.wind)
+        setWind(description.wind);
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
+    options.executor = _executor;
+    options.wind = _wind;
     if (description.drawing.tiers && description.trees.size() > smallStand)
         options.level = ModalLevel::Far; // until someone sees them
     const auto simulation = std::make_shared<ForestSimulation>(std::move(description), options);
@@ -141,36 +165,62 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<For
                                                [](const PlacedTree& tree) { return tree.alive; }));
 }
 
-TreeId Forest::addTree(const TreePlacement& placement) {
-    const TreeId tree = _simulation->addTree(placement);
-    if (tree != noTree) {
+Result<TreeId> Forest::addTree(const TreePlacement& placement) {
+    Result<TreeId> tree = _simulation->addTree(placement);
+    if (tree) {
         ++_treeCount;
-        _drawing->treeChanged(_simulation->slotOf(tree));
+        _drawing->treeChanged(_simulation->slotOf(tree.value()));
     }
     return tree;
 }
 
-bool Forest::removeTree(TreeId tree) {
-    if (!_simulation->removeTree(tree))
-        return false;
-    --_treeCount;
-    _drawing->treeChanged(_simulation->slotOf(tree));
-    return true;
+Diagnostics Forest::removeTree(TreeId tree) {
+    Diagnostics problems = _simulation->removeTree(tree);
+    if (problems.empty()) {
+        --_treeCount;
+        _drawing->treeChanged(_simulation->slotOf(tree));
+    }
+    return problems;
 }
 
-bool Forest::changeTree(TreeId tree, const TreePlacement& placement) {
-    if (!_simulation->changeTree(tree, placement))
-        return false;
-    _drawing->treeChanged(_simulation->slotOf(tree));
-    return true;
+Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
+    Diagnostics problems = _simulation->changeTree(tree, placement);
+    if (problems.empty())
+        _drawing->treeChanged(_simulation->slotOf(tree));
+    return problems;
 }
 
 TreeId Forest::findTree(const std::string& name) const {
     return _simulation->findTree(name).value_or(noTree);
 }
 
+std::vector<TreeId> Forest::getTrees() const {
+    std::vector<TreeId> ids;
+    ids.reserve(_treeCount);
+    for (std::size_t slot = 0; slot < _simulation->trees().size(); ++slot)
+        if (_simulation->trees()[slot].alive)
+            ids.push_back(_simulation->idOf(slot));
+    return ids;
+}
+
+std::optional<TreePlacement> Forest::getPlacement(TreeId tree) const {
+    if (!_simulation->holds(tree))
+        return {};
+    return _simulation->placementOf(tree);
+}
+
+std::vector<TreeUnit> Forest::getUnits(TreeId tree) const {
+    if (!_simulation->holds(tree))
+        return {};
+    return unitsOf(*_simulation, _simulation->slotOf(tree));
+}
+
 BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
     return _drawing->follow(tree, unit);
+}
+
+bool Forest::unfollow(TreeId tree, unsigned unit) {
+    return _drawing->unfollow(tree, unit);
 }
 
 StandDrawing* Forest::getStand() const {
@@ -215,21 +265,14 @@ bool Forest::isHidden(const osg::NodePath& path, unsigned frame) const {
     return false;
 }
 
-WindFieldPtr Forest::windAt(const osg::NodePath& path) {
+/// Tells the wind where the forest is.
+void Forest::stand(const osg::NodePath& path) {
     _place = osg::computeLocalToWorld(path);
-    const WindFieldPtr wind = getWind();
     osg::Matrix toScene = _place;
     const osg::Vec3d stands = _place.getTrans();
     if ((stands - getOrigin()).length2() < stands.length2()) // the scene is in world coordinates
         toScene.postMultTranslate(-getOrigin());
-    if (!wind || toScene.isIdentity())
-        return wind;
-    if (wind != _worldWind || toScene != _worldPlace) {
-        _worldWind = wind;
-        _worldPlace = toScene;
-        _windHere = std::make_shared<MovedWind>(wind, glm::make_mat4(toScene.ptr()));
-    }
-    return _windHere;
+    _wind->setPlace(glm::make_mat4(toScene.ptr()));
 }
 
 void Forest::update(osg::NodeVisitor& visitor) {
@@ -247,7 +290,7 @@ void Forest::update(osg::NodeVisitor& visitor) {
         return;
     }
     _lastFrame = stamp.getFrameNumber();
-    _simulation->setWind(windAt(path));
+    stand(path);
     _drawing->update(stamp);
 }
 

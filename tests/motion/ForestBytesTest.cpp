@@ -53,7 +53,7 @@ TEST(ForestBytes, AFarTreeTakesAtMost250) {
         const std::size_t before = bytesInUse();
         const std::unique_ptr<ForestSimulation> simulation = wood(count);
         for (std::size_t i = 0; i < count; i += 50)
-            simulation->setLevel(i, ModalMotion::Level::Near);
+            simulation->modal()->setLevel(i, ModalMotion::Level::Near);
         for (int i = 0; i < 20; ++i)
             simulation->advance(i / 60.0);
         taken[count == 100000u] = bytesInUse() - before;
@@ -82,12 +82,12 @@ TEST(ForestBytes, TreesThatComeAndGoLeaveNone) {
     if (!allocatorTells())
         GTEST_SKIP() << "the allocator does not say what it gave out";
     const std::unique_ptr<ForestSimulation> simulation = wood(2000);
-    const TreePlacement tree = simulation->placementOf(0);
+    const TreePlacement tree = simulation->placementOf(TreeId(0));
     const auto churn = [&] {
         std::vector<TreeId> ids;
         ids.reserve(1000);
         for (int i = 0; i < 1000; ++i)
-            ids.push_back(simulation->addTree(tree));
+            ids.push_back(simulation->addTree(tree).value());
         for (const TreeId id : ids)
             simulation->removeTree(id);
     };

@@ -46,7 +46,7 @@ public:
 
     /// No trees.
     BranchwiseForest();
-    /// @param simulation its trees, as they stand now.
+    /// @param simulation its trees, as they stand now; under a law of a branch.
     explicit BranchwiseForest(std::shared_ptr<ForestSimulation> simulation);
     /// A copy of a part of a scene that is moved by a Forest: of the same trees, which the original moves.
     BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);

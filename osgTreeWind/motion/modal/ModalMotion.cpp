@@ -70,9 +70,9 @@ void ModalMotion::Group::remove(std::size_t place) {
 }
 
 ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact)
-    : _executor(executor ? std::move(executor) : Executor(runInTurn)),
-      _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)), _exact(exact), _slots(trees.size()), _places(trees.size()),
+    : _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)), _exact(exact), _slots(trees.size()), _places(trees.size()),
       _leans(trees.size(), glm::vec2(0.0f)) {
+    setExecutor(std::move(executor));
     std::vector<std::uint32_t> archetypes; // per tree
     std::vector<SwayingTree> forms;        // per archetype
     for (const Tree& tree : trees) {
@@ -83,10 +83,7 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
         if (index == forms.size())
             forms.push_back(exact ? tree.form : treeOn(nearestRung(tree.form)));
     }
-    std::vector<std::shared_ptr<const Archetype>> made(forms.size());
-    _executor(forms.size(), [&](std::size_t i) { made[i] = std::make_shared<const Archetype>(forms[i]); });
-    for (std::shared_ptr<const Archetype>& archetype : made)
-        addGroups(std::move(archetype));
+    addArchetypes(forms);
     const auto groupOf = [&](std::size_t tree) {
         return Archetype::levels * archetypes[tree] + static_cast<std::size_t>(trees[tree].level);
     };
@@ -107,27 +104,46 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
 ModalMotion::ModalMotion(const ModalMotion& other) = default;
 ModalMotion::~ModalMotion() = default;
 
-std::unique_ptr<ModalMotion> ModalMotion::restarted() const {
-    std::unique_ptr<ModalMotion> copy(new ModalMotion(*this));
-    copy->reset();
-    return copy;
+void ModalMotion::setExecutor(Executor executor) {
+    _executor = executor ? std::move(executor) : Executor(runInTurn);
 }
 
-void ModalMotion::addGroups(std::shared_ptr<const Archetype> archetype) {
-    for (std::size_t level = 0; level < Archetype::levels; ++level) {
-        _groups.emplace_back();
-        _groups.back().archetype = archetype.get();
-        _groups.back().level = level;
+/// With their groups, in order.
+void ModalMotion::addArchetypes(const std::vector<SwayingTree>& forms) {
+    std::vector<std::shared_ptr<const Archetype>> made(forms.size());
+    _executor(forms.size(), [&](std::size_t i) { made[i] = std::make_shared<const Archetype>(forms[i]); });
+    for (std::shared_ptr<const Archetype>& archetype : made) {
+        for (std::size_t level = 0; level < Archetype::levels; ++level) {
+            _groups.emplace_back();
+            _groups.back().archetype = archetype.get();
+            _groups.back().level = level;
+        }
+        _archetypes.push_back(std::move(archetype));
     }
-    _archetypes.push_back(std::move(archetype));
 }
 
 std::uint32_t ModalMotion::archetypeOf(const SwayingTree& form) {
     const auto next = static_cast<std::uint32_t>(_archetypes.size());
     const std::uint32_t index = _exact ? next : _rungs.emplace(nearestRung(form), next).first->second;
     if (index == next)
-        addGroups(std::make_shared<const Archetype>(_exact ? form : treeOn(nearestRung(form))));
+        addArchetypes({_exact ? form : treeOn(nearestRung(form))});
     return index;
+}
+
+std::size_t ModalMotion::prepare(const std::vector<Tree>& trees, std::size_t most) {
+    std::vector<SwayingTree> missing;
+    std::size_t ready = 0;
+    for (; ready < trees.size(); ++ready) {
+        const ArchetypeRung rung = nearestRung(trees[ready].form);
+        if (_rungs.count(rung) > 0)
+            continue;
+        if (missing.size() == most)
+            break;
+        _rungs.emplace(rung, static_cast<std::uint32_t>(_archetypes.size() + missing.size()));
+        missing.push_back(treeOn(rung));
+    }
+    addArchetypes(missing);
+    return ready;
 }
 
 std::size_t ModalMotion::add(const Tree& tree) {

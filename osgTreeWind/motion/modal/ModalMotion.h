@@ -31,8 +31,11 @@ public:
     /// instead of that of the nearest rung, which takes milliseconds and tens of kB a tree.
     ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact = false);
     ~ModalMotion();
-    /// The same trees at the same levels, at rest in a calm. Shares the archetypes.
-    std::unique_ptr<ModalMotion> restarted() const;
+    /// The same trees, which go on by themselves; shares the archetypes.
+    ModalMotion(const ModalMotion& other);
+    ModalMotion& operator=(const ModalMotion&) = delete;
+    /// From the next step on; null: the calling thread alone.
+    void setExecutor(Executor executor);
 
     /// Puts up a tree at rest in a calm, in microseconds whatever the number of trees; the first one on its
     /// rung takes milliseconds, and its archetype stays. Its model and species must outlive this.
@@ -44,6 +47,9 @@ public:
     /// patches of its crown can move alike.
     void replace(std::size_t tree, const Tree& other);
     bool holds(std::size_t tree) const;
+    /// Makes archetypes that these trees lack, which replace() and add() then need not; `most` of them at
+    /// most, on the executor. @return how many of the trees, from the first on, have theirs by now.
+    std::size_t prepare(const std::vector<Tree>& trees, std::size_t most);
 
     /// Numbers given out, those of removed trees too.
     std::size_t treeCount() const { return _leans.size(); }
@@ -92,9 +98,8 @@ private:
     struct Place;
     struct Work;
 
-    ModalMotion(const ModalMotion& other);
     std::uint32_t archetypeOf(const SwayingTree& form);
-    void addGroups(std::shared_ptr<const Archetype> archetype);
+    void addArchetypes(const std::vector<SwayingTree>& forms);
     void put(std::size_t tree, std::size_t group);
     void take(std::size_t tree);
     void stand(std::size_t tree, const Tree& given);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -14,7 +15,8 @@ constexpr std::size_t lanes = TreeLanes::count;
 constexpr std::size_t blocksPerJob = 4;
 constexpr float longestNearStep = 1.0f / 30.0f, longestFarStep = 0.2f; // seconds
 
-/// Places and winds of one job's patches; each thread keeps its own.
+/// Places and winds of one job's patches. Each thread keeps one, which a job takes while it is at work: where
+/// the wind is sampled the thread may take up another job.
 struct Scratch {
     std::vector<WindPlace> places;
     std::vector<glm::vec3> winds;
@@ -51,7 +53,8 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
 void ModalMotion::advance(const WindField* wind, double time) {
     _executor((_work.size() + blocksPerJob - 1) / blocksPerJob, [&](std::size_t job) {
         const std::size_t end = std::min(_work.size(), (job + 1) * blocksPerJob);
-        thread_local Scratch scratch;
+        thread_local Scratch kept;
+        Scratch scratch = std::move(kept);
         scratch.places.clear();
         for (std::size_t w = job * blocksPerJob; w < end; ++w)
             addPlaces(_work[w], scratch.places);
@@ -76,11 +79,13 @@ void ModalMotion::advance(const WindField* wind, double time) {
             step.seconds = _work[w].seconds;
             step.gain = _gain;
             const float longest = group.level == 0 ? longestNearStep : longestFarStep;
-            step.substeps = static_cast<int>(std::ceil(step.seconds / longest - 0.01f));
+            step.substeps = std::max(step.seconds > 0.0f ? 1 : 0,
+                                     static_cast<int>(std::ceil(step.seconds / longest - 0.01f)));
             stepTrees(step, _instructions);
             for (std::size_t i = 0; i < trees; ++i)
                 refreshLean(group.trees[_work[w].block * lanes + i]);
         }
+        kept = std::move(scratch);
     });
 }
 
