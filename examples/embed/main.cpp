@@ -3,8 +3,8 @@
 // Usage: osgtreewind-embed [--frames N]     (without it: until escape is pressed)
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 
 #include <osg/ArgumentParser>
@@ -25,7 +25,7 @@ namespace {
 /// Nine young maples, 8 m apart: what a .treewind file would say.
 ForestDescription describeForest() {
     ForestDescription description;
-    description.species = {*findBuiltInSpecies("red maple")};
+    description.species = {*findSpecies("red maple")};
     for (int i = 0; i < 9; ++i) {
         TreePlacement tree;
         tree.position = 8.0 * glm::dvec3(i % 3 - 1, i / 3 - 1, 0);
@@ -56,7 +56,7 @@ GridWind::Grid simulateWind(double time) {
 /// A new wind sixty times a second.
 void streamWind(StreamedWind& wind, const std::atomic<bool>& done) {
     for (double time = 0.0; !done; time += 1.0 / 60.0) {
-        wind.update(simulateWind(time).values); // gives what is wrong with them: nothing
+        wind.update({simulateWind(time).values}); // gives what is wrong with them: nothing
         std::this_thread::sleep_for(std::chrono::microseconds(16667));
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,7 +10,7 @@
 namespace osgTreeWind {
 
 /// One problem found in an input: where it is, which key, and what was expected.
-struct Diagnostic {
+struct OSGTREEWIND_EXPORT Diagnostic {
     std::string file;    ///< Path as the user gave it; empty when the input is not a file.
     int line = 0;        ///< 1-based; 0 when unknown.
     int column = 0;      ///< 1-based; 0 when unknown.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/TreeId.h>
 
 #include <osg/FrameStamp>
@@ -15,7 +16,7 @@ class ForestSimulation;
 
 /// A way of drawing the trees of a simulation: the one own child of a Forest, which tells it what happens.
 /// Everything here in update, or between frames.
-class ForestDrawing : public osg::Group {
+class OSGTREEWIND_EXPORT ForestDrawing : public osg::Group {
 public:
     /// The same way for another simulation of the same models and species; shares what does not change.
     virtual osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const = 0;

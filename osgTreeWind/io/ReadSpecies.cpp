@@ -3,7 +3,6 @@
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <filesystem>
@@ -61,6 +60,20 @@ void readBranches(TableReader& table, GrownBranches& branches) {
     table.read("taper", branches.taper, within(0.05, 1));
 }
 
+/// Of the trunk at breast height, in place of its radius at the ground.
+void readTrunkDiameter(TableReader& table, GrownTreeParameters& tree) {
+    constexpr float breastHeight = 1.3f;
+    float diameter = 0.0f;
+    if (!table.read("trunk_diameter", diameter, within(0.002, 20)))
+        return;
+    if (table.has("radius"))
+        return table.problem("trunk_diameter", "give either this or radius");
+    const float length = tree.trunk * tree.height;
+    if (!(length > breastHeight))
+        return table.problem("trunk_diameter", "expected a trunk, height * trunk, above 1.3 m");
+    tree.radius = 0.5f * diameter / (1.0f - (1.0f - tree.trunkTaper) * breastHeight / length);
+}
+
 void readGrowth(TableReader& table, GrownTreeParameters& tree) {
     table.read("height", tree.height, within(0.1, 150));
     table.read("radius", tree.radius, within(0.001, 10));
@@ -88,8 +101,10 @@ void readGrowth(TableReader& table, GrownTreeParameters& tree) {
     table.table("branches", [&](TableReader& t) { readBranches(t, tree.branches); });
     table.table("twigs", [&](TableReader& t) { readBranches(t, tree.twigs); });
 
+    readTrunkDiameter(table, tree);
     if (tree.radius > 0.25f * tree.height)
-        table.problem("radius", "expected at most a quarter of the height");
+        table.problem(table.has("trunk_diameter") ? "trunk_diameter" : "radius",
+                      "expected at most a quarter of the height");
     if (clamped(tree).twigs.count != tree.twigs.count)
         table.problem("", "boughs, branches and twigs make more than " + std::to_string(maxSkeletonPoints) +
                               " skeleton points");
@@ -106,6 +121,8 @@ void readLeafShape(TableReader& table, LeafParameters& leaves) {
     table.read("inner_size", leaves.innerSize, within(0.01, 1));
     table.read("droop", leaves.droop, within(-1, 1));
     table.readDegrees("inclination", leaves.inclination, within(0, 80));
+    table.read("thin_wood", leaves.thinWood, within(0, 1));
+    table.read("area", leaves.area, within(0, 1e6));
     table.read("seed", leaves.seed);
 }
 
@@ -126,6 +143,17 @@ void readWood(TableReader& table, WoodParameters& wood) {
     table.read("crown_drag", wood.crownDrag, within(0, 100));
     table.read("streamlining", wood.streamlining, within(0, 2));
     table.read("streamlined_to", wood.streamlinedTo, within(10, 200));
+    table.readChoice<WoodAllometry>("branch_wood", wood.branchWood,
+                                    {{"drawn", WoodAllometry::Drawn},
+                                     {"conifer", WoodAllometry::Conifer},
+                                     {"broadleaf", WoodAllometry::Broadleaf}});
+}
+
+void readCrown(TableReader& table, CrownAllometry& crown) {
+    table.read("base", crown.base, within(0, 50));
+    table.read("per_diameter", crown.perDiameter, within(0, 100));
+    table.read("open_base", crown.openBase, within(0, 50));
+    table.read("open_per_diameter", crown.openPerDiameter, within(0, 100));
 }
 
 void readBranchParameters(TableReader& table, BranchParameters& branch) {
@@ -255,17 +283,18 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     Species species;
     std::string like;
     if (table.read("like", like)) {
-        if (const std::optional<Species> built = findBuiltInSpecies(like))
-            species = *built;
+        if (const Species* model = reading.builtIn().findModel(like))
+            species = *model;
         else
             table.problem("like", "no built-in species " + inQuotes(like));
     }
     if (table.require("name", species.name))
         addName(table, reading, "name", species.name);
-    std::vector<std::string> aliases;
-    table.read("aliases", aliases);
-    for (const std::string& alias : aliases)
+    species.aliases.clear();
+    table.read("aliases", species.aliases);
+    for (const std::string& alias : species.aliases)
         addName(table, reading, "aliases", alias);
+    table.read("source", species.source);
 
     table.read("shapes", species.shapes, within(1, mostShapes));
     readScans(table, reading, species);
@@ -278,17 +307,19 @@ void readSpecies(TableReader& table, ForestReading& reading) {
             species.tree.leaves.clusters = usualGrownClusters;
         readGrowth(t, species.tree.grown ? *species.tree.grown : species.tree.grown.emplace());
     });
-    bool leafSize = false;
+    bool sized = false;
     table.table("leaves", [&](TableReader& t) {
+        species.tree.leaves.area = 0.0f;
         readLeafShape(t, species.tree.leaves);
-        leafSize = t.has("length") || t.has("width");
+        sized = t.has("area") || t.has("length") || t.has("width");
     });
+    table.table("crown", [&](TableReader& t) { readCrown(t, species.crown); });
     table.table("wood", [&](TableReader& t) { readWood(t, species.wood); });
     table.table("branch", [&](TableReader& t) { readBranchParameters(t, species.branch); });
     table.table("leaf", [&](TableReader& t) { readLeafMotion(t, species.leaf); });
     table.table("appearance", [&](TableReader& t) { readAppearance(t, species.appearance, reading); });
-    const bool meant = (species.tree.grown || species.tree.scans) && !leafSize;
-    species.tree.leaves.area = meant ? cardArea(species) : 0.0f;
+    if (!sized)
+        species.tree.leaves.area = species.tree.grown || species.tree.scans ? cardArea(species) : 0.0f;
     reading.forest.species.push_back(std::move(species));
 }
 

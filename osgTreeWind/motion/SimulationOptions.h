@@ -12,8 +12,8 @@ namespace osgTreeWind {
 /// How a ForestSimulation works.
 struct SimulationOptions {
     bool leaves = true; ///< Whether leaves flutter.
-    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
-    /// memory of near ones, from the start.
+    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take
+    /// less memory (simulatedTreeBytes()), from the start.
     ModalLevel level = ModalLevel::Near;
     /// A host's threads, for copies (restarted()) too, which other threads may advance; none: those of the
     /// process (ThreadPool::executor()) for a large forest, the calling thread for a small one.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Executor.h>
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/wind/WindField.h>
@@ -38,7 +39,7 @@ struct TreeUnit;
 ///
 /// Its bounding boxes (osg::ComputeBoundsVisitor) are those of trees at rest, its bounding sphere holds them
 /// as far as they sway.
-class Forest : public osg::Group {
+class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
     /// As setDescription().

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <osg/Vec3>
 
 #include <optional>
@@ -25,6 +27,6 @@ std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t sl
 
 /// Index of the unit whose line from base to tip passes nearest to a point of the forest's frame now; nothing
 /// where there are no units.
-std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units, const osg::Vec3& point);
+OSGTREEWIND_EXPORT std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units, const osg::Vec3& point);
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/GustWind.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
@@ -125,14 +126,14 @@ Result<std::shared_ptr<const GustWind>> GustWind::create(const Parameters& param
     const auto check = [&](const char* key, double value, double low, double high, const char* what) {
         if (!(value >= low && value <= high))
             problems.push_back(
-                {{}, 0, 0, key, std::string("expected ") + what + ", found " + numberText(value)});
+                keyProblem(key, std::string("expected ") + what + ", found " + numberText(value)));
     };
     check("mean", glm::length(glm::dvec3(parameters.mean)), 0.0, maxMeasuredSpeed, "at most 200 m/s");
     check("mean", parameters.mean.z, 0.0, 0.0, "a horizontal wind");
     check("intensity", parameters.intensity, 0.0, 1.0, "0 to 1");
     check("lengthScale", parameters.lengthScale, 1.0, 1e5, "1 to 100000 m");
     if (parameters.profile && !parameters.profile->valid())
-        problems.push_back({{}, 0, 0, "profile", "expected 0 < roughness < height in metres"});
+        problems.push_back(keyProblem("profile", "expected 0 < roughness < height in metres"));
     if (!problems.empty())
         return problems;
     return std::shared_ptr<const GustWind>(new GustWind(parameters));

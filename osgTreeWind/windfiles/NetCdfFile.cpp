@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <cpl_error.h>

@@ -46,7 +46,8 @@ std::set<std::string> knownKeys() {
         "version = 1\n[motion]\n[drawing]\n[[tree]]\n[scatter]\nheight = 1\n[inventory]\nfile = "
         "\"a.csv\"\n[inventory.columns]\n"
         "[inventory.units]\n[[species]]\n[species.tree]\n[species.growth]\n[species.growth.boughs]\n"
-        "[species.growth.branches]\n[species.growth.twigs]\n[species.leaves]\n[species.wood]\n[species."
+        "[species.growth.branches]\n[species.growth.twigs]\n[species.leaves]\n[species.crown]\n[species.wood]"
+        "\n[species."
         "branch]\n"
         "[species.leaf]\n[species.appearance]\n[wind]\n";
     std::set<std::string> keys;
@@ -109,8 +110,9 @@ TEST(DocumentedKeys, DefaultsOfASpeciesAreTrue) {
         EXPECT_TRUE(alike(species.tree.wood, usual.tree.wood) &&
                     alike(species.tree.grown.value_or(grown), grown) &&
                     (species.tree.grown || alike(species.tree.leaves, usual.tree.leaves)) &&
-                    alike(species.wood, usual.wood) && alike(species.branch, usual.branch) &&
-                    alike(species.leaf, usual.leaf) && species.shapes == usual.shapes)
+                    alike(species.crown, usual.crown) && alike(species.wood, usual.wood) &&
+                    alike(species.branch, usual.branch) && alike(species.leaf, usual.leaf) &&
+                    species.shapes == usual.shapes)
             << line;
         ++checked;
     }

@@ -33,7 +33,7 @@ TEST(ForestLevels, TreesFarAwayTakeLittleMemory) {
     options.leaves = false;
     ForestSimulation simulation(std::move(forest), options);
     const auto bytesPerTree = [&] { return simulation.modal()->stateBytes() / simulation.trees().size(); };
-    EXPECT_LE(bytesPerTree(), 310u);
+    EXPECT_LE(bytesPerTree(), 300u);
     for (std::size_t i = 0; i < simulation.trees().size(); ++i)
         simulation.modal()->setLevel(i, i % 50 == 0 ? ModalMotion::Level::Near : ModalMotion::Level::Far);
     EXPECT_LE(bytesPerTree(), 200u);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/MovedWind.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -64,6 +64,20 @@ TEST(MovedWind, VelocitiesAreTurnedAndNotScaled) {
     EXPECT_LT(glm::distance(wind.velocity({1, 2, 3}, 0.0), glm::vec3(0, -6, 0)), 1e-5f);
     const MovedWind tilted(world, turned(quarter, {0, 1, 0}));
     EXPECT_LT(glm::distance(tilted.velocity({1, 2, 3}, 0.0), glm::vec3(0, 0, 6)), 1e-5f);
+}
+
+TEST(MovedWind, OfAMovedWindItTakesWhatIsWithin) {
+    const auto world = std::make_shared<WhereWind>();
+    const glm::dmat4 outer = moved({100, 20, 5}) * turned(quarter), inner = moved({-3, 7, 0}) * turned(0.3);
+    const auto once = std::make_shared<MovedWind>(world, outer);
+    const long before = world.use_count(), of = once.use_count();
+    const MovedWind twice(once, inner);
+    EXPECT_EQ(world.use_count(), before + 1);
+    EXPECT_EQ(once.use_count(), of);
+    const MovedWind direct(world, outer * inner);
+    for (const glm::vec3& place : {glm::vec3(0), glm::vec3(10, -4, 3)})
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(twice.velocity(place, 0)[i], direct.velocity(place, 0)[i], 1e-4f) << i;
 }
 
 TEST(MovedWind, ScaledPlacesAreScaledHeightsToo) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/drawing/ForestDrawing.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
@@ -20,7 +21,7 @@ class DataTexture;
 class FloatTargetProbe;
 
 /// Trees drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit.
-class BranchwiseForest : public ForestDrawing {
+class OSGTREEWIND_EXPORT BranchwiseForest : public ForestDrawing {
 public:
     /// Where the angles of branches and leaves are worked out.
     enum AngleSource {

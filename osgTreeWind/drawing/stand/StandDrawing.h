@@ -12,7 +12,7 @@ class TreeStand;
 struct StandResources;
 
 /// Trees under the law `modal`: instances (TreeStand), and transforms for the branches that someone follows.
-class StandDrawing : public ForestDrawing {
+class OSGTREEWIND_EXPORT StandDrawing : public ForestDrawing {
 public:
     /// No trees.
     StandDrawing();

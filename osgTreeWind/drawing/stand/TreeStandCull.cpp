@@ -94,7 +94,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
 }
 
 void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const {
-    passes[tree.model]->refer(modal.shape(number), request);
+    passes[tree.model]->refer(modal.model(number), request);
     request.across = tree.scale.axes.x;
     request.upward = tree.scale.axes.z;
     if (request.firstTexel < 0.0f)

@@ -27,7 +27,7 @@ ModalMotion::Group::Numbers ModalMotion::Group::numbersOf(std::size_t place) con
 
 void ModalMotion::Group::setWinds(std::size_t place, const float* winds,
                                   const std::vector<std::size_t>& patches) {
-    const std::size_t first = 2 * shape().modes.size();
+    const std::size_t first = 2 * model().modes.size();
     for (std::size_t p = 0; p < patches.size(); ++p)
         for (std::size_t c = 0; c < 3; ++c)
             number(place, first + 3 * p + c) = winds[3 * patches[p] + c];
@@ -37,7 +37,7 @@ void ModalMotion::Group::reserve(std::size_t count) {
     const std::size_t blocks = (count + lanes - 1) / lanes;
     trees.reserve(count);
     waiting.reserve(blocks);
-    numbers.reserve(blocks * treeFloats(shape()));
+    numbers.reserve(blocks * treeFloats(model()));
 }
 
 std::size_t ModalMotion::Group::add(std::uint32_t tree) {
@@ -46,7 +46,7 @@ std::size_t ModalMotion::Group::add(std::uint32_t tree) {
     if (trees.size() > waiting.size() * lanes) {
         makeRoomFor(waiting, waiting.size() + 1);
         waiting.push_back(0.0f);
-        const std::size_t size = waiting.size() * treeFloats(shape());
+        const std::size_t size = waiting.size() * treeFloats(model());
         makeRoomFor(numbers, size);
         numbers.resize(size);
     }
@@ -55,7 +55,7 @@ std::size_t ModalMotion::Group::add(std::uint32_t tree) {
 
 void ModalMotion::Group::remove(std::size_t place) {
     const std::size_t last = trees.size() - 1;
-    for (std::size_t n = 0; n < treeFloats(shape()); ++n) {
+    for (std::size_t n = 0; n < treeFloats(model()); ++n) {
         number(place, n) = number(last, n);
         number(last, n) = 0.0f;
     }
@@ -63,7 +63,7 @@ void ModalMotion::Group::remove(std::size_t place) {
     trees.pop_back();
     if (trees.size() <= (waiting.size() - 1) * lanes) {
         waiting.pop_back();
-        numbers.resize(waiting.size() * treeFloats(shape()));
+        numbers.resize(waiting.size() * treeFloats(model()));
         if (2 * numbers.size() < numbers.capacity())
             numbers.shrink_to_fit();
     }
@@ -188,8 +188,8 @@ void ModalMotion::replace(std::size_t tree, const Tree& other) {
         return;
     }
     const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
-    const ModalModel& from = _groups[before].shape();
-    const ModalModel& to = _groups[after].shape();
+    const ModalModel& from = _groups[before].model();
+    const ModalModel& to = _groups[after].model();
     const float length = factors(tree).length;
     take(tree);
     put(tree, after);
@@ -240,8 +240,8 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     if (level(tree) == wanted)
         return;
     const std::uint32_t before = _slots[tree].group, after = before ^ 1u;
-    const ModalModel& from = _groups[before].shape();
-    const ModalModel& to = _groups[after].shape();
+    const ModalModel& from = _groups[before].model();
+    const ModalModel& to = _groups[after].model();
     const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
     const TreeFactors factors = this->factors(tree);
     take(tree);
@@ -268,7 +268,7 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
 }
 
 void ModalMotion::setAmplitudes(std::size_t tree, const std::vector<float>& amplitudes) {
-    const std::size_t modes = shape(tree).modes.size();
+    const std::size_t modes = model(tree).modes.size();
     for (std::size_t k = 0; k < modes; ++k) {
         number(tree, k) = k < amplitudes.size() ? amplitudes[k] : 0.0f;
         number(tree, modes + k) = 0.0f;
@@ -278,7 +278,7 @@ void ModalMotion::setAmplitudes(std::size_t tree, const std::vector<float>& ampl
 
 void ModalMotion::reset() {
     for (Group& group : _groups) {
-        const std::size_t count = treeFloats(group.shape());
+        const std::size_t count = treeFloats(group.model());
         for (std::size_t b = 0; b < group.waiting.size(); ++b)
             std::fill_n(group.block(b), count - factorCount, TreeLanes());
         std::fill(group.waiting.begin(), group.waiting.end(), 0.0f);

@@ -55,7 +55,7 @@ public:
     std::size_t treeCount() const { return _leans.size(); }
     std::size_t archetypeCount() const { return _archetypes.size(); }
     const Archetype& archetype(std::size_t tree) const;
-    const ModalModel& shape(std::size_t tree) const; ///< Its archetype's, at its present level.
+    const ModalModel& model(std::size_t tree) const; ///< Its archetype's, at its present level.
     TreeFactors factors(std::size_t tree) const;     ///< Its sizes over its archetype's.
 
     /// From the next step on. What modes and patches have in common is kept.
@@ -70,14 +70,14 @@ public:
     void reset();
 
     /// What the pose is a matrix times: amplitudes of the modes, then forces of the air on the patches.
-    /// @param vector shape(tree).columns() elements.
+    /// @param vector model(tree).columns() elements.
     void poseVector(std::size_t tree, float* vector) const;
     /// Angles of each unit about its two axes as the tree stands (those of `damped`), held within the
     /// species' largest. @param angles one per unit.
     void angles(std::size_t tree, glm::vec2* angles) const;
     /// Those of one unit. @param vector poseVector() of the tree.
     glm::vec2 unitAngles(std::size_t tree, std::size_t unit, const float* vector) const;
-    /// Speed of the wind that each patch met last, m/s. @param speeds shape(tree).patches.size() elements.
+    /// Speed of the wind that each patch met last, m/s. @param speeds model(tree).patches.size() elements.
     void patchSpeeds(std::size_t tree, float* speeds) const;
     /// How far its modes have moved the top of the tree, metres, scene axes; height z has moved by
     /// (z / height)^leanPower of that (ModalLean.h).
@@ -90,6 +90,8 @@ public:
     std::vector<float> amplitudes(std::size_t tree) const;
 
     std::size_t stateBytes() const; ///< Of all trees.
+    /// Of one among many, with all the modes and patches of that level.
+    static std::size_t treeBytes(Level level);
     std::size_t archetypeBytes() const;
 
 private:

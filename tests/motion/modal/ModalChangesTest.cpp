@@ -35,7 +35,7 @@ void run(ModalMotion& motion, const WindField& wind, int frames, int from = 0) {
 }
 
 std::vector<glm::vec2> anglesOf(const ModalMotion& motion, std::size_t tree) {
-    std::vector<glm::vec2> angles(motion.shape(tree).joints / 2);
+    std::vector<glm::vec2> angles(motion.model(tree).joints / 2);
     motion.angles(tree, angles.data());
     return angles;
 }
