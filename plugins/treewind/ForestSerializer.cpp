@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/nodes/Forest.h>
 
