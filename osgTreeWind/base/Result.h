@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -9,7 +11,7 @@
 namespace osgTreeWind {
 
 /// One problem found in an input: where it is, which key, and what was expected.
-struct Diagnostic {
+struct OSGTREEWIND_EXPORT Diagnostic {
     std::string file;    ///< Path as the user gave it; empty when the input is not a file.
     int line = 0;        ///< 1-based; 0 when unknown.
     int column = 0;      ///< 1-based; 0 when unknown.
@@ -23,7 +25,7 @@ struct Diagnostic {
 using Diagnostics = std::vector<Diagnostic>;
 
 /// Ends the program for who takes a value that is not there: prints the problems on standard error, aborts.
-[[noreturn]] void abortWithoutValue(const Diagnostics& problems);
+[[noreturn]] OSGTREEWIND_EXPORT void abortWithoutValue(const Diagnostics& problems);
 
 /// A value, or the problems that kept it from being made. Never throws.
 template <typename T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 
@@ -22,9 +23,10 @@ struct ForestFileOptions {
 /// are such that reading `source` with that folder gives the same forest again.
 /// @return the forest, or every problem found (at most 100), those of the document first, in order of place.
 /// Thread-safe: keeps no state.
-Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<ForestDescription> readForest(std::istream& input,
+                                                        const ForestFileOptions& options = {});
 
 /// Opens `path` and reads it with its own folder as the folder for relative paths.
-Result<ForestDescription> readForestFile(const std::string& path);
+OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& path);
 
 } // namespace osgTreeWind

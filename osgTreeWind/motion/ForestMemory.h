@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 
 #include <cstdint>
@@ -23,6 +24,6 @@ std::uint64_t memoryLimit();
 
 /// How much is needed and what the limit is; empty where it fits. @param withNodes for a Forest, else for a
 /// ForestSimulation alone.
-std::string problemOfMemory(const ForestDescription& description, bool withNodes);
+OSGTREEWIND_EXPORT std::string problemOfMemory(const ForestDescription& description, bool withNodes);
 
 } // namespace osgTreeWind

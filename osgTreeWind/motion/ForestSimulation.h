@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/SimulationOptions.h>
 #include <osgTreeWind/motion/branchwise/LeafFlutter.h>
@@ -20,7 +21,7 @@ class BranchwiseMotion;
 /// A forest in motion, without graphics: the `cpu` way to the pose.
 ///
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
-class ForestSimulation {
+class OSGTREEWIND_EXPORT ForestSimulation {
 public:
     /// Grows the shapes and places the trees at rest. Trees of a species that is not there are left out.
     explicit ForestSimulation(ForestDescription description, const SimulationOptions& options = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -20,7 +21,7 @@ namespace osgTreeWind {
 /// `modal` trees are instances (TreeStand); a law of a branch has them drawn the thesis' way
 /// (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of where it
 /// really stands; with two parents, that of the first one.
-class Forest : public osg::Group {
+class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
     explicit Forest(ForestDescription description);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/species/Species.h>
 
 #include <optional>
@@ -19,12 +20,12 @@ struct BuiltInSpecies {
 
 /// All of them, conifers first; the last two stand for any other conifer and any other broadleaf.
 /// Made anew by each call.
-std::vector<BuiltInSpecies> builtInSpecies();
+OSGTREEWIND_EXPORT std::vector<BuiltInSpecies> builtInSpecies();
 
 /// The species with this common or scientific name, whatever its case.
-std::optional<Species> findBuiltInSpecies(const std::string& name);
+OSGTREEWIND_EXPORT std::optional<Species> findBuiltInSpecies(const std::string& name);
 
 /// What stands for a tree of unknown species: "broadleaf".
-Species defaultSpecies();
+OSGTREEWIND_EXPORT Species defaultSpecies();
 
 } // namespace osgTreeWind

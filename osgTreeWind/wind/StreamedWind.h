@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/base/Span.h>
 #include <osgTreeWind/wind/GridWind.h>
@@ -16,7 +17,7 @@ namespace osgTreeWind {
 ///
 /// Any number of threads may update and sample at once: an update becomes the wind by swapping a pointer, and
 /// every sample() sees it whole or not at all.
-class StreamedWind final : public WindField {
+class OSGTREEWIND_EXPORT StreamedWind final : public WindField {
 public:
     /// What a simulation says anew. Nothing of it is needed after update().
     struct Update {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/windfiles/WindContent.h>
@@ -42,7 +43,8 @@ struct WindFile {
 /// turned to the y axis of a NetCDF file's projection, unless wanted as stored; notes say both. A broken file
 /// gives an error with line or byte, never a partial field. Sizes are checked against the file before memory
 /// is asked for.
-Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<WindFile> readWindFile(const std::string& path,
+                                                 const WindFileOptions& options = {});
 
 /// Reads several files, each a steady wind on the same grid, as one wind: the hours of WindNinja, say.
 /// Velocities are linear between the times; the first holds before, the last after.
@@ -52,14 +54,17 @@ Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& op
 /// of theirs. Wrong `files` or `times` are errors with that key.
 /// @param files at least one. @param times seconds, increasing, one for each file; none where each file says
 /// its own, as VTK's TimeValue does.
-Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
-                               const WindFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>& files,
+                                                  const std::vector<double>& times,
+                                                  const WindFileOptions& options = {});
 
 /// A record at one point as it is, m/s: of any format that holds one; of a table with these columns, their
 /// unit among them. A grid is an error.
-Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns);
+OSGTREEWIND_EXPORT Result<WindSeries> readWindSeries(const std::string& path,
+                                                     const WindSeriesColumns& columns);
 
 /// readWindFile() for those who only want the field.
-Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<WindFieldPtr> readWindField(const std::string& path,
+                                                      const WindFileOptions& options = {});
 
 } // namespace osgTreeWind

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
@@ -22,7 +23,7 @@ class FloatTargetProbe;
 
 /// A forest drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit. A
 /// part of a Forest, which tells it the time.
-class BranchwiseForest : public osg::Group {
+class OSGTREEWIND_EXPORT BranchwiseForest : public osg::Group {
 public:
     /// Where the angles of branches and leaves are worked out.
     enum AngleSource {
