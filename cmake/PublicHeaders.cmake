@@ -2,7 +2,6 @@
 # What a host may include, and all of it: only these headers are installed, and only what is declared in them is
 # exported by the library (tests/package holds both).
 set(public_headers
-    osgTreeWind/base/CsvTable.h
     osgTreeWind/base/Executor.h
     osgTreeWind/base/Export.h
     osgTreeWind/base/Result.h
