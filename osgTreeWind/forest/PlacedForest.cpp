@@ -12,7 +12,7 @@ namespace osgTreeWind {
 namespace {
 
 std::uint32_t shapeCount(const Species& species) {
-    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, 64));
+    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, mostShapes));
 }
 
 bool same(const TreeSize& a, const TreeSize& b) {

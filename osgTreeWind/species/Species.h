@@ -66,11 +66,14 @@ struct LeafMotion {
     float noiseFrequency = 1.3f; ///< Hz, >= 0.
 };
 
+/// The most distinct models of one species.
+constexpr int mostShapes = 64;
+
 /// A kind of tree: how it grows, moves and looks.
 struct Species {
     std::string name;
     TreeParameters tree;
-    int shapes = 3; ///< Distinct models shared by all trees of the species, 1 to 64.
+    int shapes = 3; ///< Distinct models shared by all trees of the species, 1 to mostShapes.
     CrownAllometry crown;
     WoodParameters wood;
     BranchParameters branch;

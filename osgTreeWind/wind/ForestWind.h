@@ -20,6 +20,11 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
 
+    int width() const { return _width; }
+    int length() const { return _length; }
+    const std::vector<float>& values() const { return _values; }
+    const glm::dvec3& origin() const { return _origin; }
+
 private:
     int _width;
     int _length;

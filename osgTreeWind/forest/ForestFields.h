@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/forest/ForestDescription.h>
+
+namespace osgTreeWind {
+
+template <>
+const Fields& fieldsOf<DrawingOptions>();
+template <>
+const Fields& fieldsOf<TreePlacement>();
+/// Of [motion], but for the noise.
+template <>
+const Fields& fieldsOf<ForestDescription>();
+
+/// Of ForestDescription::noiseExponent.
+constexpr Range noiseExponents = within(0, 3);
+/// Of ForestDescription::season.
+constexpr Range seasons = within(0, 4);
+constexpr std::size_t mostTrees = 1000000;
+constexpr double farthestTree = 100000.0; ///< From the origin, metres: floats still resolve 8 mm.
+/// World coordinates, metres: any map projection of the Earth.
+constexpr Range worldCoordinates = within(-1e8, 1e8);
+
+std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing);
+
+} // namespace osgTreeWind
