@@ -79,6 +79,16 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     return placement;
 }
 
+ForestDescription PlacedForest::describe() const {
+    ForestDescription now = description();
+    now.season = _season;
+    now.source.clear();
+    for (std::size_t slot = 0; slot < trees.size(); ++slot)
+        if (trees[slot].alive)
+            now.trees.push_back(placementOf(slot));
+    return now;
+}
+
 void PlacedForest::setSeason(float season) {
     _season = season;
     _seasonLeaves.clear();

@@ -55,6 +55,9 @@ struct PlacedForest {
     TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
     /// What gives that tree again; all of its sizes are given.
     TreePlacement placementOf(std::size_t slot) const;
+    /// The forest as it is by now, but for its wind: what gives it again, with the trees that are alive by
+    /// slot. Not what any file says: without a source.
+    ForestDescription describe() const;
     /// Of the year, as it is by now (Season.h).
     float season() const { return _season; }
     /// Has all trees bear the leaves they bear then.

@@ -58,6 +58,12 @@ std::shared_ptr<ForestSimulation> ForestSimulation::restarted() const {
     return std::shared_ptr<ForestSimulation>(new ForestSimulation(*this));
 }
 
+ForestDescription ForestSimulation::describe() const {
+    ForestDescription now = _forest.describe();
+    now.wind = wind();
+    return now;
+}
+
 ModalMotion::Tree ForestSimulation::swaying(const PlacedTree& tree) const {
     return {{&_forest.modelOf(tree), &_forest.speciesOf(tree), tree.scale, tree.leaves},
             tree.position,

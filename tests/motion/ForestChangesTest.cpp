@@ -223,6 +223,57 @@ TEST(ForestChanges, ARestartTakesAFractionOfTheTime) {
     EXPECT_LT(restarted - made, (made - start) / 5);
 }
 
+TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
+    ForestDescription given = saplings(4);
+    given.law = MotionLaw::Modal;
+    given.gain = 2.0f;
+    given.noiseExponent = 1.5f;
+    given.drawing.full = 250.0f;
+    given.trees[2].name = "oak 2";
+    given.trees[3].name = "oak 3";
+    given.source = "version = 1";
+    ForestSimulation simulation(given);
+    simulation.removeTree(0);
+    simulation.removeTree(1);
+    simulation.addTree(inWorld(simulation, treeAt(77.5, 8.0f, 1, "late"))); // into a free slot
+    TreePlacement moved = simulation.placementOf(3);
+    moved.position.x += 5.0;
+    simulation.changeTree(3, moved);
+    simulation.setSeason(midwinter);
+    const auto storm = std::make_shared<UniformWind>(glm::vec3(20, 0, 0));
+    simulation.setWind(storm);
+
+    const ForestDescription now = simulation.describe();
+    EXPECT_EQ(now.source, "") << "no file says this";
+    EXPECT_EQ(now.wind, storm);
+    EXPECT_EQ(now.season, midwinter);
+    EXPECT_EQ(now.origin, given.origin);
+    EXPECT_EQ(now.gain, 2.0f);
+    EXPECT_EQ(now.noiseExponent, 1.5f);
+    EXPECT_EQ(now.drawing.full, 250.0f);
+    ASSERT_EQ(now.species.size(), 2u);
+    EXPECT_EQ(now.species[1].name, "stiff");
+    ASSERT_EQ(now.trees.size(), 3u);
+    EXPECT_EQ(now.trees[0].name, "late");
+    EXPECT_EQ(now.trees[0].species, 1u);
+    EXPECT_EQ(now.trees[1].name, "oak 2");
+    EXPECT_EQ(now.trees[2].name, "oak 3");
+    EXPECT_EQ(now.trees[2].position.x, given.origin.x + 8.0);
+
+    const ForestDescription again = ForestSimulation(now).describe();
+    ASSERT_EQ(again.trees.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(again.trees[i].name, now.trees[i].name);
+        EXPECT_EQ(again.trees[i].position, now.trees[i].position);
+        EXPECT_EQ(again.trees[i].heading, now.trees[i].heading);
+        EXPECT_EQ(again.trees[i].leaves, now.trees[i].leaves);
+        EXPECT_EQ(again.trees[i].seed, now.trees[i].seed);
+        EXPECT_NEAR(again.trees[i].size.height / now.trees[i].size.height, 1.0f, 0.004f);
+        EXPECT_NEAR(again.trees[i].size.trunkDiameter / now.trees[i].size.trunkDiameter, 1.0f, 0.004f);
+        EXPECT_NEAR(again.trees[i].size.crownWidth / now.trees[i].size.crownWidth, 1.0f, 0.004f);
+    }
+}
+
 TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
     ForestSimulation simulation(saplings(10));
     Random random(2);
