@@ -31,7 +31,7 @@ struct Clamp {
         clampFields(*part.fields, part.object, std::get_if<PartMember>(&usual)->object);
     }
     template <typename T>
-    void operator()(const T&) const {}
+    void operator()(const T*) const {}
 };
 
 /// Says what is outside.
@@ -66,7 +66,7 @@ struct Check {
     }
     void operator()(const PartMember& part) const { checkFields(*part.fields, part.object, path, problems); }
     template <typename T>
-    void operator()(const T&) const {}
+    void operator()(const T*) const {}
 };
 
 /// Compares with the same member of another struct.

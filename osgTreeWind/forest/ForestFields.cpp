@@ -35,7 +35,7 @@ const Fields& fieldsOf<ForestDescription>() {
           {"damped", static_cast<int>(MotionLaw::Damped)},
           {"thesis", static_cast<int>(MotionLaw::Thesis)},
           {"thesis-smooth", static_cast<int>(MotionLaw::ThesisSmooth)}}},
-        {"gain", memberOf<&P::gain>, within(0, 100), "",
+        {"gain", memberOf<&P::gain>, gains, "",
          "on how far the laws `\"modal\"` and `\"damped\"` bend trees: 1 is physical; more exaggerates for "
          "the eye, at the same pace"},
     };
@@ -61,7 +61,11 @@ const Fields& fieldsOf<TreePlacement>() {
          "share of its leaves that it bears: their mass, drag and damping; else `motion.leaves`"},
         {"heading", memberOf<&P::heading>, within(-360, 360), "degrees",
          "turn about the vertical, counter-clockwise from above"},
-        {"seed", memberOf<&P::seed>, {}, "", "picks the shape and its motion"},
+        {"seed",
+         memberOf<&P::seed>,
+         {},
+         "",
+         "picks the shape and its motion; without it `seed` and its place in the file, from 0"},
         {"id", memberOf<&P::name>, {}, "", "what it is called, any text; no two alike"},
     };
     return fields;

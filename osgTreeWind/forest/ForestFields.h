@@ -14,8 +14,8 @@ const Fields& fieldsOf<TreePlacement>();
 template <>
 const Fields& fieldsOf<ForestDescription>();
 
-/// Of ForestDescription::noiseExponent.
-constexpr Range noiseExponents = within(0, 3);
+/// Of ForestDescription::gain and noiseExponent.
+constexpr Range gains = within(0, 100), noiseExponents = within(0, 3);
 /// Of ForestDescription::season.
 constexpr Range seasons = within(0, 4);
 constexpr std::size_t mostTrees = 1000000;

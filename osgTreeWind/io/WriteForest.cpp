@@ -21,7 +21,7 @@ namespace {
 /// What could be, but not be written.
 class Refusals {
 public:
-    explicit Refusals(const ForestDescription& forest) : _forest(forest), problems(check(forest)) {
+    explicit Refusals(const ForestDescription& forest) : _problems(check(forest)) {
         if (forest.species.empty())
             add("species", "expected at least one");
         for (std::size_t i = 0; i < forest.species.size(); ++i)
@@ -30,13 +30,16 @@ public:
         for (std::size_t i = 0; i < forest.trees.size(); ++i)
             if (const std::string& name = forest.trees[i].name; !name.empty())
                 ofName(name, names, "tree[" + std::to_string(i) + "].id", name);
-        if (const std::string problem = problemOfShapes(forest.species); problems.empty() && !problem.empty())
+        if (const std::string problem = problemOfShapes(forest.species);
+            _problems.empty() && !problem.empty())
             add("species", problem);
     }
 
+    Diagnostics take() { return std::move(_problems); }
+
 private:
     void add(const std::string& key, const std::string& message) {
-        problems.push_back({{}, 0, 0, key, message});
+        _problems.push_back({{}, 0, 0, key, message});
     }
     void ofName(const std::string& name, std::set<std::string>& names, const std::string& key,
                 const std::string& folded) {
@@ -81,11 +84,8 @@ private:
                 return add(key, "expected no tree beside scans");
     }
 
-    const ForestDescription& _forest;
     std::set<std::string> _species;
-
-public:
-    Diagnostics problems;
+    Diagnostics _problems;
 };
 
 void writeScans(std::ostream& output, const std::vector<ScannedTree>& scans) {
@@ -134,7 +134,7 @@ void writeMotion(std::ostream& output, const ForestDescription& forest) {
 } // namespace
 
 Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
-    Diagnostics problems = Refusals(forest).problems;
+    Diagnostics problems = Refusals(forest).take();
     std::ostringstream wind;
     if (const std::string problem = writeWind(wind, forest); !problem.empty())
         problems.push_back({{}, 0, 0, "wind", problem});

@@ -142,7 +142,7 @@ const Fields& fieldsOf<LeafParameters>() {
          "with `clusters`: share of the length of all wood, the thinnest, that bears some"},
         {"area", memberOf<&P::area>, within(0, 1e6), "",
          "of all quads over the cross-section of the trunk at breast height: then `length` and `width` tell "
-         "their proportions; 0: they hold as they are. Not given: as `wood.leaf_area` needs with "
+         "their proportions; 0: they hold as they are; without it as `wood.leaf_area` needs with "
          "`[species.growth]` or `scan` and no size of a cluster, else 0"},
         {"seed", memberOf<&P::seed>, {}, "", "of their places"},
     };

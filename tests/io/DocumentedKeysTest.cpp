@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/io/TemporaryFolder.h>
 
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
@@ -79,13 +80,15 @@ struct ManualCells {
         range = field.range.text();
         range = range.substr(range.rfind("in ", 0) == 0 ? 3 : 0);
         std::visit(*this, field.of(usual));
+        if (field.doc.find("without it") != std::string::npos)
+            value.clear(); // the default is told there
         type += field.unit.empty() || field.unit == "file" ? "" : ", " + field.unit;
     }
 
     static std::string rounded(double number) {
         char text[32];
         std::snprintf(text, sizeof text, "%.3g", number);
-        return text;
+        return numberText(std::stod(text));
     }
     void operator()(const bool* member) { type = "true or false", value = *member ? "true" : "false"; }
     void operator()(const std::optional<bool>*) { type = "true or false"; }
@@ -95,7 +98,9 @@ struct ManualCells {
     }
     void operator()(const float* member) {
         const double number = static_cast<double>(*member);
-        type = "number", value = rounded(field.degrees() ? glm::degrees(number) : number);
+        type = "number";
+        if (memberRange(field).contains(number)) // else it is not given
+            value = rounded(field.degrees() ? glm::degrees(number) : number);
     }
     void operator()(const double* member) { type = "number", value = rounded(*member); }
     void operator()(const glm::vec3* member) {
@@ -117,6 +122,13 @@ struct ManualCells {
     void operator()(const PartMember&) { type = "table"; }
 };
 
+std::string rowOf(const std::vector<std::string>& cells) {
+    std::string row = "|";
+    for (const std::string& cell : cells)
+        row += cell.empty() ? " |" : ' ' + cell + " |";
+    return row;
+}
+
 /// A row for every field, and for those of its parts.
 /// @param tables where such a struct stands, and its defaults.
 void addRows(std::vector<std::string>& rows, const Fields& fields,
@@ -136,8 +148,7 @@ void addRows(std::vector<std::string>& rows, const Fields& fields,
         }
         const ManualCells cells(field, tables.front().second);
         if (cells.type != "table")
-            rows.push_back("| " + keys + " | " + cells.type + " | " + cells.range + " | " + values + " | " +
-                           field.doc + " |");
+            rows.push_back(rowOf({keys, cells.type, cells.range, values, field.doc}));
     }
     for (const auto& [of, where] : parts)
         addRows(rows, *of, where);

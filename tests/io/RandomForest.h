@@ -28,8 +28,8 @@ public:
         ForestDescription forest;
         fill(forest);
         fill(forest.drawing);
-        forest.drawing.reduced = std::max(2e-3f, forest.drawing.reduced);
-        forest.drawing.full = std::nextafter(forest.drawing.reduced, 2e5f);
+        forest.drawing.reduced = std::clamp(forest.drawing.reduced, 2e-3f, 5e4f);
+        forest.drawing.full = std::max(forest.drawing.full, std::nextafter(forest.drawing.reduced, 1e5f));
         forest.drawing.impostor = 0.3f * forest.drawing.reduced;
         if (maybe())
             forest.noiseExponent = static_cast<float>(number(noiseExponents));
