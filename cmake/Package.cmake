@@ -36,8 +36,10 @@ foreach(room base model scanfiles species wind windfiles forest motion gpu drawi
         PATTERN "ThesisParts.h" EXCLUDE PATTERN "DampedBranches.h" EXCLUDE PATTERN "BranchwiseMotion.h" EXCLUDE
         PATTERN "NetCdf*.h" EXCLUDE)
 endforeach()
-install(FILES osgTreeWind/io/ForestFile.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind/io)
+install(FILES osgTreeWind/io/ForestFile.h osgTreeWind/io/SpeciesCatalogue.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind/io)
 install(DIRECTORY shaders DESTINATION ${data_folder} PATTERN CMakeLists.txt EXCLUDE)
+install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder})
 install(FILES examples/thesis.treewind examples/forest.treewind DESTINATION ${data_folder}/examples)
 install(FILES LICENSE docs/treewind.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

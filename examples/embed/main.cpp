@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A simulator in under 100 lines: a small wood, and a vortex worked out in a thread of its own.
 // Usage: osgtreewind-embed [--frames N]     (without it: until escape is pressed)
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 
 #include <osg/ArgumentParser>
@@ -23,7 +23,7 @@ namespace {
 /// Nine young maples, 8 m apart: what a .treewind file would say.
 ForestDescription describeForest() {
     ForestDescription description;
-    description.species = {*findBuiltInSpecies("red maple")};
+    description.species = {*findSpecies("red maple")};
     for (int i = 0; i < 9; ++i) {
         TreePlacement tree;
         tree.position = 8.0 * glm::dvec3(i % 3 - 1, i / 3 - 1, 0);

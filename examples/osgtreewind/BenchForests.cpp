@@ -2,9 +2,9 @@
 #include "BenchForests.h"
 
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
 #include <chrono>
@@ -45,7 +45,7 @@ ForestDescription madeForest(const std::vector<std::string>& species, std::size_
     ForestDescription forest;
     forest.wind = someSeries();
     for (const std::string& name : species) {
-        forest.species.push_back(*findBuiltInSpecies(name));
+        forest.species.push_back(*findSpecies(name));
         forest.species.back().shapes = 3;
     }
     Random random(8);

@@ -4,11 +4,11 @@
 #include "BenchStage.h"
 #include "BenchTrees.h"
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>

@@ -5,8 +5,8 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/drawing/impostors/TreeLooks.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>
@@ -30,10 +30,10 @@ struct PortraitOptions {
 };
 
 /// A built-in species, or FILE.treewind:name. Nothing, said on standard error, where there is none.
-std::optional<Species> findSpecies(const std::string& name) {
+std::optional<Species> speciesCalled(const std::string& name) {
     const std::size_t colon = name.rfind(".treewind:");
     if (colon == std::string::npos) {
-        if (std::optional<Species> species = findBuiltInSpecies(name))
+        if (std::optional<Species> species = findSpecies(name))
             return species;
         std::cerr << "no built-in species \"" << name << "\"; osgtreewind sway --list names them\n";
         return {};
@@ -79,7 +79,7 @@ void print(const Species& species, const TreeLooks& looks) {
 }
 
 ExitCode portrait(const PortraitOptions& options) {
-    const std::optional<Species> species = findSpecies(options.species);
+    const std::optional<Species> species = speciesCalled(options.species);
     if (!species)
         return BadInput;
     if (!options.output.empty()) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/motion/sway/SwayModes.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <osgTreeWind/base/CsvTable.h>
@@ -30,10 +30,11 @@ struct SwayOptions {
 };
 
 void listSpecies() {
-    for (const BuiltInSpecies& built : builtInSpecies()) {
-        for (std::size_t i = 0; i < built.names.size(); ++i)
-            std::printf("%s%s", i == 0 ? "" : ", ", built.names[i].c_str());
-        std::printf("\n  %s\n", built.source.c_str());
+    for (const Species& species : SpeciesCatalogue::current().species()) {
+        std::printf("%s", species.name.c_str());
+        for (const std::string& alias : species.aliases)
+            std::printf(", %s", alias.c_str());
+        std::printf("\n  %s\n", species.source.c_str());
     }
 }
 
@@ -54,7 +55,7 @@ void fillIn(SwayOptions& options, const Species& species, const TreePlacement& t
 
 Species speciesOf(const std::string& name) {
     static std::set<std::string> unknown;
-    const std::optional<Species> species = findBuiltInSpecies(name);
+    const std::optional<Species> species = findSpecies(name);
     if (!species && unknown.insert(name).second)
         std::cerr << "note: no built-in species \"" << name << "\"; \"" << defaultSpecies().name
                   << "\" stands for it\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
-#include <osgTreeWind/gpu/EmbeddedShaders.h>
+#include <osgTreeWind/base/EmbeddedTexts.h>
 
 #include <osg/Notify>
 #include <osgDB/FileUtils>
@@ -26,8 +26,8 @@ std::string fileText(const std::string& name, Source source) {
         std::ifstream file(path);
         return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     }
-    for (const EmbeddedShader& shader : embeddedShaders())
-        if (name == shader.name)
+    for (const EmbeddedText& shader : embeddedTexts())
+        if (shader.name == "shaders/" + name)
             return shader.text;
     OSG_WARN << "osgTreeWind: no shader called \"" << name << "\"" << std::endl;
     return {};

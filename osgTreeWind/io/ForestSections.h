@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/io/TableReader.h>
 
 #include <fstream>
@@ -24,12 +25,16 @@ struct ForestReading {
     std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
     std::set<std::string> treeNames;                  ///< Of all trees so far.
+    const SpeciesCatalogue* catalogue = nullptr;      ///< Null until it is asked for.
 
     /// Index of the species with this name or alias, whatever its case.
     std::optional<std::size_t> species(const std::string& name) const;
     /// The same, or else a built-in species of that name, which then is one of the forest's; if the document
     /// has a species of its own by the built-in one's common name, that one.
     std::optional<std::size_t> speciesOrBuiltIn(const std::string& name);
+    /// Where species are looked for that the document has not. If that of the host is broken, its problems
+    /// are now those of the reading.
+    const SpeciesCatalogue& builtIn();
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
     bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);
 
@@ -46,7 +51,8 @@ struct ForestReading {
 /// The whole document.
 void readRoot(TableReader& root, ForestReading& reading);
 
-void readSpecies(TableReader& table, ForestReading& reading);   ///< One [[species]].
+void readVersion(TableReader& root);                            ///< Of any document.
+void readSpecies(TableReader& table, ForestReading& reading);   ///< One [[species]], or [[group]].
 void readTree(TableReader& table, ForestReading& reading);      ///< One [[tree]].
 void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatter]].
 void readInventory(TableReader& table, ForestReading& reading); ///< One [[inventory]].

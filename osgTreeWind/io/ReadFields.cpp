@@ -51,7 +51,7 @@ void readFields(TableReader& table, const Fields& fields, void* struct_, const F
 
 void reportConflicts(TableReader& table, const std::vector<FieldConflict>& conflicts) {
     for (const FieldConflict& conflict : conflicts)
-        table.problem(table.has(conflict.key) || conflict.other.empty() ? conflict.key : conflict.other,
+        table.problem(table.has(conflict.key) || !table.has(conflict.other) ? conflict.key : conflict.other,
                       conflict.message);
 }
 

@@ -6,11 +6,11 @@
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/motion/ForestMemory.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -27,14 +27,30 @@ std::optional<std::size_t> ForestReading::species(const std::string& name) const
 std::optional<std::size_t> ForestReading::speciesOrBuiltIn(const std::string& name) {
     if (const auto declared = species(name))
         return declared;
-    std::optional<Species> builtIn = findBuiltInSpecies(name);
-    if (!builtIn)
+    const Species* found = builtIn().find(name);
+    if (!found)
         return std::nullopt;
     // "English oak" is whatever is called oak: the document's own, or one that is here already.
-    const auto [entry, isNew] = speciesByName.emplace(foldedName(builtIn->name), forest.species.size());
-    if (isNew)
-        forest.species.push_back(std::move(*builtIn));
+    const auto [entry, isNew] = speciesByName.emplace(foldedName(found->name), forest.species.size());
+    if (isNew) {
+        std::vector<std::string>& aliases = forest.species.emplace_back(*found).aliases;
+        const auto taken = [&](const std::string& alias) {
+            return speciesByName.count(foldedName(alias)) > 0;
+        };
+        aliases.erase(std::remove_if(aliases.begin(), aliases.end(), taken), aliases.end());
+    }
     return entry->second;
+}
+
+const SpeciesCatalogue& ForestReading::builtIn() {
+    if (!catalogue) {
+        const Result<SpeciesCatalogue>& host = SpeciesCatalogue::ofHost();
+        if (!host.ok())
+            for (const Diagnostic& problem : host.problems())
+                log.add(problem);
+        catalogue = host.ok() ? &host.value() : &SpeciesCatalogue::builtIn();
+    }
+    return *catalogue;
 }
 
 bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
@@ -82,11 +98,15 @@ std::string problemOfShapes(const std::vector<Species>& species) {
            "shapes)";
 }
 
+void readVersion(TableReader& root) {
+    int version = 0;
+    root.require("version", version, within(1, 1));
+}
+
 namespace {
 
 void readHead(TableReader& root, ForestReading& reading) {
-    int version = 0;
-    root.require("version", version, within(1, 1));
+    readVersion(root);
     root.read("seed", reading.seed);
 
     std::vector<std::string> search;

@@ -5,7 +5,6 @@
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 #include <osgTreeWind/species/SpeciesFields.h>
 
@@ -22,8 +21,23 @@ void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
     reportConflicts(table, conflictsOf(tree));
 }
 
+/// Of the trunk at breast height, in place of its radius at the ground.
+void readTrunkDiameter(TableReader& table, GrownTreeParameters& tree) {
+    constexpr float breastHeight = 1.3f;
+    float diameter = 0.0f;
+    if (!table.read("trunk_diameter", diameter, within(0.002, 20)))
+        return;
+    if (table.has("radius"))
+        return table.problem("trunk_diameter", "give either this or radius");
+    const float length = tree.trunk * tree.height;
+    if (!(length > breastHeight))
+        return table.problem("trunk_diameter", "expected a trunk, height * trunk, above 1.3 m");
+    tree.radius = 0.5f * diameter / (1.0f - (1.0f - tree.trunkTaper) * breastHeight / length);
+}
+
 void readGrowth(TableReader& table, GrownTreeParameters& tree) {
     readFields(table, tree);
+    readTrunkDiameter(table, tree);
     reportConflicts(table, conflictsOf(tree));
 }
 
@@ -104,18 +118,14 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     Species species;
     std::string like;
     if (table.read("like", like)) {
-        if (const std::optional<Species> built = findBuiltInSpecies(like))
-            species = *built;
+        if (const Species* model = reading.builtIn().findModel(like))
+            species = *model;
         else
             table.problem("like", "no built-in species " + inQuotes(like));
     }
     if (table.require("name", species.name))
         addName(table, reading, "name", species.name);
-    std::vector<std::string> aliases;
-    table.read("aliases", aliases);
-    for (const std::string& alias : aliases)
-        addName(table, reading, "aliases", alias);
-
+    species.aliases.clear();
     readScans(table, reading, species);
     table.table("tree", [&](TableReader& t) {
         species.tree.grown.reset();
@@ -126,17 +136,19 @@ void readSpecies(TableReader& table, ForestReading& reading) {
             species.tree.leaves.clusters = usualGrownClusters;
         readGrowth(t, species.tree.grown ? *species.tree.grown : species.tree.grown.emplace());
     });
-    bool leafSize = false;
+    bool sized = false;
     table.table("leaves", [&](TableReader& t) {
         species.tree.leaves.area = 0.0f;
         readLeafShape(t, species.tree.leaves);
-        leafSize = t.has("area") || t.has("length") || t.has("width");
+        sized = t.has("area") || t.has("length") || t.has("width");
     });
     readFields(table, species, [&](TableReader& t, const std::string& key, std::string& name) {
         const auto file = reading.open(t, key, name);
         name = file ? file->path : "";
     });
-    if (!leafSize)
+    for (const std::string& alias : species.aliases)
+        addName(table, reading, "aliases", alias);
+    if (!sized)
         species.tree.leaves.area = species.tree.grown || species.tree.scans ? cardArea(species) : 0.0f;
     reading.forest.species.push_back(std::move(species));
 }

@@ -6,7 +6,6 @@
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -32,8 +31,10 @@ std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& readin
         for (const Species& species : reading.forest.species)
             known.push_back(species.name);
         const std::string declared = joined(known);
-        for (const BuiltInSpecies& built : builtInSpecies())
-            known.insert(known.end(), built.names.begin(), built.names.end());
+        for (const Species& built : reading.builtIn().species()) {
+            known.push_back(built.name);
+            known.insert(known.end(), built.aliases.begin(), built.aliases.end());
+        }
         const std::string near = nearestName(name, known);
         table.problem(
             key, "no species " + inQuotes(name) + "; " +

@@ -50,6 +50,10 @@ private:
     }
     void ofSpecies(const Species& species, const std::string& path) {
         ofName(species.name, _species, path + ".name", foldedName(species.name));
+        for (const std::string& alias : species.aliases)
+            ofName(alias, _species, path + ".aliases", foldedName(alias));
+        if (!isUtf8(species.source))
+            add(path + ".source", "expected UTF-8");
         for (const std::string* picture : {&species.appearance.leafImage, &species.appearance.barkImage})
             if (!picture->empty())
                 ofFile(*picture, path + ".appearance");

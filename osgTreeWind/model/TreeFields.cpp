@@ -163,7 +163,7 @@ std::vector<FieldConflict> conflictsOf(const RecursiveTreeParameters& tree) {
 std::vector<FieldConflict> conflictsOf(const GrownTreeParameters& tree) {
     std::vector<FieldConflict> conflicts;
     if (tree.radius > 0.25f * tree.height)
-        conflicts.push_back({"radius", "", "expected at most a quarter of the height"});
+        conflicts.push_back({"radius", "trunk_diameter", "expected at most a quarter of the height"});
     if (clamped(tree).twigs.count != tree.twigs.count)
         conflicts.push_back({"", "",
                              "boughs, branches and twigs make more than " +

@@ -5,6 +5,7 @@
 #include <osgTreeWind/species/Appearance.h>
 
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -72,6 +73,8 @@ constexpr int mostShapes = 64;
 /// A kind of tree: how it grows, moves and looks.
 struct Species {
     std::string name;
+    std::vector<std::string> aliases; ///< Other names, common and scientific ones.
+    std::string source;               ///< Of its numbers, for people.
     TreeParameters tree;
     int shapes = 3; ///< Distinct models shared by all trees of the species.
     CrownAllometry crown;

@@ -135,6 +135,12 @@ template <>
 const Fields& fieldsOf<Species>() {
     using P = Species;
     static const Fields fields = {
+        {"aliases",
+         memberOf<&P::aliases>,
+         {},
+         "",
+         "other names, as an inventory may have them; no two alike"},
+        {"source", memberOf<&P::source>, {}, "", "where its numbers come from"},
         {"shapes", memberOf<&P::shapes>, within(1, mostShapes), "",
          "different shapes its trees share; memory grows with them"},
         {"crown", memberOf<&P::crown>, {}, "", ""},

@@ -139,7 +139,10 @@ private:
                 (*value)[i] = static_cast<float>(forest.number(field.range));
         }
         void operator()(std::string* value) const { *value = field.unit == "file" ? "" : forest.text(); }
-        void operator()(std::vector<std::string>*) const {}
+        void operator()(std::vector<std::string>* texts) const {
+            for (int i = forest.whole(0, 2); i > 0; --i)
+                texts->push_back(std::to_string(forest._random.next()) + forest.text());
+        }
         void operator()(const WordMember& word) const {
             word.set(word.object, field
                                       .words[static_cast<std::size_t>(

@@ -4,7 +4,7 @@
 
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/MovedWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
@@ -170,8 +170,7 @@ TEST(WriteForest, ExamplesReadBackTheSame) {
 
 TEST(WriteForest, BuiltInSpeciesReadBackTheSame) {
     ForestDescription forest;
-    for (const BuiltInSpecies& built : builtInSpecies())
-        forest.species.push_back(built.species);
+    forest.species = SpeciesCatalogue::builtIn().species();
     EXPECT_EQ(differenceOf(read(written(forest)), forest), "");
 }
 
@@ -250,8 +249,7 @@ TEST(WriteForest, AFileThatCannotBeWrittenIsSaid) {
 
 TEST(WriteForest, SpeciesThatAreBuiltInAreWithinTheirRanges) {
     ForestDescription forest;
-    for (const BuiltInSpecies& built : builtInSpecies())
-        forest.species.push_back(built.species);
+    forest.species = SpeciesCatalogue::builtIn().species();
     const Diagnostics problems = check(forest);
     EXPECT_TRUE(problems.empty()) << problems.front().text();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a tree costs, by what the allocator has given out.
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ bool allocatorTells() {
 
 std::unique_ptr<ForestSimulation> wood(std::size_t count) {
     ForestDescription forest;
-    forest.species = {*findBuiltInSpecies("oak"), *findBuiltInSpecies("Norway spruce")};
+    forest.species = {*findSpecies("oak"), *findSpecies("Norway spruce")};
     forest.wind = std::make_shared<UniformWind>(glm::vec3(7, 0, 0));
     Random random(1);
     for (std::size_t i = 0; i < count; ++i) {

@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
@@ -171,7 +171,7 @@ TEST(ForestSimulation, DampedTreesComeBackToRestInACalm) {
     for (const char* name : {"broadleaf", "conifer"}) {
         ForestDescription forest;
         forest.law = MotionLaw::Damped;
-        forest.species = {*findBuiltInSpecies(name)};
+        forest.species = {*findSpecies(name)};
         forest.trees.resize(1);
         forest.trees[0].size.height = 18.0f;
         forest.wind = uniform({12, 4, 0});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/wind/GustWind.h>
 
@@ -24,7 +24,7 @@ struct GrownTree {
         : species(std::move(kind)), model(makeTreeModel(species.tree)), scale(fitTree(model, size)),
           leaves(leafShare) {}
     GrownTree(const std::string& name, const TreeSize& size, float leafShare = 1.0f)
-        : GrownTree(*findBuiltInSpecies(name), size, leafShare) {}
+        : GrownTree(*findSpecies(name), size, leafShare) {}
 
     const std::vector<BranchUnit>& units() const { return model.skeleton.units; }
     SwayingTree form() const { return {&model, &species, scale, leaves}; }

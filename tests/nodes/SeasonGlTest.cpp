@@ -3,8 +3,8 @@
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/Pictures.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 
 using namespace osgTreeWind;
 
@@ -14,7 +14,7 @@ enum class Way { Branches, Impostors, Branchwise };
 
 osg::ref_ptr<Forest> tree(const char* species, Way way, float season) {
     ForestDescription forest;
-    forest.species = {*findBuiltInSpecies(species)};
+    forest.species = {*findSpecies(species)};
     forest.species[0].shapes = 1;
     forest.trees.emplace_back();
     forest.law = way == Way::Branchwise ? MotionLaw::ThesisSmooth : MotionLaw::Modal;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/species/GrowthLaws.h>
 
-#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 
 #include <tests/TestData.h>
 
@@ -14,7 +14,7 @@
 using namespace osgTreeWind;
 
 TEST(GrowthLaws, ACrownFollowsTheTrunkAndTheRoomItHas) {
-    const Species oak = *findBuiltInSpecies("oak");
+    const Species oak = *findSpecies("oak");
     TreeSize size;
     size.trunkDiameter = 0.4f;
     const float forest = withCrown(size, oak.crown, false).crownWidth;
@@ -26,7 +26,7 @@ TEST(GrowthLaws, ACrownFollowsTheTrunkAndTheRoomItHas) {
 }
 
 TEST(GrowthLaws, ACrownThatIsGivenOrHasNoTrunkStays) {
-    const Species oak = *findBuiltInSpecies("oak");
+    const Species oak = *findSpecies("oak");
     TreeSize size;
     EXPECT_EQ(withCrown(size, oak.crown, true).crownWidth, 0.0f);
     size.trunkDiameter = 0.4f;
@@ -84,7 +84,7 @@ TEST(GrowthLaws, AStemIsSofterThanItsClearWood) {
     wood.wholeStem = 0.85f;
     EXPECT_NEAR(stemModulus(wood, 80.0) / clear, 0.85, 1e-6);
     // Milne and Blackburn 1989: intact Sitka spruces of 22 years, over bark, 2.0 to 6.4 GPa.
-    const WoodParameters sitka = findBuiltInSpecies("Sitka spruce")->wood;
+    const WoodParameters sitka = findSpecies("Sitka spruce")->wood;
     const double overBark = stemModulus(sitka, 98.0) * std::pow(sitka.underBark, 4.0);
     EXPECT_GT(overBark, 2.0e9);
     EXPECT_LT(overBark, 6.4e9);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/species/Season.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>
@@ -16,12 +16,12 @@ namespace osgTreeWind {
 namespace {
 
 Appearance looksOf(const char* species) {
-    return findBuiltInSpecies(species)->appearance;
+    return findSpecies(species)->appearance;
 }
 
 ForestDescription wood(float season, MotionLaw law = MotionLaw::Modal) {
     ForestDescription forest;
-    forest.species = {*findBuiltInSpecies("oak"), *findBuiltInSpecies("Norway spruce")};
+    forest.species = {*findSpecies("oak"), *findSpecies("Norway spruce")};
     for (Species& species : forest.species)
         species.shapes = 1;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -114,7 +114,7 @@ TEST(Season, ABroadleafSwaysFasterAndLongerInWinterAndASpruceTheSame) {
     summer.size.height = 20.0f;
     summer.size.trunkDiameter = 0.3f;
     for (const char* name : {"oak", "beech", "silver birch"}) {
-        const Species species = *findBuiltInSpecies(name);
+        const Species species = *findSpecies(name);
         TreePlacement winter = summer;
         winter.leaves = leafShare(species.appearance, midwinter);
         const FreeSway on = *pullAndRelease(species, summer), off = *pullAndRelease(species, winter);

@@ -35,6 +35,36 @@ TEST(Sway, PrintsWhatWasMeasured) {
     EXPECT_GT(sway["modes"][0]["share"].get<double>(), sway["modes"][2]["share"].get<double>());
 }
 
+TEST(Sway, TakesSpeciesOfAFileInTheFilePath) {
+    const TemporaryFolder empty, folder;
+    const std::string path = "OSG_FILE_PATH=" + empty.path() + ':' + folder.path() + ' ';
+    folder.write("species.treewind", "version = 1\n[[species]]\nname = \"wych elm\"\nlike = \"oak\"\n");
+    const Outcome elm = runTool({"sway", "--species", "wych elm", "--json"}, ".", path);
+    EXPECT_EQ(elm.err, "");
+    EXPECT_EQ(json::parse(elm.out, nullptr, false)["species"], "wych elm");
+    folder.write("oak.treewind", "version = 1\n[[tree]]\nposition = [0, 0]\nspecies = \"wych elm\"\n");
+    EXPECT_EQ(runTool({"validate", folder.path() + "/oak.treewind"}, ".", path).exitCode, 0);
+}
+
+TEST(Sway, ABrokenFileInTheFilePathIsOneWarningAndAForestsError) {
+    const TemporaryFolder folder;
+    const std::string path = "OSG_FILE_PATH=" + folder.path() + ' ';
+    const std::string file = folder.write("species.treewind", "version = 1\n[[species]]\nname = 3\n");
+    const std::string problem = file + ":3:8: species.name: expected a text in quotes, found 3";
+    const Outcome oak = runTool({"sway", "--species", "oak", "--json"}, ".", path);
+    EXPECT_EQ(oak.exitCode, 0);
+    EXPECT_EQ(oak.err, "osgTreeWind: " + problem + "; the built-in species are used\n");
+    EXPECT_EQ(oak.out, runTool({"sway", "--species", "oak", "--json"}).out);
+    const std::string tree = "version = 1\n[[tree]]\nposition = [0, 0]\n";
+    folder.write("plain.treewind", tree);
+    folder.write("oak.treewind", tree + "species = \"oak\"\n");
+    EXPECT_EQ(runTool({"validate", folder.path() + "/plain.treewind"}, ".", path).exitCode, 0)
+        << "which needs no catalogue";
+    const Outcome forest = runTool({"validate", folder.path() + "/oak.treewind"}, ".", path);
+    EXPECT_EQ(forest.exitCode, 2);
+    EXPECT_NE(forest.err.find(problem), std::string::npos) << forest.err;
+}
+
 TEST(Sway, PrintsItsModesBelow) {
     const Outcome outcome = runTool({"sway", "--species", "oak", "--dbh", "40", "--height", "18"});
     EXPECT_NE(outcome.out.find("\nmodes      Hz  damping  share of gusts\n    1 "), std::string::npos)

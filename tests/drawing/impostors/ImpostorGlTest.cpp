@@ -5,7 +5,7 @@
 
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 
 #include <osg/GLExtensions>
 
@@ -36,7 +36,7 @@ struct Sight {
 };
 
 Species speciesCalled(const std::string& name) {
-    return name == "thesis" ? Species() : *findBuiltInSpecies(name);
+    return name == "thesis" ? Species() : *findSpecies(name);
 }
 
 /// A tree in still air, drawn in full however small it is seen.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/TreeLooks.h>
 
-#include <osgTreeWind/species/BuiltInSpecies.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ const TreeLooks& looksOf(const std::string& species) {
     static std::map<std::string, TreeLooks> all;
     const auto [entry, isNew] = all.try_emplace(species);
     if (isNew)
-        entry->second = measureLooks(*findBuiltInSpecies(species));
+        entry->second = measureLooks(*findSpecies(species));
     return entry->second;
 }
 
@@ -58,18 +58,18 @@ TEST(TreeLooks, LeavesAreInclinedAsMeasured) {
 }
 
 TEST(TreeLooks, LeavesThatAreDrawnAreThoseThatCatchTheWind) {
-    for (const BuiltInSpecies& built : builtInSpecies()) {
-        const TreeLooks& looks = looksOf(built.species.name);
-        EXPECT_NEAR(looks.leafAreaDrawn / looks.leafAreaMechanics, 1.0, 0.2) << built.species.name;
+    for (const Species& species : SpeciesCatalogue::current().species()) {
+        const TreeLooks& looks = looksOf(species.name);
+        EXPECT_NEAR(looks.leafAreaDrawn / looks.leafAreaMechanics, 1.0, 0.2) << species.name;
     }
 }
 
 TEST(TreeLooks, GreensAreManyAndNotTooGreen) {
-    for (const BuiltInSpecies& built : builtInSpecies()) {
-        const TreeLooks& looks = looksOf(built.species.name);
-        EXPECT_GE(looks.hueSpread, 15.0f) << built.species.name;
-        EXPECT_GE(looks.greenShare, 0.36f) << built.species.name; // PhenoCam
-        EXPECT_LE(looks.greenShare, 0.46f) << built.species.name;
+    for (const Species& species : SpeciesCatalogue::current().species()) {
+        const TreeLooks& looks = looksOf(species.name);
+        EXPECT_GE(looks.hueSpread, 15.0f) << species.name;
+        EXPECT_GE(looks.greenShare, 0.36f) << species.name; // PhenoCam
+        EXPECT_LE(looks.greenShare, 0.46f) << species.name;
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr int width = 640, height = 368; // whole blocks of 8
 ForestDescription wood(int trees, bool tiers) {
     ForestDescription forest;
     for (const char* name : {"oak", "Norway spruce", "silver birch", "beech"}) {
-        forest.species.push_back(*findBuiltInSpecies(name));
+        forest.species.push_back(*findSpecies(name));
         forest.species.back().shapes = 1;
     }
     for (int i = 0; i < trees; ++i) {

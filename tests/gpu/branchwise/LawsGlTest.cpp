@@ -4,10 +4,10 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
 #include <osgTreeWind/gpu/branchwise/AngleReadback.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/branchwise/DampedBranches.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <algorithm>
 #include <cmath>
@@ -191,11 +191,11 @@ TEST_F(LawsGlTest, DampedBranchesOfAllSpeciesAgreeWithTheCpu) {
     Random random(11);
     Texels states, winds, first, second, third;
     std::vector<Laws::DampedBranch> branches;
-    for (const BuiltInSpecies& built : builtInSpecies()) {
-        const TreeModel model = makeTreeModel(built.species.tree, 0);
+    for (const Species& species : SpeciesCatalogue::current().species()) {
+        const TreeModel model = makeTreeModel(species.tree, 0);
         for (const float height : {6.0f, 25.0f})
             for (const Laws::DampedBranch& p :
-                 makeDampedBranches(model, fitTree(model, {height, 0.0f, 0.0f}), built.species)) {
+                 makeDampedBranches(model, fitTree(model, {height, 0.0f, 0.0f}), species)) {
                 branches.push_back(p);
                 first.emplace_back(p.stiffness, p.inertia, p.damping, p.drag);
                 second.emplace_back(p.lever, p.maxAngle, p.streamlining, p.streamlinedTo);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/laws/AxisPaces.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(UnitLoads, BranchesHaveTheWoodOfTheAllometry) {
 
 TEST(UnitLoads, OfAWholeTreeFollowItsSize) {
     // Twice as large in all: four times the leaves and the outline; bare, eight times the stiffness.
-    Species species = *findBuiltInSpecies("oak");
+    Species species = *findSpecies("oak");
     species.wood.branchWood = WoodAllometry::Drawn;
     species.wood.anchorage = 0.0f;
     const TreeModel model = makeTreeModel(species.tree, 0);

@@ -62,15 +62,15 @@ Errors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion::Lev
 }
 
 TEST(ModalLean, IsThatOfTheCrownsOfBuiltInSpecies) {
-    for (const BuiltInSpecies& built : builtInSpecies())
+    for (const Species& species : SpeciesCatalogue::current().species())
         for (const TreeSize& size : {TreeSize{18, 0.3f, 0}, TreeSize{9, 0.2f, 0}})
             for (const bool gusty : {false, true}) {
-                const GrownTree tree(built.species, size);
+                const GrownTree tree(species, size);
                 const WindFieldPtr wind =
                     gusty ? gustsOf(8) : std::make_shared<UniformWind>(glm::vec3(5, 3, 0));
                 for (const auto level : {ModalMotion::Level::Near, ModalMotion::Level::Far})
                     EXPECT_LT(leanErrors(tree, *wind, level).relative(), 0.27f)
-                        << built.species.name << ", " << size.height << " m, "
+                        << species.name << ", " << size.height << " m, "
                         << (gusty ? "gusts" : "a steady wind");
             }
 }
@@ -84,7 +84,7 @@ TEST(ModalLean, IsThatOfBareTreesToo) {
 }
 
 TEST(ModalLean, AModelWithoutLeavesLeansByItsUnits) {
-    Species species = *findBuiltInSpecies("oak");
+    Species species = *findSpecies("oak");
     species.tree.leaves.clustersPerBranch = 0;
     const GrownTree tree(species, {18, 0.3f, 0}, 0.0f);
     ModalMotion::Tree placed;

@@ -142,19 +142,19 @@ TEST(ModalModel, ModesOfACoarserOneAreTheFirst) {
 }
 
 TEST(ModalModel, KeepsTheModesWithMostEnergy) {
-    for (const BuiltInSpecies& built : builtInSpecies()) {
-        const GrownTree tree(built.species, {20, 0.3f, 0});
+    for (const Species& species : SpeciesCatalogue::current().species()) {
+        const GrownTree tree(species, {20, 0.3f, 0});
         const ModalModel shape = makeModalModel(tree.joints(), tree.material());
-        EXPECT_GE(shape.modes.size(), 8u) << built.species.name;
+        EXPECT_GE(shape.modes.size(), 8u) << species.name;
         double sum = 0.0;
         for (const ModalModel::Mode& mode : shape.modes) {
-            EXPECT_GE(mode.energyShare, 0.0f) << built.species.name;
+            EXPECT_GE(mode.energyShare, 0.0f) << species.name;
             sum += static_cast<double>(mode.energyShare);
         }
-        EXPECT_LE(sum, 1.0 + 1e-5) << built.species.name;
-        EXPECT_GT(sum, 0.5) << built.species.name << " is moved mostly by modes that were not kept";
+        EXPECT_LE(sum, 1.0 + 1e-5) << species.name;
+        EXPECT_GT(sum, 0.5) << species.name << " is moved mostly by modes that were not kept";
         EXPECT_TRUE(shape.modes.size() == ModalDetail().modes || sum >= 0.95)
-            << built.species.name << " keeps " << shape.modes.size() << " modes of share " << sum;
+            << species.name << " keeps " << shape.modes.size() << " modes of share " << sum;
     }
 }
 
@@ -247,7 +247,7 @@ TEST(ModalModel, APoleStandsInTheWindAsUnderDamped) {
 
 TEST(ModalModel, TheTrunkOfATreeStandsInTheWindAsUnderDamped) {
     for (const char* name : {"oak", "Norway spruce"}) {
-        Species species = *findBuiltInSpecies(name);
+        Species species = *findSpecies(name);
         species.tree.grown.reset();
         species.tree.wood.crook = species.tree.wood.jitter = 0.0f; // an upright trunk
         species.wood.dampingRatio = 0.3f;                          // comes to rest sooner

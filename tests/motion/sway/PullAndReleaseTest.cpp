@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <algorithm>
 #include <fstream>
@@ -34,7 +34,7 @@ TEST(PullAndRelease, TwentyNineMeasuredTreesSwayAsMeasured) {
         for (std::string cell; cells.size() < 6 && std::getline(row, cell, ',');)
             cells.push_back(cell);
         ASSERT_EQ(cells.size(), 6u);
-        const Species species = findBuiltInSpecies(cells[2]).value_or(defaultSpecies());
+        const Species species = findSpecies(cells[2]).value_or(defaultSpecies());
         const auto sway = pullAndRelease(species, sized(std::stod(cells[5]), std::stod(cells[4])));
         ASSERT_TRUE(sway) << line;
         EXPECT_GE(sway->dampingRatio, 0.05);
@@ -52,7 +52,7 @@ TEST(PullAndRelease, TwentyNineMeasuredTreesSwayAsMeasured) {
 
 TEST(PullAndRelease, SitkaSprucesSwayAsMeasured) {
     // Milne 1991 (Tree Physiology 9:383): six trees, on average 14.2 m, 14.5 cm and 0.35 Hz.
-    const auto sway = pullAndRelease(*findBuiltInSpecies("Sitka spruce"), sized(14.2, 14.5));
+    const auto sway = pullAndRelease(*findSpecies("Sitka spruce"), sized(14.2, 14.5));
     ASSERT_TRUE(sway);
     EXPECT_NEAR(sway->frequency, 0.35, 0.09);
 }
@@ -64,37 +64,37 @@ TEST(PullAndRelease, CriticalDampingDoesNotSwing) {
 }
 
 TEST(PullAndRelease, AThickerTreeIsQuickerAndATallerSlower) {
-    const Species oak = *findBuiltInSpecies("oak");
+    const Species oak = *findSpecies("oak");
     const double usual = pullAndRelease(oak, sized(15, 30))->frequency;
     EXPECT_GT(pullAndRelease(oak, sized(15, 45))->frequency, 1.15 * usual);
     EXPECT_LT(pullAndRelease(oak, sized(22, 30))->frequency, 0.8 * usual);
 }
 
 TEST(PullAndRelease, ABareTreeRingsAsLongAsItsWood) {
-    for (const BuiltInSpecies& built : builtInSpecies()) {
+    for (const Species& species : SpeciesCatalogue::current().species()) {
         TreePlacement tree = sized(20, 28);
         tree.leaves = 0.0f;
-        const auto bare = pullAndRelease(built.species, tree);
-        ASSERT_TRUE(bare) << built.species.name;
-        EXPECT_GE(bare->dampingRatio, 0.98 * static_cast<double>(built.species.wood.dampingRatio));
-        EXPECT_LT(bare->dampingRatio, 0.06) << built.species.name;
-        const double leafy = pullAndRelease(built.species, sized(20, 28))->dampingRatio;
-        EXPECT_GT(leafy, bare->dampingRatio + 0.001) << built.species.name;
-        EXPECT_LT(leafy, 0.15) << built.species.name;
+        const auto bare = pullAndRelease(species, tree);
+        ASSERT_TRUE(bare) << species.name;
+        EXPECT_GE(bare->dampingRatio, 0.98 * static_cast<double>(species.wood.dampingRatio));
+        EXPECT_LT(bare->dampingRatio, 0.06) << species.name;
+        const double leafy = pullAndRelease(species, sized(20, 28))->dampingRatio;
+        EXPECT_GT(leafy, bare->dampingRatio + 0.001) << species.name;
+        EXPECT_LT(leafy, 0.15) << species.name;
     }
 }
 
 TEST(PullAndRelease, InLeafTheAirDampsATreeMore) {
-    for (const BuiltInSpecies& built : builtInSpecies())
+    for (const Species& species : SpeciesCatalogue::current().species())
         for (const float height : {12.0f, 20.0f, 28.0f}) {
-            const double damping = pullAndRelease(built.species, sized(height, 1.5f * height))->dampingRatio;
-            EXPECT_GT(damping, built.species.appearance.needles() ? 0.056 : 0.06) << built.species.name;
-            EXPECT_LT(damping, 0.15) << built.species.name;
+            const double damping = pullAndRelease(species, sized(height, 1.5f * height))->dampingRatio;
+            EXPECT_GT(damping, species.appearance.needles() ? 0.056 : 0.06) << species.name;
+            EXPECT_LT(damping, 0.15) << species.name;
         }
 }
 
 TEST(PullAndRelease, TheAirDampsAsFarAsItIsPulled) {
-    const Species ash = *findBuiltInSpecies("ash");
+    const Species ash = *findSpecies("ash");
     const auto air = [&](double pull) {
         return pullAndRelease(ash, sized(20, 28), pull)->dampingRatio -
                static_cast<double>(ash.wood.dampingRatio);

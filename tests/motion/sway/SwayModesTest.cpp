@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/sway/SwayModes.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
-#include <osgTreeWind/species/BuiltInSpecies.h>
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TreePlacement tall(float leaves = 1.0f) {
 } // namespace
 
 TEST(SwayModes, TheFirstIsThatOfAPulledTree) {
-    const Species spruce = *findBuiltInSpecies("Norway spruce");
+    const Species spruce = *findSpecies("Norway spruce");
     const std::vector<SwayMode> modes = swayModes(spruce, tall());
     ASSERT_GE(modes.size(), 8u);
     const FreeSway free = *pullAndRelease(spruce, tall());
@@ -31,7 +31,7 @@ TEST(SwayModes, TheFirstIsThatOfAPulledTree) {
 
 TEST(SwayModes, SharesOfTheGustsAreThoseOfOneWhole) {
     double sum = 0.0;
-    for (const SwayMode& mode : swayModes(*findBuiltInSpecies("oak"), tall())) {
+    for (const SwayMode& mode : swayModes(*findSpecies("oak"), tall())) {
         EXPECT_GE(mode.share, 0.0);
         sum += mode.share;
     }
@@ -40,7 +40,7 @@ TEST(SwayModes, SharesOfTheGustsAreThoseOfOneWhole) {
 }
 
 TEST(SwayModes, TheAirDampsEveryOneBesideItsWood) {
-    const Species ash = *findBuiltInSpecies("ash");
+    const Species ash = *findSpecies("ash");
     const double wood = ash.wood.dampingRatio;
     for (const SwayMode& mode : swayModes(ash, tall())) {
         EXPECT_GE(mode.dampingRatio, 0.99 * wood);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/species/Species.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// Species that need no [[species]], by name (docs/species.md). Any number of threads may read one.
+class SpeciesCatalogue {
+public:
+    /// The built-in species: osgTreeWind/species/species.treewind, as it was when the library was built.
+    static const SpeciesCatalogue& builtIn();
+    /// These with what the first species.treewind in the folders of the environment variable OSG_FILE_PATH
+    /// adds or changes, or what is wrong with that file. Read by the first call in a process.
+    static const Result<SpeciesCatalogue>& ofHost();
+    /// That of the host; where its file is broken, the built-in one, and a warning on standard error, once.
+    static const SpeciesCatalogue& current();
+
+    /// This one with the species of a file. One of the name of a species here takes its place and keeps its
+    /// aliases; others come last. An alias that another species has here is taken from it.
+    /// @param file for diagnostics. @param folder for relative paths in it. @return every problem otherwise.
+    Result<SpeciesCatalogue> with(const std::string& text, const std::string& file,
+                                  const std::string& folder) const;
+
+    /// In the order of the files; in the built-in one conifers first, and the last two stand for any other
+    /// conifer and any other broadleaf.
+    const std::vector<Species>& species() const { return _species; }
+    /// The species with this common or scientific name, else with its genus, whatever its case. Null: none.
+    const Species* find(const std::string& name) const;
+    /// What `like` may name: a [[group]], or a species.
+    const Species* findModel(const std::string& name) const;
+
+private:
+    void add(Species species);
+
+    std::vector<Species> _species;
+    std::map<std::string, std::size_t> _byName; ///< By folded names and aliases.
+    std::map<std::string, Species> _groups;     ///< By folded names.
+};
+
+/// SpeciesCatalogue::current().find() as a value.
+std::optional<Species> findSpecies(const std::string& name);
+
+/// What stands for a tree of unknown species: "broadleaf".
+Species defaultSpecies();
+
+} // namespace osgTreeWind

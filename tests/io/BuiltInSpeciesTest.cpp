@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/species/LeafCoverage.h>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// FNV-1a, 64 bits.
+class Hash {
+public:
+    template <typename T>
+    Hash& add(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T> && alignof(T) == 4, "no padding");
+        return bytes(reinterpret_cast<const unsigned char*>(&value), sizeof value);
+    }
+    Hash& add(const std::string& text) {
+        return bytes(reinterpret_cast<const unsigned char*>(text.c_str()), text.size() + 1);
+    }
+    std::uint64_t value() const { return _value; }
+
+private:
+    Hash& bytes(const unsigned char* first, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+            _value = (_value ^ first[i]) * 0x100000001b3u;
+        return *this;
+    }
+    std::uint64_t _value = 0xcbf29ce484222325u;
+};
+
+/// Of every field, bit by bit.
+std::uint64_t hashOf(const Species& species) {
+    Hash hash;
+    hash.add(species.name);
+    for (const std::string& alias : species.aliases)
+        hash.add(alias);
+    hash.add(species.source);
+    hash.add(species.tree.wood).add(*species.tree.grown).add(species.tree.leaves).add(species.shapes);
+    hash.add(species.crown).add(species.wood).add(species.branch).add(species.leaf);
+    const Appearance& looks = species.appearance;
+    hash.add(looks.bark).add(looks.leaves).add(looks.springLeaves).add(looks.autumnLeaves);
+    return hash.add(looks.leafForm).add(looks.barkForm).value();
+}
+
+} // namespace
+
+TEST(BuiltInSpecies, AreWhatTheyWereToTheLastBit) {
+    // Of the tables in C++ that species.treewind took the place of.
+    const std::vector<std::pair<const char*, std::uint64_t>> were = {{"Norway spruce", 0xf222b3d4961dcc0d},
+                                                                     {"Sitka spruce", 0xf44cd4afbded0685},
+                                                                     {"Douglas fir", 0x4207fa7674302af7},
+                                                                     {"grand fir", 0xa8935a1afe3a3035},
+                                                                     {"western hemlock", 0xe172a4a8e7cf0487},
+                                                                     {"Scots pine", 0x0bd576ba91cfbc2f},
+                                                                     {"lodgepole pine", 0x834094ce7b9bb9ea},
+                                                                     {"Corsican pine", 0x2119eb5ca2d5e743},
+                                                                     {"radiata pine", 0x524d36b0a7a806ee},
+                                                                     {"white spruce", 0x7e0c4a2d0696dc11},
+                                                                     {"balsam fir", 0x8f3ddfb2ecf5a102},
+                                                                     {"European larch", 0xf34ee4a390067c1a},
+                                                                     {"silver birch", 0xa118f87d2c5201d8},
+                                                                     {"beech", 0x69a5dac2a620aa1a},
+                                                                     {"oak", 0xabfddecaec1c78cd},
+                                                                     {"ash", 0x49edb0df6f53ddf6},
+                                                                     {"sycamore", 0x58cb5672f0067469},
+                                                                     {"red maple", 0x7ee5fb0d0895e796},
+                                                                     {"red oak", 0xba4079a98aaad9df},
+                                                                     {"aspen", 0xa548376b07cd98e3},
+                                                                     {"linden", 0x366a4dc2f8b904eb},
+                                                                     {"poplar", 0x0c43f1d29b826205},
+                                                                     {"London plane", 0x5b937f48fa4aed2f},
+                                                                     {"honey locust", 0xc2620e15545d4760},
+                                                                     {"Norway maple", 0x841ed5a0f6ec9476},
+                                                                     {"horse chestnut", 0x43fd961a246f134f},
+                                                                     {"ginkgo", 0x298a4089e4e92251},
+                                                                     {"palm", 0x5e331dce1280bf80},
+                                                                     {"conifer", 0x46bd88682e77c220},
+                                                                     {"broadleaf", 0x5e9899fd36ca48c2}};
+    const auto& all = SpeciesCatalogue::builtIn().species();
+    ASSERT_EQ(all.size(), were.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i].name, were[i].first);
+        EXPECT_EQ(hashOf(all[i]), were[i].second) << all[i].name;
+        EXPECT_FALSE(all[i].tree.scans || all[i].appearance.evergreen) << all[i].name;
+        EXPECT_EQ(all[i].appearance.leafImage + all[i].appearance.barkImage, "") << all[i].name;
+    }
+}
+
+TEST(BuiltInSpecies, ThereAreAtLeastTwelveAndEachHasASource) {
+    const auto& all = SpeciesCatalogue::builtIn().species();
+    std::size_t conifers = 0;
+    for (const Species& species : all) {
+        EXPECT_FALSE(species.source.empty()) << species.name;
+        conifers += species.appearance.needles();
+    }
+    EXPECT_GE(all.size(), 12u);
+    EXPECT_GE(conifers, 5u);
+    EXPECT_GE(all.size() - conifers, 5u);
+}
+
+TEST(BuiltInSpecies, AreFoundByCommonAndScientificNameInAnyCase) {
+    ASSERT_TRUE(findSpecies("oak"));
+    EXPECT_EQ(findSpecies("QUERCUS ROBUR")->name, "oak");
+    EXPECT_EQ(findSpecies("Picea abies")->name, "Norway spruce");
+    EXPECT_FALSE(findSpecies("lamp post"));
+    EXPECT_FALSE(findSpecies(""));
+    EXPECT_EQ(defaultSpecies().name, "broadleaf");
+}
+
+TEST(BuiltInSpecies, ModuliAreThoseOfTheTable) {
+    // ForestGALES: Sitka spruce 5.9 GPa, C 2.35, n 0.51; beech 9.8 GPa, C 2.4141, n 0.904.
+    const Species sitka = *findSpecies("Sitka spruce"), beech = *findSpecies("beech");
+    EXPECT_FLOAT_EQ(sitka.wood.elasticModulus, 5.9e9f);
+    EXPECT_FLOAT_EQ(sitka.wood.crownDrag, 2.35f);
+    EXPECT_FLOAT_EQ(sitka.wood.streamlining, 0.51f);
+    EXPECT_FLOAT_EQ(beech.wood.elasticModulus, 9.8e9f);
+    EXPECT_NEAR(beech.wood.crownDrag, 2.4141f, 1e-3f);
+    EXPECT_FLOAT_EQ(beech.wood.streamlining, 0.904f);
+}
+
+TEST(BuiltInSpecies, ConifersHaveTheVolumesOfForestry) {
+    // Stem over trunk section at breast height times height: 0.4 to 0.5 (form factor); branches 0.15 to 0.2
+    // of the wood (Jenkins et al. 2003).
+    for (const Species& species : SpeciesCatalogue::builtIn().species()) {
+        if (!species.appearance.needles())
+            continue;
+        const TreeModel model = makeTreeModel(species.tree, 0);
+        const TreeScale scale = fitTree(model, {20.0f, 0.3f, 0.0f});
+        double stem = 0.0, branches = 0.0;
+        for (const BranchUnit& unit : model.skeleton.units) {
+            const double a = unit.baseRadius * scale.radius, b = unit.tipRadius * scale.radius;
+            const double length = glm::length(scale.axes * (unit.tip - unit.base));
+            (unit.level == 0 ? stem : branches) += 3.141592653589793 / 3.0 * length * (a * a + a * b + b * b);
+        }
+        const double form = stem / (3.141592653589793 * 0.15 * 0.15 * 20.0);
+        EXPECT_GT(form, 0.4) << species.name;
+        EXPECT_LT(form, 0.5) << species.name;
+        EXPECT_GT(branches / (stem + branches), 0.15) << species.name;
+        EXPECT_LT(branches / (stem + branches), 0.2) << species.name;
+    }
+}
+
+TEST(BuiltInSpecies, CrownsOfTownTreesAre22To28TimesAsWideAsTheirStems) {
+    // Coombes, Martin, Slater 2019.
+    for (const char* name : {"oak", "sycamore", "silver birch", "Norway maple"}) {
+        float sum = 0.0f;
+        for (std::uint32_t shape = 0; shape < 3; ++shape) {
+            const TreeSize size = measureTree(makeTreeModel(findSpecies(name)->tree, shape));
+            sum += size.crownWidth / size.trunkDiameter / 3.0f;
+        }
+        EXPECT_GT(sum, 22.0f) << name;
+        EXPECT_LT(sum, 28.0f) << name;
+    }
+}
+
+TEST(BuiltInSpecies, LeavesDrawnHaveTheAreaOfTheMechanics) {
+    for (const Species& species : SpeciesCatalogue::builtIn().species()) {
+        const TreeModel model = makeTreeModel(species.tree);
+        const float card = glm::distance(model.leafMesh[0].corner, model.leafMesh[1].corner) *
+                           glm::distance(model.leafMesh[1].corner, model.leafMesh[2].corner);
+        float drawn = 0.0f;
+        for (const LeafCluster& leaf : model.leaves)
+            drawn += quadsPerLeafCluster * leaf.size * leaf.size * card;
+        drawn *= leafCoverage(species.appearance.leafForm);
+        EXPECT_NEAR(drawn / leafArea(model, {}, species), 1.0f, 0.2f) << species.name;
+    }
+}
+
+TEST(BuiltInSpecies, AreCheapEnoughToDraw) {
+    for (const Species& species : SpeciesCatalogue::builtIn().species())
+        for (std::uint32_t shape = 0; shape < 3; ++shape) {
+            const TreeModel model = makeTreeModel(species.tree, shape);
+            EXPECT_LE(model.skeleton.units.size(), 300u) << species.name;
+            EXPECT_LE(model.leaves.size(), 1900u) << species.name;
+        }
+}
+
+TEST(BuiltInSpecies, TreesOfACampusFindTheirKind) {
+    // What botanists call the trees of the University of Utah.
+    const std::vector<std::pair<const char*, const char*>> kinds = {
+        {"Gleditsia triacanthos", "honey locust"},
+        {"Pinus nigra", "Corsican pine"},
+        {"Acer saccharinum", "red maple"},
+        {"Platanus x acerifolia", "London plane"},
+        {"Pyrus spp.", "broadleaf"},
+        {"Picea pungens", "white spruce"},
+        {"Acer platanoides", "Norway maple"},
+        {"Malus spp.", "broadleaf"},
+        {"Quercus macrocarpa", "oak"},
+        {"Fagus sylvatica", "beech"},
+        {"Zelkova serrata", "broadleaf"},
+        {"Fraxinus pennsylvanica", "ash"},
+        {"Pseudotsuga menziesii", "Douglas fir"},
+        {"Morus alba", "broadleaf"},
+        {"Prunus spp.", "broadleaf"},
+        {"Tilia cordata", "linden"},
+        {"Ulmus pumila", "broadleaf"},
+        {"Aesculus hippocastanum", "horse chestnut"},
+        {"Pinus ponderosa", "Corsican pine"},
+        {"Betula pendula", "silver birch"},
+        {"Koelreuteria paniculata", "broadleaf"},
+        {"Crataegus x lavallei", "broadleaf"},
+        {"Cercis canadensis", "broadleaf"},
+        {"Gymnocladus dioicus", "honey locust"},
+        {"Populus sargentii", "aspen"},
+        {"Juniperus virginiana", "conifer"},
+        {"Carpinus betulus 'Fastigiata'", "broadleaf"},
+        {"Robinia pseudoacacia", "honey locust"},
+        {"Rhus lancea", "broadleaf"},
+        {"Ginkgo biloba", "ginkgo"},
+        {"Cedrus deodara", "conifer"},
+        {"Magnolia grandiflora", "broadleaf"},
+        {"Liriodendron tulipifera", "broadleaf"},
+        {"Liquidambar styraciflua", "broadleaf"}};
+    for (const auto& [name, kind] : kinds) {
+        ASSERT_TRUE(findSpecies(name)) << name;
+        EXPECT_EQ(findSpecies(name)->name, kind) << name;
+    }
+}
