@@ -31,7 +31,7 @@ struct Clamp {
         clampFields(*part.fields, part.object, std::get_if<PartMember>(&usual)->object);
     }
     template <typename T>
-    void operator()(const T*) const {}
+    void operator()(const T&) const {}
 };
 
 /// Says what is outside.
@@ -43,7 +43,8 @@ struct Check {
 
     void add(const std::string& message) const { problems.push_back({{}, 0, 0, path, message}); }
     void number(double value, const char* kind) const {
-        if (std::isfinite(value) && range.contains(value))
+        if ((std::isfinite(value) && range.contains(value)) ||
+            (!problems.empty() && problems.back().key == path))
             return;
         const std::string limits = field.range.text();
         add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits) +
@@ -53,9 +54,19 @@ struct Check {
     void operator()(const int* value) const { number(*value, "whole"); }
     void operator()(const float* value) const { number(static_cast<double>(*value), "finite"); }
     void operator()(const double* value) const { number(*value, "finite"); }
-    void operator()(const glm::vec3* value) const {
+    template <typename T>
+    void operator()(const glm::vec<3, T>* value) const {
         for (int i = 0; i < 3; ++i)
             number(static_cast<double>((*value)[i]), "finite");
+    }
+    void operator()(const std::vector<glm::vec3>* values) const {
+        std::for_each(values->begin(), values->end(), [&](const glm::vec3& value) { (*this)(&value); });
+    }
+    template <typename T>
+    void operator()(const std::vector<T>* values) const {
+        if constexpr (std::is_arithmetic_v<T>)
+            for (const T value : *values)
+                number(static_cast<double>(value), "finite");
     }
     void operator()(const WordMember& word) const {
         const int value = word.get(word.object);
@@ -76,7 +87,8 @@ struct Same {
     template <typename T>
     bool operator()(const T* value) const {
         const T& b = **std::get_if<T*>(&other);
-        if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, glm::vec3>)
+        if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, glm::vec3> ||
+                      std::is_same_v<T, glm::dvec3>)
             return std::memcmp(value, &b, sizeof b) == 0; // tells -0 from 0
         else
             return *value == b;

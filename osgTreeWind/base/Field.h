@@ -35,16 +35,18 @@ struct PartMember {
     void* object;
     const Fields* fields;
 };
-using Member = std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, float*, double*, glm::vec3*,
-                            std::string*, std::vector<std::string>*, WordMember, PartMember>;
+using Member =
+    std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, float*, double*, glm::vec3*, glm::dvec3*,
+                 glm::ivec3*, std::string*, std::vector<std::string>*, std::vector<double>*,
+                 std::vector<float>*, std::vector<glm::vec3>*, WordMember, PartMember>;
 
 /// One thing that a struct says.
 struct Field {
     const char* key;                 ///< In a file.
     Member (*member)(void* struct_); ///< Where it is in a struct.
     Range range;                     ///< Of a number, in `unit`.
-    std::string unit;                ///< As in the manual; of "degrees" the member is in radians.
     std::string doc;                 ///< What it is, for the manual.
+    std::string unit{};              ///< As in the manual; of "degrees" the member is in radians.
     std::vector<std::pair<std::string, int>> words{}; ///< Of an enum, with their values.
 
     bool degrees() const { return unit == "degrees"; }
@@ -63,11 +65,11 @@ Struct* ownerOf(T Struct::*);
 
 /// Field::member of a member, or of a member of a member.
 template <auto First, auto... Rest>
-Member memberOf(void* struct_) {
+Member at(void* struct_) {
     auto& member = static_cast<decltype(ownerOf(First))>(struct_)->*First;
     using T = std::remove_reference_t<decltype(member)>;
     if constexpr (sizeof...(Rest) > 0)
-        return memberOf<Rest...>(&member);
+        return at<Rest...>(&member);
     else if constexpr (std::is_enum_v<T>)
         return WordMember{&member,
                           [](const void* word) { return static_cast<int>(*static_cast<const T*>(word)); },

@@ -20,8 +20,6 @@ constexpr Range gains = within(0, 100), noiseExponents = within(0, 3);
 constexpr Range seasons = within(0, 4);
 constexpr std::size_t mostTrees = 1000000;
 constexpr double farthestTree = 100000.0; ///< From the origin, metres: floats still resolve 8 mm.
-/// World coordinates, metres: any map projection of the Earth.
-constexpr Range worldCoordinates = within(-1e8, 1e8);
 
 std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing);
 

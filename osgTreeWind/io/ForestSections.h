@@ -64,7 +64,4 @@ std::string writeWind(std::ostream& output, const ForestDescription& forest);
 /// That their distinct shapes have too many vertices; empty when they have not.
 std::string problemOfShapes(const std::vector<Species>& species);
 
-/// Of a grid of wind: points along a side, and metres between them.
-constexpr Range gridPoints = within(1, 100000), gridCells = above(0, 1e6);
-
 } // namespace osgTreeWind

@@ -5,7 +5,10 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Reads the value of one key into a member.
+template <typename T, typename... Others>
+constexpr bool isOneOf = (std::is_same_v<T, Others> || ...);
+
+/// Reads the value of one key into a member; arrays of the wind are read by hand.
 struct ReadMember {
     TableReader& table;
     const Field& field;
@@ -29,16 +32,16 @@ struct ReadMember {
     void operator()(const PartMember& part) const {
         table.table(field.key, [&](TableReader& t) { readFields(t, *part.fields, part.object, find); });
     }
-    void operator()(int* member) const { table.read(field.key, *member, field.range); }
-    void operator()(double* member) const { table.read(field.key, *member, field.range); }
-    void operator()(glm::vec3* member) const { table.read(field.key, *member, field.range); }
     void operator()(std::string* member) const {
         if (table.read(field.key, *member) && field.unit == "file")
             find(table, field.key, *member);
     }
     template <typename T>
     void operator()(T* member) const {
-        table.read(field.key, *member);
+        if constexpr (isOneOf<T, int, double, glm::vec3, std::vector<double>>)
+            table.read(field.key, *member, field.range);
+        else if constexpr (isOneOf<T, bool, std::uint32_t, std::vector<std::string>>)
+            table.read(field.key, *member);
     }
 };
 

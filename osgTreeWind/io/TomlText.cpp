@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TomlText.h>
 
+#include <osgTreeWind/io/TableReader.h>
+
 #include <glm/trigonometric.hpp>
 
 #include <charconv>
@@ -43,13 +45,15 @@ struct ValueText {
         const double number = static_cast<double>(*value);
         return shortest(field.degrees() ? glm::degrees(number) : number, taken);
     }
-    std::string operator()(const glm::vec3* value) const { return tomlVector(*value); }
     std::string operator()(const std::string* value) const {
         if (value->empty() || field.unit != "file")
             return value->empty() ? "" : tomlText(*value);
         return tomlText(std::filesystem::absolute(*value).string());
     }
-    std::string operator()(const std::vector<std::string>* value) const { return tomlArray(*value); }
+    template <typename T>
+    std::string operator()(const std::vector<T>* values) const {
+        return values->empty() ? "" : tomlText(*values);
+    }
     std::string operator()(const WordMember& word) const {
         for (const auto& [text, value] : field.words)
             if (value == word.get(word.object))
@@ -57,10 +61,10 @@ struct ValueText {
         return {};
     }
     std::string operator()(const PartMember&) const { return {}; }
-    std::string operator()(const double* value) const { return tomlText(*value); }
+    std::string operator()(const std::uint32_t* value) const { return std::to_string(*value); }
     template <typename T>
     std::string operator()(const T* value) const {
-        return std::to_string(*value);
+        return tomlText(*value);
     }
 };
 
@@ -109,31 +113,10 @@ void writeFields(std::ostream& output, const std::string& table, const Fields& f
     }
 }
 
-bool isUtf8(const std::string& text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const auto at = [&](std::size_t k) {
-            return static_cast<std::uint32_t>(k < text.size() ? static_cast<unsigned char>(text[k]) : 0);
-        };
-        const std::uint32_t first = at(i);
-        const std::size_t more = first < 0x80   ? 0
-                                 : first < 0xc2 ? 4
-                                 : first < 0xe0 ? 1
-                                 : first < 0xf0 ? 2
-                                                : 3;
-        if (more == 4)
-            return false;
-        std::uint32_t point = first & (0x7fu >> (more + (more > 0)));
-        for (std::size_t k = 1; k <= more; ++k) {
-            if ((at(i + k) & 0xc0) != 0x80)
-                return false;
-            point = point << 6 | (at(i + k) & 0x3f);
-        }
-        constexpr std::uint32_t least[] = {0, 0x80, 0x800, 0x10000};
-        if (point < least[more] || point > 0x10ffff || (point >= 0xd800 && point < 0xe000))
-            return false;
-        i += more + 1;
-    }
-    return true;
+bool isToml(const std::string& text) {
+    ReadLog log;
+    TableReader::readDocument("text = " + tomlText(text), log, [](TableReader& root) { root.ignoreRest(); });
+    return log.problems.empty();
 }
 
 } // namespace osgTreeWind

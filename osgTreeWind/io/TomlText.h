@@ -14,17 +14,20 @@ std::string tomlText(double number);
 std::string tomlText(float number); ///< Read as a double and rounded.
 std::string tomlText(const std::string& text);
 
+inline std::string tomlText(int number) {
+    return std::to_string(number);
+}
+template <typename T>
+std::string tomlText(const glm::vec<3, T>& v) {
+    return '[' + tomlText(v.x) + ", " + tomlText(v.y) + ", " + tomlText(v.z) + ']';
+}
 /// "[1, 2]".
-template <typename Numbers>
-std::string tomlArray(const Numbers& values) {
+template <typename T>
+std::string tomlText(const std::vector<T>& values) {
     std::string text;
-    for (const auto& value : values)
+    for (const T& value : values)
         text += (text.empty() ? "" : ", ") + tomlText(value);
     return '[' + text + ']';
-}
-template <typename Vec>
-std::string tomlVector(const Vec& v) {
-    return '[' + tomlText(v.x) + ", " + tomlText(v.y) + ", " + tomlText(v.z) + ']';
 }
 
 /// Writes the keys that are not as in `usual` (null: all), then tables of those parts that are not.
@@ -45,7 +48,7 @@ void writeTable(std::ostream& output, const std::string& table, const Struct& va
             return output << "\n[" << table << "]\n", writeFields(output, table, value, usual);
 }
 
-/// Whether it can be written: what is in it is UTF-8.
-bool isUtf8(const std::string& text);
+/// Whether it can be written: it is UTF-8.
+bool isToml(const std::string& text);
 
 } // namespace osgTreeWind

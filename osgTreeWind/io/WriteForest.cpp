@@ -43,7 +43,7 @@ private:
     }
     void ofName(const std::string& name, std::set<std::string>& names, const std::string& key,
                 const std::string& folded) {
-        if (!isUtf8(name))
+        if (!isToml(name))
             add(key, "expected UTF-8");
         else if (!names.insert(folded).second)
             add(key, "the name " + inQuotes(name) + " is taken already");
@@ -52,7 +52,7 @@ private:
         ofName(species.name, _species, path + ".name", foldedName(species.name));
         for (const std::string& alias : species.aliases)
             ofName(alias, _species, path + ".aliases", foldedName(alias));
-        if (!isUtf8(species.source))
+        if (!isToml(species.source))
             add(path + ".source", "expected UTF-8");
         for (const std::string* picture : {&species.appearance.leafImage, &species.appearance.barkImage})
             if (!picture->empty())
@@ -62,7 +62,7 @@ private:
     }
     void ofFile(const std::string& file, const std::string& key) {
         std::error_code error;
-        if (!isUtf8(file) || !std::filesystem::is_regular_file(file, error))
+        if (!isToml(file) || !std::filesystem::is_regular_file(file, error))
             add(key, "no file " + inQuotes(file));
     }
     /// All trees of each file have to be there, and be all there is.
@@ -97,7 +97,7 @@ void writeScans(std::ostream& output, const std::vector<ScannedTree>& scans) {
     for (const ScannedTree& scan : scans)
         if (scan.report.tree == 0)
             files.push_back(std::filesystem::absolute(scan.report.file).string());
-    output << "scan = " << tomlArray(files) << '\n';
+    output << "scan = " << tomlText(files) << '\n';
 }
 
 void writeSpecies(std::ostream& output, const Species& species) {
@@ -119,7 +119,7 @@ void writeSpecies(std::ostream& output, const Species& species) {
 
 void writeTree(std::ostream& output, const TreePlacement& tree, const ForestDescription& forest) {
     output << "\n[[tree]]\nspecies = " << tomlText(forest.species[tree.species].name)
-           << "\nposition = " << tomlVector(tree.position) << '\n';
+           << "\nposition = " << tomlText(tree.position) << '\n';
     TreePlacement usual;
     usual.seed = ~tree.seed; // it is always written: else its place in the file would tell it
     for (float TreeSize::*size : {&TreeSize::height, &TreeSize::trunkDiameter, &TreeSize::crownWidth})
@@ -144,8 +144,8 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
         problems.push_back({{}, 0, 0, "wind", problem});
     if (!problems.empty())
         return problems;
-    output << "version = 1\nseason = " << tomlText(forest.season)
-           << "\norigin = " << tomlVector(forest.origin) << '\n';
+    output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
+           << '\n';
     if (forest.trees.empty())
         output << "tree = []\n";
     output << wind.str();

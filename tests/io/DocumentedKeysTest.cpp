@@ -110,6 +110,8 @@ struct ManualCells {
                 "]`";
     }
     void operator()(const std::string*) { type = "text"; }
+    template <typename T>
+    void operator()(const T*) {} // arrays of the wind: the manual says more of them
     void operator()(const std::vector<std::string>*) { type = "array of texts", value = "`[]`"; }
     void operator()(const WordMember& word) {
         type = "text";

@@ -53,7 +53,7 @@ public:
         text += "[motion]\n" + keys<ForestDescription>();
         if (maybe())
             text += "noise = \"1/f\"\nnoise_exponent = " + decimal(noiseExponents) + '\n';
-        text += "[wind]\nkind = \"gusts\"\nspeed = " + decimal(within(0, 200)) +
+        text += "[wind]\nkind = \"gusts\"\nspeed = " + decimal(within(0, 199)) +
                 "\nunit = \"kn\"\ndirection_from = " + decimal(within(-360, 360)) + '\n' +
                 keys<GustWind::Parameters>() + keys<RetimedWind::Clock>();
         text.replace(text.find("\"kn\""), 4, maybe() ? "\"km/h\"" : "\"m/s\"");
@@ -143,6 +143,8 @@ private:
             for (int i = forest.whole(0, 2); i > 0; --i)
                 texts->push_back(std::to_string(forest._random.next()) + forest.text());
         }
+        template <typename T>
+        void operator()(T*) const {} // arrays of the wind are made below
         void operator()(const WordMember& word) const {
             word.set(word.object, field
                                       .words[static_cast<std::size_t>(

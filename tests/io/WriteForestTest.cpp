@@ -70,17 +70,12 @@ struct Differences {
             fields("wind", x->parameters(), y->parameters());
             optionalFields("wind", x->parameters().profile, y->parameters().profile);
         } else if (const GridWind * x, *y; both(a, b, x, y)) {
-            const GridWind::Grid &g = x->grid(), &h = y->grid();
-            compare("wind.grid", std::tie(g.points, g.origin, g.cell, g.times, g.heights, g.values),
-                    std::tie(h.points, h.origin, h.cell, h.times, h.heights, h.values));
+            fields("wind", x->grid(), y->grid());
         } else if (const ForestWind * x, *y; both(a, b, x, y)) {
-            compare("wind.array", std::make_tuple(x->width(), x->length(), x->values(), x->origin()),
-                    std::make_tuple(y->width(), y->length(), y->values(), y->origin()));
+            fields("wind", x->array(), y->array());
         } else if (const TimeSeriesWind * x, *y; both(a, b, x, y)) {
-            const WindSeries &s = x->series(), &t = y->series();
-            compare("wind.series", std::tie(s.times, s.velocities, s.repeat),
-                    std::tie(t.times, t.velocities, t.repeat));
-            optionalFields("wind", s.profile, t.profile);
+            fields("wind", x->series(), y->series());
+            optionalFields("wind", x->series().profile, y->series().profile);
         } else {
             keys += "wind.kind ";
         }
