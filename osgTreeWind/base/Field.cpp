@@ -48,7 +48,7 @@ struct Check {
             return;
         const std::string limits = field.range.text();
         add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits) +
-            ", found " + numberText(field.degrees() ? glm::degrees(value) : value));
+            ", found " + numberText(field.degrees() ? static_cast<float>(glm::degrees(value)) : value));
     }
 
     void operator()(const int* value) const { number(*value, "whole"); }
