@@ -14,11 +14,11 @@ endforeach()
 set_target_properties(osgdb_treewind osgdb_serializers_osgtreewind PROPERTIES INSTALL_RPATH "$ORIGIN/..")
 
 function(install_export target export)
-    install(TARGETS ${target} EXPORT ${export}
+    install(TARGETS ${target} EXPORT ${export} ${ARGN}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT ${export} NAMESPACE osgTreeWind:: DESTINATION ${package_folder})
 endfunction()
-install_export(osgTreeWind osgTreeWindTargets)
+install_export(osgTreeWind osgTreeWindTargets FILE_SET HEADERS)
 foreach(backend OSMesa EGL)
     if(TARGET osgTreeWind::${backend})
         install_export(osgTreeWind${backend} osgTreeWind${backend}Targets)
@@ -28,20 +28,14 @@ if(TARGET osgTreeWindHeadless)
     install(TARGETS osgTreeWindHeadless LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
-# Not the headers that only our own sources use: the reader's insides, and what needs shaders/ or GDAL.
-foreach(room base model scanfiles species wind windfiles forest motion gpu drawing nodes offscreen)
-    install(DIRECTORY osgTreeWind/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind
-        FILES_MATCHING PATTERN "*.h" PATTERN "Laws.h" EXCLUDE PATTERN "LawTexels.h" EXCLUDE
-        PATTERN "Lanes.h" EXCLUDE PATTERN "ModalLanes.h" EXCLUDE PATTERN "ModalGroup.h" EXCLUDE
-        PATTERN "ThesisParts.h" EXCLUDE PATTERN "DampedBranches.h" EXCLUDE PATTERN "BranchwiseMotion.h" EXCLUDE
-        PATTERN "NetCdf*.h" EXCLUDE)
-endforeach()
-install(FILES osgTreeWind/io/ForestFile.h osgTreeWind/io/SpeciesCatalogue.h
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osgTreeWind/io)
 install(DIRECTORY shaders DESTINATION ${data_folder} PATTERN CMakeLists.txt EXCLUDE)
 install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder})
 install(FILES examples/thesis.treewind examples/forest.treewind DESTINATION ${data_folder}/examples)
 install(FILES LICENSE docs/treewind.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(cmake/osgTreeWind.pc.in osgTreeWind.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/osgTreeWind.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 configure_package_config_file(cmake/osgTreeWindConfig.cmake.in osgTreeWindConfig.cmake
     INSTALL_DESTINATION ${package_folder})

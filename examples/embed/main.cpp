@@ -54,7 +54,7 @@ GridWind::Grid simulateWind(double time) {
 /// A new wind sixty times a second.
 void streamWind(StreamedWind& wind, const std::atomic<bool>& done) {
     for (double time = 0.0; !done; time += 1.0 / 60.0) {
-        wind.update(simulateWind(time).values); // gives what is wrong with them: nothing
+        wind.update({simulateWind(time).values}); // gives what is wrong with them: nothing
         std::this_thread::sleep_for(std::chrono::microseconds(16667));
     }
 }
@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
     unsigned frames = 0;
     osg::ArgumentParser(&argc, argv).read("--frames", frames);
     osg::ref_ptr<Forest> forest = new Forest(describeForest());
-    markBranch(*forest, 4, 60); // trees of the description have their numbers for ids
+    markBranch(*forest, TreeId(4), 60); // trees of the description have their numbers for ids
     const auto wind = StreamedWind::create(simulateWind(0.0));
     if (!wind) {
         for (const Diagnostic& problem : wind.problems())

@@ -88,6 +88,57 @@ bool succeeded(const Result<T>& result) {
     return static_cast<bool>(result);
 }
 
+/// Of all numbers of trees. @return whether all went well.
+bool runStages(const BenchOptions& options, BenchConditions& conditions, std::vector<BenchResult>& results) {
+    for (const BenchStage& stage : benchStages()) {
+        if (!isAsked(options, stage.name))
+            continue;
+        for (const int trees : options.trees) {
+            Result<BenchResult> result = runBench(stage, trees, conditions.settings, conditions.driver);
+            if (!succeeded(result))
+                return false;
+            if (results.empty())
+                printBenchHead(std::cout, conditions);
+            printBenchRow(std::cout, result.value());
+            results.push_back(std::move(result.value()));
+        }
+    }
+    return true;
+}
+
+/// All that is asked for, said on standard output as it comes. @return whether all went well.
+bool measure(const BenchOptions& options, const std::optional<ForestDescription>& forest,
+             BenchConditions& conditions, BenchReport& report) {
+    if (!runStages(options, conditions, report.results))
+        return false;
+    std::vector<std::string> groups;
+    std::copy_if(kernelGroups.begin(), kernelGroups.end(), std::back_inserter(groups),
+                 [&](const std::string& group) { return isAsked(options, group); });
+    report.kernels = runBenchKernels(groups, options.frames);
+    if (!report.kernels.empty())
+        printBenchKernels(std::cout, conditions, report.kernels);
+    if (isAsked(options, forestsStage)) {
+        report.forests = runBenchForests(forest, options.forest,
+                                         static_cast<std::size_t>(options.forestTrees), options.frames);
+        printBenchForests(std::cout, conditions, *report.forests);
+    }
+    if (isAsked(options, scaleStage)) {
+        auto scale = runBenchScale(options.scaleTrees, conditions.settings, conditions.driver);
+        if (!succeeded(scale))
+            return false;
+        report.scale = std::move(scale.value());
+        printBenchScale(std::cout, conditions, report.scale);
+    }
+    if (isAsked(options, viewStage)) {
+        auto views = runBenchViews(options, *forest, conditions.settings, conditions.driver);
+        if (!succeeded(views))
+            return false;
+        report.views = std::move(views.value());
+        printBenchViews(std::cout, conditions, report.views);
+    }
+    return true;
+}
+
 ExitCode bench(const BenchOptions& options) {
     BenchSettings settings;
     settings.size = parsePictureSize(options.size, maxOffscreenSize);
@@ -113,49 +164,11 @@ ExitCode bench(const BenchOptions& options) {
     keepMemory();
     BenchConditions conditions = benchConditions(settings);
     BenchReport report;
-    std::vector<BenchResult>& results = report.results;
-    for (const BenchStage& stage : benchStages()) {
-        if (!isAsked(options, stage.name))
-            continue;
-        for (const int trees : options.trees) {
-            Result<BenchResult> result = runBench(stage, trees, settings, conditions.driver);
-            if (!succeeded(result))
-                return Failed;
-            if (results.empty())
-                printBenchHead(std::cout, conditions);
-            printBenchRow(std::cout, result.value());
-            results.push_back(std::move(result.value()));
-        }
-    }
-    std::vector<std::string> groups;
-    std::copy_if(kernelGroups.begin(), kernelGroups.end(), std::back_inserter(groups),
-                 [&](const std::string& group) { return isAsked(options, group); });
-    report.kernels = runBenchKernels(groups, options.frames);
-    if (!report.kernels.empty())
-        printBenchKernels(std::cout, conditions, report.kernels);
-    if (isAsked(options, forestsStage)) {
-        report.forests = runBenchForests(forest, options.forest,
-                                         static_cast<std::size_t>(options.forestTrees), options.frames);
-        printBenchForests(std::cout, conditions, *report.forests);
-    }
-    if (isAsked(options, scaleStage)) {
-        auto scale = runBenchScale(options.scaleTrees, settings, conditions.driver);
-        if (!succeeded(scale))
-            return Failed;
-        report.scale = std::move(scale.value());
-        printBenchScale(std::cout, conditions, report.scale);
-    }
-    if (isAsked(options, viewStage)) {
-        auto views = runBenchViews(options, *forest, settings, conditions.driver);
-        if (!succeeded(views))
-            return Failed;
-        report.views = std::move(views.value());
-        printBenchViews(std::cout, conditions, report.views);
-    }
-
+    if (!measure(options, forest, conditions, report))
+        return Failed;
     if (!options.output.empty() && !writeText(options.output, benchReport(conditions, report).dump(2) + '\n'))
         return Failed;
-    if (!options.chart.empty() && !writeChart(options.chart, benchChart(conditions, results)))
+    if (!options.chart.empty() && !writeChart(options.chart, benchChart(conditions, report.results)))
         return Failed;
     return Succeeded;
 }
@@ -199,9 +212,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
     command->add_option("-o,--output", options->output, "JSON file for the results (docs/results.md)");
     command->add_option("--chart", options->chart, "SVG file for a chart; a PNG is put beside it");
-    command->add_option("--backend", options->backend, "Where OpenGL comes from")
-        ->check(CLI::IsMember({"osmesa", "egl"}))
-        ->capture_default_str();
+    addBackendOption(*command, options->backend);
     command->footer("fps = frames / seconds; times in milliseconds.\n"
                     "Every stage is drawn in turns with the same trees at rest (static), so that what else\n"
                     "the machine does falls on both; ratios are medians of such pairs.\n"

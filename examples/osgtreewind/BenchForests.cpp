@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "BenchForests.h"
 
+#include "BenchClock.h"
+
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <memory>
@@ -19,31 +20,11 @@ namespace {
 constexpr double frame = 1.0 / 60.0;
 constexpr std::size_t campusTrees = 1233, nearEvery = 50;
 
-class Clock {
-public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - _start).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point _start = std::chrono::steady_clock::now();
-};
-
-WindFieldPtr someSeries() {
-    WindSeries series;
-    for (int i = 0; i < 1000; ++i) {
-        series.times.push_back(i);
-        series.velocities.emplace_back(5.0 + std::sin(0.1 * i), std::cos(0.1 * i), 0.0);
-    }
-    series.profile = LogProfile{10.0, 0.5};
-    return TimeSeriesWind::create(series).value();
-}
-
 /// Trees in rows. @param low, high metres of height.
 ForestDescription madeForest(const std::vector<std::string>& species, std::size_t trees, float low,
                              float high) {
     ForestDescription forest;
-    forest.wind = someSeries();
+    forest.wind = createSeries();
     for (const std::string& name : species) {
         forest.species.push_back(*findSpecies(name));
         forest.species.back().shapes = 3;
@@ -74,7 +55,7 @@ struct Running {
         SimulationOptions options;
         options.leaves = false;
         options.executor = std::move(executor);
-        const Clock clock;
+        const BenchClock clock;
         const std::clock_t before = std::clock();
         simulation = std::make_unique<ForestSimulation>(std::move(description), options);
         result.loadSeconds = clock.seconds();
@@ -84,13 +65,23 @@ struct Running {
     }
 
     double milliseconds(double time) {
-        const Clock clock;
+        const BenchClock clock;
         simulation->advance(time);
         return 1000.0 * clock.seconds();
     }
 };
 
 } // namespace
+
+WindFieldPtr createSeries() {
+    WindSeries series;
+    for (int i = 0; i < 1000; ++i) {
+        series.times.push_back(i);
+        series.velocities.emplace_back(5.0 + std::sin(0.1 * i), std::cos(0.1 * i), 0.0);
+    }
+    series.profile = LogProfile{10.0, 0.5};
+    return TimeSeriesWind::create(series).value();
+}
 
 ForestDescription createWood(std::size_t trees) {
     return madeForest({"Norway spruce", "Scots pine", "beech", "oak", "silver birch"}, trees, 4.0f, 32.0f);
@@ -116,7 +107,7 @@ BenchForests runBenchForests(const std::optional<ForestDescription>& described, 
         if (i % nearEvery == 0)
             ++modal.result.nearTrees;
         else
-            modal.simulation->setLevel(i, ModalMotion::Level::Far);
+            modal.simulation->modal()->setLevel(i, ModalMotion::Level::Far);
     const ModalMotion& motion = *modal.simulation->modal();
     modal.result.archetypes = motion.archetypeCount();
     modal.result.archetypeBytes = motion.archetypeBytes();

@@ -27,6 +27,9 @@ struct BenchForests {
     unsigned threads = 1;
 };
 
+/// A wind that swings for a thousand seconds, as a record has it.
+osgTreeWind::WindFieldPtr createSeries();
+
 /// A wood of spruce, pine, beech, oak and birch in rows, three shapes each, 4 to 32 m high, in a wind.
 osgTreeWind::ForestDescription createWood(std::size_t trees);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "BenchKernels.h"
 
+#include "BenchClock.h"
+#include "BenchForests.h"
 #include "BenchStage.h"
 #include "BenchTrees.h"
 
@@ -14,11 +16,9 @@
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
-#include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 
@@ -141,12 +141,6 @@ TimedKernel windKind(const char* name, const WindFieldPtr& field) {
 std::vector<TimedKernel> allKernels() {
     GustWind::Parameters gusts;
     gusts.profile = LogProfile{10.0, 0.5};
-    WindSeries series;
-    for (int i = 0; i < 1000; ++i) {
-        series.times.push_back(i);
-        series.velocities.emplace_back(5.0 + std::sin(0.1 * i), std::cos(0.1 * i), 0.0);
-    }
-    series.profile = LogProfile{10.0, 0.5};
     const WindFieldPtr moving = GridWind::create(someGrid(8, 3)).value();
     RetimedWind::Clock carried;
     carried.speed = 8.0;
@@ -162,7 +156,7 @@ std::vector<TimedKernel> allKernels() {
         windKind("grid, 8 layers", GridWind::create(someGrid(8, 1)).value()),
         windKind("grid, 8 layers, 3 times", moving),
         windKind("forest_wind", BenchWinds().at(0)),
-        windKind("series", TimeSeriesWind::create(series).value()),
+        windKind("series", createSeries()),
         windKind("travelling (.bts)", std::make_shared<RetimedWind>(moving, carried)),
         windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),
         windKind("callable", std::make_shared<FunctionWind>([](const glm::vec3& p, double) {
@@ -188,12 +182,11 @@ std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups,
                   kernels.end());
     for (int round = -1; round < rounds; ++round) // the first one warms caches up
         for (TimedKernel& timed : kernels) {
-            const auto start = std::chrono::steady_clock::now();
+            const BenchClock clock;
             timed.round(static_cast<double>(round + 1) * static_cast<double>(frame));
-            const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
+            const double taken = clock.seconds();
             if (round >= 0)
-                timed.kernel.nanoseconds.push_back(taken.count() /
-                                                   static_cast<double>(timed.kernel.elements));
+                timed.kernel.nanoseconds.push_back(1e9 * taken / static_cast<double>(timed.kernel.elements));
         }
     std::vector<BenchKernel> results;
     for (TimedKernel& timed : kernels)

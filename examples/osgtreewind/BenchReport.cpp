@@ -130,7 +130,9 @@ ordered_json viewJson(const BenchView& view) {
              {{"forest", number(view.forestSeconds)},
               {"shapes", number(view.shapesSeconds)},
               {"firstFrame", number(view.firstFrameSeconds)}}},
-            {"forestBytes", view.forestBytes},
+            {"forestBytes", std::isfinite(view.forestBytes)
+                                ? ordered_json(static_cast<std::uint64_t>(view.forestBytes))
+                                : ordered_json(nullptr)},
             {"tiers",
              {{"full", view.tiers[0]},
               {"reduced", view.tiers[1]},

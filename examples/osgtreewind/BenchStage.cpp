@@ -85,7 +85,7 @@ constexpr TreeLodRanges alwaysFull{always, always};
 
 osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest& forest,
                                     const std::shared_ptr<const TreeModel>& model) {
-    osg::ref_ptr<TreeBuffers> shape = new TreeBuffers(model);
+    osg::ref_ptr<TreeBuffers> buffers = new TreeBuffers(model);
     const TreeStyle style = TreeStyles().style(forest.description().species.front().appearance);
     const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
     osg::ref_ptr<osg::Geometry> lines;
@@ -99,7 +99,7 @@ osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest&
             node = new osg::PositionAttitudeTransform;
             node->addChild(lines);
         } else {
-            osg::ref_ptr<TreeNode> still = new TreeNode(shape, style, tree.scale);
+            osg::ref_ptr<TreeNode> still = new TreeNode(buffers, style, tree.scale);
             still->getLod()->setRanges(alwaysFull);
             node = still;
         }
@@ -112,94 +112,32 @@ osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest&
 } // namespace
 
 const std::vector<BenchStage>& benchStages() {
+    using S = BenchStage;
+    constexpr auto lines = S::BUFFERED_LINES, leaves = S::BARK_AND_LEAVES;
+    constexpr auto way = S::BRANCHWISE;
+    constexpr auto cpu = BranchwiseForest::CPU_ANGLES, gpu = BranchwiseForest::GPU_ANGLES;
+    constexpr auto branches = BranchwiseForest::BRANCH_DRAWING, trees = BranchwiseForest::TREE_DRAWING;
+    constexpr auto moved = BranchwiseForest::LEAF_TRANSFORMS;
     static const std::vector<BenchStage> stages = {
-        {"cpu",
-         "skeletons, angles on the CPU",
-         "6.1",
-         {10, 5, 3, 2},
-         BenchStage::LINES,
-         BenchStage::BRANCHWISE,
-         BranchwiseForest::CPU_ANGLES,
-         BranchwiseForest::BRANCH_DRAWING,
-         BranchwiseForest::TREE_LEAVES},
-        {"cpu-vbo",
-         "the same in vertex buffers",
-         "6.2",
-         {12, 5, 3, 2},
-         BenchStage::BUFFERED_LINES,
-         BenchStage::BRANCHWISE,
-         BranchwiseForest::CPU_ANGLES,
-         BranchwiseForest::BRANCH_DRAWING,
-         BranchwiseForest::TREE_LEAVES},
-        {"gpu",
-         "the same, angles on the GPU",
-         "6.3",
-         {105, 60, 40, 31},
-         BenchStage::BUFFERED_LINES,
-         BenchStage::BRANCHWISE,
-         BranchwiseForest::GPU_ANGLES,
-         BranchwiseForest::BRANCH_DRAWING,
-         BranchwiseForest::TREE_LEAVES},
-        {"gpu-skin",
-         "with bark",
-         "6.4",
-         {90, 45, 36, 31},
-         BenchStage::BARK,
-         BenchStage::BRANCHWISE,
-         BranchwiseForest::GPU_ANGLES,
-         BranchwiseForest::BRANCH_DRAWING,
-         BranchwiseForest::TREE_LEAVES},
+        {"cpu", "skeletons, angles on the CPU", S::LINES, way, "6.1", {10, 5, 3, 2}, cpu, branches},
+        {"cpu-vbo", "the same in vertex buffers", lines, way, "6.2", {12, 5, 3, 2}, cpu, branches},
+        {"gpu", "the same, angles on the GPU", lines, way, "6.3", {105, 60, 40, 31}, gpu, branches},
+        {"gpu-skin", "with bark", S::BARK, way, "6.4", {90, 45, 36, 31}, gpu, branches},
         {"gpu-leaves",
          "with bark and a transform per leaf",
+         leaves,
+         way,
          "6.5",
          {32, 14, 9, 7},
-         BenchStage::BARK_AND_LEAVES,
-         BenchStage::BRANCHWISE,
-         BranchwiseForest::GPU_ANGLES,
-         BranchwiseForest::BRANCH_DRAWING,
-         BranchwiseForest::LEAF_TRANSFORMS},
-        {"gpu-tree-leaves",
-         "with bark, and leaves in one draw a tree",
-         "",
-         {},
-         BenchStage::BARK_AND_LEAVES,
-         BenchStage::BRANCHWISE,
-         BranchwiseForest::GPU_ANGLES,
-         BranchwiseForest::BRANCH_DRAWING,
-         BranchwiseForest::TREE_LEAVES},
-        {"gpu-tree",
-         "bark and leaves in one draw each a tree",
-         "",
-         {},
-         BenchStage::BARK_AND_LEAVES,
-         BenchStage::BRANCHWISE,
-         BranchwiseForest::GPU_ANGLES,
-         BranchwiseForest::TREE_DRAWING,
-         BranchwiseForest::TREE_LEAVES},
-        {"resident",
-         "instances and tiers, the law modal",
-         "",
-         {},
-         BenchStage::BARK_AND_LEAVES,
-         BenchStage::INSTANCES},
-        {"resident-full",
-         "the same, every tree in full",
-         "",
-         {},
-         BenchStage::BARK_AND_LEAVES,
-         BenchStage::INSTANCES_IN_FULL},
-        {"osganimation-hw",
-         "osgAnimation, skinned by a shader",
-         "",
-         {},
-         BenchStage::BARK_AND_LEAVES,
-         BenchStage::HARDWARE_RIG},
-        {"osganimation-sw",
-         "osgAnimation, skinned by the CPU",
-         "",
-         {},
-         BenchStage::BARK_AND_LEAVES,
-         BenchStage::SOFTWARE_RIG},
+         gpu,
+         branches,
+         moved},
+        {"gpu-tree-leaves", "with bark, and leaves in one draw a tree", leaves, way, "", {}, gpu, branches},
+        {"gpu-tree", "bark and leaves in one draw each a tree", leaves, way, "", {}, gpu, trees},
+        {"resident", "instances and tiers, the law modal", leaves, S::INSTANCES},
+        {"resident-full", "the same, every tree in full", leaves, S::INSTANCES_IN_FULL},
+        {"osganimation-hw", "osgAnimation, skinned by a shader", leaves, S::HARDWARE_RIG},
+        {"osganimation-sw", "osgAnimation, skinned by the CPU", leaves, S::SOFTWARE_RIG},
     };
     return stages;
 }

@@ -25,10 +25,10 @@ struct BenchStage {
 
     std::string name;
     std::string title;
-    std::string table;          ///< Of the thesis; empty for a stage it does not have.
-    std::vector<int> thesisFps; ///< That table: frames a second for 1, 2, 3 and 4 trees.
     Geometry geometry;
     Way way;
+    std::string table{};          ///< Of the thesis; empty for a stage it does not have.
+    std::vector<int> thesisFps{}; ///< That table: frames a second for 1, 2, 3 and 4 trees.
     osgTreeWind::BranchwiseForest::AngleSource angles = osgTreeWind::BranchwiseForest::GPU_ANGLES;
     osgTreeWind::BranchwiseForest::BranchDrawing branches = osgTreeWind::BranchwiseForest::TREE_DRAWING;
     osgTreeWind::BranchwiseForest::LeafDrawing leaves = osgTreeWind::BranchwiseForest::TREE_LEAVES;

@@ -75,14 +75,14 @@ TimedKernel dampedTree(const char* name, const WindFieldPtr& wind, bool calm) {
     };
     const auto trees = std::make_shared<Trees>();
     warmUp([&](double time) {
-        trees->motion.sampleWind(wind.get(), time);
+        trees->motion.meet(wind.get(), time);
         trees->step();
     });
     for (int i = 0; i < 2; ++i) // the one before the step and the one after it
-        trees->motion.sampleWind(calm ? nullptr : wind.get(), 0.0);
+        trees->motion.meet(calm ? nullptr : wind.get(), 0.0);
     return {treeKernel(name, dampedTrees), [=](double time) {
                 if (!calm)
-                    trees->motion.sampleWind(wind.get(), time);
+                    trees->motion.meet(wind.get(), time);
                 trees->step();
                 kept = trees->states[7].x;
             }};
@@ -122,8 +122,8 @@ TimedKernel modalStep(InstructionSet set) {
     const PlacedForest forest(referenceTrees(MotionLaw::Modal, 1));
     const auto archetype = std::make_shared<const Archetype>(
         SwayingTree{&forest.models().front(), &forest.description().species.front(), {}, 1.0f});
-    const ModalModel& shape = archetype->shape(0);
-    const std::size_t floats = treeFloats(shape);
+    const ModalModel& model = archetype->model(0);
+    const std::size_t floats = treeFloats(model);
     float factors[sizeof(TreeFactors) / sizeof(float)];
     const TreeFactors asItIs;
     std::memcpy(factors, &asItIs, sizeof factors);
@@ -131,12 +131,12 @@ TimedKernel modalStep(InstructionSet set) {
     for (std::size_t i = 0; i < trees.size(); ++i)
         if (const std::size_t behind = floats - i % floats; behind <= std::size(factors))
             std::fill_n(trees[i].tree, TreeLanes::count, factors[std::size(factors) - behind]);
-    std::vector<TreeLanes> wind(3 * shape.patches.size());
+    std::vector<TreeLanes> wind(3 * model.patches.size());
     for (std::size_t i = 0; i < wind.size(); i += 3)
         std::fill_n(wind[i].tree, TreeLanes::count, 8.0f);
     return {treeKernel(std::string("modal step, ") + nameOf(set), modalTrees), [=](double) mutable {
                 for (std::size_t i = 0; i < trees.size(); i += floats)
-                    stepTrees({&archetype->shape(0), &trees[i], wind.data(), frame, 1, 1.0f}, set);
+                    stepTrees({&archetype->model(0), &trees[i], wind.data(), frame, 1, 1.0f}, set);
                 kept = trees[0].tree[0];
             }};
 }

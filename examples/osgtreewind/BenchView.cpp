@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "BenchView.h"
 
+#include "BenchClock.h"
 #include "BenchForests.h"
 #include "DefaultView.h"
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
-#include <chrono>
 #include <cmath>
 #include <malloc.h>
 
@@ -17,17 +17,10 @@ namespace {
 constexpr int warmUp = 4;             // rounds
 constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anything beyond
 
-/// What the process has of the allocator.
-std::size_t allocatedBytes() {
+/// What the process has of the allocator; 0 of another one than glibc's.
+double allocatedBytes() {
     const struct mallinfo2 memory = mallinfo2();
-    return memory.uordblks + memory.hblkhd;
-}
-
-template <typename Do>
-double secondsOf(Do&& act) {
-    const auto start = std::chrono::steady_clock::now();
-    act();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return static_cast<double>(memory.uordblks + memory.hblkhd);
 }
 
 const BenchStage& stageOfInstances() {
@@ -49,20 +42,25 @@ osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, 
 
 /// A forest, and what it took to make it.
 osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, BenchView& result) {
-    const std::size_t before = allocatedBytes();
+    const double before = allocatedBytes();
     osg::ref_ptr<Forest> forest;
     {
         ForestDescription description = make();
-        result.forestSeconds = secondsOf([&] { forest = new Forest(std::move(description)); });
+        const BenchClock clock;
+        forest = new Forest(std::move(description));
+        result.forestSeconds = clock.seconds();
     }
-    result.forestBytes = allocatedBytes() - before;
+    if (before > 0.0)
+        result.forestBytes = allocatedBytes() - before;
     const ForestSimulation& simulation = forest->getSimulation();
     result.trees = forest->getNumTrees();
     result.shapes = simulation.models().size();
     if (const ModalMotion* modal = simulation.modal()) {
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
-        result.shapesSeconds = secondsOf([&] { StandResources(simulation.forest()); });
+        const BenchClock clock;
+        StandResources(simulation.forest());
+        result.shapesSeconds = clock.seconds();
     }
     return forest;
 }
@@ -91,7 +89,9 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
         variants.push_back({new Forest(std::move(description)), view});
     }
     BenchViewer viewer(settings.size, *context.value(), driver, variants, 3 * (warmUp + settings.frames));
-    result.firstFrameSeconds = secondsOf([&] { viewer.draw(Drawn, 0.0); });
+    const BenchClock clock;
+    viewer.draw(Drawn, 0.0);
+    result.firstFrameSeconds = clock.seconds();
     const BenchWinds winds;
     double time = 0.0;
     for (int round = -warmUp; round < settings.frames; ++round) {
@@ -134,7 +134,7 @@ Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees, con
         BenchScale scale;
         scale.view = std::move(view.value());
         const auto own = [](const BenchView& forest) {
-            return static_cast<double>(forest.forestBytes) - static_cast<double>(forest.archetypeBytes);
+            return forest.forestBytes - static_cast<double>(forest.archetypeBytes);
         };
         scale.bytesPerTree =
             scale.view.trees > fewTrees

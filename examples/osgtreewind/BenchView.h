@@ -6,6 +6,7 @@
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 
 #include <array>
+#include <cmath>
 
 /// From where a forest is looked at.
 enum class BenchViewpoint {
@@ -22,7 +23,8 @@ struct BenchView {
     double forestSeconds = 0.0;     ///< A Forest out of the description.
     double shapesSeconds = 0.0;     ///< Of that, about: meshes of all tiers, impostors painted.
     double firstFrameSeconds = 0.0; ///< Shaders compile, buffers and textures go to the GPU.
-    std::size_t forestBytes = 0;    ///< Main memory that the Forest took, before anything was drawn.
+    /// Main memory that the Forest took, before anything was drawn; NaN where the allocator does not say.
+    double forestBytes = std::nan("");
     std::array<std::size_t, osgTreeWind::tierCount>
         tiers{};                    ///< Trees drawn by tier; one across two counts twice.
     BenchTimes drawn, inFull, tree; ///< Round by round; `inFull` in each 10th, or none.
@@ -40,7 +42,8 @@ osgTreeWind::Result<BenchView> runBenchView(const std::string& name,
 /// A wood of `trees` trees (createWood()).
 struct BenchScale {
     BenchView view;
-    double bytesPerTree = 0.0; ///< Of main memory, beyond shapes and archetypes; NaN for too few trees.
+    double bytesPerTree =
+        0.0; ///< Of main memory, beyond shapes and archetypes; NaN where not known or for too few trees.
 };
 
 /// @return one for each number of trees.

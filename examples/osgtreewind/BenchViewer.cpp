@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "BenchViewer.h"
 
+#include "BenchClock.h"
+
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/GL>
 #include <osg/LightSource>
 #include <osg/Stats>
 
-#include <chrono>
 #include <ctime>
 
 namespace {
@@ -75,12 +76,11 @@ void BenchViewer::draw(std::size_t variant, double time) {
 }
 
 void BenchViewer::measure(std::size_t variant, double time) {
-    const auto start = std::chrono::steady_clock::now();
+    const BenchClock clock;
     const std::clock_t before = std::clock();
     draw(variant, time);
     _times[variant].processor.push_back(1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
-    _times[variant].frame.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    _times[variant].frame.push_back(1000.0 * clock.seconds());
     _frames[variant].push_back(_viewer.getFrameStamp()->getFrameNumber());
 }
 

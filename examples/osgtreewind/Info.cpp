@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 
+#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <glm/common.hpp>
@@ -92,10 +93,8 @@ Json windOf(const ForestDescription& forest) {
 
 /// Bytes of vertex and index buffers, which grow with shapes, and of state, which grows with trees.
 Json memoryOf(const TreeCounts& shapes, const TreeCounts& all) {
-    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
     constexpr std::uint64_t unitTexels = 32, leafTexel = 16;
-    return {{"shapeBytes", shapes.skinVertices * skinVertex + shapes.leafVertices * leafVertex +
-                               3 * index * shapes.totalTriangles()},
+    return {{"shapeBytes", geometryBytes(shapes)},
             {"textureBytes", all.units * unitTexels + all.leafVertices / verticesPerLeafCluster * leafTexel}};
 }
 

@@ -20,6 +20,12 @@ PictureSize parsePictureSize(const std::string& text, int largest) {
     return size;
 }
 
+void addBackendOption(CLI::App& command, std::string& backend) {
+    command.add_option("--backend", backend, "Where OpenGL comes from")
+        ->check(CLI::IsMember({"osmesa", "egl"}))
+        ->capture_default_str();
+}
+
 ExitCode runOtherBackend(const std::string& backend) {
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
     const std::filesystem::path other =

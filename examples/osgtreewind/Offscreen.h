@@ -13,5 +13,6 @@ struct PictureSize {
 /// Reads "WIDTHxHEIGHT", sides from 1 to `largest`. Throws CLI::ValidationError for option --size.
 PictureSize parsePictureSize(const std::string& text, int largest);
 
+void addBackendOption(CLI::App& command, std::string& backend);
 /// Runs this command in the program that is linked with the other backend; returns only on failure.
 ExitCode runOtherBackend(const std::string& backend);

@@ -119,9 +119,7 @@ void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
         ->check(CLI::Range(16, 2048))
         ->capture_default_str();
     addSeasonOption(*command, options->season);
-    command->add_option("--backend", options->backend, "Where OpenGL comes from")
-        ->check(CLI::IsMember({"osmesa", "egl"}))
-        ->capture_default_str();
+    addBackendOption(*command, options->backend);
     command->footer(std::string(portraitLayout) +
                     "\nThe numbers are means over three shapes; docs/species.md says what they should be.\n"
                     "Example: osgtreewind portrait oak -o oak.png --json");

@@ -38,12 +38,12 @@ int samplesAcross(const RenderOptions& options) {
     return static_cast<int>(std::lround(std::sqrt(options.samples)));
 }
 
-/// The name with "%04d" or its like (the first, if there are several) replaced; empty when there is none.
+/// The name with "%04d" or its like (the first, if there are several) replaced; as it is when there is none.
 std::string framePath(const std::string& pattern, int frame) {
     static const std::regex field("%(0?)([0-9]?)d");
     std::smatch match;
     if (!std::regex_search(pattern, match, field))
-        return {};
+        return pattern;
     std::string number = std::to_string(frame);
     const std::size_t width = match[2].length() ? std::stoul(match[2]) : 0;
     if (number.size() < width)
@@ -91,28 +91,55 @@ void runUp(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& option
     }
 }
 
-ExitCode render(RenderOptions options) {
-    if (options.backend != offscreenBackendName())
-        return runOtherBackend(options.backend);
-    const std::string extension = osgDB::getLowerCaseFileExtension(options.output);
-    const bool video = extension == "mp4";
-    const bool numbered = !framePath(options.output, 0).empty();
-    if (options.frames > 1 && !video && !numbered) {
+bool isVideo(const RenderOptions& options) {
+    return osgDB::getLowerCaseFileExtension(options.output) == "mp4";
+}
+
+/// Says what is wrong with the name of the output.
+ExitCode checkOutput(const RenderOptions& options) {
+    if (options.frames > 1 && !isVideo(options) && framePath(options.output, 0) == options.output) {
         std::cerr << "--output: " << options.frames
                   << " frames need a name with %04d in it, or one that ends in .mp4\n";
         return BadInput;
     }
-    if (video && !VideoWriter::available()) {
+    if (isVideo(options) && !VideoWriter::available()) {
         std::cerr << options.output
                   << ": MP4 needs the ffmpeg program; render PNG frames with -o 'frame_%04d.png'\n";
         return Failed;
     }
-
-    if (!video && extension != "png") {
+    if (!isVideo(options) && osgDB::getLowerCaseFileExtension(options.output) != "png") {
         std::cerr << "--output: expected a name that ends in .png or .mp4, found " << options.output << '\n';
         return BadInput;
     }
+    return Succeeded;
+}
 
+ExitCode writeFrames(OffscreenViewer& drawing, const RenderOptions& options) {
+    std::unique_ptr<VideoWriter> movie;
+    if (isVideo(options))
+        movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
+    Progress progress("render", static_cast<std::size_t>(options.frames));
+    for (int frame = 0; frame < options.frames; ++frame) {
+        osg::Image& image = drawing.frame(options.start + frame / options.fps);
+        const std::string path = framePath(options.output, frame);
+        if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path))) {
+            std::cerr << path << ": cannot be written\n";
+            return Failed;
+        }
+        progress.advance();
+    }
+    if (movie && !movie->close()) {
+        std::cerr << options.output << ": ffmpeg failed\n";
+        return Failed;
+    }
+    return Succeeded;
+}
+
+ExitCode render(RenderOptions options) {
+    if (options.backend != offscreenBackendName())
+        return runOtherBackend(options.backend);
+    if (const ExitCode problem = checkOutput(options); problem != Succeeded)
+        return problem;
     auto description = loadForest(options.file, true);
     if (!description)
         return BadInput;
@@ -138,24 +165,27 @@ ExitCode render(RenderOptions options) {
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);
 
-    std::unique_ptr<VideoWriter> movie;
-    if (video)
-        movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
-    Progress progress("render", static_cast<std::size_t>(options.frames));
-    for (int frame = 0; frame < options.frames; ++frame) {
-        osg::Image& image = drawing.frame(options.start + frame / options.fps);
-        const std::string path = numbered ? framePath(options.output, frame) : options.output;
-        if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path))) {
-            std::cerr << path << ": cannot be written\n";
-            return Failed;
-        }
-        progress.advance();
-    }
-    if (movie && !movie->close()) {
-        std::cerr << options.output << ": ffmpeg failed\n";
-        return Failed;
-    }
-    return Succeeded;
+    return writeFrames(drawing, options);
+}
+
+void addViewOptions(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--view", options.view,
+                    "eye: as a person stands before the forest; above: all of it from above its crowns;\n"
+                    "portrait: the tree nearest to its middle")
+        ->check(CLI::IsMember({"eye", "above", "portrait"}))
+        ->capture_default_str();
+    command.add_option("--eye", options.eye, "Where the camera is instead: x,y,z in the scene, metres")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(within(-1e7, 1e7));
+    command.add_option("--center", options.center, "Where it looks")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(within(-1e7, 1e7));
+    command.add_option("--fov", options.fov, "Vertical field of view, degrees")
+        ->check(within(1.0, 170.0))
+        ->capture_default_str();
 }
 
 } // namespace
@@ -178,30 +208,12 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
                      "Simulation time of the first frame, seconds; the forest moves there from rest")
         ->check(within(0.0, 1e6))
         ->capture_default_str();
-    command
-        ->add_option("--view", options->view,
-                     "eye: as a person stands before the forest; above: all of it from above its crowns;\n"
-                     "portrait: the tree nearest to its middle")
-        ->check(CLI::IsMember({"eye", "above", "portrait"}))
-        ->capture_default_str();
-    command->add_option("--eye", options->eye, "Where the camera is instead: x,y,z in the scene, metres")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(within(-1e7, 1e7));
-    command->add_option("--center", options->center, "Where it looks")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(within(-1e7, 1e7));
-    command->add_option("--fov", options->fov, "Vertical field of view, degrees")
-        ->check(within(1.0, 170.0))
-        ->capture_default_str();
+    addViewOptions(*command, *options);
     addSeasonOption(*command, options->season);
     command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges: 1, 4, 9 or 16")
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();
-    command->add_option("--backend", options->backend, "Where OpenGL comes from")
-        ->check(CLI::IsMember({"osmesa", "egl"}))
-        ->capture_default_str();
+    addBackendOption(*command, options->backend);
     command
         ->add_option("--shadows", options->shadows,
                      "on: of osgShadow, on ground and trees; soft: silhouettes on the ground")

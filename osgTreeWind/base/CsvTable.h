@@ -3,9 +3,11 @@
 
 #include <osgTreeWind/base/Result.h>
 
+#include <functional>
 #include <istream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace osgTreeWind {
@@ -32,5 +34,11 @@ struct CsvTable {
 /// Reads a whole table. Ragged rows, no header, unterminated quotes and NUL bytes are errors with a line.
 /// @param file name for diagnostics only.
 Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char delimiter = ',');
+
+/// The same without ever holding all rows.
+/// @param take gets the table without rows, and each row in turn. All of it counts for nothing where the
+/// result is an error.
+Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, char delimiter,
+                             const std::function<void(const CsvTable& table, CsvTable::Row& row)>& take);
 
 } // namespace osgTreeWind

@@ -7,7 +7,8 @@
 namespace osgTreeWind {
 
 /// Runs job(0) to job(count - 1), in any order and several at once if it likes, and returns when all are
-/// done. A host lends its own threads by handing over one of these; what is computed does not depend on it.
+/// done. A host lends its own threads by handing over one of these, which several threads may call at once,
+/// and jobs too. What is computed does not depend on it.
 using Executor = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
 /// One job after another in the calling thread.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Result.h>
 
-#include <cstdlib>
-#include <iostream>
-
 namespace osgTreeWind {
 
 std::string Diagnostic::text() const {
@@ -19,14 +16,6 @@ std::string Diagnostic::text() const {
     if (!key.empty())
         result += key + ": ";
     return result + message;
-}
-
-void abortWithoutValue(const Diagnostics& problems) {
-    std::cerr << "osgTreeWind: the value of a result that has none was taken; ask ok() before value()\n";
-    for (const Diagnostic& problem : problems)
-        std::cerr << "    " << problem.text() << '\n';
-    std::cerr.flush();
-    std::abort();
 }
 
 } // namespace osgTreeWind

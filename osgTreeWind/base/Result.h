@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace osgTreeWind {
 
 /// One problem found in an input: where it is, which key, and what was expected.
-struct Diagnostic {
+struct OSGTREEWIND_EXPORT Diagnostic {
     std::string file;    ///< Path as the user gave it; empty when the input is not a file.
     int line = 0;        ///< 1-based; 0 when unknown.
     int column = 0;      ///< 1-based; 0 when unknown.
@@ -22,34 +23,28 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// Ends the program for who takes a value that is not there: prints the problems on standard error, aborts.
-[[noreturn]] void abortWithoutValue(const Diagnostics& problems);
-
-/// A value, or the problems that kept it from being made. Never throws.
+/// A value, or the problems that kept it from being made. Never throws, never ends a program.
 template <typename T>
-class Result {
+class [[nodiscard]] Result {
 public:
-    Result(T value) : _content(std::move(value)) {}
-    Result(Diagnostic problem) : _content(Diagnostics{std::move(problem)}) {}
+    Result(T value) : _value(std::move(value)) {}
+    Result(Diagnostic problem) : _problems{std::move(problem)} {}
     /// @param problems at least one.
-    Result(Diagnostics problems) : _content(std::move(problems)) {}
+    Result(Diagnostics problems) : _problems(std::move(problems)) {}
 
-    bool ok() const { return std::holds_alternative<T>(_content); }
+    bool ok() const { return _problems.empty(); }
     explicit operator bool() const { return ok(); }
 
-    /// The value; without one the program ends with the problems on standard error, so ask ok() before.
-    T& value() {
-        if (!ok())
-            abortWithoutValue(problems());
-        return *std::get_if<T>(&_content);
-    }
-    const T& value() const { return const_cast<Result*>(this)->value(); }
+    /// The value; an empty one, T(), where there is none.
+    T& value() { return _value; }
+    const T& value() const { return _value; }
 
-    /// All problems in the order of the input; only when not ok().
-    const Diagnostics& problems() const { return *std::get_if<Diagnostics>(&_content); }
+    /// All problems in the order of the input; none when ok().
+    const Diagnostics& problems() const { return _problems; }
 
 private:
-    std::variant<T, Diagnostics> _content;
+    T _value{};
+    Diagnostics _problems;
 };
 
 } // namespace osgTreeWind

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
 #include <algorithm>
@@ -25,23 +26,29 @@ TextPlace placeInText(std::string_view text, std::size_t offset) {
     return place;
 }
 
+Result<std::string_view> plainText(std::string_view bytes, const std::string& file) {
+    if (bytes.substr(0, 3) == "\xEF\xBB\xBF")
+        bytes.remove_prefix(3);
+    if (bytes.empty())
+        return fileProblem(file, "the file is empty");
+    const auto binary = std::find_if(bytes.begin(), bytes.end(), isBinary);
+    if (binary == bytes.end())
+        return bytes;
+    const TextPlace place = placeInText(bytes, static_cast<std::size_t>(binary - bytes.begin()));
+    return Diagnostic{file, place.line, place.column, {}, "expected text, found binary data"};
+}
+
 Result<std::string> readText(std::istream& input, const std::string& file) {
     std::string text;
     char buffer[1 << 14];
     while (input.read(buffer, sizeof buffer) || input.gcount() > 0)
         text.append(buffer, static_cast<std::size_t>(input.gcount()));
     if (!input.eof() || input.bad())
-        return Diagnostic{file, 0, 0, {}, "cannot be read"};
-    if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
-        text.erase(0, 3);
-    if (text.empty())
-        return Diagnostic{file, 0, 0, {}, "the file is empty"};
-
-    const auto binary = std::find_if(text.begin(), text.end(), isBinary);
-    if (binary != text.end()) {
-        const TextPlace place = placeInText(text, static_cast<std::size_t>(binary - text.begin()));
-        return Diagnostic{file, place.line, place.column, {}, "expected text, found binary data"};
-    }
+        return fileProblem(file, "cannot be read");
+    const Result<std::string_view> plain = plainText(text, file);
+    if (!plain)
+        return plain.problems();
+    text.erase(0, text.size() - plain.value().size());
     return text;
 }
 

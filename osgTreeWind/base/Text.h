@@ -18,9 +18,12 @@ struct TextPlace {
 /// Where the byte at `offset` stands; offsets past the end give the end. Lines end in LF, CR LF or CR.
 TextPlace placeInText(std::string_view text, std::size_t offset);
 
-/// All of a text input, without a UTF-8 byte-order mark. An unreadable stream (a folder, say), an empty
-/// input, and control characters other than tab, CR, LF and form feed (binary data) are errors.
+/// Bytes as a text, without a UTF-8 byte-order mark. No bytes at all, and control characters other than tab,
+/// CR, LF and form feed (binary data) are errors.
 /// @param file name for diagnostics only.
+Result<std::string_view> plainText(std::string_view bytes, const std::string& file);
+
+/// All of a text input, and what plainText() says of it; an unreadable stream (a folder, say) is an error.
 Result<std::string> readText(std::istream& input, const std::string& file);
 
 /// With letters A to Z in lower case.

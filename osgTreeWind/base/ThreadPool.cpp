@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/ThreadPool.h>
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdlib>
@@ -26,32 +27,48 @@ unsigned wantedThreads() {
 
 } // namespace
 
-struct ThreadPool::State {
-    std::mutex mutex;
-    std::condition_variable begun, done;
-    const std::function<void(std::size_t)>* job = nullptr; // what follows is guarded by `mutex`
-    std::size_t count = 0, round = 0, working = 0;
-    bool ending = false;
+/// What one call of run() brings.
+struct ThreadPool::Batch {
+    const std::function<void(std::size_t)>& job;
+    const std::size_t count;
     std::atomic<std::size_t> next{0};
-    std::vector<std::thread> threads;
+    std::size_t helpers = 0; // threads of the pool at work on it; guarded by State::mutex
+    std::condition_variable left;
 
+    Batch(const std::function<void(std::size_t)>& job, std::size_t count) : job(job), count(count) {}
     void share() {
         for (std::size_t i = next++; i < count; i = next++)
-            (*job)(i);
+            job(i);
+    }
+};
+
+struct ThreadPool::State {
+    std::mutex mutex;
+    std::condition_variable brought;
+    std::vector<Batch*> batches; // guarded by `mutex`, as is what follows
+    bool ending = false;
+    std::vector<std::thread> threads;
+
+    Batch* open() const {
+        for (Batch* batch : batches)
+            if (batch->next < batch->count)
+                return batch;
+        return nullptr;
     }
 
-    void wait() {
-        for (std::size_t seen = 0;;) {
-            std::unique_lock<std::mutex> lock(mutex);
-            begun.wait(lock, [&] { return ending || round != seen; });
+    void help() {
+        std::unique_lock<std::mutex> lock(mutex);
+        for (;;) {
+            Batch* batch = nullptr;
+            brought.wait(lock, [&] { return ending || (batch = open()); });
             if (ending)
                 return;
-            seen = round;
+            ++batch->helpers;
             lock.unlock();
-            share();
+            batch->share();
             lock.lock();
-            if (--working == 0)
-                done.notify_one();
+            if (--batch->helpers == 0)
+                batch->left.notify_one();
         }
     }
 };
@@ -59,7 +76,7 @@ struct ThreadPool::State {
 ThreadPool::ThreadPool(unsigned threads) : _state(new State) {
     const unsigned wanted = threads > 0 ? threads : wantedThreads();
     for (unsigned i = 1; i < wanted; ++i)
-        _state->threads.emplace_back([state = _state.get()] { state->wait(); });
+        _state->threads.emplace_back([state = _state.get()] { state->help(); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -67,7 +84,7 @@ ThreadPool::~ThreadPool() {
         const std::lock_guard<std::mutex> lock(_state->mutex);
         _state->ending = true;
     }
-    _state->begun.notify_all();
+    _state->brought.notify_all();
     for (std::thread& thread : _state->threads)
         thread.join();
 }
@@ -79,23 +96,28 @@ unsigned ThreadPool::threadCount() const {
 void ThreadPool::run(std::size_t count, const std::function<void(std::size_t)>& job) {
     if (_state->threads.empty() || count < 2)
         return runInTurn(count, job);
+    Batch batch(job, count);
     {
         const std::lock_guard<std::mutex> lock(_state->mutex);
-        _state->job = &job;
-        _state->count = count;
-        _state->next = 0;
-        _state->working = _state->threads.size();
-        ++_state->round;
+        _state->batches.push_back(&batch);
     }
-    _state->begun.notify_all();
-    _state->share();
+    for (std::size_t i = 0; i < std::min(count - 1, _state->threads.size()); ++i)
+        _state->brought.notify_one();
+    batch.share();
     std::unique_lock<std::mutex> lock(_state->mutex);
-    _state->done.wait(lock, [&] { return _state->working == 0; });
+    std::vector<Batch*>& batches = _state->batches;
+    batches.erase(std::find(batches.begin(), batches.end(), &batch));
+    batch.left.wait(lock, [&] { return batch.helpers == 0; });
 }
 
 Executor ThreadPool::executor(unsigned threads) {
-    return [pool = std::make_shared<ThreadPool>(threads)](
-               std::size_t count, const std::function<void(std::size_t)>& job) { pool->run(count, job); };
+    using Job = std::function<void(std::size_t)>;
+    if (threads > 0)
+        return [pool = std::make_shared<ThreadPool>(threads)](std::size_t count, const Job& job) {
+            pool->run(count, job);
+        };
+    static ThreadPool ofTheProcess;
+    return [](std::size_t count, const Job& job) { ofTheProcess.run(count, job); };
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <osg/MatrixTransform>
 
 namespace osgTreeWind {
@@ -8,7 +10,7 @@ namespace osgTreeWind {
 /// One branch unit as a transform: it turns about its base, and everything below it goes along (the
 /// glPushMatrix and glPopMatrix of thesis §3.1.3). Coordinates below it are those of the tree at rest, so a
 /// node placed at a rest position of the branch stays attached to it.
-class BranchTransform : public osg::MatrixTransform {
+class OSGTREEWIND_EXPORT BranchTransform : public osg::MatrixTransform {
 public:
     BranchTransform();
     /// @param unit index in access order; @param base attach point in the tree's frame at rest, metres.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 
@@ -9,6 +10,6 @@ namespace osgTreeWind {
 /// What no file could say: numbers out of range or not finite, a tree without a species or far from the
 /// origin. Keys are those of a file with indices from 0, as "species[1].wood.density".
 /// @return the first 100 problems; empty when all is well.
-Diagnostics check(const ForestDescription& description);
+OSGTREEWIND_EXPORT Diagnostics check(const ForestDescription& description);
 
 } // namespace osgTreeWind

@@ -16,7 +16,7 @@
 
 namespace osgTreeWind {
 
-/// The law by which wind moves branches (design: "The laws of motion").
+/// The law by which wind moves branches (docs/frame.md, docs/thesis.md).
 enum class MotionLaw {
     Thesis,       ///< Appendix B as published: no restoring force, one step a frame.
     ThesisSmooth, ///< The text of §3.1: partial steps and the level term.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/forest/TreeNames.h>
@@ -31,7 +32,7 @@ struct PlacedTree {
 };
 
 /// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes.
-struct PlacedForest {
+struct OSGTREEWIND_EXPORT PlacedForest {
     /// Trees of a species that is not there are left out. @param placed called after each tree; may be empty.
     explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
 

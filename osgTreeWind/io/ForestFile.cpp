@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestFile.h>
 
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 
@@ -51,12 +52,12 @@ Result<ForestDescription> readForest(std::istream& input, const ForestFileOption
 Result<ForestDescription> readForestFile(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
-        return Diagnostic{path, 0, 0, "", "no such file"};
+        return fileProblem(path, "no such file");
     if (!std::filesystem::is_regular_file(path, error))
-        return Diagnostic{path, 0, 0, "", "not a regular file"};
+        return fileProblem(path, "not a regular file");
     std::ifstream input(path, std::ios::binary);
     if (!input)
-        return Diagnostic{path, 0, 0, "", "cannot be opened for reading"};
+        return fileProblem(path, "cannot be opened for reading");
     return readForest(input, {path, std::filesystem::path(path).parent_path().string()});
 }
 

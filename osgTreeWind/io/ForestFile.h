@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 
@@ -22,19 +23,20 @@ struct ForestFileOptions {
 /// are such that reading `source` with that folder gives the same forest again.
 /// @return the forest, or every problem found (at most 100), those of the document first, in order of place.
 /// Thread-safe: keeps no state.
-Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<ForestDescription> readForest(std::istream& input,
+                                                        const ForestFileOptions& options = {});
 
 /// Opens `path` and reads it with its own folder as the folder for relative paths.
-Result<ForestDescription> readForestFile(const std::string& path);
+OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& path);
 
 /// Writes what reads back as the same forest, field by field and bit by bit; not its `notes`, and paths
 /// become absolute ones. A size that is not above 0 reads back as 0: not given.
 /// @return what keeps it from being written, before anything is: check(), species or trees of one name, a
 /// wind that is a callable, streamed or moved, scans and pictures without a file. Empty when all is well.
 /// Thread-safe.
-Diagnostics writeForest(const ForestDescription& description, std::ostream& output);
+OSGTREEWIND_EXPORT Diagnostics writeForest(const ForestDescription& description, std::ostream& output);
 
 /// The same into a file.
-Diagnostics writeForestFile(const ForestDescription& description, const std::string& path);
+OSGTREEWIND_EXPORT Diagnostics writeForestFile(const ForestDescription& description, const std::string& path);
 
 } // namespace osgTreeWind

@@ -12,9 +12,7 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
-#include <osgTreeWind/windfiles/QesSensor.h>
 #include <osgTreeWind/windfiles/WindFile.h>
-#include <osgTreeWind/windfiles/WindSeriesCsv.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <algorithm>
@@ -211,7 +209,7 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     return known;
 }
 
-/// A record in a file: QES sensor XML or CSV, by its extension.
+/// A record in a file; but for QES sensor XML, with a map of its columns.
 bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& series) {
     auto file = reading.open(table, "file");
     std::string name;
@@ -222,8 +220,7 @@ bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& seri
         return false;
     if (!file)
         return false;
-    auto record =
-        xml ? readQesSensor(file->stream, file->path) : readWindSeriesCsv(file->stream, file->path, columns);
+    auto record = readWindSeries(file->path, columns);
     if (record.ok()) {
         series = std::move(record.value());
         return true;

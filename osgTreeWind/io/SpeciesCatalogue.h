@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/species/Species.h>
 
@@ -13,7 +14,7 @@
 namespace osgTreeWind {
 
 /// Species that need no [[species]], by name (docs/species.md). Any number of threads may read one.
-class SpeciesCatalogue {
+class OSGTREEWIND_EXPORT SpeciesCatalogue {
 public:
     /// The built-in species: osgTreeWind/species/species.treewind, as it was when the library was built.
     static const SpeciesCatalogue& builtIn();
@@ -46,9 +47,9 @@ private:
 };
 
 /// SpeciesCatalogue::current().find() as a value.
-std::optional<Species> findSpecies(const std::string& name);
+OSGTREEWIND_EXPORT std::optional<Species> findSpecies(const std::string& name);
 
 /// What stands for a tree of unknown species: "broadleaf".
-Species defaultSpecies();
+OSGTREEWIND_EXPORT Species defaultSpecies();
 
 } // namespace osgTreeWind

@@ -29,11 +29,7 @@
 #undef TOML_ASSERT_ASSUME
 #define TOML_ASSERT(condition) static_assert(true)
 #define TOML_ASSERT_ASSUME(condition) static_assert(true)
-// So that a program's own toml++ does not take the place of this one. The standard headers it uses stand
-// above.
-#pragma GCC visibility push(hidden)
 #include <toml++/toml.h>
-#pragma GCC visibility pop
 
 namespace osgTreeWind {
 

@@ -92,8 +92,6 @@ private:
     std::string ofRetimed(const RetimedWind& wind) {
         if (std::isfinite(wind.clock().speed))
             return "a wind carried past a plane that was not read from a file";
-        if (dynamic_cast<const RetimedWind*>(wind.inner().get()))
-            return "a retimed wind of a retimed one";
         const std::string problem = fields(wind.clock());
         return problem.empty() ? write(*wind.inner()) : problem;
     }

@@ -22,12 +22,8 @@ float perimeter(int sides) {
 /// below breast height), with a few roots that stand out.
 class StemFoot {
 public:
-    explicit StemFoot(const Skeleton& skeleton) : _flare(skeleton.flare) {
-        float top = 0.0f;
-        for (const BranchUnit& unit : skeleton.units)
-            top = glm::max(top, unit.tip.z);
-        _height = glm::min(0.1f * top, highest);
-    }
+    explicit StemFoot(const Skeleton& skeleton)
+        : _flare(skeleton.flare), _height(glm::min(0.1f * skeleton.height(), highest)) {}
 
     /// @param next height of the next ring: a foot that lies between two rings is not drawn.
     float widening(const BranchUnit& unit, float height, float next, float angle) const {

@@ -15,9 +15,9 @@ float flame(float r) {
 
 } // namespace
 
-float crownWidth(CrownOutline shape, float wanted) {
+float crownWidth(CrownOutline outline, float wanted) {
     const float r = glm::clamp(wanted, 0.0f, 1.0f);
-    switch (shape) {
+    switch (outline) {
     case CrownOutline::Cone:
         return 0.2f + 0.8f * r;
     case CrownOutline::Sphere:

@@ -16,6 +16,6 @@ enum class CrownOutline {
 };
 
 /// Width of the crown over its largest one. @param r 0 at its top, 1 at its base.
-float crownWidth(CrownOutline shape, float r);
+float crownWidth(CrownOutline outline, float r);
 
 } // namespace osgTreeWind

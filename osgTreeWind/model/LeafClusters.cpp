@@ -114,6 +114,27 @@ glm::quat sprayFrame(const glm::vec3& outward, float angle, float azimuth) {
     return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
 }
 
+/// Where a cluster sits on a branch, which way that goes on, and which way is out of it.
+struct LeafSeat {
+    glm::vec3 anchor, tangent, outward;
+};
+
+/// @param along the unit, 0 to 1.
+LeafSeat seatOn(const Skeleton& skeleton, std::size_t unit, float along, float around) {
+    const float place = along * static_cast<float>(skeleton.ringsPerBranch - 1);
+    const int ring = std::min(static_cast<int>(place), skeleton.ringsPerBranch - 2);
+    const glm::vec3 tangent = skeleton.tangent(unit, ring);
+    const glm::vec3 e1 = perpendicular(tangent);
+    return {glm::mix(skeleton.point(unit, ring), skeleton.point(unit, ring + 1),
+                     place - static_cast<float>(ring)),
+            tangent, cosine(around) * e1 + sine(around) * glm::cross(tangent, e1)};
+}
+
+/// @param onward how far it leans along the branch.
+glm::vec3 petioleOf(const LeafSeat& seat, float onward, float droop) {
+    return directionOr(seat.outward + onward * seat.tangent - glm::vec3(0, 0, droop * 1.2f), seat.outward);
+}
+
 /// Clusters evenly along all leafy stretches.
 std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafParameters& p) {
     const std::vector<Stretch> stretches = leafyStretches(skeleton, p);
@@ -134,18 +155,12 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
         for (int i = 0; static_cast<float>(clusters.size()) * spacing < passed - 0.5f * spacing; ++i) {
             const float left = passed - (static_cast<float>(clusters.size()) + 0.5f) * spacing;
             const float t = glm::clamp((stretch.to - left) / stretch.to, 0.0f, 1.0f);
-            const float place = t * static_cast<float>(skeleton.ringsPerBranch - 1);
-            const int ring = std::min(static_cast<int>(place), skeleton.ringsPerBranch - 2);
-            const glm::vec3 tangent = skeleton.tangent(index, ring);
-            const glm::vec3 e1 = perpendicular(tangent);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
-            const glm::vec3 aside = cosine(around) * e1 + sine(around) * glm::cross(tangent, e1);
-            const glm::vec3 petiole =
-                directionOr(aside + 0.8f * tangent - glm::vec3(0, 0, p.droop * 1.2f), aside);
+            const LeafSeat seat = seatOn(skeleton, index, t, around);
+            const glm::vec3 petiole = petioleOf(seat, 0.8f, p.droop);
 
             LeafCluster cluster;
-            cluster.anchor = glm::mix(skeleton.point(index, ring), skeleton.point(index, ring + 1),
-                                      place - static_cast<float>(ring));
+            cluster.anchor = seat.anchor;
             cluster.unit = static_cast<int>(index);
             const float turn = random.symmetric() * glm::pi<float>();
             cluster.orientation = p.inclination > 0.0f
@@ -207,18 +222,12 @@ std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafPa
         const float start = random.uniform() * glm::two_pi<float>();
         for (int i = 0; i < count; ++i) {
             const float t = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
-            const float place = t * static_cast<float>(skeleton.ringsPerBranch - 1);
-            const int ring = std::min(static_cast<int>(place), skeleton.ringsPerBranch - 2);
-            const glm::vec3 tangent = skeleton.tangent(index, ring);
-            const glm::vec3 e1 = perpendicular(tangent);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
-            const glm::vec3 outward = cosine(around) * e1 + sine(around) * glm::cross(tangent, e1);
-            const glm::vec3 stand = outward + (0.35f + 0.45f * t) * tangent;
-            const glm::vec3 petiole = directionOr(stand - glm::vec3(0, 0, parameters.droop * 1.2f), outward);
+            const LeafSeat seat = seatOn(skeleton, index, t, around);
+            const glm::vec3 petiole = petioleOf(seat, 0.35f + 0.45f * t, parameters.droop);
 
             LeafCluster cluster;
-            cluster.anchor = glm::mix(skeleton.point(index, ring), skeleton.point(index, ring + 1),
-                                      place - static_cast<float>(ring));
+            cluster.anchor = seat.anchor;
             cluster.unit = static_cast<int>(index);
             cluster.orientation = leafFrame(petiole, random.symmetric() * glm::pi<float>());
             cluster.size = levelSize * (1.0f + 0.25f * random.symmetric());

@@ -2,6 +2,7 @@
 #include <osgTreeWind/model/ScanCylinder.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,7 +16,7 @@ namespace {
 constexpr double shortest = 1e-6, thickest = 10.0, lowest = 0.1, highest = 150.0, widest = 200.0; // metres
 
 Diagnostic problem(const ScanCylinder& cylinder, std::string message) {
-    return {{}, cylinder.line, 0, {}, std::move(message)};
+    return fileProblem({}, std::move(message), cylinder.line);
 }
 
 std::string problemOfForm(const ScanCylinder& cylinder) {
@@ -79,7 +80,7 @@ std::optional<Diagnostic> problemOfSize(const ScanCylinders& cylinders, const Sc
 
 std::optional<Diagnostic> problemOfScan(const ScanCylinders& cylinders) {
     if (cylinders.empty())
-        return Diagnostic{{}, 0, 0, {}, "expected at least one cylinder"};
+        return fileProblem({}, "expected at least one cylinder");
     const ScanCylinder* root = nullptr;
     for (const ScanCylinder& cylinder : cylinders) {
         if (const std::string wrong = problemOfForm(cylinder); !wrong.empty())
@@ -94,7 +95,7 @@ std::optional<Diagnostic> problemOfScan(const ScanCylinders& cylinders) {
         root = &cylinder;
     }
     if (!root)
-        return Diagnostic{{}, 0, 0, {}, "expected a root: a cylinder that springs from no other"};
+        return fileProblem({}, "expected a root: a cylinder that springs from no other");
     if (const auto looped = onLoop(cylinders, static_cast<std::size_t>(root - cylinders.data())))
         return problem(cylinders[*looped], "expected parents that lead to the root, found a loop");
     return problemOfSize(cylinders, *root);

@@ -6,6 +6,13 @@
 
 namespace osgTreeWind {
 
+float Skeleton::height() const {
+    float height = 0.0f;
+    for (const BranchUnit& unit : units)
+        height = glm::max(height, unit.tip.z);
+    return height;
+}
+
 float Skeleton::radius(std::size_t unit, int ring) const {
     const float t = static_cast<float>(ring) / static_cast<float>(ringsPerBranch - 1);
     return glm::mix(units[unit].baseRadius, units[unit].tipRadius, t);

@@ -30,6 +30,7 @@ struct Skeleton {
     const glm::vec3& point(std::size_t unit, int ring) const {
         return points[unit * static_cast<std::size_t>(ringsPerBranch) + static_cast<std::size_t>(ring)];
     }
+    float height() const; ///< Of the highest tip, metres, at least 0.
     /// Radius at a ring: linear from baseRadius to tipRadius.
     float radius(std::size_t unit, int ring) const;
     /// Unit direction of the unit's centre line at a ring (central difference, one-sided at the ends).

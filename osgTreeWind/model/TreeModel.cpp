@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/TreeModel.h>
 
-#include <glm/common.hpp>
+#include <osgTreeWind/model/TreeSize.h>
+
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,20 +22,6 @@ Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
     RecursiveTreeParameters wood = parameters.wood;
     wood.seed += variant;
     return makeRecursiveTree(wood);
-}
-
-/// Cross-section of the trunk at breast height (a tenth of a tree below 13 m), m^2.
-float trunkSection(const Skeleton& skeleton) {
-    float height = 0.0f, radius = 0.0f;
-    for (const BranchUnit& unit : skeleton.units)
-        height = std::max(height, unit.tip.z);
-    const float breast = std::min(1.3f, 0.1f * height);
-    for (const BranchUnit& unit : skeleton.units)
-        if (unit.parent < 0 || (unit.level == 0 && breast >= unit.base.z))
-            radius = glm::mix(
-                unit.baseRadius, unit.tipRadius,
-                std::clamp((breast - unit.base.z) / std::max(unit.tip.z - unit.base.z, 1e-6f), 0.0f, 1.0f));
-    return glm::pi<float>() * radius * radius;
 }
 
 /// Makes the quads of all clusters `area` large together, m^2.

@@ -2,6 +2,7 @@
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,18 @@ TreeSize measureTree(const TreeExtents& extents, const TreeScale& scale) {
     size.trunkDiameter = 2.0f * extents.trunkRadius(scale, std::min(1.3f, 0.1f * height));
     size.crownWidth = 0.5f * (east + west + north + south);
     return size;
+}
+
+float trunkSection(const Skeleton& skeleton, const TreeScale& scale) {
+    const float height = std::min(1.3f, 0.1f * scale.axes.z * skeleton.height());
+    float radius = 0.0f;
+    for (const BranchUnit& unit : skeleton.units) {
+        const float base = scale.axes.z * unit.base.z, tip = scale.axes.z * unit.tip.z;
+        if (unit.parent < 0 || (unit.level == 0 && height >= base))
+            radius = glm::mix(unit.baseRadius, unit.tipRadius,
+                              std::clamp((height - base) / std::max(tip - base, 1.0e-6f), 0.0f, 1.0f));
+    }
+    return glm::pi<float>() * radius * radius * scale.radius * scale.radius;
 }
 
 TreeScale fitTree(const TreeExtents& extents, const TreeSize& size) {

@@ -24,6 +24,9 @@ struct TreeScale {
 TreeSize measureTree(const TreeExtents& extents, const TreeScale& scale = {});
 TreeSize measureTree(const TreeModel& model, const TreeScale& scale = {});
 
+/// Cross-section of the trunk at breast height (a tenth of a tree below 13 m), m^2.
+float trunkSection(const Skeleton& skeleton, const TreeScale& scale = {});
+
 /// The scale under which measureTree() gives `size` (within 1 %) as far as the shape can have it: no crown is
 /// narrower than its trunk. Sizes not given follow the height in proportion; with no size at all the scale
 /// is 1.

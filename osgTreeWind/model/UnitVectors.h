@@ -14,8 +14,9 @@ inline glm::vec3 directionOr(const glm::vec3& v, const glm::vec3& fallback) {
 }
 
 /// A unit vector across the unit vector `axis`: the one nearest to +x, or to +y for an axis close to x.
-inline glm::vec3 perpendicular(const glm::vec3& axis) {
-    const glm::vec3 hint = std::abs(axis.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+template <typename T>
+glm::vec<3, T> perpendicular(const glm::vec<3, T>& axis) {
+    const glm::vec<3, T> hint = std::abs(axis.x) < T(0.9) ? glm::vec<3, T>(1, 0, 0) : glm::vec<3, T>(0, 1, 0);
     return glm::normalize(hint - axis * glm::dot(hint, axis));
 }
 

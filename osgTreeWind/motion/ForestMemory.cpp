@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +23,7 @@ std::uint64_t unitBytes(MotionLaw law) {
         2 * sizeof(glm::vec3) + 3 * sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
     return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(Laws::DampedBranch) : sizeof(Laws::ThesisBranch));
 }
-/// Of a tree under `modal`: its state.
-constexpr std::uint64_t modalBytes = 310;
 constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
-constexpr std::uint64_t treeBytes = sizeof(PlacedTree) + sizeof(TreePlacement);
 
 // Of nodes, measured: a tree with its uniforms and drawables, and the texels of its units and leaves, which
 // the graphics driver may hold once more.
@@ -38,12 +36,6 @@ std::uint64_t shapeBytes(const TreeCounts& counts) {
     return counts.units * sizeof(BranchUnit) + counts.skeletonPoints * sizeof(glm::vec3) +
            counts.skinVertices * sizeof(SkinVertex) + 3 * counts.skinTriangles * sizeof(std::uint32_t) +
            counts.leafVertices / verticesPerLeafCluster * sizeof(LeafCluster);
-}
-
-std::uint64_t geometryBytes(const TreeCounts& counts) {
-    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
-    return counts.skinVertices * skinVertex + counts.leafVertices * leafVertex +
-           3 * index * counts.totalTriangles();
 }
 
 /// "1.5 GB", three digits.
@@ -88,8 +80,9 @@ ForestMemory forestMemory(const ForestDescription& description) {
         const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, mostShapes));
         memory.simulation +=
             shapes * shapeBytes(counts) +
-            trees[i] * (treeBytes + (modal ? modalBytes
-                                           : counts.units * unitBytes(description.law) + leaves * leafBytes));
+            trees[i] *
+                (modal ? simulatedTreeBytes(ModalLevel::Near)
+                       : sizeof(PlacedTree) + counts.units * unitBytes(description.law) + leaves * leafBytes);
         if (modal) // up to the finest tier once more in the coarser ones
             memory.nodes += trees[i] * instanceBytes +
                             shapes * (2 * geometryBytes(counts) + impostorBytes +
@@ -100,6 +93,16 @@ ForestMemory forestMemory(const ForestDescription& description) {
                 trees[i] * (treeNodeBytes + counts.units * unitTexelBytes + leaves * leafTexelBytes);
     }
     return memory;
+}
+
+std::uint64_t geometryBytes(const TreeCounts& counts) {
+    constexpr std::uint64_t skinVertex = 40, leafVertex = 88, index = 4;
+    return counts.skinVertices * skinVertex + counts.leafVertices * leafVertex +
+           3 * index * counts.totalTriangles();
+}
+
+std::size_t simulatedTreeBytes(ModalLevel level) {
+    return sizeof(PlacedTree) + ModalMotion::treeBytes(level);
 }
 
 std::uint64_t memoryLimit() {

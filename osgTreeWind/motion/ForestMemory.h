@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/motion/modal/ModalTree.h>
 
 #include <cstdint>
 #include <string>
@@ -16,6 +18,12 @@ struct ForestMemory {
 };
 ForestMemory forestMemory(const ForestDescription& description);
 
+/// Of that, the vertices and indices of a tree's bark and leaves as they are drawn in full.
+std::uint64_t geometryBytes(const TreeCounts& counts);
+
+/// Of that, what each tree adds to a simulation under `modal`: 230 bytes far, 360 near.
+std::size_t simulatedTreeBytes(ModalLevel level);
+
 /// What may be asked for: the environment's OSGTREEWIND_MAX_MEMORY, bytes or a number with k, M, G or T, else
 /// what the machine has available now and the process may have (ulimit -v). The largest number where neither
 /// is known.
@@ -23,6 +31,6 @@ std::uint64_t memoryLimit();
 
 /// How much is needed and what the limit is; empty where it fits. @param withNodes for a Forest, else for a
 /// ForestSimulation alone.
-std::string problemOfMemory(const ForestDescription& description, bool withNodes);
+OSGTREEWIND_EXPORT std::string problemOfMemory(const ForestDescription& description, bool withNodes);
 
 } // namespace osgTreeWind

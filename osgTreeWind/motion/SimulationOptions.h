@@ -3,16 +3,23 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/motion/modal/ModalTree.h>
+#include <osgTreeWind/wind/GivenWind.h>
+
+#include <memory>
 
 namespace osgTreeWind {
 
 /// How a ForestSimulation works.
 struct SimulationOptions {
     bool leaves = true; ///< Whether leaves flutter.
-    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take half the
-    /// memory of near ones, from the start.
+    /// Under `modal`, of the description's trees and of those added, until setLevel(): far ones take
+    /// less memory (simulatedTreeBytes()), from the start.
     ModalLevel level = ModalLevel::Near;
-    Executor executor;            ///< A host's threads; none: for a large forest a thread for each processor.
+    /// A host's threads, for copies (restarted()) too, which other threads may advance; none: those of the
+    /// process (ThreadPool::executor()) for a large forest, the calling thread for a small one.
+    Executor executor;
+    /// Where the wind is given from now on; null: a place of its own, with the description's.
+    std::shared_ptr<GivenWind> wind;
     std::function<void()> placed; ///< Called after each tree is placed, for a person who waits; may be empty.
 };
 

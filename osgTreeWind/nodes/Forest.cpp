@@ -2,7 +2,6 @@
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgTreeWind/motion/ForestMemory.h>
-#include <osgTreeWind/wind/MovedWind.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>
@@ -61,32 +60,28 @@ constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidde
 
 Forest::Forest() : Forest(ForestDescription()) {}
 
-Forest::Forest(ForestDescription description) {
+Forest::Forest(ForestDescription description) : _wind(std::make_shared<GivenWind>()) {
     setNumChildrenRequiringUpdateTraversal(1);
     setDescription(std::move(description));
 }
 
-Forest::Forest(const Forest& other, const osg::CopyOp& copyop) : osg::Group(other, copyop) {
+Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
+    : osg::Group(other, copyop), _executor(other._executor) {
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
-    _wind = other.getWind();
     show(other._simulation->restarted(), other._stand ? &other._stand->drawing() : nullptr);
+    _wind = _simulation->givenWind();
     if (_branchwise)
         _branchwise->takeSettings(*other._branchwise);
 }
 
 Forest::~Forest() = default;
 
-void Forest::setWind(WindFieldPtr wind) {
-    const std::lock_guard<std::mutex> lock(_windMutex);
-    _wind.swap(wind); // the old field goes when the parameter does, after the lock
-}
-
-WindFieldPtr Forest::getWind() const {
-    const std::lock_guard<std::mutex> lock(_windMutex);
-    return _wind;
+void Forest::setExecutor(Executor executor) {
+    _simulation->setExecutor(executor);
+    _executor = std::move(executor);
 }
 
 void Forest::setSeason(float season) {
@@ -109,6 +104,8 @@ void Forest::setDescription(ForestDescription description) {
     }
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
+    options.executor = _executor;
+    options.wind = _wind;
     if (description.drawing.tiers && description.trees.size() > smallStand)
         options.level = ModalLevel::Far; // until someone sees them
     show(std::make_shared<ForestSimulation>(std::move(description), options));
@@ -139,28 +136,29 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandResou
     }
 }
 
-TreeId Forest::addTree(const TreePlacement& placement) {
-    const TreeId tree = _simulation->addTree(placement);
-    if (tree != noTree) {
+Result<TreeId> Forest::addTree(const TreePlacement& placement) {
+    Result<TreeId> tree = _simulation->addTree(placement);
+    if (tree) {
         ++_treeCount;
-        _stand->treeChanged(_simulation->slotOf(tree));
+        _stand->treeChanged(_simulation->slotOf(tree.value()));
     }
     return tree;
 }
 
-bool Forest::removeTree(TreeId tree) {
-    if (!_simulation->removeTree(tree))
-        return false;
-    --_treeCount;
-    _stand->treeChanged(_simulation->slotOf(tree));
-    return true;
+Diagnostics Forest::removeTree(TreeId tree) {
+    Diagnostics problems = _simulation->removeTree(tree);
+    if (problems.empty()) {
+        --_treeCount;
+        _stand->treeChanged(_simulation->slotOf(tree));
+    }
+    return problems;
 }
 
-bool Forest::changeTree(TreeId tree, const TreePlacement& placement) {
-    if (!_simulation->changeTree(tree, placement))
-        return false;
-    _stand->treeChanged(_simulation->slotOf(tree));
-    return true;
+Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
+    Diagnostics problems = _simulation->changeTree(tree, placement);
+    if (problems.empty())
+        _stand->treeChanged(_simulation->slotOf(tree));
+    return problems;
 }
 
 TreeId Forest::findTree(const std::string& name) const {
@@ -226,21 +224,14 @@ bool Forest::isHidden(const osg::NodePath& path, unsigned frame) const {
     return false;
 }
 
-WindFieldPtr Forest::windAt(const osg::NodePath& path) {
+/// Tells the wind where the forest is.
+void Forest::stand(const osg::NodePath& path) {
     _place = osg::computeLocalToWorld(path);
-    const WindFieldPtr wind = getWind();
     osg::Matrix toScene = _place;
     const osg::Vec3d stands = _place.getTrans();
     if ((stands - getOrigin()).length2() < stands.length2()) // the scene is in world coordinates
         toScene.postMultTranslate(-getOrigin());
-    if (!wind || toScene.isIdentity())
-        return wind;
-    if (wind != _worldWind || toScene != _worldPlace) {
-        _worldWind = wind;
-        _worldPlace = toScene;
-        _windHere = std::make_shared<MovedWind>(wind, glm::make_mat4(toScene.ptr()));
-    }
-    return _windHere;
+    _wind->setPlace(glm::make_mat4(toScene.ptr()));
 }
 
 void Forest::update(osg::NodeVisitor& visitor) {
@@ -258,7 +249,7 @@ void Forest::update(osg::NodeVisitor& visitor) {
         return;
     }
     _lastFrame = stamp.getFrameNumber();
-    _simulation->setWind(windAt(path));
+    stand(path);
     if (_branchwise) {
         _branchwise->update(stamp.getSimulationTime());
         return;

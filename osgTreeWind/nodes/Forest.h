@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -9,7 +10,6 @@
 #include <osg/Group>
 
 #include <memory>
-#include <mutex>
 
 namespace osgTreeWind {
 
@@ -20,7 +20,7 @@ namespace osgTreeWind {
 /// `modal` trees are instances (TreeStand); a law of a branch has them drawn the thesis' way
 /// (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of where it
 /// really stands; with two parents, that of the first one.
-class Forest : public osg::Group {
+class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
     explicit Forest(ForestDescription description);
@@ -39,8 +39,13 @@ public:
 
     /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any
     /// time, also while a description is set: whichever of the two comes last counts.
-    void setWind(WindFieldPtr wind);
-    WindFieldPtr getWind() const;
+    void setWind(WindFieldPtr wind) { _wind->set(std::move(wind)); }
+    WindFieldPtr getWind() const { return _wind->get(); }
+
+    /// A host's threads to step and grow it, SimulationOptions says more; null: those of the process. For the
+    /// trees that it has now from the next step on, and for descriptions to come. In update or between
+    /// frames.
+    void setExecutor(Executor executor);
 
     /// Of the year (species/Season.h): leaves, their colour, and what they do to how trees sway. In update or
     /// between frames.
@@ -52,14 +57,15 @@ public:
     osg::Vec3d getOrigin() const;
 
     // Trees that come and go, in update or between frames, at a cost that does not depend on how many there
-    // are (ForestSimulation says more). Under the law `modal` only; elsewhere nothing happens, and the answer
-    // is noTree or false.
+    // are (ForestSimulation says more). Under the law `modal` only: elsewhere it is a problem.
 
     /// @param placement in world coordinates. @return an id that lasts.
-    TreeId addTree(const TreePlacement& placement);
-    bool removeTree(TreeId tree);
+    Result<TreeId> addTree(const TreePlacement& placement);
+    /// @return the problems; empty when it is done.
+    Diagnostics removeTree(TreeId tree);
     /// Moves it, or makes it one of another size or species, in full sway.
-    bool changeTree(TreeId tree, const TreePlacement& placement);
+    /// @return the problems; empty when it is done.
+    Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
     /// By the name it has in an inventory; noTree for none.
     TreeId findTree(const std::string& name) const;
     /// Trees there are now.
@@ -103,10 +109,10 @@ private:
     void show(std::shared_ptr<ForestSimulation> simulation, const StandResources* drawing = nullptr);
     void update(osg::NodeVisitor& visitor);
     bool isHidden(const osg::NodePath& path, unsigned frame) const;
-    WindFieldPtr windAt(const osg::NodePath& path);
+    void stand(const osg::NodePath& path);
 
-    mutable std::mutex _windMutex; ///< Guards _wind.
-    WindFieldPtr _wind;
+    std::shared_ptr<GivenWind> _wind; ///< Of `_simulation` too.
+    Executor _executor;
     std::shared_ptr<ForestSimulation> _simulation;
     osg::ref_ptr<TreeStand> _stand;
     osg::ref_ptr<BranchwiseForest> _branchwise;
@@ -114,9 +120,7 @@ private:
     std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};
-    osg::Matrix _place;                 ///< To the scene's root, in the last update.
-    WindFieldPtr _worldWind, _windHere; ///< The wind, and as it is met here
-    osg::Matrix _worldPlace;            ///< with this way to where it is given.
+    osg::Matrix _place; ///< To the scene's root, in the last update.
     bool _twoPlaces = false;
 };
 

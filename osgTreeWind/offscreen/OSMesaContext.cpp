@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 #include <osgTreeWind/offscreen/PixelContext.h>
 
@@ -48,12 +49,6 @@ std::string libraryOf(const char* symbol) {
     return address && dladdr(address, &info) ? info.dli_fname : std::string();
 }
 
-Diagnostic problem(const std::string& message) {
-    Diagnostic diagnostic;
-    diagnostic.message = message;
-    return diagnostic;
-}
-
 } // namespace
 
 const char* offscreenBackendName() {
@@ -67,14 +62,14 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
     // OSG calls OpenGL through the global scope; were that libGL, its first call would crash.
     const std::string library = libraryOf("glGetString");
     if (library != libraryOf("OSMesaMakeCurrent"))
-        return problem(
-            "OpenGL comes from " + library +
-            " and not from libOSMesa; expected a program that links osgTreeWind::OSMesa directly and "
-            "does not link OpenGL::GL");
+        return fileProblem(
+            {}, "OpenGL comes from " + library +
+                    " and not from libOSMesa; expected a program that links osgTreeWind::OSMesa directly and "
+                    "does not link OpenGL::GL");
 
     std::unique_ptr<std::uint32_t[]> pixels(new (std::nothrow) std::uint32_t[std::size_t(width) * height]);
     if (!pixels)
-        return problem("not enough memory for the pixels of an offscreen context");
+        return fileProblem({}, "not enough memory for the pixels of an offscreen context");
 
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
@@ -87,7 +82,7 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
                               0};
     const OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!context)
-        return problem("libOSMesa made no context; expected an OpenGL compatibility profile");
+        return fileProblem({}, "libOSMesa made no context; expected an OpenGL compatibility profile");
 
     return osg::ref_ptr<osg::GraphicsContext>(
         new OSMesaGraphicsContext(width, height, context, std::move(pixels)));

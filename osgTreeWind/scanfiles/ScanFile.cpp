@@ -2,6 +2,7 @@
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 #include <osgTreeWind/scanfiles/ScanRows.h>
@@ -12,10 +13,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-Diagnostic problem(const std::string& file, std::string message) {
-    return {file, 0, 0, {}, std::move(message)};
-}
 
 bool has(const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
@@ -44,7 +41,7 @@ Reader readerOf(const ScanRows& rows) {
 Result<ScanFile> readScan(std::string_view text, const std::string& file) {
     ScanRows rows(text, file);
     if (!rows.next())
-        return problem(file, "expected a scanned tree, found only blank lines and comments");
+        return fileProblem(file, "expected a scanned tree, found only blank lines and comments");
     const Reader reader = readerOf(rows);
     if (!reader) {
         rows.fail(0,
@@ -68,10 +65,10 @@ Result<ScanFile> readScanFile(const std::string& path) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
     if (!error && size > maxScanBytes)
-        return problem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
+        return fileProblem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
     std::ifstream input(path, std::ios::binary);
     if (!input)
-        return problem(path, "cannot be read");
+        return fileProblem(path, "cannot be read");
     const Result<std::string> text = readText(input, path);
     if (!text)
         return text.problems();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/scanfiles/ScanLinks.h>
 
+#include <osgTreeWind/base/Problem.h>
+
 #include <unordered_map>
 
 namespace osgTreeWind {
@@ -9,21 +11,28 @@ Result<std::vector<int>> parentsOf(const std::vector<ScanName>& names, int root,
     std::unordered_map<int, int> indices;
     for (const ScanName& name : names)
         if (!indices.emplace(name.id, static_cast<int>(indices.size())).second)
-            return Diagnostic{
-                file, name.line, 0, {}, "expected each id once, found " + std::to_string(name.id) + " again"};
+            return fileProblem(file, "expected each id once, found " + std::to_string(name.id) + " again",
+                               name.line);
     std::vector<int> parents;
     parents.reserve(names.size());
     for (const ScanName& name : names) {
         const auto found = indices.find(name.parent);
         if (name.parent != root && found == indices.end())
-            return Diagnostic{file,
-                              name.line,
-                              0,
-                              {},
-                              "expected a parent of the same tree, found " + std::to_string(name.parent)};
+            return fileProblem(
+                file, "expected a parent of the same tree, found " + std::to_string(name.parent), name.line);
         parents.push_back(name.parent == root ? -1 : found->second);
     }
     return parents;
+}
+
+std::optional<Diagnostic> linkCylinders(ScanCylinders& cylinders, const std::vector<ScanName>& names,
+                                        int root, const std::string& file) {
+    const Result<std::vector<int>> parents = parentsOf(names, root, file);
+    if (!parents)
+        return parents.problems().front();
+    for (std::size_t i = 0; i < cylinders.size(); ++i)
+        cylinders[i].parent = parents.value()[i];
+    return {};
 }
 
 Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const std::string& file) {
@@ -41,7 +50,7 @@ Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const st
             continue;
         }
         if (root >= 0)
-            return Diagnostic{file, names[i].line, 0, {}, "expected one root, found another"};
+            return fileProblem(file, "expected one root, found another", names[i].line);
         root = static_cast<int>(i);
     }
     ScanCylinders cylinders;
@@ -67,8 +76,7 @@ Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const st
             parent = trunk;
     }
     if (cylinders.empty())
-        return Diagnostic{
-            file, names.empty() ? 0 : names.front().line, 0, {}, "expected more than one point"};
+        return fileProblem(file, "expected more than one point", names.empty() ? 0 : names.front().line);
     return cylinders;
 }
 

@@ -18,6 +18,9 @@ struct ScanName {
 
 /// Index of the parent of each; -1 for those with `root` as parent. Problems: an id twice, no such parent.
 Result<std::vector<int>> parentsOf(const std::vector<ScanName>& names, int root, const std::string& file);
+/// Gives those parents to cylinders of these names. @return the problem, if there is one.
+std::optional<Diagnostic> linkCylinders(ScanCylinders& cylinders, const std::vector<ScanName>& names,
+                                        int root, const std::string& file);
 
 /// A point of a tree that a file has as points.
 struct ScanPoint {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 #include <osgTreeWind/scanfiles/ScanLinks.h>
@@ -77,7 +78,7 @@ Result<ScanFile> readSimpleForest(std::string_view text, const std::string& file
                                              cells.column("startZ"), cells.column("endX"),
                                              cells.column("endY"),   cells.column("endZ")};
     if (table.rows.size() > maxScanCylinders)
-        cells.fail({file, 0, 0, {}, "expected at most " + std::to_string(maxScanCylinders) + " cylinders"});
+        cells.fail(fileProblem(file, "expected at most " + std::to_string(maxScanCylinders) + " cylinders"));
 
     ScanFile scan{"SimpleForest", {{}}};
     ScanCylinders& cylinders = scan.trees.front();
@@ -99,11 +100,8 @@ Result<ScanFile> readSimpleForest(std::string_view text, const std::string& file
     }
     if (cells.problem())
         return *cells.problem();
-    const Result<std::vector<int>> parents = parentsOf(names, -1, file);
-    if (!parents)
-        return parents.problems();
-    for (std::size_t i = 0; i < cylinders.size(); ++i)
-        cylinders[i].parent = parents.value()[i];
+    if (auto problem = linkCylinders(cylinders, names, -1, file))
+        return std::move(*problem);
     return scan;
 }
 

@@ -57,11 +57,8 @@ Result<ScanFile> readTreeQsm(std::string_view text, const std::string& file) {
     }
     if (!rows.good())
         return rows.problem();
-    const Result<std::vector<int>> parents = parentsOf(names, 0, file);
-    if (!parents)
-        return parents.problems();
-    for (std::size_t i = 0; i < cylinders.size(); ++i)
-        cylinders[i].parent = parents.value()[i];
+    if (auto problem = linkCylinders(cylinders, names, 0, file))
+        return std::move(*problem);
     return scan;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <functional>
@@ -8,7 +9,7 @@
 namespace osgTreeWind {
 
 /// Any callable as a wind: a formula, or a door into a running simulator.
-class FunctionWind final : public WindField {
+class OSGTREEWIND_EXPORT FunctionWind final : public WindField {
 public:
     /// Velocity (m/s toward) at a position in the scene (metres; z is not height above the ground) and time
     /// (s). Called from any thread, several at once; must not throw.

@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/GridWind.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/Interpolation.h>
@@ -15,10 +16,6 @@ namespace osgTreeWind {
 
 namespace {
 
-Diagnostic problem(const char* key, std::string message) {
-    return {{}, 0, 0, key, std::move(message)};
-}
-
 bool allFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -28,12 +25,12 @@ bool allFinite(const glm::dvec3& v) {
 void checkValues(const std::vector<float>& values, double expected, const std::string& shape,
                  Diagnostics& problems) {
     if (static_cast<double>(values.size()) != expected)
-        problems.push_back(problem("values", "expected " + numberText(expected) + " numbers (" + shape +
-                                                 "), found " + std::to_string(values.size())));
+        problems.push_back(keyProblem("values", "expected " + numberText(expected) + " numbers (" + shape +
+                                                    "), found " + std::to_string(values.size())));
     const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
     if (bad != values.end())
-        problems.push_back(problem("values", "expected finite m/s, found " + numberText(*bad) + " at index " +
-                                                 std::to_string(bad - values.begin())));
+        problems.push_back(keyProblem("values", "expected finite m/s, found " + numberText(*bad) +
+                                                    " at index " + std::to_string(bad - values.begin())));
 }
 
 /// Numbers of heights from one layer to the next, and from one time to the next.
@@ -56,8 +53,8 @@ void checkHeights(const GridWind::Grid& grid, Diagnostics& problems) {
                       count = grid.heights.size();
     if (count != layers && count != perStep && count != points) {
         problems.push_back(
-            problem("heights",
-                    "expected one for each layer, point, or point and time, found " + std::to_string(count)));
+            keyProblem("heights", "expected one for each layer, point, or point and time, found " +
+                                      std::to_string(count)));
         return;
     }
     const HeightStrides stride = heightStrides(grid);
@@ -65,9 +62,9 @@ void checkHeights(const GridWind::Grid& grid, Diagnostics& problems) {
         const bool lowest = i / stride.layer % layers == 0;
         if (std::isfinite(grid.heights[i]) && (lowest || grid.heights[i] > grid.heights[i - stride.layer]))
             continue;
-        problems.push_back(problem("heights", "expected finite metres, increasing upward, found " +
-                                                  numberText(grid.heights[i]) + " at index " +
-                                                  std::to_string(i)));
+        problems.push_back(keyProblem("heights", "expected finite metres, increasing upward, found " +
+                                                     numberText(grid.heights[i]) + " at index " +
+                                                     std::to_string(i)));
         return;
     }
 }
@@ -157,14 +154,14 @@ Diagnostics GridWind::check(const Grid& grid) {
     const glm::ivec3& n = grid.points;
     const glm::dvec3& cell = grid.cell;
     if (!allFinite(grid.origin))
-        problems.push_back(problem("origin", "expected finite metres"));
+        problems.push_back(keyProblem("origin", "expected finite metres"));
     if (!allFinite(cell) || cell.x <= 0.0 || cell.y <= 0.0 || cell.z <= 0.0)
-        problems.push_back(problem("cell", "expected metres above 0, found " + numberText(cell.x) + ", " +
-                                               numberText(cell.y) + ", " + numberText(cell.z)));
+        problems.push_back(keyProblem("cell", "expected metres above 0, found " + numberText(cell.x) + ", " +
+                                                  numberText(cell.y) + ", " + numberText(cell.z)));
     if (n.x < 1 || n.y < 1 || n.z < 1) {
-        problems.push_back(problem("points", "expected at least 1 in each direction, found " +
-                                                 std::to_string(n.x) + ", " + std::to_string(n.y) + ", " +
-                                                 std::to_string(n.z)));
+        problems.push_back(keyProblem("points", "expected at least 1 in each direction, found " +
+                                                    std::to_string(n.x) + ", " + std::to_string(n.y) + ", " +
+                                                    std::to_string(n.z)));
         return problems;
     }
     const std::size_t steps = std::max<std::size_t>(1, grid.times.size());
@@ -189,11 +186,11 @@ Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector
                                               const glm::dvec3& origin) {
     Diagnostics problems;
     if (width < 1)
-        problems.push_back(problem("width", "expected at least 1 cell, found " + std::to_string(width)));
+        problems.push_back(keyProblem("width", "expected at least 1 cell, found " + std::to_string(width)));
     if (length < 1)
-        problems.push_back(problem("length", "expected at least 1 cell, found " + std::to_string(length)));
+        problems.push_back(keyProblem("length", "expected at least 1 cell, found " + std::to_string(length)));
     if (!allFinite(origin))
-        problems.push_back(problem("origin", "expected finite metres"));
+        problems.push_back(keyProblem("origin", "expected finite metres"));
     if (problems.empty())
         checkValues(values, 3.0 * width * length,
                     "width " + std::to_string(width) + " x length " + std::to_string(length) + " x 3",

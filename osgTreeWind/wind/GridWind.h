@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindField.h>
 
@@ -14,7 +15,7 @@ namespace osgTreeWind {
 
 /// Wind known at the points of a grid, regular east and north, for one time or several: linear between points
 /// and between times, held at the edges and before the first and after the last time.
-class GridWind final : public WindField {
+class OSGTREEWIND_EXPORT GridWind final : public WindField {
 public:
     /// The grid as plain values.
     struct Grid {

@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/GustWind.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/wind/WindLimits.h>
@@ -126,13 +127,13 @@ Result<std::shared_ptr<const GustWind>> GustWind::create(const Parameters& param
     const auto check = [&](const char* key, double value, double low, double high, const char* what) {
         if (!(value >= low && value <= high))
             problems.push_back(
-                {{}, 0, 0, key, std::string("expected ") + what + ", found " + numberText(value)});
+                keyProblem(key, std::string("expected ") + what + ", found " + numberText(value)));
     };
     check("mean", glm::length(glm::dvec3(parameters.mean)), 0.0, maxMeasuredSpeed, "at most 200 m/s");
     check("mean", parameters.mean.z, 0.0, 0.0, "a horizontal wind");
     checkFields(parameters, "", problems);
     if (parameters.profile && !parameters.profile->valid())
-        problems.push_back({{}, 0, 0, "profile", "expected 0 < roughness < height in metres"});
+        problems.push_back(keyProblem("profile", "expected 0 < roughness < height in metres"));
     if (!problems.empty())
         return problems;
     return std::shared_ptr<const GustWind>(new GustWind(parameters));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/WindField.h>
@@ -27,7 +28,7 @@ struct alignas(16) NoisePoint {
 /// and falls with frequency to the power -5/3 above (Kolmogorov), over two decades. Standard deviations
 /// across the wind and upward are 0.8 and 0.5 of that along it (IEC 61400-1, Kaimal). One seed gives one
 /// wind. The whole follows the ground: what counts is the height of a place above it.
-class GustWind final : public WindField {
+class OSGTREEWIND_EXPORT GustWind final : public WindField {
 public:
     struct Parameters {
         glm::vec3 mean{5.0f, 0.0f, 0.0f}; ///< m/s toward, horizontal, at most 200; at the profile's height.

@@ -29,7 +29,13 @@ glm::dmat3 rotationOf(const glm::dmat4& matrix) {
 
 MovedWind::MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld)
     : _world(world ? std::move(world) : std::make_shared<UniformWind>(glm::vec3(0.0f))),
-      _frameToWorld(frameToWorld), _turnBack(glm::transpose(rotationOf(frameToWorld))) {}
+      _frameToWorld(frameToWorld), _turnBack(glm::transpose(rotationOf(frameToWorld))) {
+    if (const auto moved = std::dynamic_pointer_cast<const MovedWind>(_world)) {
+        _world = moved->_world;
+        _frameToWorld = moved->_frameToWorld * _frameToWorld;
+        _turnBack = _turnBack * moved->_turnBack;
+    }
+}
 
 WindPlace MovedWind::inWorld(const WindPlace& place) const {
     const glm::dvec3 at(place.position);

@@ -9,7 +9,8 @@
 namespace osgTreeWind {
 
 /// A wind of the world as it is met in a frame that stands elsewhere in it, turned and perhaps scaled: places
-/// are taken to the world, velocities turned back. The frame's own motion makes no wind.
+/// are taken to the world, velocities turned back. The frame's own motion makes no wind. Of a wind that is
+/// moved already it takes the wind within, and one move that is both.
 class MovedWind final : public WindField {
 public:
     /// @param world null is calm. @param frameToWorld takes places of the frame to the world.

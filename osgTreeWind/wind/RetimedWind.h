@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <limits>
@@ -8,7 +9,8 @@
 namespace osgTreeWind {
 
 /// Another wind at another time: at x and t it is the inner wind at start + scale * t - (x - plane) / speed.
-class RetimedWind final : public WindField {
+/// Of a wind that is retimed already it takes the wind within, and one clock that is both.
+class OSGTREEWIND_EXPORT RetimedWind final : public WindField {
 public:
     struct Clock {
         double start = 0.0; ///< Seconds of the inner wind's time shown at time 0.

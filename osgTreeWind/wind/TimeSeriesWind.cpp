@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/Interpolation.h>
 #include <osgTreeWind/wind/SampleTimes.h>
@@ -16,26 +17,20 @@ namespace {
 Diagnostics check(const WindSeries& series) {
     Diagnostics problems = checkTimes(series.times);
     if (series.times.empty())
-        problems.push_back({{}, 0, 0, "times", "expected at least one record"});
+        problems.push_back(keyProblem("times", "expected at least one record"));
     if (series.velocities.size() != series.times.size())
-        problems.push_back({{},
-                            0,
-                            0,
-                            "velocities",
-                            "expected one per time, " + std::to_string(series.times.size()) + ", found " +
-                                std::to_string(series.velocities.size())});
+        problems.push_back(keyProblem("velocities", "expected one per time, " +
+                                                        std::to_string(series.times.size()) + ", found " +
+                                                        std::to_string(series.velocities.size())));
     for (std::size_t i = 0; i < series.velocities.size(); ++i)
         if (calmUnlessFinite(series.velocities[i]) != series.velocities[i])
             problems.push_back(
-                {{}, 0, 0, "velocities", "expected finite m/s at velocities[" + std::to_string(i) + "]"});
+                keyProblem("velocities", "expected finite m/s at velocities[" + std::to_string(i) + "]"));
     if (series.profile && !series.profile->valid())
-        problems.push_back({{},
-                            0,
-                            0,
-                            "profile",
-                            "expected 0 < roughness < height in metres, found roughness " +
-                                numberText(series.profile->roughness) + " and height " +
-                                numberText(series.profile->height)});
+        problems.push_back(
+            keyProblem("profile", "expected 0 < roughness < height in metres, found roughness " +
+                                      numberText(series.profile->roughness) + " and height " +
+                                      numberText(series.profile->height)));
     return problems;
 }
 

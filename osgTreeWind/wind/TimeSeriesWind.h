@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/wind/WindSeries.h>
@@ -12,7 +13,7 @@ namespace osgTreeWind {
 /// A record of wind at one point, blowing over the whole forest: components linear in time (directions are
 /// never interpolated), scaled with height above the ground where the record has a profile. Before the first
 /// record the first holds; after the last the last holds or the record repeats.
-class TimeSeriesWind final : public WindField {
+class OSGTREEWIND_EXPORT TimeSeriesWind final : public WindField {
 public:
     /// A field over the record, or what is wrong with it: diagnostics with the member's name as key.
     static Result<std::shared_ptr<const TimeSeriesWind>> create(WindSeries series);

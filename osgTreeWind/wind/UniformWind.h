@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/wind/WindField.h>
 
 namespace osgTreeWind {
 
 /// The same velocity everywhere and always.
-class UniformWind final : public WindField {
+class OSGTREEWIND_EXPORT UniformWind final : public WindField {
 public:
     /// @param velocity m/s toward; calm when a component is not finite.
     explicit UniformWind(const glm::vec3& velocity);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <glm/vec3.hpp>
 
 namespace osgTreeWind {
@@ -16,9 +18,9 @@ struct WindReading {
 
 /// The velocity of a reading, horizontal, m/s toward. Any direction in degrees; finite numbers expected.
 /// 5 m/s from 270 is (5, 0, 0).
-glm::vec3 windVelocity(const WindReading& reading, DirectionSense sense);
+OSGTREEWIND_EXPORT glm::vec3 windVelocity(const WindReading& reading, DirectionSense sense);
 
 /// The reading of a velocity's horizontal part, direction in [0, 360); 0 for calm.
-WindReading windReading(const glm::vec3& velocity, DirectionSense sense);
+OSGTREEWIND_EXPORT WindReading windReading(const glm::vec3& velocity, DirectionSense sense);
 
 } // namespace osgTreeWind

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/wind/WindPlace.h>
 
 #include <glm/vec3.hpp>
@@ -17,7 +18,7 @@ namespace osgTreeWind {
 /// grows with height count it from the ground of each place.
 /// Fields are immutable once shared: any number of threads may sample one. Replace a wind by handing over
 /// another field.
-class WindField {
+class OSGTREEWIND_EXPORT WindField {
 public:
     virtual ~WindField() = default;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/windfiles/QesSensor.h>
+#include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
@@ -25,7 +25,7 @@ struct Range {
 /// The record's elements, read one after the other. Problems gather; `problems` empty means all is well.
 class SensorReader {
 public:
-    SensorReader(const std::string& text, const std::string& file) : _text(text), _file(file) {}
+    SensorReader(std::string_view text, const std::string& file) : _text(text), _file(file) {}
 
     Diagnostics problems;
 
@@ -109,22 +109,30 @@ private:
         series.velocities.push_back(windVelocity({speed, direction}, DirectionSense::From));
     }
 
-    const std::string& _text;
+    std::string_view _text;
     const std::string& _file;
     double _start = 0.0;
 };
 
 } // namespace
 
-Result<WindSeries> readQesSensor(std::istream& input, const std::string& file) {
-    const Result<std::string> text = readText(input, file);
+Result<WindContent> readQesSensor(std::string_view bytes, const std::string& file) {
+    const Result<std::string_view> text = plainText(bytes, file);
     if (!text)
         return text.problems();
     SensorReader reader(text.value(), file);
     WindSeries series = reader.read();
     if (!reader.problems.empty())
         return reader.problems;
-    return series;
+    WindContent content;
+    content.summary.format = "QES-Winds sensor";
+    content.summary.unit = "m/s";
+    content.summary.direction = "from, degrees clockwise from north";
+    content.summary.notes = {"measured " + numberText(series.profile->height) +
+                             " m above ground of roughness length " + numberText(series.profile->roughness) +
+                             " m; a logarithmic profile at other heights"};
+    content.data = std::move(series);
+    return content;
 }
 
 } // namespace osgTreeWind

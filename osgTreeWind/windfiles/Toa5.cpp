@@ -1,106 +1,123 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFormats.h>
+#include <osgTreeWind/windfiles/WindSeriesRows.h>
 
-#include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <algorithm>
-#include <sstream>
+#include <optional>
 
 namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t unitLine = 2, kindLine = 3; // of the header, from 0
+constexpr int unitLine = 3; // of the header
 
-/// Blanks out the first line, so that the second is the header and every line keeps its number.
-std::string withoutFirstLine(std::string_view bytes) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    return std::string(bytes.substr(end));
-}
-
-/// Whether a cell that the map uses is marked as not measured.
-bool notMeasured(const CsvTable::Row& row, const std::vector<std::size_t>& used) {
-    return std::any_of(used.begin(), used.end(),
-                       [&](std::size_t column) { return row.cells[column] == "NAN"; });
-}
-
-Diagnostic at(const CsvTable& table, int line, const std::string& key, const std::string& message) {
-    return {table.file, line, 0, key, message};
-}
-
-/// The unit that the header gives for all of these columns.
-Result<std::string> unitOf(const CsvTable& table, const std::vector<std::size_t>& speeds) {
-    const CsvTable::Row& units = table.rows.front();
-    std::string unit;
-    for (std::size_t column : speeds) {
-        const std::string found = usualSpeedUnit(units.cells[column]);
-        if (const auto known = speedUnit(found); !known)
-            return at(table, units.line, table.columns[column], known.problems().front().message);
-        if (!unit.empty() && found != unit)
-            return at(table, units.line, table.columns[column], expectedFound(unit + " as before", found));
-        unit = found;
+/// The map itself, or the usual names where it has none.
+WindSeriesColumns namedColumns(WindSeriesColumns columns) {
+    if (!columns.named()) {
+        columns.time = "TIMESTAMP";
+        columns.u = "Ux";
+        columns.v = "Uy";
+        columns.w = "Uz";
     }
-    return unit;
+    columns.timeUnit = "iso8601";
+    columns.speedUnit = "m/s"; // converted with all other formats
+    return columns;
 }
+
+/// The rows below the names: units, kinds, records.
+class Toa5Rows {
+public:
+    explicit Toa5Rows(const WindSeriesColumns& columns) : _map(namedColumns(columns)) {}
+
+    void take(const CsvTable& table, const CsvTable::Row& row) {
+        if (_taken++ == 0)
+            readUnits(table, row);
+        else if (_taken > 2)
+            readRecord(table, row);
+    }
+
+    /// After the last row.
+    Result<WindContent> content(const CsvTable& table) {
+        if (_taken <= 2 || _unitLine != unitLine)
+            return fileProblem(table.file, "expected lines of units and of kinds below the names", unitLine);
+        if (!_problems.empty())
+            return _problems;
+        if (!_records)
+            _records.emplace(table, _map);
+        Result<WindSeries> series = _records->series();
+        if (!series)
+            return series.problems();
+        WindContent content;
+        content.summary.format = "Campbell TOA5";
+        content.summary.unit = _unit;
+        content.summary.start = _start;
+        content.summary.direction = WindSeriesRows::direction(
+            _map, "components of the instrument, taken as toward east, north and up");
+        if (_left > 0)
+            content.summary.notes = {std::to_string(_left) + " records marked NAN are left out"};
+        content.data = std::move(series.value());
+        return content;
+    }
+
+private:
+    /// The unit that the header gives for all of the columns of speeds.
+    void readUnits(const CsvTable& table, const CsvTable::Row& row) {
+        _unitLine = row.line;
+        for (const std::string* name : {&_map.u, &_map.v, &_map.w, &_map.speed, &_map.direction}) {
+            const auto column = table.column(*name);
+            if (!column || name->empty())
+                continue;
+            _used.push_back(*column);
+            if (name == &_map.direction || !_problems.empty())
+                continue;
+            const std::string found = usualSpeedUnit(row.cells[*column]);
+            if (const auto known = speedUnit(found); !known)
+                _problems = {{table.file, row.line, 0, *name, known.problems().front().message}};
+            else if (!_unit.empty() && found != _unit)
+                _problems = {{table.file, row.line, 0, *name, expectedFound(_unit + " as before", found)}};
+            _unit = found;
+        }
+    }
+
+    void readRecord(const CsvTable& table, const CsvTable::Row& row) {
+        const bool measured = std::none_of(_used.begin(), _used.end(),
+                                           [&](std::size_t column) { return row.cells[column] == "NAN"; });
+        if (!measured) {
+            ++_left;
+            return;
+        }
+        if (!_records) {
+            _records.emplace(table, _map);
+            const auto time = table.column(_map.time);
+            _start = time ? row.cells[*time] : "";
+        }
+        _records->take(row);
+    }
+
+    const WindSeriesColumns _map;
+    std::vector<std::size_t> _used; ///< Columns of wind.
+    std::string _unit, _start;
+    Diagnostics _problems;
+    std::optional<WindSeriesRows> _records;
+    int _taken = 0, _unitLine = 0, _left = 0;
+};
 
 } // namespace
 
 Result<WindContent> readToa5(std::string_view bytes, const std::string& file,
                              const WindSeriesColumns& columns) {
-    WindSeriesColumns map = columns;
-    if (map.time.empty()) {
-        map.time = "TIMESTAMP";
-        map.u = "Ux";
-        map.v = "Uy";
-        map.w = "Uz";
-    }
-    map.timeUnit = "iso8601";
-    std::istringstream text("\n" + withoutFirstLine(bytes).erase(0, 1));
-    Result<CsvTable> read = readCsvTable(text, file, ',');
-    if (!read)
-        return read.problems();
-    CsvTable& table = read.value();
-    if (table.rows.size() < kindLine || table.rows[0].line != unitLine + 1)
-        return at(table, unitLine + 1, {}, "expected lines of units and of kinds below the names");
-
-    std::vector<std::size_t> used, speeds;
-    for (const std::string* name : {&map.u, &map.v, &map.w, &map.speed, &map.direction})
-        if (const auto column = table.column(*name); column && !name->empty()) {
-            used.push_back(*column);
-            if (name != &map.direction)
-                speeds.push_back(*column);
-        }
-    const Result<std::string> unit = unitOf(table, speeds);
-    if (!unit)
-        return unit.problems();
-    table.rows.erase(table.rows.begin(), table.rows.begin() + 2);
-    const auto kept = std::remove_if(table.rows.begin(), table.rows.end(),
-                                     [&](const CsvTable::Row& row) { return notMeasured(row, used); });
-    const auto left = table.rows.end() - kept;
-    table.rows.erase(kept, table.rows.end());
-    const std::string start = table.rows.empty() || !table.column(map.time)
-                                  ? ""
-                                  : table.rows.front().cells[*table.column(map.time)];
-
-    Result<WindSeries> series = windSeriesOf(table, map);
-    if (!series)
-        return series.problems();
-    WindContent content;
-    content.summary.format = "Campbell TOA5";
-    content.summary.unit = unit.value();
-    content.summary.start = start;
-    if (map.speed.empty())
-        content.summary.direction = "components of the instrument, taken as toward east, north and up";
-    else
-        content.summary.direction = map.sense == DirectionSense::From
-                                        ? "from, degrees clockwise from north"
-                                        : "toward, degrees clockwise from north";
-    if (left > 0)
-        content.summary.notes = {std::to_string(left) + " records marked NAN are left out"};
-    content.data = std::move(series.value());
-    return content;
+    Toa5Rows rows(columns);
+    const std::size_t second = std::min(bytes.find('\n'), bytes.size()); // so that lines keep their numbers
+    const Result<CsvTable> table =
+        readCsvRows(second < bytes.size() ? bytes.substr(second) : "\n", file, ',',
+                    [&](const CsvTable& head, const CsvTable::Row& row) { rows.take(head, row); });
+    if (!table)
+        return table.problems();
+    return rows.content(table.value());
 }
 
 } // namespace osgTreeWind

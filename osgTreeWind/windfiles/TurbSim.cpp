@@ -94,6 +94,7 @@ Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file)
     grid.cell = {1.0, h.dy, h.dz};
     std::size_t at = headerSize + static_cast<std::size_t>(h.description);
     const std::size_t components = 3 * static_cast<std::size_t>(h.across) * static_cast<std::size_t>(h.up);
+    grid.values.reserve(components * static_cast<std::size_t>(h.times));
     for (int t = 0; t < h.times; ++t) {
         grid.times.push_back(t * static_cast<double>(h.dt));
         for (std::size_t i = 0; i < components; ++i, at += 2) {

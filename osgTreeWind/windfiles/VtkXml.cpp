@@ -47,7 +47,8 @@ private:
 
     /// Appended data may hold any byte, so that only what stands before is XML.
     bool parse() {
-        std::string xml(_bytes);
+        std::string closed;
+        std::string_view xml = _bytes;
         const std::size_t appended = _bytes.find("<AppendedData");
         if (appended != std::string_view::npos) {
             const std::size_t end = _bytes.find('>', appended);
@@ -55,7 +56,7 @@ private:
             if (mark == std::string_view::npos)
                 return fail(static_cast<std::ptrdiff_t>(appended), "AppendedData",
                             "expected _ before the data");
-            xml = std::string(_bytes.substr(0, end + 1)) + "</AppendedData></VTKFile>";
+            xml = closed = std::string(_bytes.substr(0, end + 1)) + "</AppendedData></VTKFile>";
             _appended = _bytes.substr(mark + 1);
         }
         const pugi::xml_parse_result parsed = _document.load_buffer(xml.data(), xml.size());
@@ -184,6 +185,7 @@ private:
         if (2.0 * count - 1.0 > static_cast<double>(text.size()))
             return fail(array, _image.name, "the data end before " + numberText(count) + " numbers");
         TextTokens tokens(text, {});
+        _image.values.reserve(static_cast<std::size_t>(count));
         for (double i = 0; i < count && tokens.good(); ++i)
             _image.values.push_back(static_cast<float>(tokens.number("a number", -1e30, 1e30)));
         if (tokens.good())

@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/VtkXmlData.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 
 #include <zlib.h>
 
@@ -10,10 +11,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double bestRatio = 1100.0; // deflate cannot do better than 1032 to 1
-
-Diagnostic broken(std::string message) {
-    return {{}, 0, 0, {}, std::move(message)};
-}
 
 int base64Digit(char c) {
     if (c >= 'A' && c <= 'Z')
@@ -79,10 +76,10 @@ Result<std::string> inflateBlocks(std::string_view bytes, const VtkPacking& pack
     const double blocks = counts.next(), blockSize = counts.next(), lastSize = counts.next();
     const double unpacked = lastSize > 0.0 ? (blocks - 1.0) * blockSize + lastSize : blocks * blockSize;
     if (lastSize < 0.0 || blocks < 1.0 || blockSize < 1.0 || unpacked != size)
-        return broken("expected compressed blocks of " + numberText(size) + " bytes together");
+        return fileProblem({}, "expected compressed blocks of " + numberText(size) + " bytes together");
     if (blocks * (packing.wideHeader ? 8 : 4) > static_cast<double>(bytes.size()) ||
         size > bestRatio * static_cast<double>(bytes.size()))
-        return broken("the data end before " + numberText(blocks) + " compressed blocks");
+        return fileProblem({}, "the data end before " + numberText(blocks) + " compressed blocks");
 
     Counts sizes = counts;
     for (double i = 0; i < blocks; ++i)
@@ -93,7 +90,7 @@ Result<std::string> inflateBlocks(std::string_view bytes, const VtkPacking& pack
     for (double i = 0; i < blocks; ++i) {
         const double packedSize = sizes.next();
         if (packedSize < 0.0 || packedSize > static_cast<double>(bytes.size() - from))
-            return broken("the data end within compressed block " + numberText(i + 1));
+            return fileProblem({}, "the data end within compressed block " + numberText(i + 1));
         const bool last = i == blocks - 1 && lastSize > 0.0;
         uLongf length = static_cast<uLongf>(last ? lastSize : blockSize);
         const uLongf wanted = length;
@@ -101,7 +98,7 @@ Result<std::string> inflateBlocks(std::string_view bytes, const VtkPacking& pack
                        reinterpret_cast<const Bytef*>(bytes.data() + from),
                        static_cast<uLong>(packedSize)) != Z_OK ||
             length != wanted)
-            return broken("compressed block " + numberText(i + 1) + " is damaged");
+            return fileProblem({}, "compressed block " + numberText(i + 1) + " is damaged");
         from += static_cast<std::size_t>(packedSize);
         to += wanted;
     }
@@ -118,10 +115,10 @@ Result<std::string> unpackVtk(std::string_view packed, const VtkPacking& packing
     Counts counts(bytes, packing);
     const double found = counts.next();
     if (found != size)
-        return broken("expected " + numberText(size) + " bytes of data, found " +
-                      (found < 0.0 ? std::string("none") : numberText(found)));
+        return fileProblem({}, "expected " + numberText(size) + " bytes of data, found " +
+                                   (found < 0.0 ? std::string("none") : numberText(found)));
     if (size > static_cast<double>(bytes.size() - counts.at()))
-        return broken("the data end before " + numberText(size) + " bytes");
+        return fileProblem({}, "the data end before " + numberText(size) + " bytes");
     return std::string(bytes.substr(counts.at(), static_cast<std::size_t>(size)));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <osgTreeWind/base/Problem.h>
+
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindLimits.h>
@@ -17,10 +19,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-Diagnostic problem(const std::string& file, std::string message) {
-    return {file, 0, 0, {}, std::move(message)};
-}
 
 /// Converts one velocity to m/s and takes note of it. False when no wind is like this.
 bool takeIn(glm::vec3& velocity, float unit, WindContent& content) {
@@ -54,12 +52,12 @@ Diagnostics settle(WindContent& content, double unit, const std::string& path) {
         float* values = series ? &series->velocities[i].x : &grid->values[3 * i];
         glm::vec3 velocity(values[0], values[1], values[2]);
         if (!takeIn(velocity, static_cast<float>(unit), content))
-            return {problem(path, "expected winds of at most 200 m/s; number " + std::to_string(i + 1) +
-                                      ofAll + " is none")};
+            return {fileProblem(path, "expected winds of at most 200 m/s; number " + std::to_string(i + 1) +
+                                          ofAll + " is none")};
         std::copy(&velocity.x, &velocity.x + 3, values);
     }
     if (content.missing == count)
-        return {problem(path, "holds no data at any" + ofAll + " places and times")};
+        return {fileProblem(path, "holds no data at any" + ofAll + " places and times")};
     return {};
 }
 
@@ -106,13 +104,15 @@ Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, co
 
 /// One file, velocities in m/s.
 Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options) {
-    Result<WindContent> read = readWindContent(path, options.columns, options.asStored);
+    WindSeriesColumns columns = options.columns;
+    columns.speedUnit = "m/s"; // converted with all other formats
+    Result<WindContent> read = readWindContent(path, columns, options.asStored);
     if (!read)
         return read;
     const std::string& inFile = read.value().summary.unit;
     const Result<double> unit = speedUnit(inFile.empty() ? options.speedUnit : inFile);
     if (!unit)
-        return problem(path, unit.problems().front().message);
+        return fileProblem(path, unit.problems().front().message);
     if (Diagnostics problems = settle(read.value(), unit.value(), path); !problems.empty())
         return problems;
     return read;
@@ -145,7 +145,7 @@ Result<WindFile> fileOf(Result<WindContent>&& read, const std::string& path, con
 /// A problem with the options, if there is one.
 Diagnostics check(const WindFileOptions& options) {
     const Result<double> unit = speedUnit(options.speedUnit);
-    return unit ? Diagnostics() : Diagnostics{{{}, 0, 0, "speedUnit", unit.problems().front().message}};
+    return unit ? Diagnostics() : Diagnostics{keyProblem("speedUnit", unit.problems().front().message)};
 }
 
 } // namespace
@@ -168,6 +168,23 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
         return step;
     };
     return fileOf(readWindSteps(files, times, read), files.empty() ? "" : files.front(), options);
+}
+
+Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns) {
+    Result<WindContent> read = readWindContent(path, columns, false);
+    if (!read)
+        return read.problems();
+    auto* series = std::get_if<WindSeries>(&read.value().data);
+    if (!series)
+        return fileProblem(path,
+                           "expected a record at one point, found a grid: " + read.value().summary.format);
+    const std::string& inFile = read.value().summary.unit;
+    const Result<double> unit = speedUnit(inFile.empty() ? "m/s" : inFile);
+    if (!unit)
+        return fileProblem(path, unit.problems().front().message);
+    for (glm::vec3& velocity : series->velocities)
+        velocity *= static_cast<float>(unit.value());
+    return std::move(*series);
 }
 
 Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options) {

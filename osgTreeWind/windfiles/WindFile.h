@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/windfiles/WindContent.h>
-#include <osgTreeWind/windfiles/WindSeriesCsv.h>
+#include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 #include <glm/vec3.hpp>
 
@@ -20,8 +21,8 @@ struct WindFileOptions {
     glm::dvec3 origin{0.0};
     /// Unit of speeds where the file does not say: "m/s", "km/h", "kn", "mph" or "ft/s".
     std::string speedUnit = "m/s";
-    /// Of a CSV or TOA5 table; while its `time` is empty, the columns are called time, u, v, w or time,
-    /// speed, direction in a CSV and TIMESTAMP, Ux, Uy, Uz in a TOA5. The unit is `speedUnit` above.
+    /// Of a CSV or TOA5 table; while it names none, the columns are called time, u, v, w or time, speed,
+    /// direction in a CSV and TIMESTAMP, Ux, Uy, Uz in a TOA5. The unit is `speedUnit` above.
     WindSeriesColumns columns;
     /// Velocities as the file has them: not turned from true north to the grid's, a model grid that moves
     /// taken as standing still.
@@ -42,7 +43,8 @@ struct WindFile {
 /// turned to the y axis of a NetCDF file's projection, unless wanted as stored; notes say both. A broken file
 /// gives an error with line or byte, never a partial field. Sizes are checked against the file before memory
 /// is asked for.
-Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<WindFile> readWindFile(const std::string& path,
+                                                 const WindFileOptions& options = {});
 
 /// Reads several files, each a steady wind on the same grid, as one wind: the hours of WindNinja, say.
 /// Velocities are linear between the times; the first holds before, the last after.
@@ -52,10 +54,17 @@ Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& op
 /// of theirs. Wrong `files` or `times` are errors with that key.
 /// @param files at least one. @param times seconds, increasing, one for each file; none where each file says
 /// its own, as VTK's TimeValue does.
-Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
-                               const WindFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>& files,
+                                                  const std::vector<double>& times,
+                                                  const WindFileOptions& options = {});
+
+/// A record at one point as it is, m/s: of any format that holds one; of a table with these columns, their
+/// unit among them. A grid is an error.
+OSGTREEWIND_EXPORT Result<WindSeries> readWindSeries(const std::string& path,
+                                                     const WindSeriesColumns& columns);
 
 /// readWindFile() for those who only want the field.
-Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options = {});
+OSGTREEWIND_EXPORT Result<WindFieldPtr> readWindField(const std::string& path,
+                                                      const WindFileOptions& options = {});
 
 } // namespace osgTreeWind

@@ -3,17 +3,18 @@
 
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/windfiles/WindContent.h>
-#include <osgTreeWind/windfiles/WindSeriesCsv.h>
+#include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 #include <string>
 #include <string_view>
 
-/// The readers behind readWindFile(), one for each format, over bytes in memory. Not part of the interface.
-/// Each gives a grid with as many values as its points say, or a problem with a line or a byte.
+/// The readers behind readWindFile(), one for each format, most over bytes in memory. Not part of the
+/// interface. Each gives a record, or a grid with as many values as its points say, or a problem with a line
+/// or a byte.
 namespace osgTreeWind {
 
-/// The file in whichever of the formats below it is, recognised by content, then by extension.
-/// @param columns, asStored as in WindFileOptions.
+/// The one door: the file in whichever of the formats below it is, by its first kilobyte, then by extension.
+/// @param columns, asStored as in WindFileOptions, but that `columns.speedUnit` is that of a CSV.
 Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns, bool asStored);
 
 /// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
@@ -27,6 +28,8 @@ Result<EsriGrid> readEsriGrid(std::string_view text, const std::string& file);
 /// Speed and direction-from on the same cells as one wind.
 Result<WindContent> windOfEsriGrids(const EsriGrid& speed, const EsriGrid& direction,
                                     const std::string& file);
+/// Both files of a pair, either given, with the coordinates that a .prj beside it names.
+Result<WindContent> readEsriPair(const std::string& path);
 
 /// Legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or STRUCTURED_GRID
 /// of evenly spaced points. Its TimeValue becomes the one time of the grid.
@@ -38,11 +41,20 @@ Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file)
 /// Campbell TOA5: four lines of header, the third with units. Records marked NAN are left out.
 Result<WindContent> readToa5(std::string_view bytes, const std::string& file,
                              const WindSeriesColumns& columns);
-/// NetCDF through GDAL; an error where the library was built without it.
+/// QES-Winds sensor: XML, with or without a single root, whose `timeSeries` elements each hold timeEpoch (s),
+/// height and siteZ0 (m), speed (m/s) and direction (degrees from). Times become seconds since the first;
+/// height and roughness become the profile.
+///
+/// Problems carry line and column: broken XML, a missing or repeated element, text in a number, values no
+/// wind has, times that do not increase. Only the neutral logarithmic profile is read (boundaryLayerFlag 1
+/// and reciprocal 0, both the defaults when absent), with one height and roughness for the whole record.
+Result<WindContent> readQesSensor(std::string_view bytes, const std::string& file);
+/// CSV, and what WindSeriesRows says of it. While it names no column, the usual names.
+Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
+                                const WindSeriesColumns& columns);
+/// NetCDF, read by the program osgtreewind-netcdf in a process of its own: a damaged file ends that one only.
+/// An error where it is not installed.
 /// @param asStored as in WindFileOptions.
 Result<WindContent> readNetCdf(const std::string& path, bool asStored = false);
-
-/// The unit as speedUnit() calls it: "m/s" for "m s-1", "meters per second", ...; the text itself otherwise.
-std::string usualSpeedUnit(const std::string& text);
 
 } // namespace osgTreeWind

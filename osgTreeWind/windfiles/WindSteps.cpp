@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/WindSteps.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/SampleTimes.h>
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-Diagnostics problem(const std::string& file, const std::string& key, std::string message) {
-    return {{file, 0, 0, key, std::move(message)}};
-}
 
 std::string text(const glm::dvec3& v) {
     return numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z);
@@ -70,11 +67,10 @@ bool append(GridWind::Grid& grid, const GridWind::Grid& step) {
 Result<WindContent> readWindSteps(const std::vector<std::string>& files, const std::vector<double>& times,
                                   const std::function<Result<WindContent>(const std::string&)>& read) {
     if (files.empty())
-        return problem({}, "files", "expected at least one");
+        return keyProblem("files", "expected at least one");
     if (!times.empty() && times.size() != files.size())
-        return problem({}, "times",
-                       "expected " + std::to_string(files.size()) + " numbers, one for each file, found " +
-                           std::to_string(times.size()));
+        return keyProblem("times", "expected " + std::to_string(files.size()) +
+                                       " numbers, one for each file, found " + std::to_string(times.size()));
     if (Diagnostics problems = checkTimes(times); !problems.empty())
         return problems;
 
@@ -87,16 +83,16 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
             return one.problems();
         WindContent& step = one.value();
         if (const std::string what = problemOfStep(step); !what.empty())
-            return problem(file, {}, what);
+            return fileProblem(file, what);
         if (times.empty()) {
             const std::vector<double>& own = std::get<GridWind::Grid>(step.data).times;
             if (own.empty())
-                return problem({}, "times",
-                               "expected times, one for each file: " + file + " does not say when it holds");
+                return keyProblem("times", "expected times, one for each file: " + file +
+                                               " does not say when it holds");
             if (!ofFiles.empty() && own.front() <= ofFiles.back())
-                return problem(file, {},
-                               "expected a time after " + numberText(ofFiles.back()) +
-                                   " s, that of the file before; found " + numberText(own.front()) + " s");
+                return fileProblem(file, "expected a time after " + numberText(ofFiles.back()) +
+                                             " s, that of the file before; found " + numberText(own.front()) +
+                                             " s");
             ofFiles.push_back(own.front());
         }
         if (&file == &files.front()) {
@@ -105,9 +101,9 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
             continue;
         }
         if (const std::string what = difference(wind, step, files.front()); !what.empty())
-            return problem(file, {}, what);
+            return fileProblem(file, what);
         if (!append(std::get<GridWind::Grid>(wind.data), std::get<GridWind::Grid>(step.data)))
-            return problem(file, {}, "expected the heights of " + files.front());
+            return fileProblem(file, "expected the heights of " + files.front());
         const std::string source = file + ": ";
         for (const std::string& note : step.summary.notes)
             if (std::find(ofFirst.begin(), ofFirst.end(), note) == ofFirst.end())

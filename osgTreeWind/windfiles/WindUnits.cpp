@@ -2,6 +2,8 @@
 #include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
 
 namespace osgTreeWind {
 
@@ -24,10 +26,38 @@ Result<double> valueOf(const Unit (&units)[N], const char* what, const std::stri
             return unit.value;
         accepted += (accepted.empty() ? "" : ", ") + std::string(unit.name);
     }
-    return Diagnostic{{}, 0, 0, {}, expectedFound(std::string(what) + " (" + accepted + ")", name)};
+    return fileProblem({}, expectedFound(std::string(what) + " (" + accepted + ")", name));
 }
 
 } // namespace
+
+std::string usualSpeedUnit(const std::string& text) {
+    static const std::pair<const char*, const char*> names[] = {{"m s-1", "m/s"},
+                                                                {"m s^-1", "m/s"},
+                                                                {"m s**-1", "m/s"},
+                                                                {"ms-1", "m/s"},
+                                                                {"meters/second", "m/s"},
+                                                                {"metres/second", "m/s"},
+                                                                {"meters/sec", "m/s"},
+                                                                {"mps", "m/s"},
+                                                                {"meters per second", "m/s"},
+                                                                {"meter/sec", "m/s"},
+                                                                {"metre per second", "m/s"},
+                                                                {"m/sec", "m/s"},
+                                                                {"km h-1", "km/h"},
+                                                                {"kph", "km/h"},
+                                                                {"knots", "kn"},
+                                                                {"knot", "kn"},
+                                                                {"kt", "kn"},
+                                                                {"kts", "kn"},
+                                                                {"miles/hour", "mph"},
+                                                                {"ft s-1", "ft/s"}};
+    const std::string folded = lower(text);
+    for (const auto& [name, unit] : names)
+        if (folded == name)
+            return unit;
+    return text;
+}
 
 Result<double> speedUnit(const std::string& name) {
     return valueOf(speedUnits, "a unit of speed", name);

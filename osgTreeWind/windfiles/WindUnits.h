@@ -11,6 +11,9 @@ namespace osgTreeWind {
 /// lists them; its diagnostic has a message only.
 Result<double> speedUnit(const std::string& name);
 
+/// The unit as speedUnit() calls it: "m/s" for "m s-1", "meters per second", ...; the text itself otherwise.
+std::string usualSpeedUnit(const std::string& text);
+
 /// One unit of time in seconds: "s", "min" or "h". Any other name is an error that lists them.
 Result<double> timeUnit(const std::string& name);
 

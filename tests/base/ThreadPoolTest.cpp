@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <set>
 #include <string>
 #include <thread>
@@ -61,6 +62,53 @@ TEST_P(ThreadPools, ComeAsExecutorsThatKeepThemAlive) {
     EXPECT_EQ(done, 100);
 }
 
+TEST_P(ThreadPools, ServeSeveralCallersAtOnce) {
+    ThreadPool pool(GetParam());
+    std::vector<std::thread> callers;
+    std::atomic<int> wrong{0};
+    for (std::size_t caller = 0; caller < 4; ++caller)
+        callers.emplace_back([&, caller] {
+            for (std::size_t round = 0; round < 500; ++round) {
+                std::vector<std::size_t> plain(1 + (7 * caller + round) % 23, 0);
+                pool.run(plain.size(), [&](std::size_t i) { plain[i] += caller + round + i; });
+                for (std::size_t i = 0; i < plain.size(); ++i)
+                    wrong += plain[i] != caller + round + i;
+            }
+        });
+    for (std::thread& caller : callers)
+        caller.join();
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST_P(ThreadPools, ServeTheirOwnJobs) {
+    ThreadPool pool(GetParam());
+    std::atomic<int> done{0};
+    pool.run(6, [&](std::size_t) {
+        pool.run(5, [&](std::size_t) { pool.run(4, [&](std::size_t) { ++done; }); });
+    });
+    EXPECT_EQ(done, 6 * 5 * 4);
+}
+
+TEST_P(ThreadPools, LeaveNoCallerWaitingForTheJobsOfAnother) {
+    ThreadPool pool(GetParam());
+    std::atomic<bool> begun{false}, end{false};
+    std::thread slow([&] {
+        pool.run(64, [&](std::size_t) {
+            begun = true;
+            while (!end)
+                std::this_thread::yield();
+        });
+    });
+    while (!begun)
+        std::this_thread::yield();
+    std::atomic<int> done{0};
+    for (int round = 0; round < 100; ++round)
+        pool.run(16, [&](std::size_t) { ++done; });
+    end = true;
+    slow.join();
+    EXPECT_EQ(done, 1600);
+}
+
 INSTANTIATE_TEST_SUITE_P(, ThreadPools, testing::Values(1u, 2u, 3u, 4u),
                          [](const auto& info) { return std::to_string(info.param) + "Threads"; });
 
@@ -75,6 +123,23 @@ TEST(ThreadPool, TheEnvironmentSaysHowManyThreads) {
     const EnvironmentVariable three("OSGTREEWIND_THREADS", "3");
     EXPECT_EQ(ThreadPool().threadCount(), 3u);
     EXPECT_EQ(ThreadPool(2).threadCount(), 2u) << "who asks for a number gets it";
+}
+
+TEST(ThreadPool, TheProcessHasOne) {
+    const auto threads = [] {
+        std::set<std::thread::id> seen;
+        std::mutex mutex;
+        ThreadPool::executor()(64, [&](std::size_t) {
+            std::this_thread::sleep_for(std::chrono::microseconds(100));
+            const std::lock_guard<std::mutex> lock(mutex);
+            seen.insert(std::this_thread::get_id());
+        });
+        return seen;
+    };
+    std::set<std::thread::id> seen = threads();
+    for (int i = 0; i < 10; ++i)
+        seen.merge(threads());
+    EXPECT_LE(seen.size(), ThreadPool().threadCount());
 }
 
 TEST(ThreadPool, NonsenseInTheEnvironmentIsNotListenedTo) {

@@ -15,13 +15,17 @@ inline std::string_view viewOf(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Stops the program unless there is a reason, or a grid with as many numbers as it has points.
+/// Stops the program unless there is a reason, a grid with as many numbers as it has points, or a record with
+/// as many velocities as times.
 inline void expectWhole(const Result<WindContent>& content) {
     if (!content) {
         if (content.problems().empty() || content.problems().front().message.empty())
             std::abort();
         return;
     }
+    if (const auto* series = std::get_if<WindSeries>(&content.value().data))
+        if (series->times.size() != series->velocities.size())
+            std::abort();
     if (const auto* grid = std::get_if<GridWind::Grid>(&content.value().data)) {
         const double steps = grid->times.empty() ? 1.0 : static_cast<double>(grid->times.size());
         if (3.0 * grid->points.x * grid->points.y * grid->points.z * steps !=

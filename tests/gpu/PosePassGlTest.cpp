@@ -28,7 +28,7 @@ public:
         rows[tree] = passes.row(frame, static_cast<std::uint32_t>(tree), [&](PoseRequest& request) {
             ++fills;
             const ModalMotion& modal = *_simulation.modal();
-            passes.refer(modal.shape(tree), request);
+            passes.refer(modal.model(tree), request);
             request.across = placed.scale.axes.x;
             request.upward = placed.scale.axes.z;
             modal.poseVector(tree, request.vector);

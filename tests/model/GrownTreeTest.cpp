@@ -15,18 +15,14 @@
 namespace osgTreeWind {
 namespace {
 
-struct NamedForm {
-    std::string name;
-    GrownTreeParameters parameters;
-};
+using NamedForm = Named<GrownTreeParameters>;
 
 /// Parameters at and beyond the edges of what is allowed.
 std::vector<NamedForm> extremeForms() {
     std::vector<NamedForm> cases;
     const auto add = [&](const char* name, auto change) {
-        NamedForm next{name, {}};
-        change(next.parameters);
-        cases.push_back(next);
+        cases.push_back({name, {}});
+        change(cases.back().parameters);
     };
     using P = GrownTreeParameters;
     const auto all = [](P& p, float value) {

@@ -11,10 +11,12 @@
 
 namespace osgTreeWind {
 
-struct NamedParameters {
+template <typename Parameters>
+struct Named {
     std::string name;
-    RecursiveTreeParameters parameters;
+    Parameters parameters;
 };
+using NamedParameters = Named<RecursiveTreeParameters>;
 
 /// A tree as §2.2 has it, without anything random in it.
 inline RecursiveTreeParameters regularTree() {
@@ -33,9 +35,8 @@ inline RecursiveTreeParameters regularTree() {
 inline std::vector<NamedParameters> extremeTrees() {
     std::vector<NamedParameters> cases;
     const auto add = [&](const char* name, auto change) {
-        NamedParameters next{name, {}};
-        change(next.parameters);
-        cases.push_back(next);
+        cases.push_back({name, {}});
+        change(cases.back().parameters);
     };
     using P = RecursiveTreeParameters;
     const float nan = std::nanf(""), inf = std::numeric_limits<float>::infinity();

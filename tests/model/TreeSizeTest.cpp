@@ -26,13 +26,18 @@ void expectFits(const TreeModel& model, const TreeSize& wanted, const std::strin
     }
 }
 
-TEST(TreeSize, OfAPoleIsThatOfACylinder) {
+TreeParameters pole(float length, float radius, float taper) {
     TreeParameters p;
     p.wood = regularTree();
     p.wood.levels = 0;
-    p.wood.taper = 1.0f;
-    p.wood.length = 3.0f;
-    p.wood.radius = 0.25f;
+    p.wood.length = length;
+    p.wood.radius = radius;
+    p.wood.taper = taper;
+    return p;
+}
+
+TEST(TreeSize, OfAPoleIsThatOfACylinder) {
+    const TreeParameters p = pole(3.0f, 0.25f, 1.0f);
     const TreeSize size = measureTree(makeTreeModel(p));
     EXPECT_NEAR(size.height, 6.0f, 1e-5f);
     EXPECT_NEAR(size.trunkDiameter, 0.5f, 1e-5f);
@@ -40,13 +45,8 @@ TEST(TreeSize, OfAPoleIsThatOfACylinder) {
 }
 
 TEST(TreeSize, TrunkIsMeasuredAtBreastHeight) {
-    TreeParameters p;
-    p.wood = regularTree();
-    p.wood.levels = 0;
+    TreeParameters p = pole(26.0f, 0.4f, 0.5f); // 1.3 m is a twentieth of it
     p.wood.trunkUnits = 1;
-    p.wood.taper = 0.5f;
-    p.wood.radius = 0.4f;
-    p.wood.length = 26.0f; // 1.3 m is a twentieth of it
     EXPECT_NEAR(measureTree(makeTreeModel(p)).trunkDiameter, 0.8f * (1.0f - 0.5f / 20.0f), 1e-5f);
     p.wood.length = 5.0f; // a tenth of the height
     EXPECT_NEAR(measureTree(makeTreeModel(p)).trunkDiameter, 0.8f * (1.0f - 0.5f / 10.0f), 1e-5f);

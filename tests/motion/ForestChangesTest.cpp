@@ -56,14 +56,14 @@ TEST(ForestChanges, TheDescriptionsTreesHaveTheirNumbersAsIds) {
         EXPECT_EQ(simulation.idOf(i), TreeId(i));
         EXPECT_TRUE(simulation.holds(TreeId(i)));
     }
-    EXPECT_FALSE(simulation.holds(4));
+    EXPECT_FALSE(simulation.holds(TreeId(4)));
     EXPECT_FALSE(simulation.holds(noTree));
 }
 
 TEST(ForestChanges, AnAddedTreeStandsAndSways) {
     ForestSimulation simulation(saplings(2));
     run(simulation, 30);
-    const TreeId tree = simulation.addTree(inWorld(simulation, treeAt(77.0, 8.0f)));
+    const TreeId tree = simulation.addTree(inWorld(simulation, treeAt(77.0, 8.0f))).value();
     ASSERT_TRUE(simulation.holds(tree));
     const PlacedTree& placed = simulation.trees()[simulation.slotOf(tree)];
     EXPECT_TRUE(placed.alive);
@@ -75,16 +75,16 @@ TEST(ForestChanges, AnAddedTreeStandsAndSways) {
 
 TEST(ForestChanges, AnIdLastsAndNamesNoOtherTree) {
     ForestSimulation simulation(saplings(3));
-    EXPECT_TRUE(simulation.removeTree(1));
+    EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
     EXPECT_FALSE(simulation.trees()[1].alive);
-    EXPECT_FALSE(simulation.removeTree(1));
+    EXPECT_FALSE(simulation.removeTree(TreeId(1)).empty());
     EXPECT_EQ(simulation.motion(1).poses.size, 0u) << "nothing stands there";
-    const TreeId next = simulation.addTree(inWorld(simulation, treeAt(5.0)));
+    const TreeId next = simulation.addTree(inWorld(simulation, treeAt(5.0))).value();
     EXPECT_EQ(simulation.slotOf(next), 1u) << "its slot is used again";
-    EXPECT_FALSE(simulation.holds(1));
-    EXPECT_FALSE(simulation.changeTree(1, treeAt(3.0)));
+    EXPECT_FALSE(simulation.holds(TreeId(1)));
+    EXPECT_FALSE(simulation.changeTree(TreeId(1), treeAt(3.0)).empty());
     EXPECT_TRUE(simulation.holds(next));
-    EXPECT_TRUE(simulation.holds(2));
+    EXPECT_TRUE(simulation.holds(TreeId(2)));
 }
 
 TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
@@ -93,7 +93,7 @@ TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
     given.heading = 0.4f;
     given.leaves = 0.5f;
     given.size = {7.0f, 0.2f, 3.0f};
-    const TreeId tree = simulation.addTree(given);
+    const TreeId tree = simulation.addTree(given).value();
     const TreePlacement back = simulation.placementOf(tree);
     EXPECT_EQ(back.species, 1u);
     EXPECT_EQ(back.position, given.position);
@@ -111,14 +111,14 @@ TEST(ForestChanges, ATreeMovedByItsPlacementKeepsSizeAndSwayToTheBit) {
     run(simulation, 40);
     const TreeScale scale = simulation.trees()[1].scale;
     const std::vector<float> amplitudes = simulation.modal()->amplitudes(1);
-    TreePlacement moved = simulation.placementOf(1);
+    TreePlacement moved = simulation.placementOf(TreeId(1));
     moved.position.x += 30.0;
-    ASSERT_TRUE(simulation.changeTree(1, moved));
+    ASSERT_TRUE(simulation.changeTree(TreeId(1), moved).empty());
     EXPECT_EQ(simulation.trees()[1].scale.axes, scale.axes);
     EXPECT_EQ(simulation.trees()[1].scale.radius, scale.radius);
     EXPECT_EQ(simulation.trees()[1].position.x, 31.0f);
     EXPECT_EQ(simulation.modal()->amplitudes(1), amplitudes);
-    EXPECT_TRUE(simulation.holds(1)) << "under the same id";
+    EXPECT_TRUE(simulation.holds(TreeId(1))) << "under the same id";
 }
 
 TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
@@ -126,9 +126,9 @@ TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
     expected.wind = std::make_shared<UniformWind>(glm::vec3(1.5f, 0.3f, 0));
     ForestSimulation simulation(expected);
     run(simulation, 20);
-    ASSERT_TRUE(simulation.changeTree(0, inWorld(simulation, treeAt(0.0, 9.0f, 1))));
+    ASSERT_TRUE(simulation.changeTree(TreeId(0), inWorld(simulation, treeAt(0.0, 9.0f, 1))).empty());
     EXPECT_EQ(simulation.trees()[0].species, 1u);
-    EXPECT_NEAR(simulation.placementOf(0).size.height, 9.0f, 0.05f);
+    EXPECT_NEAR(simulation.placementOf(TreeId(0)).size.height, 9.0f, 0.05f);
     run(simulation, 6000, 1.0);
     expected.trees[0].species = 1;
     expected.trees[0].size.height = 9.0f;
@@ -141,12 +141,15 @@ TEST(ForestChanges, OnlyWhatCanBeIsDone) {
     ForestDescription damped = saplings(1);
     damped.law = MotionLaw::Damped;
     ForestSimulation branchwise(damped), modal(saplings(1));
-    EXPECT_EQ(branchwise.addTree(treeAt(1.0)), noTree);
-    EXPECT_FALSE(branchwise.removeTree(0));
-    EXPECT_FALSE(branchwise.changeTree(0, treeAt(1.0)));
-    EXPECT_TRUE(branchwise.holds(0));
-    EXPECT_EQ(modal.addTree(treeAt(1.0, 5.0f, 7)), noTree) << "no such species";
-    EXPECT_FALSE(modal.changeTree(0, treeAt(1.0, 5.0f, 7)));
+    const std::string fixed = "law: trees come, go and change under the law modal only";
+    EXPECT_EQ(branchwise.addTree(treeAt(1.0)).problems().front().text(), fixed);
+    EXPECT_EQ(branchwise.removeTree(TreeId(0)).front().text(), fixed);
+    EXPECT_EQ(branchwise.changeTree(TreeId(0), treeAt(1.0)).front().text(), fixed);
+    EXPECT_TRUE(branchwise.holds(TreeId(0)));
+    const std::string unknown = "species: there is no species 7; the forest has 2, from 0 on";
+    EXPECT_EQ(modal.addTree(treeAt(1.0, 5.0f, 7)).problems().front().text(), unknown);
+    EXPECT_EQ(modal.changeTree(TreeId(0), treeAt(1.0, 5.0f, 7)).front().text(), unknown);
+    EXPECT_EQ(modal.removeTree(TreeId(1)).front().text(), "tree: no tree has this id, or it is gone");
     EXPECT_EQ(modal.trees().size(), 1u);
 }
 
@@ -157,41 +160,41 @@ TEST(ForestChanges, NamesAreFoundAgain) {
     forest.trees[3].name = "oak 7"; // the first one has it
     ForestSimulation simulation(forest);
     EXPECT_EQ(simulation.findTree("oak 7"), TreeId(1));
-    EXPECT_EQ(simulation.nameOf(2), "oak 8");
-    EXPECT_EQ(simulation.nameOf(3), "");
-    EXPECT_EQ(simulation.nameOf(0), "");
+    EXPECT_EQ(simulation.nameOf(TreeId(2)), "oak 8");
+    EXPECT_EQ(simulation.nameOf(TreeId(3)), "");
+    EXPECT_EQ(simulation.nameOf(TreeId(0)), "");
     EXPECT_FALSE(simulation.findTree("oak 9"));
     EXPECT_FALSE(simulation.findTree(""));
 
-    simulation.removeTree(1);
+    simulation.removeTree(TreeId(1));
     EXPECT_FALSE(simulation.findTree("oak 7"));
-    const TreeId other = simulation.addTree(inWorld(simulation, treeAt(1.0, 5.0f, 0, "oak 7")));
+    const TreeId other = simulation.addTree(inWorld(simulation, treeAt(1.0, 5.0f, 0, "oak 7"))).value();
     EXPECT_EQ(simulation.findTree("oak 7"), other);
-    TreePlacement renamed = simulation.placementOf(2);
+    TreePlacement renamed = simulation.placementOf(TreeId(2));
     renamed.name = "elm";
-    simulation.changeTree(2, renamed);
+    simulation.changeTree(TreeId(2), renamed);
     EXPECT_EQ(simulation.findTree("elm"), TreeId(2));
     EXPECT_FALSE(simulation.findTree("oak 8"));
     const std::shared_ptr<ForestSimulation> copy = simulation.restarted();
     simulation.removeTree(other);
     EXPECT_EQ(copy->findTree("oak 7"), other);
-    EXPECT_EQ(copy->nameOf(2), "elm");
+    EXPECT_EQ(copy->nameOf(TreeId(2)), "elm");
 }
 
 TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
     ForestSimulation simulation(saplings(3));
-    simulation.removeTree(0);
-    const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f)));
+    simulation.removeTree(TreeId(0));
+    const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f))).value();
     run(simulation, 50);
     std::shared_ptr<ForestSimulation> again = simulation.restarted();
     EXPECT_EQ(&again->models(), &simulation.models());
     EXPECT_EQ(&again->modal()->archetype(1), &simulation.modal()->archetype(1));
     EXPECT_TRUE(again->holds(added));
-    EXPECT_FALSE(again->holds(0));
+    EXPECT_FALSE(again->holds(TreeId(0)));
     EXPECT_EQ(again->modal()->lean(1), glm::vec2(0.0f));
-    simulation.removeTree(1);
-    EXPECT_TRUE(again->holds(1)) << "they go their own ways";
-    again->addTree(inWorld(*again, treeAt(2.0)));
+    simulation.removeTree(TreeId(1));
+    EXPECT_TRUE(again->holds(TreeId(1))) << "they go their own ways";
+    EXPECT_TRUE(again->addTree(inWorld(*again, treeAt(2.0))));
     EXPECT_EQ(again->modal()->archetypeCount(), simulation.modal()->archetypeCount());
     run(*again, 50);
     EXPECT_EQ(again->modal()->lean(2), simulation.modal()->lean(2)) << "in the same wind";
@@ -233,12 +236,12 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
     given.trees[3].name = "oak 3";
     given.source = "version = 1";
     ForestSimulation simulation(given);
-    simulation.removeTree(0);
-    simulation.removeTree(1);
-    simulation.addTree(inWorld(simulation, treeAt(77.5, 8.0f, 1, "late"))); // into a free slot
-    TreePlacement moved = simulation.placementOf(3);
+    simulation.removeTree(TreeId(0));
+    simulation.removeTree(TreeId(1));
+    ASSERT_TRUE(simulation.addTree(inWorld(simulation, treeAt(77.5, 8.0f, 1, "late")))); // into a free slot
+    TreePlacement moved = simulation.placementOf(TreeId(3));
     moved.position.x += 5.0;
-    simulation.changeTree(3, moved);
+    simulation.changeTree(TreeId(3), moved);
     simulation.setSeason(midwinter);
     const auto storm = std::make_shared<UniformWind>(glm::vec3(20, 0, 0));
     simulation.setWind(storm);
@@ -286,11 +289,11 @@ TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
             inWorld(simulation, treeAt(x, 3.0f + 5.0f * random.uniform(), random.next() % 2));
         const auto any = std::next(there.begin(), static_cast<std::ptrdiff_t>(random.next() % there.size()));
         if (random.next() % 2 && there.size() > 2) {
-            ASSERT_TRUE(simulation.removeTree(any->first));
+            ASSERT_TRUE(simulation.removeTree(any->first).empty());
             ASSERT_FALSE(simulation.holds(any->first));
             there.erase(any);
         } else {
-            const TreeId id = simulation.addTree(tree);
+            const TreeId id = simulation.addTree(tree).value();
             ASSERT_EQ(there.count(id), 0u) << "an id is given once";
             there[id] = simulation.trees()[simulation.slotOf(id)].position;
         }

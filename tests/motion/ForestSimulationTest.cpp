@@ -70,7 +70,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
 TEST(ForestSimulation, StartsAtRest) {
     const ForestSimulation simulation(oneTree());
     ASSERT_EQ(simulation.branches()->poses().size(), 14u);
-    ASSERT_EQ(simulation.leaves().states().size(), 24u);
+    ASSERT_EQ(simulation.branches()->leaves().states().size(), 24u);
     for (std::size_t unit = 0; unit < 14; ++unit)
         EXPECT_EQ(tip(simulation, unit), simulation.models()[0].skeleton.units[unit].tip);
 }
@@ -294,12 +294,12 @@ TEST(ForestSimulation, FirstCallPauseAndEarlierTimesHoldTheState) {
     EXPECT_EQ(simulation.branches()->states()[3], glm::vec4(0.0f));
     EXPECT_TRUE(simulation.advance(5.1));
     const auto states = simulation.branches()->states();
-    const auto leaves = simulation.leaves().states();
+    const auto leaves = simulation.branches()->leaves().states();
     EXPECT_FALSE(simulation.advance(5.1));
     EXPECT_FALSE(simulation.advance(2.0));
     EXPECT_FALSE(simulation.advance(std::nan("")));
     EXPECT_TRUE(sameBits(states, simulation.branches()->states()));
-    EXPECT_TRUE(sameBits(leaves, simulation.leaves().states()));
+    EXPECT_TRUE(sameBits(leaves, simulation.branches()->leaves().states()));
     EXPECT_TRUE(simulation.advance(2.1)); // goes on from the earlier time
 }
 
@@ -324,7 +324,7 @@ TEST(ForestSimulation, ResetGoesBackToRest) {
     run(simulation, 20);
     run(fresh, 20);
     EXPECT_TRUE(sameBits(simulation.branches()->states(), fresh.branches()->states()));
-    EXPECT_TRUE(sameBits(simulation.leaves().states(), fresh.leaves().states()));
+    EXPECT_TRUE(sameBits(simulation.branches()->leaves().states(), fresh.branches()->leaves().states()));
 }
 
 TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
@@ -337,7 +337,7 @@ TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
     run(a, 50);
     run(b, 50);
     EXPECT_TRUE(sameBits(a.branches()->states(), b.branches()->states()));
-    EXPECT_TRUE(sameBits(a.leaves().states(), b.leaves().states()));
+    EXPECT_TRUE(sameBits(a.branches()->leaves().states(), b.branches()->leaves().states()));
     EXPECT_TRUE(sameBits(a.branches()->poses(), b.branches()->poses()));
 }
 
@@ -347,7 +347,7 @@ TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
     forest.trees[1].seed = 3; // the same shape: 3 shapes
     ForestSimulation simulation(forest);
     run(simulation, 30);
-    const auto& leaves = simulation.leaves().states();
+    const auto& leaves = simulation.branches()->leaves().states();
     EXPECT_EQ(simulation.trees()[0].model, simulation.trees()[1].model);
     EXPECT_NE(leaves[0].x, leaves[1].x);
     EXPECT_NE(leaves[0].x, leaves[simulation.trees()[1].firstLeaf].x);
@@ -358,10 +358,10 @@ TEST(ForestSimulation, LeavesMoveSmoothly) {
     ForestSimulation simulation(oneTree());
     run(simulation, 60);
     for (int frame = 61; frame < 400; ++frame) {
-        const auto before = simulation.leaves().states();
+        const auto before = simulation.branches()->leaves().states();
         simulation.advance(frame / 60.0);
         for (std::size_t i = 0; i < before.size(); ++i)
-            ASSERT_LT(std::abs(simulation.leaves().states()[i].x - before[i].x), 0.05f);
+            ASSERT_LT(std::abs(simulation.branches()->leaves().states()[i].x - before[i].x), 0.05f);
     }
 }
 
@@ -653,6 +653,20 @@ TEST(ForestSimulation, UnderModalTheFrameRateDoesNotMatter) {
     run(fast, 720, 0.0, 1.0 / 240.0);
     const float lean = tip(fast, 0).x - fast.models()[0].skeleton.units[0].tip.x;
     EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
+}
+
+TEST(ForestSimulation, StepsOfATenthOfAMillisecondKeepTheirTime) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+        ForestDescription forest = oneTree(law);
+        forest.wind = uniform({4, 0, 0});
+        ForestSimulation usual(forest), fast(forest);
+        const float upright = tip(usual, 1).x;
+        run(usual, 100, 0.0, 0.01);
+        run(fast, 10000, 0.0, 0.0001);
+        const float bent = tip(usual, 1).x - upright;
+        EXPECT_GT(std::abs(bent), 1e-3f);
+        EXPECT_NEAR(tip(fast, 1).x - upright, bent, 0.03f * std::abs(bent));
+    }
 }
 
 TEST(ForestSimulation, UnderModalAHostsThreadsDoTheWork) {

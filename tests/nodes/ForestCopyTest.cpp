@@ -67,14 +67,14 @@ TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
 
 TEST_P(ForestCopyTest, hasTheTreesOfNow) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
-    forest->removeTree(1);
+    forest->removeTree(TreeId(1));
     TreePlacement late;
     late.position = {50.0, 0.0, 0.0};
-    const TreeId added = forest->addTree(late);
+    const TreeId added = forest->addTree(late).value();
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     EXPECT_EQ(copy->getNumTrees(), 3u);
     EXPECT_TRUE(copy->getSimulation().holds(added));
-    EXPECT_TRUE(copy->removeTree(added));
+    EXPECT_TRUE(copy->removeTree(added).empty());
     EXPECT_TRUE(forest->getSimulation().holds(added));
     EXPECT_LT(copy->getBound().radius(), forest->getBound().radius());
 }

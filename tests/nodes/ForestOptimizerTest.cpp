@@ -47,7 +47,7 @@ TEST_P(ForestOptimizerTest, leavesBranchesAndWhatHangsOnThem) {
     osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 4));
     sensor->setDataVariance(osg::Object::DYNAMIC);
     sensor->addChild(new osg::ShapeDrawable(new osg::Sphere));
-    forest->branch(0, 13)->addChild(sensor);
+    forest->branch(TreeId(0), 13)->addChild(sensor);
     const osg::Vec3d before = worldMatrix(*sensor).getTrans();
     osgUtil::Optimizer().optimize(scene, GetParam());
     ASSERT_EQ(sensor->getNumParents(), 1u);
@@ -60,7 +60,7 @@ TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     scene->addChild(forest);
-    osg::ref_ptr<BranchTransform> branch = forest->branch(0, 13);
+    osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 13);
     osgUtil::Optimizer().optimize(scene, GetParam());
     EXPECT_EQ(branch->getNumParents(), 1u);
 }

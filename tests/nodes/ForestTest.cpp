@@ -106,11 +106,11 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
     const osg::ref_ptr<TreeStand> former = forest->getStand();
-    const osg::ref_ptr<BranchTransform> branch = forest->branch(0, 2);
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2);
     forest->setDescription(smallForest(5));
     EXPECT_EQ(forest->getNumTrees(), 5u);
     EXPECT_EQ(former->getNumParents(), 0u);
-    EXPECT_NE(forest->branch(0, 2), branch) << "of a tree that is gone";
+    EXPECT_NE(forest->branch(TreeId(0), 2), branch) << "of a tree that is gone";
     EXPECT_TRUE(forest->containsNode(house));
     unsigned others = 0;
     for (unsigned i = 0; i < forest->getNumChildren(); ++i)
@@ -127,9 +127,9 @@ TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     forest->setDescription(damped);
     EXPECT_EQ(forest->getStand(), nullptr);
     ASSERT_NE(forest->getBranchwise(), nullptr);
-    EXPECT_EQ(forest->branch(1, 2), forest->getBranchwise()->getTree(1)->getBranch(2));
-    EXPECT_EQ(forest->addTree(TreePlacement()), noTree) << "under modal only";
-    EXPECT_FALSE(forest->removeTree(0));
+    EXPECT_EQ(forest->branch(TreeId(1), 2), forest->getBranchwise()->getTree(1)->getBranch(2));
+    EXPECT_FALSE(forest->addTree(TreePlacement()).ok()) << "under modal only";
+    EXPECT_FALSE(forest->removeTree(TreeId(0)).empty());
     forest->setBarkState(0, new osg::StateSet);
     updateFrames(*forest, 1, 5);
     forest->setDescription(smallForest(3));

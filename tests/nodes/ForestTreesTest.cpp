@@ -25,17 +25,16 @@ TEST(ForestTreesTest, idsLast) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     std::set<TreeId> ids;
     for (int i = 0; i < 100; ++i) {
-        const TreeId tree = forest->addTree(treeAt(10.0 + i));
-        ASSERT_NE(tree, noTree);
+        const TreeId tree = forest->addTree(treeAt(10.0 + i)).value();
         EXPECT_TRUE(ids.insert(tree).second) << "an id came back";
         EXPECT_EQ(forest->getNumTrees(), 5u);
-        EXPECT_TRUE(forest->removeTree(tree));
-        EXPECT_FALSE(forest->removeTree(tree));
-        EXPECT_FALSE(forest->changeTree(tree, treeAt(0.0)));
+        EXPECT_TRUE(forest->removeTree(tree).empty());
+        EXPECT_FALSE(forest->removeTree(tree).empty());
+        EXPECT_FALSE(forest->changeTree(tree, treeAt(0.0)).empty());
         EXPECT_EQ(forest->getNumTrees(), 4u);
     }
-    for (TreeId tree = 0; tree < 4; ++tree)
-        EXPECT_TRUE(forest->getSimulation().holds(tree));
+    for (std::size_t tree = 0; tree < 4; ++tree)
+        EXPECT_TRUE(forest->getSimulation().holds(TreeId(tree)));
     EXPECT_LE(forest->getSimulation().trees().size(), 5u) << "slots are used again";
 }
 
@@ -43,9 +42,11 @@ TEST(ForestTreesTest, aTreeOfNoSpeciesIsNotPutUp) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     TreePlacement stranger = treeAt(1.0);
     stranger.species = 9;
-    EXPECT_EQ(forest->addTree(stranger), noTree);
-    EXPECT_FALSE(forest->changeTree(0, stranger));
-    EXPECT_FALSE(forest->removeTree(noTree));
+    const Result<TreeId> added = forest->addTree(stranger);
+    ASSERT_FALSE(added);
+    EXPECT_EQ(added.problems().front().text(), "species: there is no species 9; the forest has 1, from 0 on");
+    EXPECT_FALSE(forest->changeTree(TreeId(0), stranger).empty());
+    EXPECT_FALSE(forest->removeTree(noTree).empty());
     EXPECT_EQ(forest->getNumTrees(), 1u);
 }
 
@@ -57,7 +58,7 @@ TEST(ForestTreesTest, aTreeIsFoundByItsName) {
     EXPECT_EQ(forest->findTree("nobody"), noTree);
     TreePlacement named = treeAt(30.0);
     named.name = "sapling";
-    const TreeId added = forest->addTree(named);
+    const TreeId added = forest->addTree(named).value();
     EXPECT_EQ(forest->findTree("sapling"), added);
     forest->removeTree(added);
     EXPECT_EQ(forest->findTree("sapling"), noTree);
@@ -66,22 +67,22 @@ TEST(ForestTreesTest, aTreeIsFoundByItsName) {
 TEST(ForestTreesTest, boundsGrowAndShrinkWithTheTrees) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     const osg::BoundingSphere before = forest->getBound();
-    const TreeId far = forest->addTree(treeAt(3000.0));
+    const TreeId far = forest->addTree(treeAt(3000.0)).value();
     EXPECT_GT(forest->getBound().radius(), 1400.0f);
-    EXPECT_TRUE(forest->changeTree(far, treeAt(6000.0)));
+    EXPECT_TRUE(forest->changeTree(far, treeAt(6000.0)).empty());
     EXPECT_GT(forest->getBound().radius(), 2900.0f);
-    EXPECT_TRUE(forest->removeTree(far));
+    EXPECT_TRUE(forest->removeTree(far).empty());
     EXPECT_NEAR(forest->getBound().radius(), before.radius(), 1e-3f);
-    forest->removeTree(0);
-    forest->removeTree(1);
+    forest->removeTree(TreeId(0));
+    forest->removeTree(TreeId(1));
     EXPECT_FALSE(forest->getBound().valid());
 }
 
 TEST(ForestTreesTest, aTreeThatChangesEveryFrameIsFollowedOnce) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     for (unsigned frame = 1; frame <= 200; ++frame) {
-        ASSERT_TRUE(forest->changeTree(1, treeAt(0.1 * frame)));
-        const TreeId other = forest->addTree(treeAt(5.0));
+        ASSERT_TRUE(forest->changeTree(TreeId(1), treeAt(0.1 * frame)).empty());
+        const TreeId other = forest->addTree(treeAt(5.0)).value();
         update(*forest, frame, frame / 25.0);
         forest->removeTree(other);
     }
@@ -93,9 +94,9 @@ TEST(ForestTreesTest, aTreeThatMovesKeepsItsSway) {
     updateFrames(*forest, 1, 40);
     const glm::vec2 lean = forest->getSimulation().modal()->lean(1);
     ASSERT_GT(glm::length(lean), 0.01f);
-    TreePlacement there = forest->getSimulation().placementOf(1);
+    TreePlacement there = forest->getSimulation().placementOf(TreeId(1));
     there.position.x += 100.0;
-    forest->changeTree(1, there);
+    forest->changeTree(TreeId(1), there);
     EXPECT_LT(glm::distance(forest->getSimulation().modal()->lean(1), lean), 1e-5f);
 }
 
@@ -103,7 +104,7 @@ TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
     osg::ref_ptr<Forest> one = new Forest(smallForest(4)), other = new Forest(smallForest(4));
     updateFrames(*one, 1, 20);
     updateFrames(*other, 1, 20);
-    const TreeId added = other->addTree(treeAt(90.0));
+    const TreeId added = other->addTree(treeAt(90.0)).value();
     updateFrames(*one, 21, 40);
     updateFrames(*other, 21, 40);
     other->removeTree(added);
@@ -116,11 +117,11 @@ TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
 
 TEST(ForestTreesTest, branchesAreFollowedInTheFrameOfTheirTree) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
-    const osg::ref_ptr<BranchTransform> branch = forest->branch(2, 11);
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(2), 11);
     ASSERT_TRUE(branch);
-    EXPECT_EQ(forest->branch(2, 11), branch);
-    EXPECT_EQ(forest->branch(2, 1000), nullptr);
-    EXPECT_EQ(forest->branch(77, 0), nullptr);
+    EXPECT_EQ(forest->branch(TreeId(2), 11), branch);
+    EXPECT_EQ(forest->branch(TreeId(2), 1000), nullptr);
+    EXPECT_EQ(forest->branch(TreeId(77), 0), nullptr);
     const PlacedTree& placed = forest->getSimulation().trees()[2];
     const BranchUnit& rest = forest->getSimulation().forest().modelOf(placed).skeleton.units[11];
     const osg::Matrix before = branch->getMatrix();
@@ -139,7 +140,7 @@ TEST(ForestTreesTest, branchesAreFollowedInTheFrameOfTheirTree) {
 TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
     updateFrames(*forest, 1, 30);
-    const osg::ref_ptr<BranchTransform> late = forest->branch(1, 9);
+    const osg::ref_ptr<BranchTransform> late = forest->branch(TreeId(1), 9);
     const osg::Matrix now = late->getMatrix();
     update(*forest, 31, 30 / 25.0); // a pause
     EXPECT_EQ(late->getMatrix(), now);
@@ -147,11 +148,11 @@ TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {
 
 TEST(ForestTreesTest, whatHangsOnATreeThatIsRemovedStaysWhereItWas) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
-    const osg::ref_ptr<BranchTransform> branch = forest->branch(1, 9);
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), 9);
     updateFrames(*forest, 1, 30);
     const osg::Matrix last = branch->getMatrix();
-    forest->removeTree(1);
-    const TreeId next = forest->addTree(treeAt(40.0));
+    forest->removeTree(TreeId(1));
+    const TreeId next = forest->addTree(treeAt(40.0)).value();
     EXPECT_EQ(forest->getSimulation().slotOf(next), 1u);
     updateFrames(*forest, 31, 60);
     EXPECT_EQ(branch->getMatrix(), last);
@@ -163,11 +164,12 @@ TEST(ForestTreesTest, aBranchOfATreeThatGrowsIntoAnotherGoesOn) {
     description.species.push_back(smallSpecies());
     description.species[1].tree.wood.levels = 1; // fewer branches
     osg::ref_ptr<Forest> forest = new Forest(description);
-    const osg::ref_ptr<BranchTransform> first = forest->branch(0, 1), last = forest->branch(0, 13);
+    const osg::ref_ptr<BranchTransform> first = forest->branch(TreeId(0), 1),
+                                        last = forest->branch(TreeId(0), 13);
     updateFrames(*forest, 1, 10);
     TreePlacement other = treeAt(5.0);
     other.species = 1;
-    ASSERT_TRUE(forest->changeTree(0, other));
+    ASSERT_TRUE(forest->changeTree(TreeId(0), other).empty());
     const osg::Matrix held = last->getMatrix(), before = first->getMatrix();
     updateFrames(*forest, 11, 20);
     EXPECT_EQ(last->getMatrix(), held);
@@ -179,7 +181,7 @@ TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
     ASSERT_EQ(forest->getStand()->nearTrees(), 0u);
-    forest->branch(5, 0);
+    forest->branch(TreeId(5), 0);
     EXPECT_EQ(forest->getStand()->nearTrees(), 1u);
     updateFrames(*forest, 1, 200);
     EXPECT_EQ(forest->getSimulation().modal()->level(5), ModalMotion::Level::Near);
@@ -195,7 +197,7 @@ TEST(ForestTreesTest, thousandsOfChangesTakeNoMemory) {
     osg::ref_ptr<Forest> forest = new Forest(description);
     std::size_t archetypes = 0;
     for (int i = 0; i < 2000; ++i) {
-        const TreeId tree = forest->addTree(treeAt(i % 300, 5.0, description.trees[0].size.height));
+        const TreeId tree = forest->addTree(treeAt(i % 300, 5.0, description.trees[0].size.height)).value();
         forest->changeTree(tree, treeAt(i % 200, 5.0, description.trees[0].size.height));
         forest->removeTree(tree);
         if (i == 0)

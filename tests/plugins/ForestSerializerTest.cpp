@@ -116,9 +116,9 @@ TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
     TreePlacement moved = forest->getSimulation().placementOf(second);
     moved.position.x += 20.0;
     moved.name = "moved";
-    forest->changeTree(second, moved);
-    forest->removeTree(forest->getSimulation().idOf(0));
-    forest->addTree(moved);
+    EXPECT_TRUE(forest->changeTree(second, moved).empty());
+    EXPECT_TRUE(forest->removeTree(forest->getSimulation().idOf(0)).empty());
+    EXPECT_TRUE(forest->addTree(moved));
     forest->setSeason(5.0f); // spring, again
     forest->setWind(std::make_shared<UniformWind>(glm::vec3(3, 4, 0)));
     osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());

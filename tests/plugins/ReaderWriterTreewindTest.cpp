@@ -13,6 +13,7 @@
 
 #include <sstream>
 #include <thread>
+#include <typeinfo>
 
 using namespace osgTreeWind;
 
@@ -49,6 +50,8 @@ constexpr const char* oneTreeDocument = "version = 1\n[[tree]]\nposition = [1.0,
 TEST_F(ReaderWriterTreewindTest, readsTheReferenceTree) {
     osg::ref_ptr<Forest> forest = readForestNode(exampleFile("thesis.treewind"));
     ASSERT_TRUE(forest);
+    const Forest& read = *forest;
+    EXPECT_TRUE(&typeid(read) == &typeid(Forest)) << "the plugin's library has a Forest of its own";
     EXPECT_EQ(forest->getNumTrees(), 1u);
     EXPECT_EQ(forest->getBranchwise()->getTree(0)->getNumBranches(), 122u);
     EXPECT_EQ(said(), "");

@@ -51,6 +51,12 @@ std::string problemOf(const std::string& text) {
     return firstProblem(readScan(text, "a"));
 }
 
+/// @param cases a text and its problem.
+void expectProblems(std::initializer_list<std::pair<std::string, std::string>> cases) {
+    for (const auto& [text, problem] : cases)
+        EXPECT_EQ(problemOf(text), problem) << text;
+}
+
 double volumeOf(const ScanCylinders& tree) {
     double volume = 0.0;
     for (const ScanCylinder& c : tree)
@@ -171,94 +177,87 @@ TEST(ScanFile, OfStemsFromOneRootTheThickestBearsTheOthers) {
 TEST(BrokenScan, OfTreeQsmIsOneProblemWithItsPlace) {
     const std::string row = "0.1 1 0 0 0 0 0 1 0 2 0 0.1 1 0 1\n",
                       next = "0.1 1 0 0 1 0 0 1 1 0 0 0.1 1 0 2\n";
-    EXPECT_EQ(problemOf(row + next), "");
-    EXPECT_EQ(problemOf(row + replaced(next, "0.1 1 0", "0 1 0")),
-              "a:2:1: expected a radius above 0 and of at most 10 m, found '0'");
-    EXPECT_EQ(problemOf(row + replaced(next, "0.1 1 0", "-0.1 1 0")),
-              "a:2:1: expected a radius above 0 and of at most 10 m, found '-0.1'");
-    EXPECT_EQ(problemOf(row + replaced(next, "0.1 1 0", "0.1 0 0")),
-              "a:2:5: expected a length above 0 and of at most 200 m, found '0'");
-    EXPECT_EQ(problemOf(row + replaced(next, "0 0 1 0", "0 oak 1 0")),
-              "a:2:9: expected metres within 1e9, found 'oak'");
-    EXPECT_EQ(problemOf(row + replaced(next, "0 0 1 0", "0 nan 1 0")),
-              "a:2:9: expected metres within 1e9, found 'nan'");
-    EXPECT_EQ(problemOf(row + replaced(next, "0 0 1 0", "0 1e999 1 0")),
-              "a:2:9: expected metres within 1e9, found '1e999'");
-    EXPECT_EQ(problemOf(row + replaced(next, "0 0 1 1", "0 0 0.5 1")),
-              "a:2:13: expected a direction of length 1, found one of 0.5");
-    EXPECT_EQ(problemOf(row + replaced(next, " 1 0 0 0.1", " 7 0 0 0.1")),
-              "a:2: expected a parent of the same tree, found 7");
-    EXPECT_EQ(problemOf(row + replaced(next, " 1 0 0 0.1", " 1.5 0 0 0.1")),
-              "a:2:19: expected the number of a cylinder as parent, or 0, found '1.5'");
-    EXPECT_EQ(problemOf(row + replaced(next, " 1 0 0 0.1", " 0 0 0 0.1")),
-              "a:2: expected one root, found another one than in line 1");
-    EXPECT_EQ(problemOf(row + replaced(next, " 1 0 0 0.1", " 2 0 0 0.1")),
-              "a:2: expected parents that lead to the root, found a loop");
-    EXPECT_EQ(problemOf(replaced(row, "1 0 2", "1 2 2") + next),
-              "a: expected a root: a cylinder that springs from no other");
-    EXPECT_EQ(problemOf(row + "0.1 1 0 0 1 0 0 1 1\n"),
-              "a:2: expected 15 or 17 columns, in all lines alike, found 9");
-    EXPECT_EQ(problemOf("radius length start axis parent\n"), "a: expected at least one cylinder");
-    EXPECT_EQ(problemOf(replaced(row, "0.1 1 0", "0.1 160 0")),
-              "a:1: expected a tree of 0.1 to 150 m above its foot, in metres, found 160");
-    EXPECT_EQ(problemOf(replaced(row, "0 0 1 0 2", "0 0 -1 0 2")),
-              "a:1: expected a tree of 0.1 to 150 m above its foot, in metres, found 0");
+    expectProblems(
+        {{row + next, ""},
+         {row + replaced(next, "0.1 1 0", "0 1 0"),
+          "a:2:1: expected a radius above 0 and of at most 10 m, found '0'"},
+         {row + replaced(next, "0.1 1 0", "-0.1 1 0"),
+          "a:2:1: expected a radius above 0 and of at most 10 m, found '-0.1'"},
+         {row + replaced(next, "0.1 1 0", "0.1 0 0"),
+          "a:2:5: expected a length above 0 and of at most 200 m, found '0'"},
+         {row + replaced(next, "0 0 1 0", "0 oak 1 0"), "a:2:9: expected metres within 1e9, found 'oak'"},
+         {row + replaced(next, "0 0 1 0", "0 nan 1 0"), "a:2:9: expected metres within 1e9, found 'nan'"},
+         {row + replaced(next, "0 0 1 0", "0 1e999 1 0"), "a:2:9: expected metres within 1e9, found '1e999'"},
+         {row + replaced(next, "0 0 1 1", "0 0 0.5 1"),
+          "a:2:13: expected a direction of length 1, found one of 0.5"},
+         {row + replaced(next, " 1 0 0 0.1", " 7 0 0 0.1"),
+          "a:2: expected a parent of the same tree, found 7"},
+         {row + replaced(next, " 1 0 0 0.1", " 1.5 0 0 0.1"),
+          "a:2:19: expected the number of a cylinder as parent, or 0, found '1.5'"},
+         {row + replaced(next, " 1 0 0 0.1", " 0 0 0 0.1"),
+          "a:2: expected one root, found another one than in line 1"},
+         {row + replaced(next, " 1 0 0 0.1", " 2 0 0 0.1"),
+          "a:2: expected parents that lead to the root, found a loop"},
+         {replaced(row, "1 0 2", "1 2 2") + next,
+          "a: expected a root: a cylinder that springs from no other"},
+         {row + "0.1 1 0 0 1 0 0 1 1\n", "a:2: expected 15 or 17 columns, in all lines alike, found 9"},
+         {"radius length start axis parent\n", "a: expected at least one cylinder"},
+         {replaced(row, "0.1 1 0", "0.1 160 0"),
+          "a:1: expected a tree of 0.1 to 150 m above its foot, in metres, found 160"},
+         {replaced(row, "0 0 1 0 2", "0 0 -1 0 2"),
+          "a:1: expected a tree of 0.1 to 150 m above its foot, in metres, found 0"}});
 }
 
 TEST(BrokenScan, OfSimpleForestIsOneProblemWithItsPlace) {
     const std::string head = " ID, parentID, startX, startY, startZ, endX, endY, endZ, radius\n",
                       row = "0,-1,0,0,0,0,0,1,0.1\n";
-    EXPECT_EQ(problemOf(head + row), "");
-    EXPECT_EQ(problemOf(head), "a: expected at least one cylinder");
-    EXPECT_EQ(problemOf(head + "0,-1,0,0,0,0,0,0,0.1\n"), "a:2: expected a cylinder with a length");
-    EXPECT_EQ(problemOf(head + "0,-1,0,0,0,0,tall,1,0.1\n"),
-              "a:2: endY: expected metres within 1e9, found 'tall'");
-    EXPECT_EQ(problemOf(head + row + row), "a:3: expected each id once, found 0 again");
-    EXPECT_EQ(problemOf(head + row + "1,4,0,0,1,0,0,2,0.1\n"),
-              "a:3: expected a parent of the same tree, found 4");
-    EXPECT_EQ(problemOf(head + row + "1,0,0,0,1,0,0\n"), "a:3: expected 9 cells as in the header, found 7");
-    EXPECT_EQ(problemOf(replaced(head, "radius", "width") + row),
-              "a:1: radius: expected a column of this name");
+    expectProblems(
+        {{head + row, ""},
+         {head, "a: expected at least one cylinder"},
+         {head + "0,-1,0,0,0,0,0,0,0.1\n", "a:2: expected a cylinder with a length"},
+         {head + "0,-1,0,0,0,0,tall,1,0.1\n", "a:2: endY: expected metres within 1e9, found 'tall'"},
+         {head + row + row, "a:3: expected each id once, found 0 again"},
+         {head + row + "1,4,0,0,1,0,0,2,0.1\n", "a:3: expected a parent of the same tree, found 4"},
+         {head + row + "1,0,0,0,1,0,0\n", "a:3: expected 9 cells as in the header, found 7"},
+         {replaced(head, "radius", "width") + row, "a:1: radius: expected a column of this name"}});
 }
 
 TEST(BrokenScan, OfRayCloudToolsIsOneProblemWithItsPlace) {
     const std::string head = "# a\nx,y,z,radius,parent_id\n";
-    EXPECT_EQ(problemOf(head + "0,0,0,0.1,-1, 0,0,1,0.1,0\n"), "");
-    EXPECT_EQ(problemOf(head), "a:2: expected at least one tree after the names");
-    EXPECT_EQ(problemOf("x,y,z,radius\n0,0,0,0.1\n"),
-              "a:1: expected names of columns that begin with x,y,z,radius and have parent_id");
-    EXPECT_EQ(problemOf(head + "0,0,0,0.1,-1\n"),
-              "a:3: expected 5 values and then 5 for each further segment, found 5");
-    EXPECT_EQ(problemOf(head + "0,0,0,0.1,-1, 0,0,1,0.1\n"),
-              "a:3: expected 5 values and then 5 for each further segment, found 9");
-    EXPECT_EQ(problemOf(head + "0,0,0,0.1,-1, 0,0,1,none,0\n"),
-              "a:3:21: expected a radius above 0 and of at most 10 m, found 'none'");
-    EXPECT_EQ(problemOf(head + "0,0,0,0.1,-1, 0,0,1,0.1,-1\n"),
-              "a:3:25: expected the place of a segment in its line, from 0 on, found '-1'");
-    EXPECT_EQ(problemOf(head + "0,0,0,0.1,-1, 0,0,1,0.1,5\n"),
-              "a:3: expected a parent of the same tree, found 5");
+    expectProblems(
+        {{head + "0,0,0,0.1,-1, 0,0,1,0.1,0\n", ""},
+         {head, "a:2: expected at least one tree after the names"},
+         {"x,y,z,radius\n0,0,0,0.1\n",
+          "a:1: expected names of columns that begin with x,y,z,radius and have parent_id"},
+         {head + "0,0,0,0.1,-1\n", "a:3: expected 5 values and then 5 for each further segment, found 5"},
+         {head + "0,0,0,0.1,-1, 0,0,1,0.1\n",
+          "a:3: expected 5 values and then 5 for each further segment, found 9"},
+         {head + "0,0,0,0.1,-1, 0,0,1,none,0\n",
+          "a:3:21: expected a radius above 0 and of at most 10 m, found 'none'"},
+         {head + "0,0,0,0.1,-1, 0,0,1,0.1,-1\n",
+          "a:3:25: expected the place of a segment in its line, from 0 on, found '-1'"},
+         {head + "0,0,0,0.1,-1, 0,0,1,0.1,5\n", "a:3: expected a parent of the same tree, found 5"}});
 }
 
 TEST(BrokenScan, OfSwcIsOneProblemWithItsPlace) {
     const std::string root = "# a\n1 1 0 0 0 0.1 -1\n";
-    EXPECT_EQ(problemOf(root + "2 3 0 0 1 0.1 1\n"), "");
-    EXPECT_EQ(problemOf(root), "a:2: expected more than one point");
-    EXPECT_EQ(problemOf(root + "2 3 0 0 1 0.1 -1\n"), "a:3: expected one root, found another");
-    EXPECT_EQ(problemOf(root + "2 3 0 0 1 0.1\n"),
-              "a:3: expected 7 numbers: id, type, x, y, z, radius, parent; found 6 words");
-    EXPECT_EQ(problemOf(root + "2 3 0 0 1 0.1 3\n3 3 0 0 2 0.1 2\n"),
-              "a: expected a root: a cylinder that springs from no other");
-    EXPECT_EQ(problemOf(root + "2 3 0 0 1 0.1 1\n3 3 0 0 2 0.1 4\n4 3 0 0 3 0.1 3\n"),
-              "a:4: expected parents that lead to the root, found a loop");
+    expectProblems({{root + "2 3 0 0 1 0.1 1\n", ""},
+                    {root, "a:2: expected more than one point"},
+                    {root + "2 3 0 0 1 0.1 -1\n", "a:3: expected one root, found another"},
+                    {root + "2 3 0 0 1 0.1\n",
+                     "a:3: expected 7 numbers: id, type, x, y, z, radius, parent; found 6 words"},
+                    {root + "2 3 0 0 1 0.1 3\n3 3 0 0 2 0.1 2\n",
+                     "a: expected a root: a cylinder that springs from no other"},
+                    {root + "2 3 0 0 1 0.1 1\n3 3 0 0 2 0.1 4\n4 3 0 0 3 0.1 3\n",
+                     "a:4: expected parents that lead to the root, found a loop"}});
 }
 
 TEST(BrokenScan, OfNoKnownFormatSaysWhatIsKnown) {
-    EXPECT_EQ(problemOf("\n# only this\n"),
-              "a: expected a scanned tree, found only blank lines and comments");
-    EXPECT_EQ(
-        problemOf("hello\n"),
-        "a:1:1: expected a scanned tree: TreeQSM's cylinders as text, a CSV of SimpleForest, a tree file "
-        "of RayCloudTools, or SWC, found 'hello'");
+    expectProblems(
+        {{"\n# only this\n", "a: expected a scanned tree, found only blank lines and comments"},
+         {"hello\n",
+          "a:1:1: expected a scanned tree: TreeQSM's cylinders as text, a CSV of SimpleForest, a tree file "
+          "of RayCloudTools, or SWC, found 'hello'"}});
     const TemporaryFolder temporary;
     const std::string empty = temporary.write("empty.txt", "");
     EXPECT_EQ(firstProblem(readScanFile(empty)), empty + ": the file is empty");

@@ -146,11 +146,42 @@ TEST(Season, AForestFollowsItAsIfMadeInIt) {
     }
 }
 
+TEST(Season, ALargeForestFollowsItStepByStepToTheSameNumbers) {
+    const auto large = [](float season) {
+        ForestDescription forest = wood(season);
+        const std::vector<TreePlacement> few = std::exchange(forest.trees, {});
+        for (std::size_t i = 0; i < 1000; ++i) {
+            forest.trees.push_back(few[i % few.size()]);
+            forest.trees.back().size.height = 3.0f + 0.03f * static_cast<float>(i);
+        }
+        return forest;
+    };
+    ForestSimulation changed(large(midsummer)), made(large(midwinter));
+    changed.setSeason(midwinter);
+    EXPECT_EQ(changed.trees()[996].leaves, 0.0f) << "at once";
+    const std::size_t archetypes = changed.modal()->archetypeCount();
+    EXPECT_TRUE(changed.removeTree(TreeId(999)).empty());
+    EXPECT_TRUE(made.removeTree(TreeId(999)).empty());
+    const std::shared_ptr<ForestSimulation> copy = changed.restarted();
+    for (ForestSimulation* forest : {&changed, copy.get(), &made}) {
+        for (int frame = 0; frame <= 20; ++frame)
+            forest->advance(frame / 30.0);
+        forest->reset();
+        for (int frame = 0; frame <= 20; ++frame)
+            forest->advance(frame / 30.0);
+    }
+    EXPECT_GT(changed.modal()->archetypeCount(), archetypes) << "made in steps";
+    for (std::size_t slot = 0; slot < 999; ++slot) {
+        ASSERT_EQ(changed.modal()->lean(slot), made.modal()->lean(slot)) << slot;
+        ASSERT_EQ(copy->modal()->lean(slot), made.modal()->lean(slot)) << slot;
+    }
+}
+
 TEST(Season, TreesThatComeLaterAndCopiesAreInIt) {
     ForestSimulation forest(wood(midwinter));
     TreePlacement tree;
     tree.leaves = 0.5f;
-    const TreeId oak = forest.addTree(tree);
+    const TreeId oak = forest.addTree(tree).value();
     EXPECT_EQ(forest.trees()[forest.slotOf(oak)].leaves, 0.0f);
     EXPECT_EQ(forest.placementOf(oak).leaves, 0.5f);
     forest.setSeason(midsummer);

@@ -66,6 +66,20 @@ TEST(MovedWind, VelocitiesAreTurnedAndNotScaled) {
     EXPECT_LT(glm::distance(tilted.velocity({1, 2, 3}, 0.0), glm::vec3(0, 0, 6)), 1e-5f);
 }
 
+TEST(MovedWind, OfAMovedWindItTakesWhatIsWithin) {
+    const auto world = std::make_shared<WhereWind>();
+    const glm::dmat4 outer = moved({100, 20, 5}) * turned(quarter), inner = moved({-3, 7, 0}) * turned(0.3);
+    const auto once = std::make_shared<MovedWind>(world, outer);
+    const long before = world.use_count(), of = once.use_count();
+    const MovedWind twice(once, inner);
+    EXPECT_EQ(world.use_count(), before + 1);
+    EXPECT_EQ(once.use_count(), of);
+    const MovedWind direct(world, outer * inner);
+    for (const glm::vec3& place : {glm::vec3(0), glm::vec3(10, -4, 3)})
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(twice.velocity(place, 0)[i], direct.velocity(place, 0)[i], 1e-4f) << i;
+}
+
 TEST(MovedWind, ScaledPlacesAreScaledHeightsToo) {
     const MovedWind wind(std::make_shared<WhereWind>(), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
     EXPECT_EQ(wind.velocity({{3, 4, 9}, 2}, 0.0), glm::vec3(6, 8, 14));

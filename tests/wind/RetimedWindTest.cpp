@@ -36,6 +36,38 @@ TEST(RetimedWind, ACarriedWindIsThatOfWhenTheAirPassedThePlane) {
     EXPECT_EQ(winds[1], glm::vec3(94, 2, 0));
 }
 
+namespace {
+
+/// One clock for two shows what the two show one within the other.
+void expectAsInside(const RetimedWind::Clock& outer, const RetimedWind::Clock& inner) {
+    const RetimedWind within(clockWind(), inner);
+    const RetimedWind both(std::make_shared<RetimedWind>(within), outer);
+    const RetimedWind apart(std::make_shared<FunctionWind>([&](const glm::vec3& p, double t) {
+                                return within.velocity(WindPlace(p), t);
+                            }),
+                            outer);
+    for (const float x : {-40.0f, 0.0f, 25.0f})
+        for (const double time : {-3.0, 0.0, 7.0})
+            EXPECT_NEAR(both.velocity({x, 1, 0}, time).x, apart.velocity({x, 1, 0}, time).x, 1e-4)
+                << x << ", " << time;
+}
+
+} // namespace
+
+TEST(RetimedWind, OfARetimedWindItTakesWhatIsWithin) {
+    expectAsInside({100.0, 60.0}, {7.0, 0.5});
+    expectAsInside({100.0, 60.0}, {7.0, 0.5, -30.0, 8.0});
+    expectAsInside({100.0, 2.0, 10.0, 4.0}, {7.0, 0.5});
+    expectAsInside({100.0, 2.0, 10.0, 4.0}, {7.0, 0.5, -30.0, 8.0});
+    expectAsInside({100.0, 2.0, 10.0, -4.0}, {7.0, 0.5, -30.0, 8.0}); // carried this way and that: nowhere
+    const auto clock = clockWind();
+    const auto once = std::make_shared<RetimedWind>(clock, RetimedWind::Clock{1.0, 2.0});
+    const long before = clock.use_count(), of = once.use_count();
+    const RetimedWind twice(once, {});
+    EXPECT_EQ(clock.use_count(), before + 1);
+    EXPECT_EQ(once.use_count(), of);
+}
+
 TEST(RetimedWind, NoInnerWindIsCalm) {
     EXPECT_EQ(RetimedWind(nullptr, {0, 1}).velocity({}, 0), glm::vec3(0));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/windfiles/RecordOf.h>
 
 #include <osgTreeWind/wind/WindDirection.h>
-#include <osgTreeWind/windfiles/QesSensor.h>
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,7 @@ using namespace osgTreeWind;
 namespace {
 
 Result<WindSeries> read(const std::string& content) {
-    std::istringstream input(content);
-    return readQesSensor(input, "s.xml");
+    return recordOf(readQesSensor(content, "s.xml"));
 }
 
 std::string record(const std::string& time, const std::string& speed, const std::string& direction,

@@ -21,6 +21,12 @@ namespace {
 constexpr unsigned unitPosesTextureUnit = 4;
 constexpr unsigned leafAnglesTextureUnit = 5;
 
+std::shared_ptr<ForestSimulation> noTrees() {
+    ForestDescription none;
+    none.law = MotionLaw::Thesis;
+    return std::make_shared<ForestSimulation>(none);
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed) {
@@ -69,8 +75,7 @@ std::string BranchwiseForest::problemOf(const ForestDescription& description) {
            std::to_string(DataTexture::mostTexels) + ". The law modal has no such limit";
 }
 
-BranchwiseForest::BranchwiseForest()
-    : BranchwiseForest(std::make_shared<ForestSimulation>(ForestDescription())) {}
+BranchwiseForest::BranchwiseForest() : BranchwiseForest(noTrees()) {}
 
 BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _simulation(std::move(given)) {
     const ForestSimulation& simulation = *_simulation;
@@ -111,7 +116,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     bindData(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
     bindData(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
     uploadUnitPoses();
-    _leafAngles->fill(_simulation->leaves().states());
+    _leafAngles->fill(_simulation->branches()->leaves().states());
 }
 
 BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp&)
@@ -180,14 +185,13 @@ void BranchwiseForest::useCpuAngles() {
 }
 
 void BranchwiseForest::startPasses() {
-    _prePass = std::make_unique<AnglePrePass>(*_simulation);
+    _prePass = std::make_unique<AnglePrePass>(*_simulation->branches());
     bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
 }
 
 /// The passes start once a first frame has shown that the context can run them.
 void BranchwiseForest::chooseAngleSource() {
-    if (_wantedSource == CPU_ANGLES || _prePass || !_simulation->branches() ||
-        _simulation->forest().units == 0)
+    if (_wantedSource == CPU_ANGLES || _prePass || _simulation->forest().units == 0)
         return;
     if (!_probe)
         _probe = new FloatTargetProbe;
@@ -249,14 +253,14 @@ void BranchwiseForest::update(double time) {
 bool BranchwiseForest::stepOnCpu(double time) {
     if (!_simulation->advance(time))
         return false;
-    _leafAngles->fill(_simulation->leaves().states());
+    _leafAngles->fill(_simulation->branches()->leaves().states());
     return true;
 }
 
 bool BranchwiseForest::stepOnGpu(double time) {
-    const bool moved = _prePass->readBack(*_simulation);
+    const bool moved = _prePass->readBack(*_simulation->branches());
     if (const std::optional<float> seconds = _simulation->beginStep(time))
-        _prePass->step(*_simulation, time, *seconds);
+        _prePass->step(*_simulation->branches(), time, *seconds);
     else
         _prePass->hold();
     return moved;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
@@ -22,7 +23,7 @@ class FloatTargetProbe;
 
 /// A forest drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit. A
 /// part of a Forest, which tells it the time.
-class BranchwiseForest : public osg::Group {
+class OSGTREEWIND_EXPORT BranchwiseForest : public osg::Group {
 public:
     /// Where the angles of branches and leaves are worked out.
     enum AngleSource {
@@ -48,7 +49,7 @@ public:
 
     /// No trees.
     BranchwiseForest();
-    /// @param simulation its trees, as they stand now.
+    /// @param simulation its trees, as they stand now; under a law of a branch.
     explicit BranchwiseForest(std::shared_ptr<ForestSimulation> simulation);
     /// A copy of a part of a scene that is moved by a Forest: of the same trees, which the original moves.
     BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);

@@ -12,7 +12,7 @@ struct TreeLodRanges {
     float full = 8.0f, leaves = 20.0f;
 };
 
-/// The levels of detail of one tree, by distance (design: branch by branch; thesis §7). Below the TreeNode,
+/// The levels of detail of one tree, by distance (thesis §7). Below the TreeNode,
 /// which fills them. A level that no camera sees costs nothing: the transforms of FULL are turned for those
 /// who look at them only. Where they are not yet, its stand-in is drawn, which shaders pose: the same
 /// picture, but that its leaves are shaded as a crown.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
@@ -15,7 +16,7 @@ namespace osgTreeWind {
 ///
 ///     if (auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get()))
 ///         use(tree->getTree(), tree->getUnit(hit.primitiveIndex));
-class TreeHit : public osg::Drawable {
+class OSGTREEWIND_EXPORT TreeHit : public osg::Drawable {
 public:
     TreeHit() = default;
     TreeHit(const ForestSimulation& simulation, std::size_t slot);

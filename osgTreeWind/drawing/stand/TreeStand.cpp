@@ -70,7 +70,7 @@ void TreeStand::follow(std::uint32_t tree) {
 }
 
 void TreeStand::keepNear(std::size_t tree) {
-    _simulation->setLevel(tree, ModalMotion::Level::Near);
+    _simulation->modal()->setLevel(tree, ModalMotion::Level::Near);
     follow(static_cast<std::uint32_t>(tree));
     _attention[tree].kept = true;
 }
@@ -78,7 +78,7 @@ void TreeStand::keepNear(std::size_t tree) {
 void TreeStand::update(unsigned frame, double time) {
     _frame = frame;
     updateFlutter(time);
-    const ModalMotion& modal = *_simulation->modal();
+    ModalMotion& modal = *_simulation->modal();
     {
         const std::lock_guard<std::mutex> lock(_listsMutex);
         for (const Lists& each : _lists) {
@@ -86,7 +86,7 @@ void TreeStand::update(unsigned frame, double time) {
                 if (!_simulation->trees()[tree].alive)
                     continue;
                 if (modal.level(tree) == ModalMotion::Level::Far)
-                    _simulation->setLevel(tree, ModalMotion::Level::Near);
+                    modal.setLevel(tree, ModalMotion::Level::Near);
                 follow(tree);
             }
             each.lists->near().clear();
@@ -108,7 +108,7 @@ void TreeStand::update(unsigned frame, double time) {
                                                                         frame - attention.seen) < framesNear))
                                        return false;
                                    if (isNear)
-                                       _simulation->setLevel(tree, ModalMotion::Level::Far);
+                                       modal.setLevel(tree, ModalMotion::Level::Far);
                                    attention.isNear = false;
                                    return true;
                                }),
@@ -151,7 +151,9 @@ void TreeStand::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
     const osg::ref_ptr<CullLists> lists = freeLists(visitor);
-    TreeStandCull{visitor, frame, *_simulation, _drawing, _passes, _tiers, _cells, _flutter, *lists}.run();
+    TreeStandCull{visitor, frame,    *_simulation, *_simulation->modal(), _drawing, _passes, _tiers,
+                  _cells,  _flutter, *lists}
+        .run();
 }
 
 std::array<std::size_t, tierCount> TreeStand::listedTrees() const {

@@ -54,7 +54,7 @@ void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell
     for (const TreeCells::Tree& tree : cell.trees) {
         const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, 0.5f * tree.height);
         if (side == ViewFrustum::Across) {
-            const glm::vec2 lean = simulation.modal()->lean(tree.number);
+            const glm::vec2 lean = modal.lean(tree.number);
             const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
             if (!view.sees(middle, std::hypot(tree.reach, 0.5f * tree.height) + sway))
                 continue;
@@ -77,7 +77,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;
     if (tier == Tier::Impostor) {
-        const glm::vec2 lean = simulation.modal()->lean(number);
+        const glm::vec2 lean = modal.lean(number);
         lists.list(band, tree.model, impostorTier(tree.leaves), fade < 1.0f, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
@@ -94,8 +94,7 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
 }
 
 void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const {
-    const ModalMotion& modal = *simulation.modal();
-    passes[tree.model]->refer(modal.shape(number), request);
+    passes[tree.model]->refer(modal.model(number), request);
     request.across = tree.scale.axes.x;
     request.upward = tree.scale.axes.z;
     if (request.firstTexel < 0.0f)

@@ -19,6 +19,7 @@ public:
     osgUtil::CullVisitor& visitor;
     unsigned frame;
     const ForestSimulation& simulation;
+    const ModalMotion& modal; ///< Of the simulation.
     const StandResources& drawing;
     const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
     const TreeTiers& tiers;

@@ -5,23 +5,23 @@
 
 namespace osgTreeWind {
 
-AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
+AnglePrePass::AnglePrePass(const BranchwiseMotion& motion)
     : _node(new OncePerFrame), _branchReadback(new AngleReadback), _leafReadback(new AngleReadback),
-      _branches("branchwise/branch_angles", simulation.branches()->states(), _branchReadback),
-      _leaves("branchwise/leaf_angles", simulation.leaves().states(), _leafReadback),
-      _wind("wind", 2 * simulation.forest().units),
-      _branchParameters("branch parameters", 3 * simulation.forest().units),
-      _leafParameters("leaf parameters", simulation.forest().leaves),
-      _species("species", speciesTexels(simulation.description(), 0.0).size()),
+      _branches("branchwise/branch_angles", motion.states(), _branchReadback),
+      _leaves("branchwise/leaf_angles", motion.leaves().states(), _leafReadback),
+      _wind("wind", 2 * motion.forest().units),
+      _branchParameters("branch parameters", 3 * motion.forest().units),
+      _leafParameters("leaf parameters", motion.forest().leaves),
+      _species("species", speciesTexels(motion.forest().description(), 0.0).size()),
       _seconds(new osg::Uniform("seconds", 0.0f)) {
-    _branchParameters.fill(branchTexels(simulation.forest(), *simulation.branches()));
-    _leafParameters.fill(leafTexels(simulation.forest()));
+    _branchParameters.fill(branchTexels(motion.forest(), motion));
+    _leafParameters.fill(leafTexels(motion.forest()));
 
     bindData(_branches.inputs(), "wind", 1, _wind.texture());
     bindData(_branches.inputs(), "branchParameters", 2, _branchParameters.texture());
     bindData(_branches.inputs(), "speciesTexels", 3, _species.texture());
     _branches.inputs().addUniform(
-        new osg::Uniform("motionLaw", static_cast<int>(simulation.description().law)));
+        new osg::Uniform("motionLaw", static_cast<int>(motion.forest().description().law)));
     _branches.inputs().addUniform(_seconds);
     bindData(_leaves.inputs(), "leafParameters", 1, _leafParameters.texture());
     bindData(_leaves.inputs(), "speciesTexels", 2, _species.texture());
@@ -31,9 +31,9 @@ AnglePrePass::AnglePrePass(const ForestSimulation& simulation)
     _node->addChild(_leaves.node());
 }
 
-void AnglePrePass::step(const ForestSimulation& simulation, double time, float seconds) {
-    _wind.fill(simulation.branches()->windTexels());
-    _species.fill(speciesTexels(simulation.description(), time));
+void AnglePrePass::step(const BranchwiseMotion& motion, double time, float seconds) {
+    _wind.fill(motion.windTexels());
+    _species.fill(speciesTexels(motion.forest().description(), time));
     _seconds->set(seconds);
     _branches.step();
     _leaves.step();
@@ -44,15 +44,15 @@ void AnglePrePass::hold() {
     _leaves.hold();
 }
 
-bool AnglePrePass::readBack(ForestSimulation& simulation) {
+bool AnglePrePass::readBack(BranchwiseMotion& motion) {
     if (_leafReadback->take(_states)) {
         _leaves.startFrom(_states);
-        simulation.leaves().setStates(_states.data());
+        motion.leaves().setStates(_states.data());
     }
     if (!_branchReadback->take(_states))
         return false;
     _branches.startFrom(_states);
-    simulation.branches()->setStates(_states.data());
+    motion.setStates(_states.data());
     return true;
 }
 

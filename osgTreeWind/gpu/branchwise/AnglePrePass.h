@@ -4,7 +4,7 @@
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
 #include <osgTreeWind/gpu/branchwise/AngleReadback.h>
 #include <osgTreeWind/gpu/branchwise/OncePerFrame.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <vector>
 
@@ -15,20 +15,20 @@ namespace osgTreeWind {
 /// picking. Used in update only.
 class AnglePrePass {
 public:
-    /// Goes on from the states of `simulation`, whose law is one of a branch.
-    explicit AnglePrePass(const ForestSimulation& simulation);
+    /// Goes on from the states of `motion`.
+    explicit AnglePrePass(const BranchwiseMotion& motion);
 
     /// To be culled with the forest; no child of any node.
     osg::Node* node() const { return _node.get(); }
 
-    /// Has the next frame take a step, in the wind that simulation.beginStep() sampled.
+    /// Has the next frame take a step, in the wind that ForestSimulation::beginStep() sampled.
     /// @param time, seconds as of that call.
-    void step(const ForestSimulation& simulation, double time, float seconds);
+    void step(const BranchwiseMotion& motion, double time, float seconds);
     /// Has the next frame keep the angles.
     void hold();
 
-    /// Hands the states of the frame drawn last to `simulation`. @return whether there were new ones.
-    bool readBack(ForestSimulation& simulation);
+    /// Hands the states of the frame drawn last to `motion`. @return whether there were new ones.
+    bool readBack(BranchwiseMotion& motion);
 
     /// Leaf angles, as the frame draws them.
     osg::Texture2D* leafAngles() const { return _leaves.states(); }

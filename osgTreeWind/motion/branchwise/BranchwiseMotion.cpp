@@ -12,9 +12,10 @@
 
 namespace osgTreeWind {
 
-BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, const std::function<void()>& placed)
-    : _forest(forest), _winds(forest.units), _windTexels(2 * forest.units), _states(forest.units),
-      _rotations(forest.units), _poses(forest.units) {
+BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, bool leaves,
+                                   const std::function<void()>& placed)
+    : _forest(forest), _withLeaves(leaves), _leaves(forest, leaves), _winds(forest.units),
+      _windTexels(2 * forest.units), _states(forest.units), _rotations(forest.units), _poses(forest.units) {
     for (const PlacedTree& tree : _forest.trees) {
         addBranches(tree);
         if (placed)
@@ -23,7 +24,15 @@ BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, const std::functi
     reset();
 }
 
-void BranchwiseMotion::refit() {
+std::unique_ptr<Motion> BranchwiseMotion::restarted(const PlacedForest& forest) const {
+    return std::make_unique<BranchwiseMotion>(forest, _withLeaves);
+}
+
+Diagnostic BranchwiseMotion::fixed() {
+    return {{}, 0, 0, "law", "trees come, go and change under the law modal only"};
+}
+
+void BranchwiseMotion::followSeason() {
     _thesisBranches.clear();
     _dampedBranches.clear();
     _windPlaces.clear();
@@ -55,9 +64,10 @@ void BranchwiseMotion::reset() {
     std::fill(_states.begin(), _states.end(), glm::vec4(0.0f));
     std::fill(_rotations.begin(), _rotations.end(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
     std::fill(_poses.begin(), _poses.end(), UnitPose());
+    _leaves.reset();
 }
 
-void BranchwiseMotion::sampleWind(const WindField* wind, double time) {
+void BranchwiseMotion::meet(const WindField* wind, double time) {
     if (wind)
         wind->sample(_windPlaces.data(), _windPlaces.size(), time, _winds.data());
     else
@@ -71,7 +81,8 @@ void BranchwiseMotion::sampleWind(const WindField* wind, double time) {
     }
 }
 
-void BranchwiseMotion::step(double time, float seconds) {
+void BranchwiseMotion::step(const WindField* wind, double time, float seconds) {
+    meet(wind, time);
     for (const PlacedTree& tree : _forest.trees) {
         if (damped())
             swing(tree, seconds);
@@ -79,6 +90,7 @@ void BranchwiseMotion::step(double time, float seconds) {
             turn(tree, time);
         pose(tree);
     }
+    _leaves.step(time);
 }
 
 void BranchwiseMotion::setStates(const glm::vec4* states) {
@@ -87,13 +99,16 @@ void BranchwiseMotion::setStates(const glm::vec4* states) {
         pose(tree);
 }
 
-TreeMotion BranchwiseMotion::motionOf(const PlacedTree& tree) const {
+TreeMotion BranchwiseMotion::motion(std::size_t slot) const {
+    if (slot >= _forest.trees.size())
+        return {};
+    const PlacedTree& tree = _forest.trees[slot];
     const std::size_t first = tree.firstUnit, units = _forest.unitsOf(tree);
     return {{_poses.data() + first, units},
             {_rotations.data() + first, units},
             {_states.data() + first, units},
             {_winds.data() + first, units},
-            {}};
+            _leaves.statesOf(tree)};
 }
 
 void BranchwiseMotion::turn(const PlacedTree& tree, double time) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/motion/branchwise/LeafFlutter.h>
 #include <osgTreeWind/motion/laws/Laws.h>
-#include <osgTreeWind/motion/laws/TreeMotion.h>
+#include <osgTreeWind/motion/laws/Motion.h>
 
 #include <functional>
 
@@ -11,29 +11,37 @@ namespace osgTreeWind {
 
 /// The laws of a branch (`thesis`, `thesis-smooth`, `damped`) for a forest: a state per unit. All arrays run
 /// tree after tree and, within a tree, in access order. Nothing allocates but the constructor
-/// and refit().
+/// and followSeason(). Its trees are those that it began with.
 /// Not for installed headers, as Laws.h.
-class BranchwiseMotion {
+class BranchwiseMotion final : public Motion {
 public:
-    /// At rest. @param forest must outlive it. @param placed called after each tree; may be empty.
-    explicit BranchwiseMotion(const PlacedForest& forest, const std::function<void()>& placed = {});
+    /// At rest. @param forest must outlive it. @param leaves whether they flutter. @param placed called after
+    /// each tree; may be empty.
+    explicit BranchwiseMotion(const PlacedForest& forest, bool leaves = true,
+                              const std::function<void()>& placed = {});
 
-    /// Fits the law to the leaves that trees bear by now; their state stays.
-    void refit();
-    /// Back to rest.
-    void reset();
+    std::unique_ptr<Motion> restarted(const PlacedForest& forest) const override;
+    void setExecutor(Executor) override {}
     /// Samples the wind of every unit; the next step goes from the one before evenly to this one.
-    /// @param wind null: calm.
-    void sampleWind(const WindField* wind, double time);
-    /// One step of the law in the wind that was sampled last, and the poses that it leads to. The laws of the
-    /// thesis take the same step however long it is.
-    void step(double time, float seconds);
+    void meet(const WindField* wind, double time) override;
+    /// Samples the wind, and takes one step of the law and the poses that it leads to. The laws of the thesis
+    /// take the same step however long it is.
+    void step(const WindField* wind, double time, float seconds) override;
+    void reset() override;
+    /// State stays.
+    void followSeason() override;
+    Result<std::size_t> add(const PlacedTree&) override { return fixed(); }
+    Diagnostics remove(std::size_t) override { return {fixed()}; }
+    Diagnostics replace(std::size_t, const PlacedTree&) override { return {fixed()}; }
+    TreeMotion motion(std::size_t slot) const override;
+    TreeMotion motion(std::size_t slot, UnitValues&) const override { return motion(slot); }
+
     /// Takes over states computed elsewhere, one per unit, and composes the poses.
     void setStates(const glm::vec4* states);
 
-    /// Without its leaves.
-    TreeMotion motionOf(const PlacedTree& tree) const;
-
+    const PlacedForest& forest() const { return _forest; }
+    LeafFlutter& leaves() { return _leaves; }
+    const LeafFlutter& leaves() const { return _leaves; }
     /// Where the wind is sampled: base of each unit at rest, scene coordinates, over ground at the foot of
     /// its tree; for `damped` above or below it, at the height of the centre of the drag on all that the unit
     /// carries.
@@ -49,6 +57,7 @@ public:
     const std::vector<Laws::DampedBranch>& dampedBranches() const { return _dampedBranches; }
 
 private:
+    static Diagnostic fixed();
     bool damped() const { return _forest.description().law == MotionLaw::Damped; }
     void addBranches(const PlacedTree& tree);
     void turn(const PlacedTree& tree, double time);
@@ -56,6 +65,8 @@ private:
     void pose(const PlacedTree& tree);
 
     const PlacedForest& _forest;
+    bool _withLeaves;
+    LeafFlutter _leaves;
     std::vector<Laws::ThesisBranch> _thesisBranches;
     std::vector<Laws::DampedBranch> _dampedBranches;
     std::vector<WindPlace> _windPlaces;

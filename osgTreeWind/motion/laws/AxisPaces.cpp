@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/AxisPaces.h>
 
+#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/motion/laws/ScaledUnit.h>
+
+#include <Eigen/Eigenvalues>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,7 +18,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 constexpr std::size_t slicesPerUnit = 4;
-constexpr std::size_t krylovSize = 6;
+constexpr Eigen::Index krylovSize = 6;
 constexpr double heaviestShare = 0.75; ///< A tree that leans so far on its stiffness still has half its pace.
 
 /// A short piece of a unit: its mass and its bending are in the middle.
@@ -71,37 +75,20 @@ std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale,
     return slices;
 }
 
-/// Of a symmetric matrix, the eigenvalue whose eigenvector has the largest first component (Jacobi's
-/// rotations).
-double strongestEigenvalue(std::array<std::array<double, krylovSize>, krylovSize> a, std::size_t size) {
-    std::array<double, krylovSize> first{1.0}; // row of the product of the rotations
-    for (int sweep = 0; sweep < 12; ++sweep)
-        for (std::size_t p = 0; p < size; ++p)
-            for (std::size_t q = p + 1; q < size; ++q) {
-                const double angle = 0.5 * std::atan2(2.0 * a[p][q], a[q][q] - a[p][p]);
-                const double c = std::cos(angle), s = std::sin(angle);
-                const auto turn = [c, s](double& x, double& y) {
-                    const double old = x;
-                    x = c * old - s * y;
-                    y = s * old + c * y;
-                };
-                for (std::size_t k = 0; k < size; ++k)
-                    turn(a[k][p], a[k][q]);
-                for (std::size_t k = 0; k < size; ++k)
-                    turn(a[p][k], a[q][k]);
-                turn(first[p], first[q]);
-            }
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < size; ++k)
-        if (std::abs(first[k]) > std::abs(first[best]))
-            best = k;
-    return a[best][best];
+/// Of a symmetric matrix of these diagonals, the eigenvalue whose eigenvector has the largest first
+/// component.
+double strongestEigenvalue(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& besideIt) {
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes;
+    modes.computeFromTridiagonal(diagonal, besideIt);
+    Eigen::Index best = 0;
+    modes.eigenvectors().row(0).cwiseAbs().maxCoeff(&best);
+    return modes.eigenvalues()[best];
 }
 
 /// Free sway of the slices [first, end), all carried by the first.
 class Sway {
 public:
-    using Shape = std::vector<glm::dvec3>; // shift of each slice
+    using Shifts = std::vector<glm::dvec3>; // of each slice
 
     /// @param axis per slice: the axis it is part of. @param own the one that sways. @param foot its base.
     Sway(const std::vector<Slice>& slices, const std::vector<std::size_t>& axis, std::size_t own,
@@ -112,43 +99,42 @@ public:
     /// Circular frequency, the mean of both directions across the first slice.
     double speed() {
         const glm::dvec3 along = _slices[_first].direction;
-        const glm::dvec3 hint = std::abs(along.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-        const glm::dvec3 e1 = glm::normalize(hint - along * glm::dot(hint, along));
+        const glm::dvec3 e1 = perpendicular(along);
         return std::sqrt(2.0 / (slowness(e1) + slowness(glm::cross(e1, along))));
     }
 
 private:
     /// 1 / speed^2 of the mode that takes the largest part when the axis, pulled along `direction` with all
-    /// it carries unbent, is let go. By Lanczos' method from that shape.
+    /// it carries unbent, is let go. By Lanczos' method from that bend.
     double slowness(const glm::dvec3& direction) {
-        Shape before(_size), now = bent(Shape(_size, direction), true);
-        std::array<std::array<double, krylovSize>, krylovSize> ritz{};
+        Shifts before(_size), now = bent(Shifts(_size, direction), true);
+        Eigen::VectorXd diagonal(krylovSize),
+            besideIt(krylovSize); // of the matrix in the space of those shifts
         const double left = 1.0 - weightShare(now, direction);
         double coupling = 0.0;
         scale(now, 1.0 / std::sqrt(product(now, now)));
-        for (std::size_t k = 0;; ++k) {
-            Shape next = bent(now, false);
-            const double diagonal = product(next, now);
-            ritz[k][k] = diagonal;
+        for (Eigen::Index k = 0;; ++k) {
+            Shifts next = bent(now, false);
+            diagonal[k] = product(next, now);
             for (std::size_t i = 0; i < _size; ++i)
-                next[i] -= diagonal * now[i] + coupling * before[i];
+                next[i] -= diagonal[k] * now[i] + coupling * before[i];
             coupling = std::sqrt(product(next, next));
-            if (k + 1 == krylovSize || coupling < 1e-6 * ritz[0][0])
-                return strongestEigenvalue(ritz, k + 1) / left;
-            ritz[k][k + 1] = ritz[k + 1][k] = coupling;
+            if (k + 1 == krylovSize || coupling < 1e-6 * diagonal[0])
+                return strongestEigenvalue(diagonal.head(k + 1), besideIt.head(k)) / left;
+            besideIt[k] = coupling;
             scale(next, 1.0 / coupling);
             before = std::move(now);
             now = std::move(next);
         }
     }
 
-    /// What weight takes of the elastic energy of `shape`, just bent() by an even load along `direction`: the
-    /// work of all parts as they sink, at most heaviestShare; below 0 for what hangs.
-    double weightShare(const Shape& shape, const glm::dvec3& direction) {
+    /// What weight takes of the elastic energy of `shifts`, just bent() by an even load along `direction`:
+    /// the work of all parts as they sink, at most heaviestShare; below 0 for what hangs.
+    double weightShare(const Shifts& shifts, const glm::dvec3& direction) {
         double elastic = 0.0, work = 0.0;
         for (std::size_t i = _size; i-- > 0;) {
             _carried[i] += mass(i);
-            elastic += mass(i) * glm::dot(direction, shape[i]);
+            elastic += mass(i) * glm::dot(direction, shifts[i]);
             const glm::dvec3 link = linkTo(i), turn = i > 0 ? _turn[parent(i)] : _rootTurn;
             work += _carried[i] * (glm::dot(turn, turn) * link.z - glm::dot(turn, link) * turn.z);
             if (i > 0)
@@ -168,19 +154,19 @@ private:
     static glm::dvec3 across(const Slice& slice, const glm::dvec3& moment) {
         return moment - slice.direction * glm::dot(slice.direction, moment);
     }
-    double product(const Shape& a, const Shape& b) const {
+    double product(const Shifts& a, const Shifts& b) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < _size; ++i)
             sum += mass(i) * glm::dot(a[i], b[i]);
         return sum;
     }
-    void scale(Shape& shape, double factor) const {
-        for (glm::dvec3& shift : shape)
+    void scale(Shifts& shifts, double factor) const {
+        for (glm::dvec3& shift : shifts)
             shift *= factor;
     }
 
-    /// Shape under a load of mass times `shift`. @param stiff only the axis itself bends.
-    Shape bent(const Shape& shift, bool stiff) {
+    /// Shifts under a load of mass times `shift`. @param stiff only the axis itself bends.
+    Shifts bent(const Shifts& shift, bool stiff) {
         for (std::size_t i = 0; i < _size; ++i) {
             _force[i] = mass(i) * shift[i];
             _moment[i] = glm::dvec3(0.0);
@@ -191,7 +177,7 @@ private:
         }
         const Slice& first = _slices[_first];
         _rootTurn = first.rootGive * across(first, _moment[0] + glm::cross(linkTo(0), _force[0]));
-        Shape result(_size);
+        Shifts result(_size);
         for (std::size_t i = 0; i < _size; ++i) {
             const Slice& slice = _slices[_first + i];
             const glm::dvec3 turn = i > 0 ? _turn[parent(i)] : _rootTurn;
@@ -210,7 +196,7 @@ private:
     const glm::dvec3 _foot;
     const double _gravity;
     glm::dvec3 _rootTurn{0.0};
-    Shape _force, _moment, _turn;
+    Shifts _force, _moment, _turn;
     std::vector<double> _carried; ///< Mass, 0 between uses.
 };
 
@@ -227,12 +213,9 @@ std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const std::vector<Slice> slices = slicesOf(model, scale, loads);
     const auto parent = [&](std::size_t i) { return static_cast<std::size_t>(units[i].parent); };
-    const auto goesOn = [&](std::size_t i) {
-        return units[i].parent >= 0 && units[parent(i)].level == units[i].level;
-    };
     std::vector<std::size_t> axis(units.size()), ends(units.size(), 0); // what a unit carries is one run
     for (std::size_t i = 0; i < units.size(); ++i)
-        axis[i] = goesOn(i) ? axis[parent(i)] : i;
+        axis[i] = carriesOn(units, i) ? axis[parent(i)] : i;
     for (std::size_t i = units.size(); i-- > 0;) {
         ends[i] = std::max(ends[i], i + 1);
         if (units[i].parent >= 0)
@@ -241,10 +224,10 @@ std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
 
     std::vector<double> speeds(units.size());
     for (std::size_t i = 0; i < units.size(); ++i)
-        speeds[i] = goesOn(i) ? speeds[parent(i)]
-                              : Sway(slices, axis, i, i * slicesPerUnit, ends[i] * slicesPerUnit,
-                                     glm::dvec3(scale.axes * units[i].base), gravity)
-                                    .speed();
+        speeds[i] = carriesOn(units, i) ? speeds[parent(i)]
+                                        : Sway(slices, axis, i, i * slicesPerUnit, ends[i] * slicesPerUnit,
+                                               glm::dvec3(scale.axes * units[i].base), gravity)
+                                              .speed();
     return speeds;
 }
 

@@ -22,7 +22,7 @@ double jointStiffness(double elasticModulus, double d0, double d1, double length
 /// roots give under a trunk. Of its modes,
 /// the one that takes the largest part when the axis is pulled and let go (Lanczos' method); mean of both
 /// directions across. Weight slows what stands and quickens what hangs (Rayleigh's quotient of the pulled
-/// shape).
+/// axis).
 /// @param loads of makeUnitLoads(). @param gravity m/s^2.
 std::vector<double> axisPaces(const TreeModel& model, const TreeScale& scale,
                               const std::vector<UnitLoad>& loads, double gravity = osgTreeWind::gravity);

@@ -18,26 +18,6 @@ namespace {
 
 constexpr float pi = 3.14159265f;
 
-float largestHeight(const Skeleton& skeleton) {
-    float height = 0.0f;
-    for (const BranchUnit& unit : skeleton.units)
-        height = std::max(height, unit.tip.z);
-    return height;
-}
-
-/// Cross-section of the trunk at breast height (a tenth of a tree below 13 m), m^2.
-float trunkSection(const Skeleton& skeleton, const TreeScale& scale) {
-    const float height = std::min(1.3f, 0.1f * scale.axes.z * largestHeight(skeleton));
-    float radius = 0.0f;
-    for (const BranchUnit& unit : skeleton.units) {
-        const float base = scale.axes.z * unit.base.z, tip = scale.axes.z * unit.tip.z;
-        if (unit.parent < 0 || (unit.level == 0 && height >= base))
-            radius = glm::mix(unit.baseRadius, unit.tipRadius,
-                              std::clamp((height - base) / std::max(tip - base, 1.0e-6f), 0.0f, 1.0f));
-    }
-    return pi * radius * radius * scale.radius * scale.radius;
-}
-
 /// Share of the tree's leaves on each unit.
 std::vector<float> leafShares(const TreeModel& model) {
     std::vector<float> shares(model.skeleton.units.size());
@@ -155,7 +135,7 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
     const bool known = wood.crownDrag > 0.0f && !model.leaves.empty();
     const float share = clampOr(leaves, 0.0f, 1.0f, 1.0f);
     const auto diameter = static_cast<float>(breastDiameter(model, scale));
-    const float height = scale.axes.z * largestHeight(model.skeleton);
+    const float height = scale.axes.z * model.skeleton.height();
     const double modulus =
         std::pow(wood.underBark, 4.0) * stemModulus(wood, height / std::max(diameter, 1.0e-6f));
     const float area = leafArea(model, scale, species, share);

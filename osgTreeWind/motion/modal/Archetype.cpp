@@ -7,10 +7,9 @@
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace osgTreeWind {
 
@@ -61,13 +60,13 @@ constexpr double little = 0.1; // of a logarithm
 
 /// The powers by which the modes follow one quantity: what is left on `other`, which has e^change as much of
 /// it.
-void addPowers(std::vector<ModalModel>& shapes, const JointTree& other, double change,
+void addPowers(std::vector<ModalModel>& models, const JointTree& other, double change,
                float SizePowers::*size) {
-    const ModalRatios ratios = modalRatios(shapes.front(), other);
-    for (ModalModel& shape : shapes)
-        for (std::size_t k = 0; k < shape.modes.size(); ++k) {
-            shape.modes[k].stiffness.*size = static_cast<float>(std::log(ratios.stiffness[k]) / change);
-            shape.modes[k].mass.*size = static_cast<float>(std::log(ratios.mass[k]) / change);
+    const ModalRatios ratios = modalRatios(models.front(), other);
+    for (ModalModel& model : models)
+        for (std::size_t k = 0; k < model.modes.size(); ++k) {
+            model.modes[k].stiffness.*size = static_cast<float>(std::log(ratios.stiffness[k]) / change);
+            model.modes[k].mass.*size = static_cast<float>(std::log(ratios.mass[k]) / change);
         }
 }
 
@@ -98,30 +97,18 @@ JointTree withWidth(const SwayingTree& tree, float factor) {
         other, std::exp(static_cast<double>(growthOf(tree, 0.0f).branches - growthOf(other, 0.0f).branches)));
 }
 
-void addPowers(std::vector<ModalModel>& shapes, const SwayingTree& tree) {
+void addPowers(std::vector<ModalModel>& models, const SwayingTree& tree) {
     const double more = std::exp(little);
     Species stiffer = *tree.species;
     stiffer.wood.elasticModulus *= static_cast<float>(more);
     SwayingTree other = tree;
     other.species = &stiffer;
-    addPowers(shapes, jointsOf(other), little, &SizePowers::modulus);
-    addPowers(shapes, withBranches(tree, more), little, &SizePowers::branches);
-    addPowers(shapes, withWidth(tree, static_cast<float>(more)), little, &SizePowers::width);
+    addPowers(models, jointsOf(other), little, &SizePowers::modulus);
+    addPowers(models, withBranches(tree, more), little, &SizePowers::branches);
+    addPowers(models, withWidth(tree, static_cast<float>(more)), little, &SizePowers::width);
     other = tree;
     other.leaves *= static_cast<float>(1.0 / more);
-    addPowers(shapes, jointsOf(other), -little, &SizePowers::leaves);
-}
-
-std::vector<std::size_t> nearestPatches(const ModalModel& shape, const ModalModel& other) {
-    std::vector<std::size_t> nearest;
-    for (const ModalModel::Patch& patch : shape.patches) {
-        const auto distance = [&](const ModalModel::Patch& o) { return glm::distance(patch.place, o.place); };
-        nearest.push_back(static_cast<std::size_t>(
-            std::min_element(other.patches.begin(), other.patches.end(),
-                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
-            other.patches.begin()));
-    }
-    return nearest;
+    addPowers(models, jointsOf(other), -little, &SizePowers::leaves);
 }
 
 } // namespace
@@ -152,14 +139,14 @@ Archetype::Archetype(const SwayingTree& tree)
     const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
                                  tree.species->branch.maxAngle};
     const JointTree joints = jointsOf(tree);
-    _shapes = makeModalModels(joints, material, {ModalDetail{12, 10}, ModalDetail{4, 4}});
-    for (ModalModel& shape : _shapes) {
-        shape.height = measureTree(*tree.model, tree.scale).height;
-        shape.leans = modalLeans(*tree.model, tree.scale, joints, shape);
+    _models = makeModalModels(joints, material, {std::begin(details), std::end(details)});
+    for (ModalModel& model : _models) {
+        model.height = measureTree(*tree.model, tree.scale).height;
+        model.leans = modalLeans(*tree.model, tree.scale, joints, model);
     }
-    addPowers(_shapes, tree);
-    _other[0] = nearestPatches(_shapes[0], _shapes[1]);
-    _other[1] = nearestPatches(_shapes[1], _shapes[0]);
+    addPowers(_models, tree);
+    _other[0] = nearestPatches(_models[0], 1.0f, _models[1], 1.0f);
+    _other[1] = nearestPatches(_models[1], 1.0f, _models[0], 1.0f);
 }
 
 TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {

@@ -37,19 +37,20 @@ ArchetypeRung nearestRung(const SwayingTree& tree);
 /// The tree that stands on a rung.
 SwayingTree treeOn(const ArchetypeRung& rung);
 
-/// Shapes of one tree at each level of detail, and what it takes to fit them to others. Immutable.
+/// Models of one tree at each level of detail, and what it takes to fit them to others. Immutable.
 ///
-/// Modes keep their shape on another tree; their stiffness and mass follow its sizes by the powers found on
-/// the archetype (Rayleigh's quotient: what the changing shape would do to the pace is of second order).
+/// Modes keep their angles on another tree; their stiffness and mass follow its sizes by the powers found on
+/// the archetype (Rayleigh's quotient: what changing angles would do to the pace is of second order).
 class Archetype {
 public:
     /// Modes of exactly this tree, which need not stand on a rung. Works on ModalDetail()s that suit trees
     /// near by and far away.
     explicit Archetype(const SwayingTree& tree);
 
-    /// 0: near. 1: far, 4 modes and 4 patches.
+    /// 0: near. 1: far.
     static constexpr std::size_t levels = 2;
-    const ModalModel& shape(std::size_t level) const { return _shapes[level]; }
+    static constexpr ModalDetail details[levels] = {{12, 10}, {4, 4}};
+    const ModalModel& model(std::size_t level) const { return _models[level]; }
     /// Nearest patch of the other level to each patch of `level`.
     const std::vector<std::size_t>& otherPatches(std::size_t level) const { return _other[level]; }
 
@@ -62,7 +63,7 @@ private:
     SwayingTree _tree;
     float _leafArea = 0.0f;
     SizePowers _logs; ///< Logarithms of what its growth gives it.
-    std::vector<ModalModel> _shapes;
+    std::vector<ModalModel> _models;
     std::vector<std::size_t> _other[levels];
 };
 

@@ -9,7 +9,7 @@ namespace osgTreeWind {
 /// tree that becomes another one.
 class CarriedSway {
 public:
-    /// @param fromLength, toLength lengths of either tree over those of its shape.
+    /// @param fromLength, toLength lengths of either tree over those of its model.
     CarriedSway(const ModalModel& from, float fromLength, const ModalModel& to, float toLength);
 
     /// Amplitudes of the other tree's modes, or their speeds, from those of the tree's.
@@ -18,11 +18,9 @@ public:
     const std::vector<std::size_t>& patches() const { return _patches; }
 
 private:
-    const ModalModel& _from;
-    const ModalModel& _to;
-    double _length; ///< Of the tree over that of the other.
+    std::size_t _before; ///< Modes of the tree.
     std::vector<std::size_t> _patches;
-    std::vector<std::vector<double>> _factor; ///< Of Cholesky, of V^T V of the other tree, lower triangle.
+    std::vector<double> _carried; ///< Amplitudes of the other tree by each of the tree's.
 };
 
 } // namespace osgTreeWind

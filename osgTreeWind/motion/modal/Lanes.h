@@ -52,5 +52,13 @@ struct LaneLaws {
 #include <shaders/law/modal.glsl>
 };
 
+/// What ModalAir needs to know of them.
+struct Lanes {
+    using Number = real;
+    using Laws = LaneLaws;
+    static real every(float x) { return osgTreeWind::every(x); }
+    static real root(real x) { return sqrt(x); }
+};
+
 } // namespace
 } // namespace osgTreeWind

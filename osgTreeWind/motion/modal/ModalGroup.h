@@ -40,11 +40,11 @@ struct ModalMotion::Group {
     std::vector<std::uint32_t> trees; ///< Which tree is at each place.
     std::vector<float> waiting;       ///< Per block, seconds since its last step.
 
-    const ModalModel& shape() const { return archetype->shape(level); }
-    std::size_t firstFactor() const { return treeFloats(shape()) - factorCount; }
+    const ModalModel& model() const { return archetype->model(level); }
+    std::size_t firstFactor() const { return treeFloats(model()) - factorCount; }
 
-    TreeLanes* block(std::size_t index) { return numbers.data() + index * treeFloats(shape()); }
-    const TreeLanes* block(std::size_t index) const { return numbers.data() + index * treeFloats(shape()); }
+    TreeLanes* block(std::size_t index) { return numbers.data() + index * treeFloats(model()); }
+    const TreeLanes* block(std::size_t index) const { return numbers.data() + index * treeFloats(model()); }
     float& number(std::size_t place, std::size_t index) {
         return block(place / lanes)[index].tree[place % lanes];
     }

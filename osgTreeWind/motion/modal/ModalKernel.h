@@ -14,7 +14,7 @@ struct alignas(32) TreeLanes {
     float tree[count] = {};
 };
 
-/// A tree's own numbers beside its shape's, in the order in which they stand in a block of trees.
+/// A tree's own numbers beside its model's, in the order in which they stand in a block of trees.
 ///
 /// All lengths times l and all radii times r change stiffness by r^4 / l and mass by r^2 l^3. Where a tree is
 /// not so simple (its modulus follows its slenderness, its leaves do not follow its wood), the modes'
@@ -23,19 +23,22 @@ struct TreeFactors {
     float cosine = 1.0f, sine = 0.0f;        ///< Of its heading.
     float length = 1.0f;                     ///< l
     float pace = 1.0f;                       ///< r^2 / l^4: stiffness over mass.
-    SizePowers logs;                         ///< Logarithms of what else is not as on the shape's tree.
-    float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the shape's; that of wood is r l.
+    SizePowers logs;                         ///< Logarithms of what else is not as on the model's tree.
+    float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the model's; that of wood is r l.
 };
 
 /// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in
 /// the tree's own axes), its factors.
-inline std::size_t treeFloats(const ModalModel& shape) {
-    return 2 * shape.modes.size() + 3 * shape.patches.size() + sizeof(TreeFactors) / sizeof(float);
+constexpr std::size_t treeFloats(std::size_t modes, std::size_t patches) {
+    return 2 * modes + 3 * patches + sizeof(TreeFactors) / sizeof(float);
+}
+inline std::size_t treeFloats(const ModalModel& model) {
+    return treeFloats(model.modes.size(), model.patches.size());
 }
 
-/// A step of eight trees of one shape.
+/// A step of eight trees of one model.
 struct ModalStep {
-    const ModalModel* shape = nullptr;
+    const ModalModel* model = nullptr;
     TreeLanes* block = nullptr; ///< treeFloats() elements.
     TreeLanes* wind = nullptr;  ///< At the patches at the end of the step: x, y, z, scene axes, m/s.
     float seconds = 0.0f;       ///< > 0; the wind goes evenly from where it was to where it is.

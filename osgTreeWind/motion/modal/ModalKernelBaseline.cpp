@@ -4,7 +4,7 @@
 namespace osgTreeWind {
 
 __attribute__((flatten)) void stepTreesBaseline(const ModalStep& step) {
-    for (int first = 0; first < static_cast<int>(TreeLanes::count); first += laneCount)
+    for (std::size_t first = 0; first < TreeLanes::count; first += laneCount)
         ModalLanes(step, first).run();
 }
 

@@ -28,9 +28,9 @@ std::vector<CrownPoint> crownOf(const TreeModel& model, const TreeScale& scale) 
 } // namespace
 
 std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale, const JointTree& joints,
-                                  const ModalModel& shape, float power) {
+                                  const ModalModel& modal, float power) {
     const double height = std::max(static_cast<double>(measureTree(model, scale).height), 1.0e-6);
-    std::vector<glm::dvec2> sums(shape.modes.size(), glm::dvec2(0.0));
+    std::vector<glm::dvec2> sums(modal.modes.size(), glm::dvec2(0.0));
     double squares = 1.0e-30;
     for (const CrownPoint& point : crownOf(model, scale)) {
         const double share = std::pow(std::max(point.place.z / height, 0.0), static_cast<double>(power));
@@ -42,7 +42,7 @@ std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale
                 const JointTree::Link& link = joints.links[carrier];
                 const glm::dvec2 moved =
                     share * glm::dvec2(glm::cross(link.axes[axis], point.place - link.base));
-                const float* angles = shape.poses.data() + (2 * carrier + axis) * shape.columns();
+                const float* angles = modal.poses.data() + (2 * carrier + axis) * modal.columns();
                 for (std::size_t k = 0; k < sums.size(); ++k)
                     sums[k] += static_cast<double>(angles[k]) * moved;
             }

@@ -11,10 +11,10 @@ namespace osgTreeWind {
 /// clusters within 10 to 27 % (1.5 suits spruces, 2.5 broadleaves).
 constexpr float leanPower = 1.75f;
 
-/// Per mode of `shape`, how far the top of a leaning tree moves by its amplitude, x and y in metres: least
+/// Per mode of `modal`, how far the top of a leaning tree moves by its amplitude, x and y in metres: least
 /// squares over its clusters of leaves, or the tips of its units where it has none.
 /// @param joints of a tree of that model and scale.
 std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale, const JointTree& joints,
-                                  const ModalModel& shape, float power = leanPower);
+                                  const ModalModel& modal, float power = leanPower);
 
 } // namespace osgTreeWind

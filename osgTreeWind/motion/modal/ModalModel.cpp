@@ -79,7 +79,7 @@ Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, st
 glm::dvec3 lever(const TreeMode& mode, const std::vector<glm::dvec3>& torques) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < torques.size(); ++i)
-        sum += mode.shape[i] * torques[i];
+        sum += mode.angles[i] * torques[i];
     return sum;
 }
 
@@ -129,16 +129,16 @@ double wholeEnergy(const JointTree& tree, const Patches& patches) {
 }
 
 /// With those modes, in their order.
-ModalModel shapeOf(const JointTree& tree, const ModalMaterial& material, const std::vector<TreeMode>& modes,
+ModalModel modelOf(const JointTree& tree, const ModalMaterial& material, const std::vector<TreeMode>& modes,
                    const std::vector<double>& shares, const Patches& patches) {
-    ModalModel shape;
+    ModalModel model;
     const std::size_t joints = tree.jointCount(), count = modes.size(), patchCount = patches.list.size();
-    shape.joints = joints;
-    shape.patches = patches.list;
-    shape.patchOfLink = patches.ofLink;
-    shape.dampingRatio = material.dampingRatio;
-    shape.streamlinedTo = std::max(material.streamlinedTo, 10.0f);
-    shape.maxAngle = material.maxAngle;
+    model.joints = joints;
+    model.patches = patches.list;
+    model.patchOfLink = patches.ofLink;
+    model.dampingRatio = material.dampingRatio;
+    model.streamlinedTo = std::max(material.streamlinedTo, 10.0f);
+    model.maxAngle = material.maxAngle;
     std::vector<std::vector<glm::dvec3>> levers(patchCount); // per patch and mode
     for (std::size_t p = 0; p < patchCount; ++p)
         for (const TreeMode& mode : modes)
@@ -151,46 +151,46 @@ ModalModel shapeOf(const JointTree& tree, const ModalMaterial& material, const s
         mode.energyShare = static_cast<float>(shares[k]);
         double square = 1e-18; // mean of the squared angle, by elastic energy
         for (std::size_t i = 0; i < joints; ++i) {
-            const double angle = modes[k].shape[i] * modes[k].shape[i];
+            const double angle = modes[k].angles[i] * modes[k].angles[i];
             square += angle * angle * tree.links[i / 2].stiffness / (modes[k].speed * modes[k].speed);
         }
         mode.limit = static_cast<float>(10.0 * static_cast<double>(material.maxAngle) / std::sqrt(square));
-        shape.modes.push_back(mode);
+        model.modes.push_back(mode);
     }
     for (std::size_t p = 0; p < patchCount; ++p) {
         for (int axis = 0; axis < 3; ++axis)
             for (std::size_t k = 0; k < count; ++k)
-                shape.levers.push_back(static_cast<float>(levers[p][k][axis]));
+                model.levers.push_back(static_cast<float>(levers[p][k][axis]));
         for (std::size_t k = 0; k < count; ++k)
-            shape.brakes.push_back(static_cast<float>(glm::dot(levers[p][k], levers[p][k])));
+            model.brakes.push_back(static_cast<float>(glm::dot(levers[p][k], levers[p][k])));
     }
-    shape.poses.reserve(joints * shape.columns());
+    model.poses.reserve(joints * model.columns());
     for (std::size_t i = 0; i < joints; ++i) {
         for (const TreeMode& mode : modes)
-            shape.poses.push_back(static_cast<float>(mode.shape[i]));
+            model.poses.push_back(static_cast<float>(mode.angles[i]));
         for (std::size_t p = 0; p < patchCount; ++p) {
             glm::dvec3 rest = patches.torques[p][i] / tree.links[i / 2].stiffness;
             for (std::size_t k = 0; k < count; ++k)
-                rest -= modes[k].shape[i] / (modes[k].speed * modes[k].speed) * levers[p][k];
+                rest -= modes[k].angles[i] / (modes[k].speed * modes[k].speed) * levers[p][k];
             for (int axis = 0; axis < 3; ++axis)
-                shape.poses.push_back(static_cast<float>(rest[axis]));
+                model.poses.push_back(static_cast<float>(rest[axis]));
         }
     }
-    return shape;
+    return model;
 }
 
 } // namespace
 
 std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMaterial& material,
                                         const std::vector<ModalDetail>& details) {
-    std::vector<ModalModel> shapes;
+    std::vector<ModalModel> models;
     std::vector<TreeMode> modes; // kept at the finest detail, in their order
     std::vector<double> shares;
     for (const ModalDetail& detail : details) {
         const Patches patches = partIntoPatches(
             tree, material, std::clamp<std::size_t>(detail.patches, 1, ModalDetail::maxPatches));
         const std::size_t most = std::clamp<std::size_t>(detail.modes, 1, ModalDetail::maxModes);
-        if (shapes.empty()) {
+        if (models.empty()) {
             const std::vector<TreeMode> found = slowestModes(tree, candidates);
             std::vector<double> energies;
             for (const TreeMode& mode : found)
@@ -206,31 +206,46 @@ std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMateri
             }
         }
         const std::size_t count = std::min(most, modes.size());
-        shapes.push_back(shapeOf(tree, material,
+        models.push_back(modelOf(tree, material,
                                  {modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(count)}, shares,
                                  patches));
     }
-    return shapes;
+    return models;
 }
 
 ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material, const ModalDetail& detail) {
     return std::move(makeModalModels(tree, material, {detail}).front());
 }
 
-ModalRatios modalRatios(const ModalModel& shape, const JointTree& other) {
+std::vector<std::size_t> nearestPatches(const ModalModel& model, float length, const ModalModel& other,
+                                        float otherLength) {
+    std::vector<std::size_t> nearest;
+    for (const ModalModel::Patch& patch : model.patches) {
+        const auto distance = [&](const ModalModel::Patch& o) {
+            return glm::distance(patch.place / length, o.place / otherLength);
+        };
+        nearest.push_back(static_cast<std::size_t>(
+            std::min_element(other.patches.begin(), other.patches.end(),
+                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
+            other.patches.begin()));
+    }
+    return nearest;
+}
+
+ModalRatios modalRatios(const ModalModel& model, const JointTree& other) {
     const JointMasses masses(other);
     ModalRatios ratios;
-    for (std::size_t k = 0; k < shape.modes.size(); ++k) {
-        std::vector<double> angles(shape.joints);
+    for (std::size_t k = 0; k < model.modes.size(); ++k) {
+        std::vector<double> angles(model.joints);
         double stiffness = 0.0, mass = 0.0;
-        for (std::size_t i = 0; i < shape.joints; ++i) {
-            angles[i] = shape.poses[i * shape.columns() + k];
+        for (std::size_t i = 0; i < model.joints; ++i) {
+            angles[i] = model.poses[i * model.columns() + k];
             stiffness += angles[i] * angles[i] * other.links[i / 2].stiffness;
         }
         const std::vector<double> momenta = masses.times(angles);
-        for (std::size_t i = 0; i < shape.joints; ++i)
+        for (std::size_t i = 0; i < model.joints; ++i)
             mass += angles[i] * momenta[i];
-        const double pace = shape.modes[k].pace;
+        const double pace = model.modes[k].pace;
         ratios.stiffness.push_back(stiffness / (pace * pace));
         ratios.mass.push_back(mass);
     }

@@ -30,7 +30,7 @@ struct SizePowers {
 ///
 /// Numbers are those of the tree it was made from. A tree of other sizes has its own factors (TreeFactors).
 struct ModalModel {
-    /// A mode. Its amplitude q turns joint i by shape_i q.
+    /// A mode. Its amplitude q turns joint i by phi_i q.
     struct Mode {
         float pace = 1.0f;        ///< Circular frequency without weight, rad/s.
         float weightShare = 0.0f; ///< What weight takes of its stiffness; held within [-1, 0.75].
@@ -57,7 +57,7 @@ struct ModalModel {
     std::vector<float>
         poses; ///< [Phi R]: per joint, by amplitude of each mode and then by patch force (x, y, z).
     std::vector<glm::vec2> leans; ///< Per mode, modalLeans(), and
-    float height = 1.0f;          ///< of the whole tree, metres; of an Archetype's shapes.
+    float height = 1.0f;          ///< of the whole tree, metres; of an Archetype's models.
     float dampingRatio = 0.0f;    ///< Of wood.
     float streamlinedTo = 25.0f;  ///< m/s
     float maxAngle = 1.5f;        ///< Of a joint, radians.
@@ -82,10 +82,14 @@ ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material,
 std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMaterial& material,
                                         const std::vector<ModalDetail>& details);
 
-/// Stiffness and mass of each mode of `shape` on another tree of as many joints, over those on its own.
+/// Per patch of `model`, the nearest one of `other`, in lengths of either.
+std::vector<std::size_t> nearestPatches(const ModalModel& model, float length, const ModalModel& other,
+                                        float otherLength);
+
+/// Stiffness and mass of each mode of `model` on another tree of as many joints, over those on its own.
 struct ModalRatios {
     std::vector<double> stiffness, mass;
 };
-ModalRatios modalRatios(const ModalModel& shape, const JointTree& other);
+ModalRatios modalRatios(const ModalModel& model, const JointTree& other);
 
 } // namespace osgTreeWind

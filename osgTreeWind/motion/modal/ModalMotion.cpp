@@ -27,7 +27,7 @@ ModalMotion::Group::Numbers ModalMotion::Group::numbersOf(std::size_t place) con
 
 void ModalMotion::Group::setWinds(std::size_t place, const float* winds,
                                   const std::vector<std::size_t>& patches) {
-    const std::size_t first = 2 * shape().modes.size();
+    const std::size_t first = 2 * model().modes.size();
     for (std::size_t p = 0; p < patches.size(); ++p)
         for (std::size_t c = 0; c < 3; ++c)
             number(place, first + 3 * p + c) = winds[3 * patches[p] + c];
@@ -37,7 +37,7 @@ void ModalMotion::Group::reserve(std::size_t count) {
     const std::size_t blocks = (count + lanes - 1) / lanes;
     trees.reserve(count);
     waiting.reserve(blocks);
-    numbers.reserve(blocks * treeFloats(shape()));
+    numbers.reserve(blocks * treeFloats(model()));
 }
 
 std::size_t ModalMotion::Group::add(std::uint32_t tree) {
@@ -46,7 +46,7 @@ std::size_t ModalMotion::Group::add(std::uint32_t tree) {
     if (trees.size() > waiting.size() * lanes) {
         makeRoomFor(waiting, waiting.size() + 1);
         waiting.push_back(0.0f);
-        const std::size_t size = waiting.size() * treeFloats(shape());
+        const std::size_t size = waiting.size() * treeFloats(model());
         makeRoomFor(numbers, size);
         numbers.resize(size);
     }
@@ -55,7 +55,7 @@ std::size_t ModalMotion::Group::add(std::uint32_t tree) {
 
 void ModalMotion::Group::remove(std::size_t place) {
     const std::size_t last = trees.size() - 1;
-    for (std::size_t n = 0; n < treeFloats(shape()); ++n) {
+    for (std::size_t n = 0; n < treeFloats(model()); ++n) {
         number(place, n) = number(last, n);
         number(last, n) = 0.0f;
     }
@@ -63,16 +63,16 @@ void ModalMotion::Group::remove(std::size_t place) {
     trees.pop_back();
     if (trees.size() <= (waiting.size() - 1) * lanes) {
         waiting.pop_back();
-        numbers.resize(waiting.size() * treeFloats(shape()));
+        numbers.resize(waiting.size() * treeFloats(model()));
         if (2 * numbers.size() < numbers.capacity())
             numbers.shrink_to_fit();
     }
 }
 
 ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact)
-    : _executor(executor ? std::move(executor) : Executor(runInTurn)),
-      _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)), _exact(exact), _slots(trees.size()), _places(trees.size()),
+    : _gain(clampOr(gain, 0.0f, 100.0f, 1.0f)), _exact(exact), _slots(trees.size()), _places(trees.size()),
       _leans(trees.size(), glm::vec2(0.0f)) {
+    setExecutor(std::move(executor));
     std::vector<std::uint32_t> archetypes; // per tree
     std::vector<SwayingTree> forms;        // per archetype
     for (const Tree& tree : trees) {
@@ -83,10 +83,7 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
         if (index == forms.size())
             forms.push_back(exact ? tree.form : treeOn(nearestRung(tree.form)));
     }
-    std::vector<std::shared_ptr<const Archetype>> made(forms.size());
-    _executor(forms.size(), [&](std::size_t i) { made[i] = std::make_shared<const Archetype>(forms[i]); });
-    for (std::shared_ptr<const Archetype>& archetype : made)
-        addGroups(std::move(archetype));
+    addArchetypes(forms);
     const auto groupOf = [&](std::size_t tree) {
         return Archetype::levels * archetypes[tree] + static_cast<std::size_t>(trees[tree].level);
     };
@@ -107,27 +104,46 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
 ModalMotion::ModalMotion(const ModalMotion& other) = default;
 ModalMotion::~ModalMotion() = default;
 
-std::unique_ptr<ModalMotion> ModalMotion::restarted() const {
-    std::unique_ptr<ModalMotion> copy(new ModalMotion(*this));
-    copy->reset();
-    return copy;
+void ModalMotion::setExecutor(Executor executor) {
+    _executor = executor ? std::move(executor) : Executor(runInTurn);
 }
 
-void ModalMotion::addGroups(std::shared_ptr<const Archetype> archetype) {
-    for (std::size_t level = 0; level < Archetype::levels; ++level) {
-        _groups.emplace_back();
-        _groups.back().archetype = archetype.get();
-        _groups.back().level = level;
+/// With their groups, in order.
+void ModalMotion::addArchetypes(const std::vector<SwayingTree>& forms) {
+    std::vector<std::shared_ptr<const Archetype>> made(forms.size());
+    _executor(forms.size(), [&](std::size_t i) { made[i] = std::make_shared<const Archetype>(forms[i]); });
+    for (std::shared_ptr<const Archetype>& archetype : made) {
+        for (std::size_t level = 0; level < Archetype::levels; ++level) {
+            _groups.emplace_back();
+            _groups.back().archetype = archetype.get();
+            _groups.back().level = level;
+        }
+        _archetypes.push_back(std::move(archetype));
     }
-    _archetypes.push_back(std::move(archetype));
 }
 
 std::uint32_t ModalMotion::archetypeOf(const SwayingTree& form) {
     const auto next = static_cast<std::uint32_t>(_archetypes.size());
     const std::uint32_t index = _exact ? next : _rungs.emplace(nearestRung(form), next).first->second;
     if (index == next)
-        addGroups(std::make_shared<const Archetype>(_exact ? form : treeOn(nearestRung(form))));
+        addArchetypes({_exact ? form : treeOn(nearestRung(form))});
     return index;
+}
+
+std::size_t ModalMotion::prepare(const std::vector<Tree>& trees, std::size_t most) {
+    std::vector<SwayingTree> missing;
+    std::size_t ready = 0;
+    for (; ready < trees.size(); ++ready) {
+        const ArchetypeRung rung = nearestRung(trees[ready].form);
+        if (_rungs.count(rung) > 0)
+            continue;
+        if (missing.size() == most)
+            break;
+        _rungs.emplace(rung, static_cast<std::uint32_t>(_archetypes.size() + missing.size()));
+        missing.push_back(treeOn(rung));
+    }
+    addArchetypes(missing);
+    return ready;
 }
 
 std::size_t ModalMotion::add(const Tree& tree) {
@@ -172,8 +188,8 @@ void ModalMotion::replace(std::size_t tree, const Tree& other) {
         return;
     }
     const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
-    const ModalModel& from = _groups[before].shape();
-    const ModalModel& to = _groups[after].shape();
+    const ModalModel& from = _groups[before].model();
+    const ModalModel& to = _groups[after].model();
     const float length = factors(tree).length;
     take(tree);
     put(tree, after);
@@ -224,8 +240,8 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     if (level(tree) == wanted)
         return;
     const std::uint32_t before = _slots[tree].group, after = before ^ 1u;
-    const ModalModel& from = _groups[before].shape();
-    const ModalModel& to = _groups[after].shape();
+    const ModalModel& from = _groups[before].model();
+    const ModalModel& to = _groups[after].model();
     const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
     const TreeFactors factors = this->factors(tree);
     take(tree);
@@ -252,7 +268,7 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
 }
 
 void ModalMotion::setAmplitudes(std::size_t tree, const std::vector<float>& amplitudes) {
-    const std::size_t modes = shape(tree).modes.size();
+    const std::size_t modes = model(tree).modes.size();
     for (std::size_t k = 0; k < modes; ++k) {
         number(tree, k) = k < amplitudes.size() ? amplitudes[k] : 0.0f;
         number(tree, modes + k) = 0.0f;
@@ -262,7 +278,7 @@ void ModalMotion::setAmplitudes(std::size_t tree, const std::vector<float>& ampl
 
 void ModalMotion::reset() {
     for (Group& group : _groups) {
-        const std::size_t count = treeFloats(group.shape());
+        const std::size_t count = treeFloats(group.model());
         for (std::size_t b = 0; b < group.waiting.size(); ++b)
             std::fill_n(group.block(b), count - factorCount, TreeLanes());
         std::fill(group.waiting.begin(), group.waiting.end(), 0.0f);

@@ -17,7 +17,7 @@ namespace osgTreeWind {
 /// The law `modal` for a forest: every tree a short vector, stepped eight at a time with those of its
 /// archetype.
 ///
-/// A tree takes stateBytes() beside its archetype. What comes out does not depend on threads or on the
+/// A tree takes treeBytes() beside its archetype. What comes out does not depend on threads or on the
 /// processor's instruction set, nor, for near trees, on the other trees; far ones step in turns with those
 /// they are kept with. Not thread-safe, but for the threads of its executor.
 class ModalMotion {
@@ -31,8 +31,11 @@ public:
     /// instead of that of the nearest rung, which takes milliseconds and tens of kB a tree.
     ModalMotion(const std::vector<Tree>& trees, float gain, Executor executor, bool exact = false);
     ~ModalMotion();
-    /// The same trees at the same levels, at rest in a calm. Shares the archetypes.
-    std::unique_ptr<ModalMotion> restarted() const;
+    /// The same trees, which go on by themselves; shares the archetypes.
+    ModalMotion(const ModalMotion& other);
+    ModalMotion& operator=(const ModalMotion&) = delete;
+    /// From the next step on; null: the calling thread alone.
+    void setExecutor(Executor executor);
 
     /// Puts up a tree at rest in a calm, in microseconds whatever the number of trees; the first one on its
     /// rung takes milliseconds, and its archetype stays. Its model and species must outlive this.
@@ -44,12 +47,15 @@ public:
     /// patches of its crown can move alike.
     void replace(std::size_t tree, const Tree& other);
     bool holds(std::size_t tree) const;
+    /// Makes archetypes that these trees lack, which replace() and add() then need not; `most` of them at
+    /// most, on the executor. @return how many of the trees, from the first on, have theirs by now.
+    std::size_t prepare(const std::vector<Tree>& trees, std::size_t most);
 
     /// Numbers given out, those of removed trees too.
     std::size_t treeCount() const { return _leans.size(); }
     std::size_t archetypeCount() const { return _archetypes.size(); }
     const Archetype& archetype(std::size_t tree) const;
-    const ModalModel& shape(std::size_t tree) const; ///< Its archetype's, at its present level.
+    const ModalModel& model(std::size_t tree) const; ///< Its archetype's, at its present level.
     TreeFactors factors(std::size_t tree) const;     ///< Its sizes over its archetype's.
 
     /// From the next step on. What modes and patches have in common is kept.
@@ -64,12 +70,12 @@ public:
     void reset();
 
     /// What the pose is a matrix times: amplitudes of the modes, then forces of the air on the patches.
-    /// @param vector shape(tree).columns() elements.
+    /// @param vector model(tree).columns() elements.
     void poseVector(std::size_t tree, float* vector) const;
     /// Angles of each unit about its two axes as the tree stands (those of `damped`), held within the
     /// species' largest. @param angles one per unit.
     void angles(std::size_t tree, glm::vec2* angles) const;
-    /// Speed of the wind that each patch met last, m/s. @param speeds shape(tree).patches.size() elements.
+    /// Speed of the wind that each patch met last, m/s. @param speeds model(tree).patches.size() elements.
     void patchSpeeds(std::size_t tree, float* speeds) const;
     /// How far its modes have moved the top of the tree, metres, scene axes; height z has moved by
     /// (z / height)^leanPower of that (ModalLean.h).
@@ -82,6 +88,8 @@ public:
     std::vector<float> amplitudes(std::size_t tree) const;
 
     std::size_t stateBytes() const; ///< Of all trees.
+    /// Of one among many, with all the modes and patches of that level.
+    static std::size_t treeBytes(Level level);
     std::size_t archetypeBytes() const;
 
 private:
@@ -90,9 +98,8 @@ private:
     struct Place;
     struct Work;
 
-    ModalMotion(const ModalMotion& other);
     std::uint32_t archetypeOf(const SwayingTree& form);
-    void addGroups(std::shared_ptr<const Archetype> archetype);
+    void addArchetypes(const std::vector<SwayingTree>& forms);
     void put(std::size_t tree, std::size_t group);
     void take(std::size_t tree);
     void stand(std::size_t tree, const Tree& given);

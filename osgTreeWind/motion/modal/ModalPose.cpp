@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/motion/modal/ModalAir.h>
 #include <osgTreeWind/motion/modal/ModalGroup.h>
 
 #include <cmath>
 
 namespace osgTreeWind {
 
+namespace {
+
+/// A tree by itself.
+struct OneLane {
+    using Number = float;
+    using Laws = osgTreeWind::Laws;
+    static float every(float x) { return x; }
+    static float root(float x) { return std::sqrt(x); }
+};
+
+} // namespace
+
 const Archetype& ModalMotion::archetype(std::size_t tree) const {
     return *groupOf(tree).archetype;
 }
 
-const ModalModel& ModalMotion::shape(std::size_t tree) const {
-    return groupOf(tree).shape();
+const ModalModel& ModalMotion::model(std::size_t tree) const {
+    return groupOf(tree).model();
 }
 
 ModalMotion::Level ModalMotion::level(std::size_t tree) const {
@@ -23,74 +36,60 @@ TreeFactors ModalMotion::factors(std::size_t tree) const {
 }
 
 void ModalMotion::poseVector(std::size_t tree, float* vector) const {
-    const ModalModel& shape = this->shape(tree);
-    const std::size_t modes = shape.modes.size(), patches = shape.patches.size();
-    const TreeFactors f = factors(tree);
-    Laws laws;
+    const Group& group = groupOf(tree);
+    const ModalModel& model = group.model();
+    const std::size_t modes = model.modes.size(), patches = model.patches.size();
+    const std::size_t place = _slots[tree].place, lane = place % Group::lanes;
+    const TreeLanes* block = group.block(place / Group::lanes);
+    const LaneColumn<OneLane> numbers(block, lane), wind(block + 2 * modes, lane);
+    ModalAir<OneLane> air(model, block, lane, _gain);
     for (std::size_t k = 0; k < modes; ++k)
-        vector[k] = number(tree, k);
-    const SizePowers& stiffness = shape.modes.front().stiffness;
-    const float reach = _gain > 0.0f ? f.length / _gain : 0.0f;
-    const float wooden = std::sqrt(f.pace) * f.length * f.length * f.length;
-    const float rest =
-        _gain / (wooden * wooden * f.pace) / // gain l / stiffness
-        laws.nearExponential(stiffness.modulus * f.logs.modulus + stiffness.branches * f.logs.branches +
-                             stiffness.width * f.logs.width + stiffness.leaves * f.logs.leaves);
+        vector[k] = numbers[k];
+    const LaneFactors<OneLane>& factors = air.factors();
+    const float rest = // gain l / stiffness
+        factors.drive / (factors.pace * factors.grown(model.modes.front().stiffness));
     for (std::size_t p = 0; p < patches; ++p) {
-        const ModalModel::Patch& patch = shape.patches[p];
-        glm::vec3 air, own(0.0f);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto axis = static_cast<glm::length_t>(c);
-            air[axis] = number(tree, 2 * modes + 3 * p + c);
-            for (std::size_t k = 0; k < modes; ++k)
-                own[axis] += reach * shape.levers[(3 * p + c) * modes + k] * number(tree, modes + k);
-        }
-        const float wood = patch.woodDrag * wooden;
-        const float drag = (wood + patch.leafDrag * f.leafDrag) *
-                           laws.streamlinedShare(patch.streamlining, shape.streamlinedTo, glm::length(air));
-        const glm::vec3 relative = air - own;
-        const float brake = laws.airBrake(drag, wood + patch.stillDrag * f.stillDrag, glm::dot(air, air),
-                                          glm::dot(own, own), glm::dot(relative, relative));
+        air.meet(p, wind[3 * p], wind[3 * p + 1], wind[3 * p + 2]);
         for (std::size_t c = 0; c < 3; ++c)
-            vector[modes + 3 * p + c] = rest * brake * relative[static_cast<glm::length_t>(c)];
+            vector[modes + 3 * p + c] = rest * air.brake(p) * air.past(p)[c];
     }
 }
 
 void ModalMotion::patchSpeeds(std::size_t tree, float* speeds) const {
-    const ModalModel& shape = this->shape(tree);
-    for (std::size_t p = 0; p < shape.patches.size(); ++p) {
-        const std::size_t first = 2 * shape.modes.size() + 3 * p;
+    const ModalModel& model = this->model(tree);
+    for (std::size_t p = 0; p < model.patches.size(); ++p) {
+        const std::size_t first = 2 * model.modes.size() + 3 * p;
         speeds[p] =
             glm::length(glm::vec3(number(tree, first), number(tree, first + 1), number(tree, first + 2)));
     }
 }
 
 void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
-    const ModalModel& shape = this->shape(tree);
+    const ModalModel& model = this->model(tree);
     float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
     poseVector(tree, vector);
     Laws laws;
-    const float* row = shape.poses.data();
-    for (std::size_t joint = 0; joint < shape.joints; ++joint, row += shape.columns()) {
+    const float* row = model.poses.data();
+    for (std::size_t joint = 0; joint < model.joints; ++joint, row += model.columns()) {
         float angle = 0.0f;
-        for (std::size_t i = 0; i < shape.columns(); ++i)
+        for (std::size_t i = 0; i < model.columns(); ++i)
             angle += row[i] * vector[i];
-        angles[joint / 2][static_cast<glm::length_t>(joint % 2)] = laws.bounded(angle, shape.maxAngle);
+        angles[joint / 2][static_cast<glm::length_t>(joint % 2)] = laws.bounded(angle, model.maxAngle);
     }
 }
 
 std::vector<float> ModalMotion::amplitudes(std::size_t tree) const {
-    std::vector<float> result(this->shape(tree).modes.size());
+    std::vector<float> result(this->model(tree).modes.size());
     for (std::size_t k = 0; k < result.size(); ++k)
         result[k] = number(tree, k);
     return result;
 }
 
 void ModalMotion::winds(std::size_t tree, glm::vec3* winds) const {
-    const ModalModel& shape = this->shape(tree);
+    const ModalModel& model = this->model(tree);
     const TreeFactors f = factors(tree);
-    for (std::size_t unit = 0; unit < shape.patchOfLink.size(); ++unit) {
-        const std::size_t first = 2 * shape.modes.size() + 3 * shape.patchOfLink[unit];
+    for (std::size_t unit = 0; unit < model.patchOfLink.size(); ++unit) {
+        const std::size_t first = 2 * model.modes.size() + 3 * model.patchOfLink[unit];
         const float x = number(tree, first), y = number(tree, first + 1);
         winds[unit] = {f.cosine * x - f.sine * y, f.sine * x + f.cosine * y, number(tree, first + 2)};
     }
@@ -105,14 +104,20 @@ std::size_t ModalMotion::stateBytes() const {
     return bytes;
 }
 
+std::size_t ModalMotion::treeBytes(Level level) {
+    const ModalDetail& detail = Archetype::details[static_cast<std::size_t>(level)];
+    return sizeof(Slot) + sizeof(Place) + sizeof(glm::vec2) + sizeof(std::uint32_t) +
+           treeFloats(detail.modes, detail.patches) * sizeof(float);
+}
+
 std::size_t ModalMotion::archetypeBytes() const {
     std::size_t bytes = 0;
     for (const auto& archetype : _archetypes)
         for (std::size_t level = 0; level < Archetype::levels; ++level) {
-            const ModalModel& shape = archetype->shape(level);
-            bytes += sizeof(float) * (shape.poses.size() + shape.levers.size() + shape.brakes.size()) +
-                     sizeof(ModalModel::Mode) * shape.modes.size() +
-                     sizeof(ModalModel::Patch) * shape.patches.size();
+            const ModalModel& model = archetype->model(level);
+            bytes += sizeof(float) * (model.poses.size() + model.levers.size() + model.brakes.size()) +
+                     sizeof(ModalModel::Mode) * model.modes.size() +
+                     sizeof(ModalModel::Patch) * model.patches.size();
         }
     return bytes;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -14,7 +15,8 @@ constexpr std::size_t lanes = TreeLanes::count;
 constexpr std::size_t blocksPerJob = 4;
 constexpr float longestNearStep = 1.0f / 30.0f, longestFarStep = 0.2f; // seconds
 
-/// Places and winds of one job's patches; each thread keeps its own.
+/// Places and winds of one job's patches. Each thread keeps one, which a job takes while it is at work: where
+/// the wind is sampled the thread may take up another job.
 struct Scratch {
     std::vector<WindPlace> places;
     std::vector<glm::vec3> winds;
@@ -51,7 +53,8 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
 void ModalMotion::advance(const WindField* wind, double time) {
     _executor((_work.size() + blocksPerJob - 1) / blocksPerJob, [&](std::size_t job) {
         const std::size_t end = std::min(_work.size(), (job + 1) * blocksPerJob);
-        thread_local Scratch scratch;
+        thread_local Scratch kept;
+        Scratch scratch = std::move(kept);
         scratch.places.clear();
         for (std::size_t w = job * blocksPerJob; w < end; ++w)
             addPlaces(_work[w], scratch.places);
@@ -61,8 +64,8 @@ void ModalMotion::advance(const WindField* wind, double time) {
         const glm::vec3* met = scratch.winds.data();
         for (std::size_t w = job * blocksPerJob; w < end; ++w) {
             Group& group = _groups[_work[w].group];
-            const ModalModel& shape = group.shape();
-            const std::size_t patches = shape.patches.size();
+            const ModalModel& model = group.model();
+            const std::size_t patches = model.patches.size();
             const std::size_t trees = std::min(lanes, group.trees.size() - _work[w].block * lanes);
             scratch.lanes.assign(3 * patches, TreeLanes());
             for (std::size_t i = 0; i < trees; ++i)
@@ -70,24 +73,26 @@ void ModalMotion::advance(const WindField* wind, double time) {
                     for (std::size_t c = 0; c < 3; ++c)
                         scratch.lanes[3 * p + c].tree[i] = (*met)[static_cast<glm::length_t>(c)];
             ModalStep step;
-            step.shape = &shape;
+            step.model = &model;
             step.block = group.block(_work[w].block);
             step.wind = scratch.lanes.data();
             step.seconds = _work[w].seconds;
             step.gain = _gain;
             const float longest = group.level == 0 ? longestNearStep : longestFarStep;
-            step.substeps = static_cast<int>(std::ceil(step.seconds / longest - 0.01f));
+            step.substeps = std::max(step.seconds > 0.0f ? 1 : 0,
+                                     static_cast<int>(std::ceil(step.seconds / longest - 0.01f)));
             stepTrees(step, _instructions);
             for (std::size_t i = 0; i < trees; ++i)
                 refreshLean(group.trees[_work[w].block * lanes + i]);
         }
+        kept = std::move(scratch);
     });
 }
 
 /// Of the patches of the trees of a block, tree after tree.
 void ModalMotion::addPlaces(const Work& work, std::vector<WindPlace>& places) const {
     const Group& group = _groups[work.group];
-    const std::size_t patches = group.shape().patches.size(), factor = group.firstFactor();
+    const std::size_t patches = group.model().patches.size(), factor = group.firstFactor();
     const TreeLanes* numbers = group.block(work.block);
     const std::size_t first = work.block * lanes, end = std::min(first + lanes, group.trees.size());
     for (std::size_t i = first; i < end; ++i) {
@@ -95,7 +100,7 @@ void ModalMotion::addPlaces(const Work& work, std::vector<WindPlace>& places) co
         const float cosine = numbers[factor].tree[i - first], sine = numbers[factor + 1].tree[i - first];
         const glm::vec3 axes(place.width, place.width, numbers[factor + 2].tree[i - first]);
         for (std::size_t p = 0; p < patches; ++p) {
-            const glm::vec3 at = axes * group.shape().patches[p].place;
+            const glm::vec3 at = axes * group.model().patches[p].place;
             places.emplace_back(place.foot +
                                     glm::vec3(cosine * at.x - sine * at.y, sine * at.x + cosine * at.y, at.z),
                                 place.foot.z);
@@ -106,12 +111,12 @@ void ModalMotion::addPlaces(const Work& work, std::vector<WindPlace>& places) co
 /// The farther a tree bends the less its top moves: as that of an even arc.
 void ModalMotion::refreshLean(std::size_t tree) {
     const Group& group = groupOf(tree);
-    const std::vector<glm::vec2>& leans = group.shape().leans;
+    const std::vector<glm::vec2>& leans = group.model().leans;
     const std::size_t place = _slots[tree].place, factor = group.firstFactor();
     glm::vec2 lean(0.0f);
     for (std::size_t k = 0; k < leans.size(); ++k)
         lean += group.number(place, k) * leans[k];
-    const float height = std::max(group.shape().height, 1.0e-6f);
+    const float height = std::max(group.model().height, 1.0e-6f);
     lean *= group.number(place, factor + 2) / // lengths
             std::sqrt(1.0f + glm::dot(lean, lean) / (height * height));
     const float cosine = group.number(place, factor), sine = group.number(place, factor + 1);

@@ -44,7 +44,7 @@ double trace(const glm::dmat3& m) {
     return m[0][0] + m[1][1] + m[2][2];
 }
 
-std::vector<double> weightShares(const JointTree& tree, const Eigen::MatrixXd& shapes,
+std::vector<double> weightShares(const JointTree& tree, const Eigen::MatrixXd& angles,
                                  const Eigen::VectorXd& energies) {
     const std::size_t count = tree.links.size();
     std::vector<double> mass(count);
@@ -62,13 +62,13 @@ std::vector<double> weightShares(const JointTree& tree, const Eigen::MatrixXd& s
         }
     std::vector<double> shares;
     std::vector<glm::dvec3> turn(count);
-    for (Eigen::Index k = 0; k < shapes.cols(); ++k) {
+    for (Eigen::Index k = 0; k < angles.cols(); ++k) {
         double work = 0.0;
         for (std::size_t i = 0; i < count; ++i) {
             const JointTree::Link& link = tree.links[i];
             turn[i] = link.parent >= 0 ? turn[static_cast<std::size_t>(link.parent)] : glm::dvec3(0.0);
             for (std::size_t axis = 0; axis < 2; ++axis)
-                turn[i] += shapes(static_cast<Eigen::Index>(2 * i + axis), k) * link.axes[axis];
+                turn[i] += angles(static_cast<Eigen::Index>(2 * i + axis), k) * link.axes[axis];
             work += glm::dot(turn[i], turn[i]) * moment[i].z - glm::dot(turn[i], moment[i]) * turn[i].z;
         }
         shares.push_back(gravity * work / energies[k]);
@@ -214,20 +214,20 @@ std::vector<TreeMode> slowestModes(const JointTree& tree, std::size_t count) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transpose() * images);
     const auto kept = static_cast<Eigen::Index>(count);
     const Eigen::VectorXd slowness = ritz.eigenvalues().tail(kept).reverse();
-    Eigen::MatrixXd shapes = basis * ritz.eigenvectors().rightCols(kept).rowwise().reverse();
-    Eigen::VectorXd energies(kept); // 2 U of each shape
+    Eigen::MatrixXd angles = basis * ritz.eigenvectors().rightCols(kept).rowwise().reverse();
+    Eigen::VectorXd energies(kept); // 2 U of each mode
     for (Eigen::Index k = 0; k < kept; ++k) {
-        shapes.col(k) = root.cwiseProduct(shapes.col(k)) / std::sqrt(slowness[k]);
+        angles.col(k) = root.cwiseProduct(angles.col(k)) / std::sqrt(slowness[k]);
         energies[k] = 1.0 / slowness[k];
     }
-    const std::vector<double> weight = weightShares(tree, shapes, energies);
+    const std::vector<double> weight = weightShares(tree, angles, energies);
 
     std::vector<TreeMode> modes(count);
     for (std::size_t k = 0; k < count; ++k) {
         const auto column = static_cast<Eigen::Index>(k);
         modes[k].speed = std::sqrt(energies[column]);
         modes[k].weightShare = weight[k];
-        modes[k].shape.assign(shapes.col(column).data(), shapes.col(column).data() + joints);
+        modes[k].angles.assign(angles.col(column).data(), angles.col(column).data() + joints);
     }
     return modes;
 }

@@ -10,9 +10,9 @@ namespace osgTreeWind {
 
 /// A way in which a whole tree sways freely.
 struct TreeMode {
-    double speed = 0.0;        ///< Circular frequency without weight, rad/s.
-    double weightShare = 0.0;  ///< What weight takes of the stiffness: W / U; below 0 where the tree hangs.
-    std::vector<double> shape; ///< Angle of each joint; the mode's kinetic energy at speed 1 is 1/2.
+    double speed = 0.0;         ///< Circular frequency without weight, rad/s.
+    double weightShare = 0.0;   ///< What weight takes of the stiffness: W / U; below 0 where the tree hangs.
+    std::vector<double> angles; ///< Angle of each joint; the mode's kinetic energy at speed 1 is 1/2.
 };
 
 /// Its mass against turns of its joints: M_ij = sum of m (a_i x r_i).(a_j x r_j) over the points that both

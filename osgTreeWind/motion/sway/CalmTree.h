@@ -17,7 +17,7 @@ class CalmTree {
 public:
     CalmTree(const Species& species, const TreePlacement& tree);
 
-    const std::vector<ModalModel::Mode>& modes() const { return _motion.archetype(0).shape(0).modes; }
+    const std::vector<ModalModel::Mode>& modes() const { return _motion.archetype(0).model(0).modes; }
     /// Circular frequency of a mode as its weight leaves it, rad/s.
     double pace(std::size_t mode) const;
     /// Length of the trunk, metres.

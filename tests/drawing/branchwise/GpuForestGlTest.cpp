@@ -189,9 +189,10 @@ TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
             oracle.advance(i / 60.0);
         }
         frame(30.0 / 60.0);
-        ASSERT_FALSE(oracle.leaves().states().empty());
-        EXPECT_GT(std::abs(oracle.leaves().states()[0].x), 1e-3f);
-        EXPECT_LT(largestDifference(forest->getSimulation().leaves().states(), oracle.leaves().states()),
+        ASSERT_FALSE(oracle.branches()->leaves().states().empty());
+        EXPECT_GT(std::abs(oracle.branches()->leaves().states()[0].x), 1e-3f);
+        EXPECT_LT(largestDifference(forest->getSimulation().branches()->leaves().states(),
+                                    oracle.branches()->leaves().states()),
                   5e-4f);
         EXPECT_LT(
             largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states()),
@@ -333,7 +334,8 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
             osg::Matrix::rotate(osg::Quat(forest->getSimulation().trees()[0].heading, osg::Z_AXIS))
                 .preMult(toOsg(corners[2])));
         found.push_back(toOsg(tree.model().leafMesh[2].corner) * leaves.matrices[leaf]);
-        fluttering = std::max(fluttering, std::abs(forest->getSimulation().leaves().states()[leaf].x));
+        fluttering =
+            std::max(fluttering, std::abs(forest->getSimulation().branches()->leaves().states()[leaf].x));
     }
     EXPECT_GT(fluttering, 1e-3f);
     for (const osg::Vec3& point : found) { // transforms stand in scene order, leaves in access order

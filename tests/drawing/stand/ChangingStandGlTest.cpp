@@ -99,17 +99,17 @@ TEST_F(ChangingStandGlTest, aThousandTreesASecondComeAndGo) {
     osg::ref_ptr<Forest> forest = new Forest(description);
     show(forest, osg::Vec3(16, -25, 8), osg::Vec3(16, 16, 2));
     std::deque<TreeId> trees;
-    for (TreeId tree = 0; tree < 200; ++tree)
-        trees.push_back(tree);
+    for (std::size_t tree = 0; tree < 200; ++tree)
+        trees.push_back(TreeId(tree));
     std::size_t settled = 0, number = 200;
     for (int i = 0; i < frames; ++i) {
         for (int k = 0; k < 20; ++k) { // 500 come and 500 go
-            trees.push_back(forest->addTree(placement(number++ % 256, 2.0)));
-            ASSERT_NE(trees.back(), noTree);
-            ASSERT_TRUE(forest->removeTree(trees.front()));
-            ASSERT_FALSE(forest->removeTree(trees.front())) << "gone already";
+            trees.push_back(forest->addTree(placement(number++ % 256, 2.0)).value());
+            ASSERT_TRUE(forest->removeTree(trees.front()).empty());
+            ASSERT_FALSE(forest->removeTree(trees.front()).empty()) << "gone already";
             trees.pop_front();
-            ASSERT_TRUE(forest->changeTree(trees[static_cast<std::size_t>(k)], placement(number % 251, 2.0)));
+            ASSERT_TRUE(
+                forest->changeTree(trees[static_cast<std::size_t>(k)], placement(number % 251, 2.0)).empty());
         }
         frame(i / 25.0);
         ASSERT_FALSE(HasFailure()) << "frame " << i;

@@ -72,7 +72,8 @@ TEST(StandPickingTest, hitsEveryBranchWhereItIsNow) {
     osg::ref_ptr<Forest> forest = blownForest(3);
     for (std::size_t tree = 0; tree < 3; ++tree)
         for (unsigned unit = 0; unit < 14; ++unit)
-            EXPECT_TRUE(meets(*forest, middleOf(*forest, tree, unit), tree, unit)) << tree << ", " << unit;
+            EXPECT_TRUE(meets(*forest, middleOf(*forest, tree, unit), TreeId(tree), unit))
+                << tree << ", " << unit;
 }
 
 TEST(StandPickingTest, doesNotHitABranchWhereItWas) {
@@ -81,7 +82,7 @@ TEST(StandPickingTest, doesNotHitABranchWhereItWas) {
     for (unsigned unit = 0; unit < 14; ++unit)
         if ((middleOf(*forest, 0, unit) - middleOf(*forest, 0, unit, false)).length() > 0.3) {
             ++moved;
-            EXPECT_FALSE(meets(*forest, middleOf(*forest, 0, unit, false), 0, unit)) << unit;
+            EXPECT_FALSE(meets(*forest, middleOf(*forest, 0, unit, false), TreeId(0), unit)) << unit;
         }
     EXPECT_GT(moved, 3u) << "the wind is too weak to show anything";
 }
@@ -134,16 +135,16 @@ TEST(StandPickingTest, belowATransformHitsAreWhereTheTreeIsSeen) {
 TEST(StandPickingTest, aRemovedTreeIsNotHitAndAMovedOneIsWhereItStands) {
     osg::ref_ptr<Forest> forest = blownForest(3);
     const osg::Vec3d trunk = middleOf(*forest, 1, 0);
-    ASSERT_TRUE(meets(*forest, trunk, 1, 0));
-    forest->removeTree(1);
-    EXPECT_FALSE(meets(*forest, trunk, 1, 0));
-    TreePlacement moved = forest->getSimulation().placementOf(2);
+    ASSERT_TRUE(meets(*forest, trunk, TreeId(1), 0));
+    forest->removeTree(TreeId(1));
+    EXPECT_FALSE(meets(*forest, trunk, TreeId(1), 0));
+    TreePlacement moved = forest->getSimulation().placementOf(TreeId(2));
     moved.position.x += 500.0;
     const osg::Vec3d before = middleOf(*forest, 2, 0);
-    forest->changeTree(2, moved);
-    EXPECT_FALSE(meets(*forest, before, 2, 0));
-    EXPECT_TRUE(meets(*forest, middleOf(*forest, 2, 0), 2, 0));
-    const TreeId added = forest->addTree(smallForest(1).trees[0]);
+    forest->changeTree(TreeId(2), moved);
+    EXPECT_FALSE(meets(*forest, before, TreeId(2), 0));
+    EXPECT_TRUE(meets(*forest, middleOf(*forest, 2, 0), TreeId(2), 0));
+    const TreeId added = forest->addTree(smallForest(1).trees[0]).value();
     EXPECT_TRUE(meets(*forest, middleOf(*forest, forest->getSimulation().slotOf(added), 0), added, 0));
 }
 
@@ -160,7 +161,7 @@ TEST(StandPickingTest, aPolytopeMeetsTheTreesInIt) {
     for (const auto& hit : polytope->getIntersections()) {
         const auto* picked = dynamic_cast<const TreeHit*>(hit.drawable.get());
         ASSERT_NE(picked, nullptr);
-        trunkMet = trunkMet || (picked->getTree() == 5 && picked->getUnit(hit.primitiveIndex) == 0);
+        trunkMet = trunkMet || (picked->getTree() == TreeId(5) && picked->getUnit(hit.primitiveIndex) == 0);
     }
     EXPECT_TRUE(trunkMet);
 }
@@ -204,7 +205,7 @@ TEST(StandPickingTest, aLineThroughThousandsPosesFewOfThem) {
     const osg::Vec3d trunk = middleOf(*forest, 5050, 0);
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < 20; ++i)
-        EXPECT_TRUE(meets(*forest, trunk, 5050, 0));
+        EXPECT_TRUE(meets(*forest, trunk, TreeId(5050), 0));
     EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 2.0)
         << "20 picks; all 10,000 trees posed each time would take minutes";
 }

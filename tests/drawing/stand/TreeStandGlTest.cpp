@@ -161,13 +161,13 @@ TEST_F(TreeStandGlTest, coloursStayWhenOtherTreesComeAndGo) {
     look(forest);
     osg::ref_ptr<osg::Image> whole = run(0, 0);
     EXPECT_GT(difference(*whole, *fewer).mean, 0.3);
-    ASSERT_TRUE(forest->removeTree(1));
+    ASSERT_TRUE(forest->removeTree(TreeId(1)).empty());
     EXPECT_EQ(difference(*run(1, 1), *fewer).mean, 0.0);
-    const TreeId again = forest->addTree(all.trees[1]);
+    const TreeId again = forest->addTree(all.trees[1]).value();
     EXPECT_EQ(difference(*run(2, 2), *whole).mean, 0.0);
     TreePlacement behind = all.trees[1];
     behind.position.y = -60.0;
-    ASSERT_TRUE(forest->changeTree(again, behind));
+    ASSERT_TRUE(forest->changeTree(again, behind).empty());
     EXPECT_EQ(difference(*run(3, 3), *fewer).mean, 0.0);
 }
 

@@ -60,18 +60,18 @@ float grown(const SizePowers& powers, const SizePowers& logs) {
 
 /// Of a mode of the only tree, with weight, rad/s.
 float paceOf(const ModalMotion& motion, std::size_t mode) {
-    const ModalModel::Mode& m = motion.archetype(0).shape(0).modes[mode];
+    const ModalModel::Mode& m = motion.archetype(0).model(0).modes[mode];
     const TreeFactors f = motion.factors(0);
     const float stiffness = grown(m.stiffness, f.logs), mass = grown(m.mass, f.logs);
     const float weight = std::clamp(m.weightShare * mass / (f.pace * f.length * stiffness), -1.0f, 0.75f);
     return m.pace * std::sqrt(f.pace * stiffness * (1.0f - weight) / mass);
 }
 
-std::vector<double> shapeOf(const ModalMotion& motion, std::size_t mode) {
-    const ModalModel& shape = motion.archetype(0).shape(0);
+std::vector<double> anglesOf(const ModalMotion& motion, std::size_t mode) {
+    const ModalModel& model = motion.archetype(0).model(0);
     std::vector<double> angles;
-    for (std::size_t i = 0; i < shape.joints; ++i)
-        angles.push_back(static_cast<double>(shape.poses[i * shape.columns() + mode]));
+    for (std::size_t i = 0; i < model.joints; ++i)
+        angles.push_back(static_cast<double>(model.poses[i * model.columns() + mode]));
     return angles;
 }
 
@@ -79,12 +79,12 @@ std::vector<double> shapeOf(const ModalMotion& motion, std::size_t mode) {
 /// a mode is a mixture of several on the rung: the mean of their squared paces, by their part in it.
 float paceRatio(const ModalMotion& rung, const ModalMotion& own, const SwayingTree& tree) {
     const JointMasses masses(makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves));
-    const std::vector<double> momenta = masses.times(shapeOf(own, 0));
+    const std::vector<double> momenta = masses.times(anglesOf(own, 0));
     double parts = 0.0, squares = 0.0;
-    for (std::size_t k = 0; k < rung.archetype(0).shape(0).modes.size(); ++k) {
-        const std::vector<double> shape = shapeOf(rung, k), its = masses.times(shape);
-        const double common = std::inner_product(shape.begin(), shape.end(), momenta.begin(), 0.0),
-                     whole = std::inner_product(shape.begin(), shape.end(), its.begin(), 0.0);
+    for (std::size_t k = 0; k < rung.archetype(0).model(0).modes.size(); ++k) {
+        const std::vector<double> angles = anglesOf(rung, k), its = masses.times(angles);
+        const double common = std::inner_product(angles.begin(), angles.end(), momenta.begin(), 0.0),
+                     whole = std::inner_product(angles.begin(), angles.end(), its.begin(), 0.0);
         const double part = common * common / whole, pace = static_cast<double>(paceOf(rung, k));
         parts += part;
         squares += part * pace * pace;
@@ -187,7 +187,7 @@ TEST(Archetype, ARungDoesNotDependOnTheForest) {
     const ModalMotion all(trees, 1.0f, runInTurn);
     for (const std::size_t i : {std::size_t(0), std::size_t(31), std::size_t(59)}) {
         const ModalMotion alone({trees[i]}, 1.0f, runInTurn);
-        const ModalModel &a = all.archetype(i).shape(0), &b = alone.archetype(0).shape(0);
+        const ModalModel &a = all.archetype(i).model(0), &b = alone.archetype(0).model(0);
         EXPECT_EQ(a.poses, b.poses) << forest.nameOf(i);
         EXPECT_EQ(all.factors(i).pace, alone.factors(0).pace);
         EXPECT_EQ(all.factors(i).logs.branches, alone.factors(0).logs.branches);
@@ -199,9 +199,9 @@ TEST(Archetype, AFarPatchIsNextToItsNearOnes) {
     const Archetype archetype(oak.form());
     for (std::size_t level = 0; level < Archetype::levels; ++level) {
         const std::vector<std::size_t>& other = archetype.otherPatches(level);
-        ASSERT_EQ(other.size(), archetype.shape(level).patches.size());
+        ASSERT_EQ(other.size(), archetype.model(level).patches.size());
         for (const std::size_t patch : other)
-            EXPECT_LT(patch, archetype.shape(1 - level).patches.size());
+            EXPECT_LT(patch, archetype.model(1 - level).patches.size());
     }
 }
 

@@ -56,8 +56,8 @@ public:
                 mass(i, j) = masses.at(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
         }
         const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
-        _shapes = solver.eigenvectors();
-        _levers = displacements(joints, _points) * _shapes;
+        _angles = solver.eigenvectors();
+        _levers = displacements(joints, _points) * _angles;
         // Weight slows modes and leaves where they stand in the wind, as the law has it.
         _left = Eigen::VectorXd::Ones(size);
         const std::vector<TreeMode> slowest = slowestModes(joints, 32);
@@ -82,7 +82,7 @@ public:
         _speed += h * _acceleration;
     }
 
-    Eigen::VectorXd angles() const { return _shapes * _amplitude; }
+    Eigen::VectorXd angles() const { return _angles * _amplitude; }
 
 private:
     /// Mean acceleration over the step under a constant force: implicit midpoint rule.
@@ -119,7 +119,7 @@ private:
 
     ModalMaterial _material;
     std::vector<JointTree::Point> _points; ///< Where there is drag.
-    Eigen::MatrixXd _shapes, _levers;
+    Eigen::MatrixXd _angles, _levers;
     Eigen::VectorXd _stiffness, _damping, _left;
     Eigen::VectorXd _amplitude, _speed, _acceleration;
 };

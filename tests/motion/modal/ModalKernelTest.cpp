@@ -20,7 +20,7 @@ namespace {
 using Limits = std::numeric_limits<float>;
 constexpr std::size_t lanes = TreeLanes::count;
 
-ModalModel shapeOf(const char* species, const TreeSize& size, float dampingRatio = 0.05f) {
+ModalModel modelOf(const char* species, const TreeSize& size, float dampingRatio = 0.05f) {
     const GrownTree tree(species, size);
     ModalMaterial material = tree.material();
     material.dampingRatio = dampingRatio;
@@ -28,23 +28,23 @@ ModalModel shapeOf(const char* species, const TreeSize& size, float dampingRatio
 }
 
 const ModalModel& oak() {
-    static const ModalModel shape = shapeOf("oak", {18, 0.3f, 0});
-    return shape;
+    static const ModalModel model = modelOf("oak", {18, 0.3f, 0});
+    return model;
 }
 
 /// No air, and wood that takes nothing.
-ModalModel withoutDamping(ModalModel shape) {
-    shape.dampingRatio = 0.0f;
-    for (ModalModel::Patch& patch : shape.patches)
+ModalModel withoutDamping(ModalModel model) {
+    model.dampingRatio = 0.0f;
+    for (ModalModel::Patch& patch : model.patches)
         patch.woodDrag = patch.leafDrag = patch.stillDrag = 0.0f;
-    return shape;
+    return model;
 }
 
-/// Eight trees of one shape.
+/// Eight trees of one model.
 class Block {
 public:
-    explicit Block(const ModalModel& shape)
-        : _shape(&shape), _numbers(treeFloats(shape)), _wind(3 * shape.patches.size()) {
+    explicit Block(const ModalModel& model)
+        : _model(&model), _numbers(treeFloats(model)), _wind(3 * model.patches.size()) {
         for (std::size_t tree = 0; tree < lanes; ++tree)
             setFactors(tree, TreeFactors());
     }
@@ -55,7 +55,7 @@ public:
         for (std::size_t i = 0; i < std::size(numbers); ++i)
             _numbers[_numbers.size() - std::size(numbers) + i].tree[tree] = numbers[i];
     }
-    std::size_t modes() const { return _shape->modes.size(); }
+    std::size_t modes() const { return _model->modes.size(); }
     float& amplitude(std::size_t mode, std::size_t tree) { return _numbers[mode].tree[tree]; }
     float& speed(std::size_t mode, std::size_t tree) { return _numbers[modes() + mode].tree[tree]; }
 
@@ -66,7 +66,7 @@ public:
     }
     void step(float seconds, int substeps = 1, InstructionSet set = bestInstructionSet()) {
         ModalStep step;
-        step.shape = _shape;
+        step.model = _model;
         step.block = _numbers.data();
         step.wind = _wind.data();
         step.seconds = seconds;
@@ -85,8 +85,8 @@ public:
         double sum = 0.0;
         for (std::size_t k = 0; k < modes(); ++k) {
             const double left =
-                1.0 - std::clamp(static_cast<double>(_shape->modes[k].weightShare), -1.0, 0.75);
-            const double pace = _shape->modes[k].pace, angle = _numbers[k].tree[tree],
+                1.0 - std::clamp(static_cast<double>(_model->modes[k].weightShare), -1.0, 0.75);
+            const double pace = _model->modes[k].pace, angle = _numbers[k].tree[tree],
                          speed = _numbers[modes() + k].tree[tree];
             sum += 0.5 * (pace * pace * left * angle * angle + speed * speed);
         }
@@ -95,10 +95,10 @@ public:
     /// Angles without what the air adds at once.
     float largestAngle(std::size_t tree) const {
         float most = 0.0f;
-        for (std::size_t i = 0; i < _shape->joints; ++i) {
+        for (std::size_t i = 0; i < _model->joints; ++i) {
             float angle = 0.0f;
             for (std::size_t k = 0; k < modes(); ++k)
-                angle += _shape->poses[i * _shape->columns() + k] * _numbers[k].tree[tree];
+                angle += _model->poses[i * _model->columns() + k] * _numbers[k].tree[tree];
             most = std::max(most, std::abs(angle));
         }
         return most;
@@ -109,14 +109,14 @@ public:
             if (!std::isfinite(numbers[i]))
                 return testing::AssertionFailure() << "number " << i << " is " << numbers[i];
         for (std::size_t k = 0; k < modes(); ++k)
-            if (std::abs(numbers[k]) > _shape->modes[k].limit)
+            if (std::abs(numbers[k]) > _model->modes[k].limit)
                 return testing::AssertionFailure()
-                       << "mode " << k << " at " << numbers[k] << " beyond " << _shape->modes[k].limit;
+                       << "mode " << k << " at " << numbers[k] << " beyond " << _model->modes[k].limit;
         return testing::AssertionSuccess();
     }
 
 private:
-    const ModalModel* _shape;
+    const ModalModel* _model;
     std::vector<TreeLanes> _numbers, _wind;
 };
 
@@ -140,21 +140,21 @@ std::vector<InstructionSet> instructionSets() {
 }
 
 /// Each mode up to a hundredth of its limit, moving.
-Block movingBlock(const ModalModel& shape) {
-    Block block(shape);
+Block movingBlock(const ModalModel& model) {
+    Block block(model);
     Random random(1);
     for (std::size_t tree = 0; tree < lanes; ++tree)
         for (std::size_t k = 0; k < block.modes(); ++k) {
-            block.amplitude(k, tree) = 0.01f * random.symmetric() * shape.modes[k].limit;
-            block.speed(k, tree) = 0.01f * random.symmetric() * shape.modes[k].limit * shape.modes[k].pace;
+            block.amplitude(k, tree) = 0.01f * random.symmetric() * model.modes[k].limit;
+            block.speed(k, tree) = 0.01f * random.symmetric() * model.modes[k].limit * model.modes[k].pace;
         }
     return block;
 }
 
 TEST(ModalKernel, EnergyStaysWithoutDamping) {
     // Measured: up by 1.3e-6, down by 2.7e-4.
-    const ModalModel shape = withoutDamping(oak());
-    Block block = movingBlock(shape);
+    const ModalModel model = withoutDamping(oak());
+    Block block = movingBlock(model);
     Random random(5);
     std::array<double, lanes> before, highest, lowest;
     for (std::size_t tree = 0; tree < lanes; ++tree)
@@ -175,10 +175,10 @@ TEST(ModalKernel, EnergyStaysWithoutDamping) {
 
 TEST(ModalKernel, EqualStepsAddUpNoMoreThanTheirRounding) {
     // A step of one length is rounded the same way each time: by up to one unit in the last place.
-    const ModalModel shape = withoutDamping(oak());
+    const ModalModel model = withoutDamping(oak());
     constexpr int steps = 20000;
     for (const float seconds : {1e-5f, 1e-3f, 1.0f / 240.0f, 1.0f / 60.0f, 1.0f / 30.0f, 0.1f}) {
-        Block block = movingBlock(shape);
+        Block block = movingBlock(model);
         const double before = block.energy(0);
         for (int i = 0; i < steps; ++i)
             block.step(seconds);
@@ -315,8 +315,8 @@ TEST(ModalKernel, ATreeTakesNoNoticeOfTheOthers) {
 
 TEST(ModalKernel, ComesToRestInACalm) {
     // Numbers near the smallest of all would make a processor slow.
-    const ModalModel shape = shapeOf("broadleaf", {10, 0.2f, 0}, 0.08f);
-    Block block(shape);
+    const ModalModel model = modelOf("broadleaf", {10, 0.2f, 0}, 0.08f);
+    Block block(model);
     for (std::size_t tree = 0; tree < lanes; ++tree)
         block.setWind(tree, {8.0f, 3.0f, 0.5f});
     for (int i = 0; i < 600; ++i)

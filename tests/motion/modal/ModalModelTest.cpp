@@ -49,23 +49,23 @@ std::vector<double> staticAngles(const JointTree& tree, std::size_t patches, con
 }
 
 /// [Phi R](q, F) with each mode where F holds it.
-std::vector<double> modalAngles(const ModalModel& shape, const PatchForces& forces) {
-    std::vector<double> vector(shape.columns(), 0.0);
-    const std::size_t modes = shape.modes.size();
+std::vector<double> modalAngles(const ModalModel& model, const PatchForces& forces) {
+    std::vector<double> vector(model.columns(), 0.0);
+    const std::size_t modes = model.modes.size();
     for (std::size_t p = 0; p < forces.size(); ++p)
         for (std::size_t c = 0; c < 3; ++c) {
             const double force = forces[p][static_cast<int>(c)];
             vector[modes + 3 * p + c] = force;
             for (std::size_t k = 0; k < modes; ++k) {
-                const double pace = shape.modes[k].pace;
+                const double pace = model.modes[k].pace;
                 vector[k] +=
-                    static_cast<double>(shape.levers[(3 * p + c) * modes + k]) * force / (pace * pace);
+                    static_cast<double>(model.levers[(3 * p + c) * modes + k]) * force / (pace * pace);
             }
         }
-    std::vector<double> angles(shape.joints, 0.0);
-    for (std::size_t i = 0; i < shape.joints; ++i)
-        for (std::size_t c = 0; c < shape.columns(); ++c)
-            angles[i] += static_cast<double>(shape.poses[i * shape.columns() + c]) * vector[c];
+    std::vector<double> angles(model.joints, 0.0);
+    for (std::size_t i = 0; i < model.joints; ++i)
+        for (std::size_t c = 0; c < model.columns(); ++c)
+            angles[i] += static_cast<double>(model.poses[i * model.columns() + c]) * vector[c];
     return angles;
 }
 
@@ -81,11 +81,11 @@ TEST(ModalModel, StandsInAForceAsItsSpringsSay) {
         const GrownTree tree(name, {18, 0.25f, 0});
         const JointTree joints = tree.joints();
         for (const ModalDetail detail : {ModalDetail{12, 10}, ModalDetail{2, 3}, ModalDetail{16, 28}}) {
-            const ModalModel shape = makeModalModel(joints, tree.material(), detail);
-            ASSERT_EQ(shape.patches.size(), detail.patches);
+            const ModalModel model = makeModalModel(joints, tree.material(), detail);
+            ASSERT_EQ(model.patches.size(), detail.patches);
             const PatchForces forces = mixedForces(detail.patches);
             const std::vector<double> expected = staticAngles(joints, detail.patches, forces),
-                                      angles = modalAngles(shape, forces);
+                                      angles = modalAngles(model, forces);
             const double most = largest(expected);
             for (std::size_t i = 0; i < angles.size(); ++i)
                 ASSERT_NEAR(angles[i] / most, expected[i] / most, 1e-4)
@@ -94,7 +94,7 @@ TEST(ModalModel, StandsInAForceAsItsSpringsSay) {
     }
 }
 
-/// A forked tree of four units: eight joints, as many modes as any shape keeps.
+/// A forked tree of four units: eight joints, as many modes as any model keeps.
 GrownTree smallTree() {
     Species species = defaultSpecies();
     species.tree.grown.reset();
@@ -108,16 +108,16 @@ GrownTree smallTree() {
 TEST(ModalModel, NothingRemainsBesideAllModes) {
     const GrownTree tree = smallTree();
     const JointTree joints = tree.joints();
-    const ModalModel shape = makeModalModel(joints, tree.material(), {16, 4});
-    ASSERT_EQ(shape.modes.size(), joints.jointCount());
-    for (std::size_t p = 0; p < shape.patches.size(); ++p) {
-        PatchForces forces(shape.patches.size(), glm::dvec3(0.0));
+    const ModalModel model = makeModalModel(joints, tree.material(), {16, 4});
+    ASSERT_EQ(model.modes.size(), joints.jointCount());
+    for (std::size_t p = 0; p < model.patches.size(); ++p) {
+        PatchForces forces(model.patches.size(), glm::dvec3(0.0));
         for (int axis = 0; axis < 3; ++axis) {
             forces[p] = glm::dvec3(0.0);
             forces[p][axis] = 1.0;
             const double most = largest(staticAngles(joints, forces.size(), forces));
-            for (std::size_t i = 0; i < shape.joints; ++i)
-                EXPECT_NEAR(shape.poses[i * shape.columns() + shape.modes.size() + 3 * p +
+            for (std::size_t i = 0; i < model.joints; ++i)
+                EXPECT_NEAR(model.poses[i * model.columns() + model.modes.size() + 3 * p +
                                         static_cast<std::size_t>(axis)],
                             0.0, 1e-6 * most)
                     << "joint " << i << ", patch " << p;
@@ -127,9 +127,9 @@ TEST(ModalModel, NothingRemainsBesideAllModes) {
 
 TEST(ModalModel, ModesOfACoarserOneAreTheFirst) {
     const GrownTree tree("beech", {20, 0.3f, 0});
-    const std::vector<ModalModel> shapes =
+    const std::vector<ModalModel> models =
         makeModalModels(tree.joints(), tree.material(), {ModalDetail{12, 10}, ModalDetail{4, 4}});
-    const ModalModel &fine = shapes[0], &coarse = shapes[1];
+    const ModalModel &fine = models[0], &coarse = models[1];
     ASSERT_EQ(coarse.modes.size(), 4u);
     ASSERT_EQ(coarse.patches.size(), 4u);
     for (std::size_t k = 0; k < coarse.modes.size(); ++k) {
@@ -144,17 +144,17 @@ TEST(ModalModel, ModesOfACoarserOneAreTheFirst) {
 TEST(ModalModel, KeepsTheModesWithMostEnergy) {
     for (const Species& species : SpeciesCatalogue::current().species()) {
         const GrownTree tree(species, {20, 0.3f, 0});
-        const ModalModel shape = makeModalModel(tree.joints(), tree.material());
-        EXPECT_GE(shape.modes.size(), 8u) << species.name;
+        const ModalModel model = makeModalModel(tree.joints(), tree.material());
+        EXPECT_GE(model.modes.size(), 8u) << species.name;
         double sum = 0.0;
-        for (const ModalModel::Mode& mode : shape.modes) {
+        for (const ModalModel::Mode& mode : model.modes) {
             EXPECT_GE(mode.energyShare, 0.0f) << species.name;
             sum += static_cast<double>(mode.energyShare);
         }
         EXPECT_LE(sum, 1.0 + 1e-5) << species.name;
         EXPECT_GT(sum, 0.5) << species.name << " is moved mostly by modes that were not kept";
-        EXPECT_TRUE(shape.modes.size() == ModalDetail().modes || sum >= 0.95)
-            << species.name << " keeps " << shape.modes.size() << " modes of share " << sum;
+        EXPECT_TRUE(model.modes.size() == ModalDetail().modes || sum >= 0.95)
+            << species.name << " keeps " << model.modes.size() << " modes of share " << sum;
     }
 }
 
@@ -178,9 +178,9 @@ TEST(ModalModel, AllDragIsOnItsPatches) {
 }
 
 TEST(ModalModel, NothingStandsStill) {
-    const ModalModel shape = makeModalModel(JointTree(), ModalMaterial());
-    EXPECT_TRUE(shape.modes.empty());
-    EXPECT_TRUE(shape.poses.empty());
+    const ModalModel model = makeModalModel(JointTree(), ModalMaterial());
+    EXPECT_TRUE(model.modes.empty());
+    EXPECT_TRUE(model.poses.empty());
 }
 
 constexpr int restSteps = 600;

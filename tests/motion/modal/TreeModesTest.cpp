@@ -114,10 +114,10 @@ TEST(TreeModes, AForkSwaysAsWorkedOutByHand) {
 TEST(TreeModes, TheTrunkStandsWhereBoughsSwayAgainstEachOther) {
     bool found = false;
     for (const TreeMode& mode : slowestModes(forkedTree(1.0), 6))
-        if (std::abs(mode.speed - 1.0) < 1e-9 && std::abs(mode.shape[2]) > 0.1) {
+        if (std::abs(mode.speed - 1.0) < 1e-9 && std::abs(mode.angles[2]) > 0.1) {
             found = true;
-            EXPECT_NEAR(mode.shape[0], 0.0, 1e-9);
-            EXPECT_NEAR(mode.shape[2], -mode.shape[4], 1e-9);
+            EXPECT_NEAR(mode.angles[0], 0.0, 1e-9);
+            EXPECT_NEAR(mode.angles[2], -mode.angles[4], 1e-9);
         }
     EXPECT_TRUE(found);
 }
@@ -147,7 +147,7 @@ TEST(TreeModes, AllModesTogetherAreTheSpringsAlone) {
     const auto n = static_cast<Eigen::Index>(tree.jointCount());
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
     for (const TreeMode& mode : slowestModes(tree, tree.jointCount())) {
-        const Eigen::Map<const Eigen::VectorXd> phi(mode.shape.data(), n);
+        const Eigen::Map<const Eigen::VectorXd> phi(mode.angles.data(), n);
         sum += phi * phi.transpose() / (mode.speed * mode.speed);
     }
     const Eigen::VectorXd k = stiffnesses(tree);
@@ -174,11 +174,11 @@ TEST(TreeModes, ShapesAreOrthogonalByMass) {
     const JointMasses masses(tree);
     const std::vector<TreeMode> modes = slowestModes(tree, 20);
     for (std::size_t i = 0; i < modes.size(); ++i) {
-        const std::vector<double> image = masses.times(modes[i].shape);
+        const std::vector<double> image = masses.times(modes[i].angles);
         for (std::size_t j = 0; j < modes.size(); ++j) {
             double product = 0.0;
             for (std::size_t a = 0; a < image.size(); ++a)
-                product += image[a] * modes[j].shape[a];
+                product += image[a] * modes[j].angles[a];
             EXPECT_NEAR(product, i == j ? 1.0 : 0.0, 1e-8);
         }
     }

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/base/FirstProblem.h>
-
-#include <osgTreeWind/windfiles/WindSeriesCsv.h>
+#include <tests/windfiles/RecordOf.h>
 
 #include <gtest/gtest.h>
-
-#include <sstream>
 
 using namespace osgTreeWind;
 
@@ -28,8 +25,7 @@ WindSeriesColumns cartesian() {
 }
 
 Result<WindSeries> read(const std::string& content, const WindSeriesColumns& columns) {
-    std::istringstream input(content);
-    return readWindSeriesCsv(input, "w.csv", columns);
+    return recordOf(readWindCsv(content, "w.csv", columns));
 }
 
 void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
@@ -40,7 +36,7 @@ void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
 
 } // namespace
 
-TEST(WindSeriesCsv, ReadsSpeedAndDirectionFrom) {
+TEST(WindCsv, ReadsSpeedAndDirectionFrom) {
     const auto series = read("wd,t,ws\n270,100,5\n0,160,2\n", polar());
     ASSERT_TRUE(series) << firstProblem(series);
     EXPECT_EQ(series.value().times, (std::vector<double>{0, 60}));
@@ -50,20 +46,20 @@ TEST(WindSeriesCsv, ReadsSpeedAndDirectionFrom) {
     EXPECT_FALSE(series.value().profile);
 }
 
-TEST(WindSeriesCsv, ReadsDirectionsToward) {
+TEST(WindCsv, ReadsDirectionsToward) {
     WindSeriesColumns columns = polar();
     columns.sense = DirectionSense::Toward;
     expectNear(read("t,ws,wd\n0,5,270\n", columns).value().velocities[0], {-5, 0, 0});
 }
 
-TEST(WindSeriesCsv, ReadsComponents) {
+TEST(WindCsv, ReadsComponents) {
     WindSeriesColumns columns = cartesian();
     expectNear(read("t,u,v,w\n0,1,-2,3\n", columns).value().velocities[0], {1, -2, 0});
     columns.w = "w";
     expectNear(read("t,u,v,w\n0,1,-2,3\n", columns).value().velocities[0], {1, -2, 3});
 }
 
-TEST(WindSeriesCsv, ConvertsUnits) {
+TEST(WindCsv, ConvertsUnits) {
     WindSeriesColumns columns = cartesian();
     columns.speedUnit = "km/h";
     columns.timeUnit = "min";
@@ -73,7 +69,7 @@ TEST(WindSeriesCsv, ConvertsUnits) {
     expectNear(series.value().velocities[0], {10, -5, 0});
 }
 
-TEST(WindSeriesCsv, ReadsDatesAndTimes) {
+TEST(WindCsv, ReadsDatesAndTimes) {
     WindSeriesColumns columns = polar();
     columns.timeUnit = "iso8601";
     columns.delimiter = ';';
@@ -102,15 +98,15 @@ WindSeriesColumns with(WindSeriesColumns columns, std::string WindSeriesColumns:
 
 } // namespace
 
-class WindSeriesCsvRefuses : public testing::TestWithParam<BadRecord> {};
+class WindCsvRefuses : public testing::TestWithParam<BadRecord> {};
 
-TEST_P(WindSeriesCsvRefuses, WithLineColumnAndReason) {
+TEST_P(WindCsvRefuses, WithLineColumnAndReason) {
     EXPECT_EQ(firstProblem(read(GetParam().content, GetParam().columns)), GetParam().problem);
 }
 
 using Columns = WindSeriesColumns;
 INSTANTIATE_TEST_SUITE_P(
-    Record, WindSeriesCsvRefuses,
+    Record, WindCsvRefuses,
     testing::Values(
         BadRecord{"Empty", "", polar(), "w.csv: the file is empty"},
         BadRecord{"HeaderOnly", "\nt,ws,wd\n", polar(),
@@ -151,14 +147,14 @@ INSTANTIATE_TEST_SUITE_P(
                   "w.csv:2: expected 3 cells as in the header, found 2"}),
     [](const auto& info) { return info.param.name; });
 
-TEST(WindSeriesCsv, ReportsEveryBadCell) {
+TEST(WindCsv, ReportsEveryBadCell) {
     const auto series = read("t,ws,wd\n0,x,y\n1,2,3\n2,-1,0\n", polar());
     ASSERT_FALSE(series);
     ASSERT_EQ(series.problems().size(), 3u);
     EXPECT_EQ(series.problems()[2].line, 4);
 }
 
-TEST(WindSeriesCsv, StopsAtAHundredBadRows) {
+TEST(WindCsv, StopsAtAHundredBadRows) {
     std::string content = "t,ws,wd\n";
     for (int i = 0; i < 5000; ++i)
         content += "0,x,0\n";

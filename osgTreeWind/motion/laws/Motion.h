@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Executor.h>
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/motion/laws/TreeMotion.h>
+#include <osgTreeWind/wind/WindField.h>
+
+#include <memory>
+
+namespace osgTreeWind {
+
+/// A law at work on the trees of a forest, which it knows by slot: ModalForest, where trees sway, or
+/// BranchwiseMotion, where branches do. Seconds, metres, scene coordinates; a wind of null is a calm.
+/// Not thread-safe, but for motion() of different trees.
+class Motion {
+public:
+    Motion() = default;
+    Motion(const Motion&) = delete;
+    Motion& operator=(const Motion&) = delete;
+    virtual ~Motion() = default;
+
+    /// The same at rest in a calm. @param forest a copy of its own, which must outlive it.
+    virtual std::unique_ptr<Motion> restarted(const PlacedForest& forest) const = 0;
+    /// Threads to share the work of a step with; laws of a branch have none to share.
+    virtual void setExecutor(Executor executor) = 0;
+
+    /// Takes the wind of `time` as that of now, without moving.
+    virtual void meet(const WindField* wind, double time) = 0;
+    /// Moves on by `seconds` > 0 to `time`. Does not allocate in steady state.
+    virtual void step(const WindField* wind, double time, float seconds) = 0;
+    /// Back to rest, in a calm.
+    virtual void reset() = 0;
+    /// Trees bear other leaves by now, and follow in full sway.
+    virtual void followSeason() = 0;
+
+    /// Puts up a tree at rest. @return its slot, for the forest to put it into.
+    virtual Result<std::size_t> add(const PlacedTree& tree) = 0;
+    /// The problems; empty when it is done.
+    virtual Diagnostics remove(std::size_t slot) = 0;
+    /// Makes the tree of a slot that one, in full sway. @return the problems; empty when it is done.
+    virtual Diagnostics replace(std::size_t slot, const PlacedTree& tree) = 0;
+
+    /// One tree as it stands now; nothing where none stands. Values stay where they are until the tree is
+    /// removed or the next call for it.
+    virtual TreeMotion motion(std::size_t slot) const = 0;
+    /// The same; a law that works it out does so in `values`.
+    virtual TreeMotion motion(std::size_t slot, UnitValues& values) const = 0;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/modal/ModalKernel.h>
+
+// What the air does under the law `modal`, to as many trees at once as `Lanes` has: those of an instruction
+// set (Lanes.h), for which all of it is local to a source, or one.
+
+namespace osgTreeWind {
+namespace {
+
+/// The floats from `first` on of each number of a block.
+template <typename Lanes>
+class LaneColumn {
+public:
+    using Number = typename Lanes::Number;
+    LaneColumn(const TreeLanes* numbers, std::size_t first) : _numbers(numbers), _first(first) {}
+    const Number& operator[](std::size_t i) const {
+        return *reinterpret_cast<const Number*>(_numbers[i].tree + _first);
+    }
+
+private:
+    const TreeLanes* _numbers;
+    std::size_t _first;
+};
+
+/// A TreeFactors of each tree, and what follows from it.
+template <typename Lanes>
+struct LaneFactors {
+    using Number = typename Lanes::Number;
+    Number cosine, sine, length, pace, modulus, branches, width, leaves, leafDrag, stillDrag;
+    Number reach;  ///< Speed of a patch by that of modes: lengths over the gain.
+    Number drive;  ///< Force on a mode, times the gain.
+    Number weight; ///< On the shares of weight.
+    Number woodDrag;
+
+    LaneFactors(const LaneColumn<Lanes>& c, float gain)
+        : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), modulus(c[4]), branches(c[5]), width(c[6]),
+          leaves(c[7]), leafDrag(c[8]), stillDrag(c[9]) {
+        const Number cube = length * length * length;
+        reach = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
+        drive = gain / (pace * cube * cube);
+        weight = 1.0f / (pace * length);
+        woodDrag = Lanes::root(pace) * cube;
+    }
+
+    /// What has those powers, over what it is on a tree that was only scaled.
+    Number grown(const SizePowers& p) const {
+        return typename Lanes::Laws().nearExponential(p.modulus * modulus + p.branches * branches +
+                                                      p.width * width + p.leaves * leaves);
+    }
+};
+static_assert(sizeof(TreeFactors) == 10 * sizeof(float), "LaneFactors takes them in their order");
+
+/// The air at the patches of the trees from `first` on.
+template <typename Lanes>
+class ModalAir {
+public:
+    using Number = typename Lanes::Number;
+
+    ModalAir(const ModalModel& model, const TreeLanes* block, std::size_t first, float gain)
+        : _model(model), _speed(block + model.modes.size(), first),
+          _factors({block + treeFloats(model) - sizeof(TreeFactors) / sizeof(float), first}, gain) {}
+
+    const LaneFactors<Lanes>& factors() const { return _factors; }
+
+    /// A wind in the trees' own axes reaches a patch.
+    void meet(std::size_t p, const Number& x, const Number& y, const Number& z) {
+        const ModalModel::Patch& patch = _model.patches[p];
+        Number* wind = _wind + 3 * p;
+        wind[0] = x;
+        wind[1] = y;
+        wind[2] = z;
+        _square[p] = x * x + y * y + z * z;
+        const Number wood = patch.woodDrag * _factors.woodDrag;
+        _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) *
+                       typename Lanes::Laws().streamlinedShare(Lanes::every(patch.streamlining),
+                                                               Lanes::every(_model.streamlinedTo),
+                                                               Lanes::root(_square[p]));
+        _stillDrag[p] = wood + patch.stillDrag * _factors.stillDrag;
+        _brake[p] = brakeAt(p, _speed, _past + 3 * p);
+    }
+
+    /// Of a patch that was met, as the modes have their speeds: kg/s, and the air past it, x, y, z.
+    const Number& brake(std::size_t p) const { return _brake[p]; }
+    const Number* past(std::size_t p) const { return _past + 3 * p; }
+
+    /// The same as the modes have other speeds.
+    template <typename Speeds>
+    Number brakeAt(std::size_t p, const Speeds& speeds, Number* past) const {
+        const std::size_t modes = _model.modes.size();
+        const float* lever = _model.levers.data() + 3 * modes * p;
+        Number own[3];
+        for (std::size_t c = 0; c < 3; ++c) {
+            Number sum = Lanes::every(0.0f);
+            for (std::size_t k = 0; k < modes; ++k)
+                sum += lever[c * modes + k] * speeds[k];
+            own[c] = sum * _factors.reach;
+            past[c] = _wind[3 * p + c] - own[c];
+        }
+        return typename Lanes::Laws().airBrake(_windDrag[p], _stillDrag[p], _square[p],
+                                               own[0] * own[0] + own[1] * own[1] + own[2] * own[2],
+                                               past[0] * past[0] + past[1] * past[1] + past[2] * past[2]);
+    }
+
+private:
+    const ModalModel& _model;
+    const LaneColumn<Lanes> _speed;
+    const LaneFactors<Lanes> _factors;
+    Number _wind[3 * ModalDetail::maxPatches], _past[3 * ModalDetail::maxPatches];
+    Number _square[ModalDetail::maxPatches]; ///< Of the wind's speed.
+    Number _windDrag[ModalDetail::maxPatches], _stillDrag[ModalDetail::maxPatches],
+        _brake[ModalDetail::maxPatches];
+};
+
+} // namespace
+} // namespace osgTreeWind

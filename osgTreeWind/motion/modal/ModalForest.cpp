@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/modal/ModalForest.h>
+
+#include <osgTreeWind/motion/laws/Rotations.h>
+#include <osgTreeWind/motion/laws/StatelessFlutter.h>
+
+#include <cmath>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double longestPart = 0.1 + 1e-6; // seconds from one sample of the wind to the next
+
+} // namespace
+
+ModalForest::ModalForest(const PlacedForest& forest, ModalLevel level, bool leaves, Executor executor)
+    : _forest(forest), _level(level), _withLeaves(leaves),
+      _sway(swayingTrees(), forest.description().gain, std::move(executor)) {}
+
+ModalForest::ModalForest(const ModalForest& other, const PlacedForest& forest)
+    : _forest(forest), _level(other._level), _withLeaves(other._withLeaves), _sway(other._sway),
+      _behind(other._behind) {
+    _sway.reset();
+}
+
+std::unique_ptr<Motion> ModalForest::restarted(const PlacedForest& forest) const {
+    return std::unique_ptr<Motion>(new ModalForest(*this, forest));
+}
+
+ModalTree ModalForest::swaying(const PlacedTree& tree) const {
+    return {{&_forest.modelOf(tree), &_forest.speciesOf(tree), tree.scale, tree.leaves},
+            tree.position,
+            tree.heading,
+            _level};
+}
+
+std::vector<ModalTree> ModalForest::swayingTrees() const {
+    std::vector<ModalTree> trees;
+    trees.reserve(_forest.trees.size());
+    for (const PlacedTree& tree : _forest.trees)
+        trees.push_back(swaying(tree));
+    return trees;
+}
+
+void ModalForest::meet(const WindField* wind, double time) {
+    _time = time;
+    _sway.meet(wind, time);
+}
+
+void ModalForest::step(const WindField* wind, double time, float seconds) {
+    _time = time;
+    if (_behind < _forest.trees.size())
+        followOn();
+    const auto elapsed = static_cast<double>(seconds);
+    const int parts = static_cast<int>(std::ceil(elapsed / longestPart));
+    for (int part = parts - 1; part >= 0; --part)
+        _sway.step(wind, time - elapsed * part / parts, static_cast<float>(elapsed / parts));
+}
+
+void ModalForest::reset() {
+    _time = 0.0;
+    _sway.reset();
+}
+
+void ModalForest::followSeason() {
+    _behind = 0;
+    followOn();
+}
+
+void ModalForest::followOn() {
+    std::vector<std::size_t> slots;
+    std::vector<ModalTree> wanted;
+    for (; _behind < _forest.trees.size() && slots.size() < treesAtOnce; ++_behind)
+        if (_forest.trees[_behind].alive) {
+            slots.push_back(_behind);
+            wanted.push_back(swaying(_forest.trees[_behind]));
+        }
+    const std::size_t ready = _sway.prepare(wanted, archetypesAtOnce);
+    for (std::size_t i = 0; i < ready; ++i)
+        _sway.replace(slots[i], wanted[i]);
+    if (ready < slots.size())
+        _behind = slots[ready];
+}
+
+Diagnostics ModalForest::remove(std::size_t slot) {
+    _sway.remove(slot);
+    _values.erase(slot);
+    return {};
+}
+
+Diagnostics ModalForest::replace(std::size_t slot, const PlacedTree& tree) {
+    _sway.replace(slot, swaying(tree));
+    return {};
+}
+
+UnitValues& ModalForest::valuesOf(std::size_t slot) const {
+    const std::lock_guard<std::mutex> lock(_valuesMutex);
+    return _values[slot];
+}
+
+TreeMotion ModalForest::motion(std::size_t slot) const {
+    return _sway.holds(slot) ? motion(slot, valuesOf(slot)) : TreeMotion();
+}
+
+TreeMotion ModalForest::motion(std::size_t slot, UnitValues& values) const {
+    if (!_sway.holds(slot))
+        return {};
+    const PlacedTree& tree = _forest.trees[slot];
+    const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
+    const std::size_t units = skeleton.units.size();
+    values.resize(units, _withLeaves ? _forest.leavesOf(tree) : 0);
+    _sway.angles(slot, values.angles.data());
+    _sway.winds(slot, values.winds.data());
+    for (std::size_t i = 0; i < units; ++i)
+        values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
+    swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
+    if (_withLeaves)
+        flutter(tree, values);
+    return {{values.poses.data(), units},
+            {values.rotations.data(), units},
+            {values.states.data(), units},
+            {values.winds.data(), units},
+            {values.leaves.data(), values.leaves.size()}};
+}
+
+void ModalForest::flutter(const PlacedTree& tree, UnitValues& values) const {
+    const std::vector<LeafCluster>& leaves = _forest.modelOf(tree).leaves;
+    const LeafMotion& leaf = _forest.speciesOf(tree).leaf;
+    StatelessFlutter{{leaves.data(), leaves.size()},
+                     {values.winds.data(), values.winds.size()},
+                     flutterPhases(_time, leaf),
+                     flutterLimits(leaf),
+                     ownNumber(tree.seed)}
+        .run(values.leaves.data());
+}
+
+} // namespace osgTreeWind

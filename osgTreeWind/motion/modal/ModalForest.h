@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/motion/laws/Motion.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
+
+#include <mutex>
+#include <unordered_map>
+
+namespace osgTreeWind {
+
+/// The law `modal` for a placed forest: its trees in a ModalMotion, and their poses when they are asked for.
+class ModalForest final : public Motion {
+public:
+    /// At rest. @param forest must outlive it. @param level of its trees and of those added later.
+    /// @param leaves whether they flutter.
+    ModalForest(const PlacedForest& forest, ModalLevel level, bool leaves, Executor executor);
+
+    ModalMotion& sway() { return _sway; }
+    const ModalMotion& sway() const { return _sway; }
+
+    std::unique_ptr<Motion> restarted(const PlacedForest& forest) const override;
+    void setExecutor(Executor executor) override { _sway.setExecutor(std::move(executor)); }
+    void meet(const WindField* wind, double time) override;
+    /// Meets the wind every tenth of a second on its way.
+    void step(const WindField* wind, double time, float seconds) override;
+    void reset() override;
+    /// `treesAtOnce` at most, with `archetypesAtOnce` new archetypes, and as many in each step that comes.
+    void followSeason() override;
+    static constexpr std::size_t treesAtOnce = 256, archetypesAtOnce = 2;
+    Result<std::size_t> add(const PlacedTree& tree) override { return _sway.add(swaying(tree)); }
+    Diagnostics remove(std::size_t slot) override;
+    Diagnostics replace(std::size_t slot, const PlacedTree& tree) override;
+    TreeMotion motion(std::size_t slot) const override;
+    TreeMotion motion(std::size_t slot, UnitValues& values) const override;
+
+private:
+    ModalForest(const ModalForest& other, const PlacedForest& forest);
+    ModalTree swaying(const PlacedTree& tree) const;
+    void followOn();
+    std::vector<ModalTree> swayingTrees() const;
+    UnitValues& valuesOf(std::size_t slot) const;
+    void flutter(const PlacedTree& tree, UnitValues& values) const;
+
+    const PlacedForest& _forest;
+    ModalLevel _level;
+    bool _withLeaves;
+    ModalMotion _sway;
+    double _time = 0.0;
+    std::size_t _behind = ~std::size_t(0); ///< The first slot whose tree has yet to follow the season.
+    mutable std::mutex _valuesMutex;       // guards _values
+    mutable std::unordered_map<std::size_t, UnitValues> _values; ///< Of trees asked for.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/windfiles/WindFormats.h>
+#include <osgTreeWind/windfiles/WindSeriesRows.h>
+
+#include <optional>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// The map itself, or the usual names where it has none.
+WindSeriesColumns namedColumns(WindSeriesColumns columns, const CsvTable& table) {
+    if (columns.named())
+        return columns;
+    columns.time = "time";
+    if (table.column("speed")) {
+        columns.speed = "speed";
+        columns.direction = "direction";
+    } else {
+        columns.u = "u";
+        columns.v = "v";
+        columns.w = table.column("w") ? "w" : "";
+    }
+    return columns;
+}
+
+} // namespace
+
+Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
+                                const WindSeriesColumns& columns) {
+    std::optional<WindSeriesRows> rows;
+    const Result<CsvTable> table =
+        readCsvRows(bytes, file, columns.delimiter, [&](const CsvTable& head, const CsvTable::Row& row) {
+            if (!rows)
+                rows.emplace(head, namedColumns(columns, head));
+            rows->take(row);
+        });
+    if (!table)
+        return table.problems();
+    const WindSeriesColumns named = namedColumns(columns, table.value());
+    if (!rows)
+        rows.emplace(table.value(), named);
+    Result<WindSeries> series = rows->series();
+    if (!series)
+        return series.problems();
+    WindContent content;
+    content.summary.format = "CSV";
+    content.summary.direction = WindSeriesRows::direction(named, "components toward east, north and up");
+    content.data = std::move(series.value());
+    return content;
+}
+
+} // namespace osgTreeWind

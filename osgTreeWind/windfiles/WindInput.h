@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+
+#include <fstream>
+#include <string>
+
+namespace osgTreeWind {
+
+/// A file that is read once, from its beginning to its end. Not part of the interface.
+class WindInput {
+public:
+    /// Reads the first kilobyte.
+    explicit WindInput(const std::string& path);
+
+    const std::string& path() const { return _path; }
+    /// The first kilobyte; less of a short file. A file that is empty or cannot be read is a problem.
+    Result<std::string> head() const;
+    /// All of it; once, and after head() was good.
+    std::string bytes();
+
+private:
+    std::string _path, _head;
+    std::ifstream _file;
+};
+
+/// All of a file, or why it has none.
+Result<std::string> readBytes(const std::string& path);
+
+} // namespace osgTreeWind

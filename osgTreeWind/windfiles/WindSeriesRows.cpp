@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/windfiles/WindSeriesRows.h>
+
+#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/wind/WindLimits.h>
+#include <osgTreeWind/windfiles/WindUnits.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr const char* isoTime = "iso8601";
+
+} // namespace
+
+WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& columns)
+    : _table{head.file, head.headerLine, head.columns, {}}, _map(columns),
+      _polar(!columns.speed.empty() || !columns.direction.empty()) {
+    if (_polar == !(_map.u.empty() && _map.v.empty() && _map.w.empty())) {
+        report(0, {}, "expected columns for u and v, or for speed and direction");
+        return;
+    }
+    _time = find("time", _map.time);
+    _first = _polar ? find("speed", _map.speed) : find("u", _map.u);
+    _second = _polar ? find("direction", _map.direction) : find("v", _map.v);
+    if (!_map.w.empty())
+        _up = find("w", _map.w);
+    if (const Result<double> seconds = timeUnit(_map.timeUnit))
+        _secondsPerUnit = seconds.value();
+    else if (_map.timeUnit != isoTime)
+        report(0, "time unit", expectedFound("s, min, h or iso8601", _map.timeUnit));
+    if (const Result<double> speed = speedUnit(_map.speedUnit))
+        _speedPerUnit = speed.value();
+    else
+        report(0, "speed unit", speed.problems().front().message);
+    _sound = _problems.empty();
+    _needsRow = true;
+}
+
+void WindSeriesRows::report(int line, const std::string& key, std::string message) {
+    _problems.push_back({_table.file, line, 0, key, std::move(message)});
+}
+
+std::size_t WindSeriesRows::find(const char* role, const std::string& name) {
+    if (const auto column = _table.column(name); column && !name.empty())
+        return *column;
+    std::string known;
+    for (const std::string& column : _table.columns)
+        known += (known.empty() ? "" : ", ") + column;
+    report(_table.headerLine, name.empty() ? role : name,
+           name.empty() ? std::string("no column is named for ") + role
+                        : std::string("no such column for ") + role + "; the header has " + known);
+    return 0;
+}
+
+/// A cell within [low, high] after scaling; 0 with a problem otherwise.
+double WindSeriesRows::number(const Row& row, std::size_t column, double scale, double low, double high,
+                              const char* what) {
+    const Result<double> cell = _table.number(row, column);
+    if (!cell) {
+        _problems.push_back(cell.problems().front());
+        return 0.0;
+    }
+    const double value = cell.value() * scale;
+    if (value >= low && value <= high)
+        return value;
+    report(row.line, _table.columns[column], expectedFound(what, row.cells[column]));
+    return 0.0;
+}
+
+double WindSeriesRows::speed(const Row& row, std::size_t column, double low) {
+    return number(row, column, _speedPerUnit, low, maxMeasuredSpeed,
+                  low < 0.0 ? "a wind of at most 200 m/s either way" : "a wind speed of 0 to 200 m/s");
+}
+
+double WindSeriesRows::time(const Row& row) {
+    if (_map.timeUnit != isoTime)
+        return number(row, _time, _secondsPerUnit, -1e15, 1e15, "a time");
+    if (const auto seconds = parseIsoTime(row.cells[_time]))
+        return *seconds;
+    report(row.line, _map.time,
+           expectedFound("a date and time such as 2015-06-29T12:00:00Z", row.cells[_time]));
+    return 0.0;
+}
+
+glm::vec3 WindSeriesRows::velocity(const Row& row) {
+    if (_polar) {
+        const double s = speed(row, _first, 0.0);
+        const double d = number(row, _second, 1.0, -maxDirection, maxDirection, "degrees of -360 to 360");
+        return windVelocity({s, d}, _map.sense);
+    }
+    const double u = speed(row, _first, -maxMeasuredSpeed), v = speed(row, _second, -maxMeasuredSpeed);
+    return {u, v, _map.w.empty() ? 0.0 : speed(row, _up, -maxMeasuredSpeed)};
+}
+
+void WindSeriesRows::take(const Row& row) {
+    _needsRow = false;
+    if (!_sound || _problems.size() >= maxRecordProblems)
+        return;
+    const std::size_t before = _problems.size();
+    const double now = time(row);
+    const glm::vec3 wind = velocity(row);
+    if (_problems.size() != before)
+        return;
+    if (_series.times.empty())
+        _start = now;
+    else if (now - _start <= _series.times.back())
+        return report(row.line, _map.time,
+                      expectedFound("a later time than in the row before", row.cells[_time]));
+    _series.times.push_back(now - _start);
+    _series.velocities.push_back(wind);
+}
+
+Result<WindSeries> WindSeriesRows::series() {
+    if (_needsRow)
+        report(_table.headerLine, {}, "expected at least one record below the header");
+    if (!_problems.empty())
+        return _problems;
+    return std::move(_series);
+}
+
+std::string WindSeriesRows::direction(const WindSeriesColumns& columns, const char* components) {
+    if (columns.speed.empty())
+        return components;
+    return columns.sense == DirectionSense::From ? "from, degrees clockwise from north"
+                                                 : "toward, degrees clockwise from north";
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What the C++ of README.md takes for granted.
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/wind/StreamedWind.h>
+
+osgTreeWind::ForestDescription describeForest();
+
+void embed(osg::Group* scene, const osgTreeWind::GridWind::Grid& grid, const std::vector<float>& velocities,
+           osg::Node* sensor, const osgTreeWind::TreePlacement& placement) {
+#include "readme.inc"
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <iostream>
+
+/// A tree made in code, in a wind: succeeds when it has moved.
+int main() {
+    osgTreeWind::ForestDescription description;
+    description.species = {osgTreeWind::defaultSpecies()};
+    description.trees.resize(1);
+    description.wind = std::make_shared<osgTreeWind::UniformWind>(glm::vec3(8.0f, 0.0f, 0.0f));
+    const osg::ref_ptr<osgTreeWind::Forest> forest = new osgTreeWind::Forest(description);
+
+    osgTreeWind::ForestSimulation simulation(description);
+    for (int frame = 0; frame <= 60; ++frame)
+        simulation.advance(frame / 60.0);
+    const float tip = simulation.motion(0).poses[simulation.motion(0).poses.size - 1].translation.x;
+    std::cout << forest->getNumTrees() << " tree, " << tip << " m\n";
+    return forest->getNumTrees() == 1 && tip > 0.0f ? 0 : 1;
+}
