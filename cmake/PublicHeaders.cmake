@@ -22,6 +22,7 @@ set(public_headers
     osgTreeWind/drawing/stand/StandDrawing.h
     osgTreeWind/drawing/stand/TreeHit.h
     osgTreeWind/drawing/stand/TreeTiers.h
+    osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/PlacedForest.h
