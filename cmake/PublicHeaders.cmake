@@ -9,26 +9,13 @@ set(public_headers
     osgTreeWind/drawing/BranchTransform.h
     osgTreeWind/drawing/ForestDrawing.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h
-    osgTreeWind/drawing/branchwise/LeafClusterDrawable.h
-    osgTreeWind/drawing/branchwise/PosedTree.h
-    osgTreeWind/drawing/branchwise/TreeBuffers.h
-    osgTreeWind/drawing/branchwise/TreeDrawable.h
-    osgTreeWind/drawing/branchwise/TreeLod.h
-    osgTreeWind/drawing/branchwise/TreeNode.h
-    osgTreeWind/drawing/branchwise/TreeStyle.h
-    osgTreeWind/drawing/impostors/ImpostorPainter.h
-    osgTreeWind/drawing/impostors/ImpostorStrip.h
-    osgTreeWind/drawing/looks/TreeTextures.h
-    osgTreeWind/drawing/stand/StandDrawing.h
+    osgTreeWind/drawing/branchwise/TreeLodRanges.h
     osgTreeWind/drawing/stand/TreeHit.h
-    osgTreeWind/drawing/stand/TreeTiers.h
-    osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/PlacedForest.h
     osgTreeWind/forest/TreeId.h
     osgTreeWind/forest/TreeNames.h
-    osgTreeWind/gpu/OsgConversions.h
     osgTreeWind/io/ForestFile.h
     osgTreeWind/io/SpeciesCatalogue.h
     osgTreeWind/model/BranchSkin.h
@@ -42,18 +29,11 @@ set(public_headers
     osgTreeWind/model/TreeExtents.h
     osgTreeWind/model/TreeModel.h
     osgTreeWind/model/TreeSize.h
-    osgTreeWind/motion/ForestMemory.h
     osgTreeWind/motion/ForestSimulation.h
     osgTreeWind/motion/SimulationOptions.h
-    osgTreeWind/motion/branchwise/LeafFlutter.h
     osgTreeWind/motion/laws/TreeMotion.h
     osgTreeWind/motion/laws/UnitPose.h
-    osgTreeWind/motion/modal/Archetype.h
-    osgTreeWind/motion/modal/JointTree.h
-    osgTreeWind/motion/modal/ModalKernel.h
-    osgTreeWind/motion/modal/ModalModel.h
-    osgTreeWind/motion/modal/ModalMotion.h
-    osgTreeWind/motion/modal/ModalTree.h
+    osgTreeWind/motion/modal/ModalLevel.h
     osgTreeWind/nodes/Forest.h
     osgTreeWind/nodes/TreeUnit.h
     osgTreeWind/offscreen/FrameImage.h
@@ -61,7 +41,6 @@ set(public_headers
     osgTreeWind/species/Appearance.h
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h
-    osgTreeWind/wind/ForestWind.h
     osgTreeWind/wind/FunctionWind.h
     osgTreeWind/wind/GivenWind.h
     osgTreeWind/wind/GridWind.h

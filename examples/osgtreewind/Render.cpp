@@ -8,6 +8,7 @@
 #include "VideoWriter.h"
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osgDB/FileNameUtils>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,7 +13,7 @@ namespace osgTreeWind {
 
 /// Names of those trees that have one, no two alike, as an inventory gives them. Takes no memory where none
 /// has.
-class TreeNames {
+class OSGTREEWIND_EXPORT TreeNames {
 public:
     TreeNames() = default;
     TreeNames(const TreeNames& other) { *this = other; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/model/ScanCylinder.h>
 #include <osgTreeWind/model/Skeleton.h>
 
@@ -47,7 +48,8 @@ struct ScannedTree {
 /// than `thinnest`, shorter than a thousandth of the height, or too many for `mostUnits` are pruned with all
 /// they bear.
 /// @return problemOfScan() where there is one.
-Result<ScannedTree> makeScannedTree(const ScanCylinders& cylinders, const ScanDetail& detail = {});
+OSGTREEWIND_EXPORT Result<ScannedTree> makeScannedTree(const ScanCylinders& cylinders,
+                                                       const ScanDetail& detail = {});
 
 /// Volume of the wood of a skeleton along its centre lines, m^3.
 double woodVolume(const Skeleton& skeleton);

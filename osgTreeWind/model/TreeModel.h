@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/model/BranchSkin.h>
 #include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/LeafClusters.h>
@@ -36,10 +37,10 @@ struct TreeModel {
 };
 
 /// Grows skeleton, skin and leaves. All seeds of `parameters` are offset by `variant`.
-TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
+OSGTREEWIND_EXPORT TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
 
 /// What a tree is made of. Vertices are unique ones; triangles are what is drawn.
-struct TreeCounts {
+struct OSGTREEWIND_EXPORT TreeCounts {
     std::uint64_t units = 0, branches = 0, skeletonPoints = 0;
     std::uint64_t skinVertices = 0, skinTriangles = 0;
     std::uint64_t leafVertices = 0, leafTriangles = 0;
@@ -49,9 +50,9 @@ struct TreeCounts {
     TreeCounts& operator+=(const TreeCounts& other);
 };
 
-TreeCounts countTree(const TreeModel& model);
+OSGTREEWIND_EXPORT TreeCounts countTree(const TreeModel& model);
 /// The same numbers without growing skin and leaves; all are exact.
-TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
+OSGTREEWIND_EXPORT TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
 /// Of each number the largest among variants 0 to `shapes` - 1.
 TreeCounts countLargest(const TreeParameters& parameters, int shapes);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/motion/modal/ModalTree.h>
 
@@ -31,6 +30,6 @@ std::uint64_t memoryLimit();
 
 /// How much is needed and what the limit is; empty where it fits. @param withNodes for a Forest, else for a
 /// ForestSimulation alone.
-OSGTREEWIND_EXPORT std::string problemOfMemory(const ForestDescription& description, bool withNodes);
+std::string problemOfMemory(const ForestDescription& description, bool withNodes);
 
 } // namespace osgTreeWind

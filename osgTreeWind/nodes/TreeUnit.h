@@ -23,10 +23,11 @@ struct TreeUnit {
 };
 
 /// Those of a tree that stands in a slot, in access order.
-std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot);
+OSGTREEWIND_EXPORT std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot);
 
 /// Index of the unit whose line from base to tip passes nearest to a point of the forest's frame now; nothing
 /// where there are no units.
-OSGTREEWIND_EXPORT std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units, const osg::Vec3& point);
+OSGTREEWIND_EXPORT std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units,
+                                                       const osg::Vec3& point);
 
 } // namespace osgTreeWind

@@ -4,6 +4,7 @@
 #include <tests/TestData.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>

@@ -3,8 +3,10 @@
 
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 

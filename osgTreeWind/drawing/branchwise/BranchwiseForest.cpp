@@ -2,12 +2,16 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 
 #include <osgTreeWind/drawing/branchwise/BillboardDrawable.h>
+#include <osgTreeWind/drawing/branchwise/TreeNode.h>
+#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
+#include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osg/Notify>
 

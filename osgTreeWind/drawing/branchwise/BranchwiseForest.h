@@ -3,10 +3,7 @@
 
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/drawing/ForestDrawing.h>
-#include <osgTreeWind/drawing/branchwise/TreeNode.h>
-#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
-#include <osgTreeWind/drawing/stand/TreeTiers.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/drawing/branchwise/TreeLodRanges.h>
 
 #include <map>
 #include <memory>
@@ -19,6 +16,15 @@ namespace osgTreeWind {
 class AnglePrePass;
 class DataTexture;
 class FloatTargetProbe;
+class ImpostorStrip;
+class PosedTree;
+class SharedStateSet;
+class TreeBuffers;
+class TreeNode;
+enum class Tier;
+struct ForestDescription;
+struct PlacedTree;
+struct TreeStyle;
 
 /// Trees drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit.
 class OSGTREEWIND_EXPORT BranchwiseForest : public ForestDrawing {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/branchwise/TreeLodRanges.h>
+
 #include <osg/LOD>
 
 #include <atomic>
 
 namespace osgTreeWind {
-
-/// Up to which distance a tree is drawn how, in heights of the tree; infinity: however far.
-struct TreeLodRanges {
-    float full = 8.0f, leaves = 20.0f;
-};
 
 /// The levels of detail of one tree, by distance (thesis §7). Below the TreeNode,
 /// which fills them. A level that no camera sees costs nothing: the transforms of FULL are turned for those

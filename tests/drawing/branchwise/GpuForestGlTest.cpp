@@ -3,9 +3,11 @@
 
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/FunctionWind.h>

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace osgTreeWind {
+
+/// Up to which distance a tree is drawn how, in heights of the tree; infinity: however far.
+struct TreeLodRanges {
+    float full = 8.0f, leaves = 20.0f;
+};
+
+} // namespace osgTreeWind
