@@ -27,6 +27,7 @@ std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t sl
 
 /// Index of the unit whose line from base to tip passes nearest to a point of the forest's frame now; nothing
 /// where there are no units.
-OSGTREEWIND_EXPORT std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units, const osg::Vec3& point);
+OSGTREEWIND_EXPORT std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units,
+                                                       const osg::Vec3& point);
 
 } // namespace osgTreeWind
