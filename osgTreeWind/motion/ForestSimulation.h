@@ -17,7 +17,7 @@ namespace osgTreeWind {
 class BranchwiseMotion;
 class Motion;
 
-/// A forest in motion, without graphics: the `cpu` way to the pose.
+/// A forest in motion, without graphics (docs/frame.md).
 ///
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
 class OSGTREEWIND_EXPORT ForestSimulation {
@@ -95,6 +95,9 @@ public:
     /// The same, under `modal` worked out into `values` instead of memory of the simulation's own: they stay
     /// until `values` is used again.
     TreeMotion motion(std::size_t slot, UnitValues& values) const;
+
+    /// One unit of a tree that stands there: the same numbers, at the cost of the units that carry it.
+    UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
 
     /// The trees under the law `modal`, which also knows how closely each is followed; null under another
     /// law. They come and go through this class only.

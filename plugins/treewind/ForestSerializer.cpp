@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgDB/InputStream>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 
@@ -74,13 +73,16 @@ private:
         Result<ForestDescription> forest = readForest(input, where);
         if (!forest)
             return ReadResult(forest.problems().front().text());
-        if (const std::string problem = problemOfMemory(forest.value(), true); !problem.empty())
-            return ReadResult(Diagnostic{where.file, 0, 0, {}, problem}.text());
-        if (const std::string problem = BranchwiseForest::problemOf(forest.value()); !problem.empty())
-            return ReadResult(Diagnostic{where.file, 0, 0, {}, problem}.text());
-        for (const std::string& note : forest.value().notes)
+        const std::vector<std::string> notes = forest.value().notes;
+        Result<osg::ref_ptr<Forest>> node = Forest::create(std::move(forest.value()));
+        if (!node) {
+            Diagnostic problem = node.problems().front();
+            problem.file = where.file;
+            return ReadResult(problem.text());
+        }
+        for (const std::string& note : notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
-        return new Forest(std::move(forest.value()));
+        return node.value().get();
     }
 
     /// A Forest with nothing else below it.
