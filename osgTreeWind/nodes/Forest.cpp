@@ -2,6 +2,7 @@
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/wind/GivenWind.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>
@@ -78,6 +79,14 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 }
 
 Forest::~Forest() = default;
+
+void Forest::setWind(WindFieldPtr wind) {
+    _wind->set(std::move(wind));
+}
+
+WindFieldPtr Forest::getWind() const {
+    return _wind->get();
+}
 
 void Forest::setExecutor(Executor executor) {
     _simulation->setExecutor(executor);

@@ -39,8 +39,8 @@ public:
 
     /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any
     /// time, also while a description is set: whichever of the two comes last counts.
-    void setWind(WindFieldPtr wind) { _wind->set(std::move(wind)); }
-    WindFieldPtr getWind() const { return _wind->get(); }
+    void setWind(WindFieldPtr wind);
+    WindFieldPtr getWind() const;
 
     /// A host's threads to step and grow it, SimulationOptions says more; null: those of the process. For the
     /// trees that it has now from the next step on, and for descriptions to come. In update or between
