@@ -24,17 +24,22 @@ namespace fs = std::filesystem;
 
 constexpr const char* variable = "OSGTREEWIND_NETCDF";
 
-/// The program that reads NetCDF: what the environment says, else beside the library, or beside that of a
-/// program into which the library was built.
+/// The program that reads NetCDF: what the environment says, else the one in osgTreeWind/ beside the library;
+/// for a program into which the library was built, in the folder of libraries, installed or not.
 std::string readerProgram() {
     if (const char* named = std::getenv(variable))
         return named;
     Dl_info here{};
     dladdr(&variable, &here);
-    const fs::path folder = fs::path(here.dli_fname ? here.dli_fname : "").parent_path();
-    const fs::path beside = folder / "osgTreeWind/osgtreewind-netcdf";
     std::error_code ignored;
-    return fs::exists(beside, ignored) ? beside : folder / "../lib/osgTreeWind/osgtreewind-netcdf";
+    fs::path object = here.dli_fname ? here.dli_fname : "", program;
+    if (!object.is_absolute()) // as a program was called
+        object = fs::read_symlink("/proc/self/exe", ignored);
+    for (const char* libraries : {"", OSGTREEWIND_LIBRARIES_FROM_PROGRAMS, "../lib"})
+        if (program = object.parent_path() / libraries / "osgTreeWind/osgtreewind-netcdf";
+            fs::exists(program, ignored))
+            break;
+    return program;
 }
 
 /// A program that runs, and the end of the pipe into which it writes.
