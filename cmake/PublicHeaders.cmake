@@ -63,7 +63,6 @@ set(public_headers
     osgTreeWind/species/Species.h
     osgTreeWind/wind/ForestWind.h
     osgTreeWind/wind/FunctionWind.h
-    osgTreeWind/wind/GivenWind.h
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h

@@ -6,6 +6,7 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
+#include <osgTreeWind/wind/GivenWind.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>
@@ -93,6 +94,14 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 }
 
 Forest::~Forest() = default;
+
+void Forest::setWind(WindFieldPtr wind) {
+    _wind->set(std::move(wind));
+}
+
+WindFieldPtr Forest::getWind() const {
+    return _wind->get();
+}
 
 void Forest::setExecutor(Executor executor) {
     _simulation->setExecutor(executor);

@@ -176,6 +176,29 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
     EXPECT_EQ(forest->getWind(), last) << "no wind was lost";
 }
 
+TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
+    std::atomic<int> calls{0};
+    const Executor lent = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
+        ++calls;
+        runInTurn(count, job);
+    };
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    forest->setExecutor(lent);
+    update(*forest, 1, 0.04);
+    EXPECT_GT(calls, 0);
+    osg::ref_ptr<Forest> copy = osg::clone(forest.get());
+    int before = calls;
+    update(*copy, 1, 0.04);
+    EXPECT_GT(calls, before);
+    before = calls;
+    forest->setDescription(smallForest(3));
+    EXPECT_GT(calls, before) << "and grow the next one";
+    forest->setExecutor(nullptr);
+    before = calls;
+    update(*forest, 2, 0.08);
+    EXPECT_EQ(calls, before);
+}
+
 TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     osg::ref_ptr<MessageCollector> messages = new MessageCollector;
