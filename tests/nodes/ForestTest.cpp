@@ -195,6 +195,17 @@ TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
     EXPECT_EQ(forest->getNumTrees(), 2u) << "and may be filled again";
 }
 
+TEST(ForestTest, whatCannotBeMadeIsAProblemAndNoEmptyForest) {
+    const Result<osg::ref_ptr<Forest>> made = Forest::create(smallForest(3));
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made.value()->getNumTrees(), 3u);
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
+    const Result<osg::ref_ptr<Forest>> tooLarge = Forest::create(smallForest(1000));
+    ASSERT_FALSE(tooLarge);
+    EXPECT_EQ(tooLarge.problems().front().text().rfind("1000 trees of these species need about ", 0), 0u)
+        << tooLarge.problems().front().text();
+}
+
 TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {
     osg::ref_ptr<Forest> forest = new Forest;
     updateFrames(*forest, 1, 3);
