@@ -2,7 +2,6 @@
 # What a host may include, and all of it: only these headers are installed, and only what is declared in them is
 # exported by the library (tests/package holds both).
 set(public_headers
-    osgTreeWind/base/CsvTable.h
     osgTreeWind/base/Executor.h
     osgTreeWind/base/Export.h
     osgTreeWind/base/Result.h
@@ -23,6 +22,7 @@ set(public_headers
     osgTreeWind/drawing/stand/StandDrawing.h
     osgTreeWind/drawing/stand/TreeHit.h
     osgTreeWind/drawing/stand/TreeTiers.h
+    osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/PlacedForest.h

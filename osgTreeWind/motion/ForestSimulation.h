@@ -31,8 +31,8 @@ public:
     /// As given, but without its trees, which are trees(), and with its first wind and season, whatever
     /// setWind() and setSeason() did.
     const ForestDescription& description() const { return _forest.description(); }
-    /// The forest as it is now: the trees that are alive, with all of their sizes and names, in the season
-    /// and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
+    /// The forest as it is now: the trees that are alive, with the sizes they were given and names, in the
+    /// season and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
     ForestDescription describe() const;
     const std::vector<TreeModel>& models() const { return _forest.models(); }
     /// By slot: in the order of the description, then as they were added. Not all of them are alive.

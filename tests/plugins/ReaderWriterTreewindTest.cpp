@@ -4,7 +4,10 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
+#include <osgTreeWind/wind/FunctionWind.h>
+
 #include <osgDB/ReadFile>
+#include <osgDB/WriteFile>
 
 #include <gtest/gtest.h>
 
@@ -138,4 +141,36 @@ TEST_F(ReaderWriterTreewindTest, servesSeveralThreadsAtOnce) {
         EXPECT_EQ(statesOf(*forest), statesOf(*forests[0]));
     }
     EXPECT_EQ(said(), "");
+}
+
+TEST_F(ReaderWriterTreewindTest, writesAForestThatMovesAlike) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() + "/again.treewind";
+    osg::ref_ptr<Forest> forest = readForestNode(exampleFile("forest.treewind"));
+    ASSERT_TRUE(forest);
+    ASSERT_TRUE(osgDB::writeNodeFile(*forest, file)) << said();
+    osg::ref_ptr<Forest> back = readForestNode(file);
+    ASSERT_TRUE(back) << said();
+    updateFrames(*forest, 1, 10);
+    updateFrames(*back, 1, 10);
+    EXPECT_EQ(statesOf(*back), statesOf(*forest));
+    EXPECT_EQ(said(), "");
+}
+
+TEST_F(ReaderWriterTreewindTest, refusesByNameWhatItCannotWrite) {
+    std::ostringstream stream;
+    const auto refusal = [&](const osg::Object& object) {
+        return plugin()->writeObject(object, stream, nullptr).message();
+    };
+    EXPECT_EQ(refusal(*osg::ref_ptr<osg::Group>(new osg::Group)),
+              "a .treewind file holds a Forest, not a Group");
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    forest->setWind(std::make_shared<FunctionWind>(nullptr));
+    EXPECT_EQ(refusal(*forest).find("wind: a wind that no file can say"), 0u);
+    forest->addChild(new osg::Group);
+    forest->getChild(forest->getNumChildren() - 1)->setName("house");
+    EXPECT_EQ(refusal(*forest), "a .treewind file does not hold the forest's child house");
+    EXPECT_EQ(stream.str(), "");
+    EXPECT_EQ(plugin()->writeNode(*forest, std::string("a.obj"), nullptr).status(),
+              osgDB::ReaderWriter::WriteResult::FILE_NOT_HANDLED);
 }

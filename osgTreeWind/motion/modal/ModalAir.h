@@ -92,10 +92,10 @@ public:
         const float* lever = _model.levers.data() + 3 * modes * p;
         Number own[3];
         for (std::size_t c = 0; c < 3; ++c) {
-            own[c] = Lanes::every(0.0f);
+            Number sum = Lanes::every(0.0f);
             for (std::size_t k = 0; k < modes; ++k)
-                own[c] += lever[c * modes + k] * speeds[k];
-            own[c] *= _factors.reach;
+                sum += lever[c * modes + k] * speeds[k];
+            own[c] = sum * _factors.reach;
             past[c] = _wind[3 * p + c] - own[c];
         }
         return typename Lanes::Laws().airBrake(_windDrag[p], _stillDrag[p], _square[p],

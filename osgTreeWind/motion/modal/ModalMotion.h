@@ -17,7 +17,7 @@ namespace osgTreeWind {
 /// The law `modal` for a forest: every tree a short vector, stepped eight at a time with those of its
 /// archetype.
 ///
-/// A tree takes stateBytes() beside its archetype. What comes out does not depend on threads or on the
+/// A tree takes treeBytes() beside its archetype. What comes out does not depend on threads or on the
 /// processor's instruction set, nor, for near trees, on the other trees; far ones step in turns with those
 /// they are kept with. Not thread-safe, but for the threads of its executor.
 class ModalMotion {
