@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
@@ -113,6 +114,8 @@ const ForestDescription& Forest::getDescription() const {
 }
 
 Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description) {
+    if (Diagnostics problems = check(description); !problems.empty())
+        return problems;
     if (const std::string problem = problemOfRoom(description); !problem.empty())
         return Diagnostic{{}, 0, 0, {}, problem};
     const osg::ref_ptr<Forest> forest = new Forest;

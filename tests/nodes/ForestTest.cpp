@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <thread>
 
 using namespace osgTreeWind;
@@ -199,6 +200,9 @@ TEST(ForestTest, whatCannotBeMadeIsAProblemAndNoEmptyForest) {
     const Result<osg::ref_ptr<Forest>> made = Forest::create(smallForest(3));
     ASSERT_TRUE(made);
     EXPECT_EQ(made.value()->getNumTrees(), 3u);
+    ForestDescription endless = smallForest(2);
+    endless.trees[1].size.height = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(Forest::create(endless).ok()) << "check() says more";
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
     const Result<osg::ref_ptr<Forest>> tooLarge = Forest::create(smallForest(1000));
     ASSERT_FALSE(tooLarge);
