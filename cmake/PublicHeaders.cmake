@@ -2,12 +2,12 @@
 # What a host may include, and all of it: only these headers are installed, and only what is declared in them is
 # exported by the library (tests/package holds both).
 set(public_headers
-    osgTreeWind/base/CsvTable.h
     osgTreeWind/base/Executor.h
     osgTreeWind/base/Export.h
     osgTreeWind/base/Result.h
     osgTreeWind/base/Span.h
     osgTreeWind/drawing/BranchTransform.h
+    osgTreeWind/drawing/ForestDrawing.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h
     osgTreeWind/drawing/branchwise/LeafClusterDrawable.h
     osgTreeWind/drawing/branchwise/PosedTree.h
@@ -18,26 +18,17 @@ set(public_headers
     osgTreeWind/drawing/branchwise/TreeStyle.h
     osgTreeWind/drawing/impostors/ImpostorPainter.h
     osgTreeWind/drawing/impostors/ImpostorStrip.h
-    osgTreeWind/drawing/looks/SpeciesLooks.h
     osgTreeWind/drawing/looks/TreeTextures.h
-    osgTreeWind/drawing/stand/CullLists.h
-    osgTreeWind/drawing/stand/InstanceList.h
-    osgTreeWind/drawing/stand/InstancedDraw.h
-    osgTreeWind/drawing/stand/ModelResources.h
-    osgTreeWind/drawing/stand/StandResources.h
-    osgTreeWind/drawing/stand/TreeCells.h
+    osgTreeWind/drawing/stand/StandDrawing.h
     osgTreeWind/drawing/stand/TreeHit.h
-    osgTreeWind/drawing/stand/TreeStand.h
     osgTreeWind/drawing/stand/TreeTiers.h
-    osgTreeWind/drawing/stand/ViewFrustum.h
+    osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/PlacedForest.h
     osgTreeWind/forest/TreeId.h
     osgTreeWind/forest/TreeNames.h
     osgTreeWind/gpu/OsgConversions.h
-    osgTreeWind/gpu/PosePage.h
-    osgTreeWind/gpu/PosePass.h
     osgTreeWind/io/ForestFile.h
     osgTreeWind/io/SpeciesCatalogue.h
     osgTreeWind/model/BranchSkin.h
@@ -63,8 +54,8 @@ set(public_headers
     osgTreeWind/motion/modal/ModalModel.h
     osgTreeWind/motion/modal/ModalMotion.h
     osgTreeWind/motion/modal/ModalTree.h
-    osgTreeWind/nodes/FollowedBranches.h
     osgTreeWind/nodes/Forest.h
+    osgTreeWind/nodes/TreeUnit.h
     osgTreeWind/offscreen/FrameImage.h
     osgTreeWind/offscreen/OffscreenContext.h
     osgTreeWind/species/Appearance.h
@@ -72,6 +63,7 @@ set(public_headers
     osgTreeWind/species/Species.h
     osgTreeWind/wind/ForestWind.h
     osgTreeWind/wind/FunctionWind.h
+    osgTreeWind/wind/GivenWind.h
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h
@@ -85,4 +77,4 @@ set(public_headers
     osgTreeWind/wind/WindSeries.h
     osgTreeWind/windfiles/WindContent.h
     osgTreeWind/windfiles/WindFile.h
-    osgTreeWind/windfiles/WindSeriesCsv.h)
+    osgTreeWind/windfiles/WindSeriesColumns.h)

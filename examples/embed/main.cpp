@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A simulator in under 100 lines: a small wood, and a vortex worked out in a thread of its own.
 // Usage: osgtreewind-embed [--frames N]     (without it: until escape is pressed)
+#include <osgTreeWind/drawing/BranchTransform.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/StreamedWind.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <string>

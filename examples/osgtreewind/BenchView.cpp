@@ -5,6 +5,8 @@
 #include "BenchForests.h"
 #include "DefaultView.h"
 
+#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <cmath>
@@ -108,7 +110,7 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
             viewer.measure(Full, time);
     }
     if (forest->getStand())
-        result.tiers = forest->getStand()->listedTrees();
+        result.tiers = forest->getStand()->trees()->listedTrees();
     std::vector<BenchTimes> times = viewer.times(Tree, time);
     result.drawn = std::move(times[Drawn]);
     result.tree = std::move(times[Tree]);

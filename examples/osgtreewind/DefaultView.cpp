@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "DefaultView.h"
 
+#include <osgTreeWind/motion/ForestSimulation.h>
+
 #include <osg/Math>
 
 #include <algorithm>

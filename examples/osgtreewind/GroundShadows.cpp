@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/impostors/Silhouette.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osg/Depth>
 #include <osg/Program>

@@ -3,6 +3,7 @@
 #include "OffscreenViewer.h"
 #include "Setting.h"
 
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osg/Math>

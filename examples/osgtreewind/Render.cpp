@@ -7,6 +7,7 @@
 #include "Setting.h"
 #include "VideoWriter.h"
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osgDB/FileNameUtils>

@@ -29,4 +29,9 @@ void BranchTransform::setRotation(const osg::Quat& rotation) {
     setMatrix(matrix);
 }
 
+void BranchTransform::setPose(const osg::Matrix& matrix, const osg::Quat& rotation) {
+    _rotation = rotation;
+    setMatrix(matrix);
+}
+
 } // namespace osgTreeWind

@@ -23,9 +23,12 @@ public:
     }
     const osg::Vec3& getBase() const { return _base; }
 
-    /// The branch's own turn about its base, in the tree's rest axes. Sets the matrix T(base) R T(-base).
+    /// The branch's own turn about its base, in the tree's rest axes, under any law. Setting it sets the
+    /// matrix T(base) R T(-base).
     void setRotation(const osg::Quat& rotation);
     const osg::Quat& getRotation() const { return _rotation; }
+    /// The same turn, where what carries the branch stands above no node: the matrix is given whole.
+    void setPose(const osg::Matrix& matrix, const osg::Quat& rotation);
 
 protected:
     ~BranchTransform() override = default;

@@ -10,7 +10,7 @@ struct DrawingOptions {
     float full = 300.0f;    ///< At least this high: every vertex.
     float reduced = 90.0f;  ///< At least this high: reduced once.
     float impostor = 50.0f; ///< At least this high: reduced twice; below: an impostor. 0: no impostors.
-    float blend = 0.2f;     ///< Share of a threshold over which two tiers cross-fade, [0, 0.9].
+    float blend = 0.2f;     ///< Share of a threshold over which two tiers cross-fade.
 };
 
 } // namespace osgTreeWind

@@ -4,7 +4,10 @@
 #include <osgTreeWind/base/RoomFor.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -12,7 +15,7 @@ namespace osgTreeWind {
 namespace {
 
 std::uint32_t shapeCount(const Species& species) {
-    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, 64));
+    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, mostShapes));
 }
 
 bool same(const TreeSize& a, const TreeSize& b) {
@@ -55,9 +58,11 @@ std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
     tree.species = static_cast<std::uint32_t>(placement.species);
     const Species& species = speciesOf(tree);
     tree.model = _firstModels[tree.species] + placement.seed % shapeCount(species);
-    tree.scale = before && before->model == tree.model && same(placement.size, measured(*before))
-                     ? before->scale
-                     : fitTree(modelOf(tree), withCrown(placement.size, species.crown, placement.openGrown));
+    const bool kept = before && before->model == tree.model && same(placement.size, measured(*before));
+    tree.given = kept ? before->given : placement.size;
+    tree.openGrown = kept ? before->openGrown : placement.openGrown;
+    tree.scale =
+        kept ? before->scale : fitTree(modelOf(tree), withCrown(tree.given, species.crown, tree.openGrown));
     tree.position = glm::vec3(placement.position - description().origin);
     tree.heading = placement.heading;
     tree.summerLeaves = placement.leaves;
@@ -81,11 +86,18 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
 
 ForestDescription PlacedForest::describe() const {
     ForestDescription now = description();
-    now.season = _season;
+    now.season = withinYear(_season);
     now.source.clear();
-    for (std::size_t slot = 0; slot < trees.size(); ++slot)
-        if (trees[slot].alive)
-            now.trees.push_back(placementOf(slot));
+    for (std::size_t slot = 0; slot < trees.size(); ++slot) {
+        if (!trees[slot].alive)
+            continue;
+        TreePlacement tree = placementOf(slot);
+        tree.size = trees[slot].given;
+        tree.openGrown = trees[slot].openGrown;
+        if (std::abs(tree.heading) > glm::two_pi<float>())
+            tree.heading = std::remainder(tree.heading, glm::two_pi<float>());
+        now.trees.push_back(std::move(tree));
+    }
     return now;
 }
 

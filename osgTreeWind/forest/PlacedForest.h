@@ -27,6 +27,8 @@ struct PlacedTree {
     std::uint32_t firstLeaf = 0;  ///< Leaf clusters of all trees before it.
     std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
     bool alive = true;            ///< No: it was removed, and nothing else here counts.
+    bool openGrown = false;
+    TreeSize given; ///< From which, with openGrown, `scale` follows.
 };
 
 /// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes.
@@ -57,7 +59,7 @@ struct OSGTREEWIND_EXPORT PlacedForest {
     /// What gives that tree again; all of its sizes are given.
     TreePlacement placementOf(std::size_t slot) const;
     /// The forest as it is by now, but for its wind: what gives it again, with the trees that are alive by
-    /// slot. Not what any file says: without a source.
+    /// slot and the sizes they were given. Not what any file says: without a source.
     ForestDescription describe() const;
     /// Of the year, as it is by now (Season.h).
     float season() const { return _season; }

@@ -15,9 +15,8 @@ namespace osgTreeWind {
 struct PoseRequest {
     static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 16;
 
-    float firstTexel =
-        -1.0f;              ///< Of its archetype's matrix, as PosePass::matrix() gives it; negative: at rest.
-    float rowTexels = 0.0f; ///< Of a row of that matrix.
+    float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::refer() has it; negative: at rest.
+    float rowTexels = 0.0f;   ///< Of a row of that matrix.
     float maxAngle = 0.0f, unused = 0.0f;
     float across = 1.0f, upward = 1.0f, unused2[2] = {}; ///< TreeScale::axes
     float vector[mostColumns] = {};                      ///< Amplitudes, then forces on patches; the rest 0.
@@ -35,7 +34,7 @@ struct PoseLayout {
     int rows;  ///< and rows of a tree.
 };
 
-/// Trees of one shape that are drawn in a frame, as many as fit into one texture of poses. Culls of several
+/// Trees of one model that are drawn in a frame, as many as fit into one texture of poses. Culls of several
 /// cameras fill it, under its lock; it is kept by those who draw from it.
 class PosePage : public osg::Referenced {
 public:

@@ -111,33 +111,33 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
 
 PosePass::~PosePass() = default;
 
-void PosePass::refer(const ModalModel& shape, PoseRequest& request) {
-    const std::size_t columns = shape.columns(), texels = (columns + 3) / 4;
+void PosePass::refer(const ModalModel& model, PoseRequest& request) {
+    const std::size_t columns = model.columns(), texels = (columns + 3) / 4;
     request.rowTexels = static_cast<float>(texels);
-    request.maxAngle = shape.maxAngle;
+    request.maxAngle = model.maxAngle;
     const std::lock_guard<std::mutex> lock(_matrixMutex);
-    const auto [found, isNew] = _firstTexels.try_emplace(&shape, static_cast<int>(_matrices.size()));
+    const auto [found, isNew] = _firstTexels.try_emplace(&model, static_cast<int>(_matrices.size()));
     request.firstTexel = static_cast<float>(found->second);
     if (!isNew)
         return;
-    const std::size_t size = shape.joints / 2 * (2 * texels + 1);
-    if (columns > PoseRequest::mostColumns || shape.patches.size() > PoseRequest::mostPatches ||
+    const std::size_t size = model.joints / 2 * (2 * texels + 1);
+    if (columns > PoseRequest::mostColumns || model.patches.size() > PoseRequest::mostPatches ||
         _matrices.size() + size >
             std::size_t(DataTexture::width) * 8192) { // numbers of texels stay exact as floats
-        OSG_WARN << "osgTreeWind: a texture has no room for more archetypes of one shape; trees of the ones "
+        OSG_WARN << "osgTreeWind: a texture has no room for more archetypes of one model; trees of the ones "
                     "beyond it stand still"
                  << std::endl;
         found->second = -1;
         request.firstTexel = -1.0f;
         return;
     }
-    const float* row = shape.poses.data();
-    for (std::size_t joint = 0; joint < shape.joints; ++joint, row += columns) {
+    const float* row = model.poses.data();
+    for (std::size_t joint = 0; joint < model.joints; ++joint, row += columns) {
         const std::size_t first = _matrices.size();
         _matrices.resize(first + texels, glm::vec4(0.0f));
         std::copy_n(row, columns, &_matrices[first].x);
         if (joint % 2 == 1)
-            _matrices.emplace_back(static_cast<float>(shape.patchOfLink[joint / 2]), 0.0f, 0.0f, 0.0f);
+            _matrices.emplace_back(static_cast<float>(model.patchOfLink[joint / 2]), 0.0f, 0.0f, 0.0f);
     }
 }
 

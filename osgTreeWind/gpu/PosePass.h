@@ -25,7 +25,7 @@ struct PosePrograms : osg::Referenced {
     osg::ref_ptr<osg::Program> turns, poses;
 };
 
-/// Poses of the trees of one shape that are drawn, worked out on the GPU under the law `modal`: the angle
+/// Poses of the trees of one model that are drawn, worked out on the GPU under the law `modal`: the angle
 /// pass makes unit angles of each tree's short vector, the pose pass walks the units that carry each unit.
 ///
 /// Culls ask for rows; the first draw of a frame in each context works them out, and later ones what was
@@ -34,9 +34,9 @@ class PosePass : public osg::Referenced {
 public:
     PosePass(const Skeleton& skeleton, PosePrograms* programs);
 
-    /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call. A shape past
+    /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call. A model past
     /// what a texture holds is posed at rest, with one warning.
-    void refer(const ModalModel& shape, PoseRequest& request);
+    void refer(const ModalModel& model, PoseRequest& request);
 
     /// A tree's row among those of the frame.
     struct Row {

@@ -3,7 +3,9 @@
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
 
+#include <osg/GLExtensions>
 #include <osg/Notify>
+#include <osg/State>
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
@@ -60,7 +62,14 @@ public:
         _shaders.push_back(shader);
     }
 
+    void compileGLObjects(osg::State& state) const override {
+        if (canRunPrograms(state))
+            osg::Program::compileGLObjects(state);
+    }
+
     void apply(osg::State& state) const override {
+        if (!canRunPrograms(state))
+            return;
         osg::Program::apply(state);
         const std::lock_guard<std::mutex> lock(_mutex);
         if (!_overridden || getPCP(state)->isLinked())
@@ -83,6 +92,21 @@ private:
 
 std::string shaderText(const std::string& name) {
     return expanded(name, FilesFirst);
+}
+
+bool canRunPrograms(const osg::State& state) {
+    static std::once_flag said;
+    GLint profile = 0;
+    if (state.get<osg::GLExtensions>()->glVersion >= 3.2f)
+        glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    if (!(profile & GL_CONTEXT_CORE_PROFILE_BIT))
+        return true;
+    std::call_once(said, [] {
+        OSG_WARN << "osgTreeWind: trees are not drawn in an OpenGL core profile; expected a compatibility "
+                    "profile, as the shaders of `#version 330 compatibility` need it"
+                 << std::endl;
+    });
+    return false;
 }
 
 osg::ref_ptr<osg::Program> createProgram(const std::string& vertex, const std::string& fragment) {

@@ -29,4 +29,14 @@ OSGTREEWIND_EXPORT Result<ForestDescription> readForest(std::istream& input,
 /// Opens `path` and reads it with its own folder as the folder for relative paths.
 OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& path);
 
+/// Writes what reads back as the same forest, field by field and bit by bit; not its `notes`, and paths
+/// become absolute ones. A size that is not above 0 reads back as 0: not given.
+/// @return what keeps it from being written, before anything is: check(), species or trees of one name, a
+/// wind that is a callable, streamed or moved, scans and pictures without a file. Empty when all is well.
+/// Thread-safe.
+OSGTREEWIND_EXPORT Diagnostics writeForest(const ForestDescription& description, std::ostream& output);
+
+/// The same into a file.
+OSGTREEWIND_EXPORT Diagnostics writeForestFile(const ForestDescription& description, const std::string& path);
+
 } // namespace osgTreeWind

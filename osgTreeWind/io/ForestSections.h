@@ -27,11 +27,6 @@ struct ForestReading {
     std::set<std::string> treeNames;                  ///< Of all trees so far.
     const SpeciesCatalogue* catalogue = nullptr;      ///< Null until it is asked for.
 
-    static constexpr std::size_t mostTrees = 1000000;
-    static constexpr std::uint64_t mostVertices = 50000000; ///< Of all distinct shapes.
-    static constexpr double farthest =
-        100000.0; ///< A tree from the origin, metres: floats still resolve 8 mm.
-
     /// Index of the species with this name or alias, whatever its case.
     std::optional<std::size_t> species(const std::string& name) const;
     /// The same, or else a built-in species of that name, which then is one of the forest's; if the document
@@ -62,5 +57,11 @@ void readTree(TableReader& table, ForestReading& reading);      ///< One [[tree]
 void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatter]].
 void readInventory(TableReader& table, ForestReading& reading); ///< One [[inventory]].
 void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; needs the forest's origin.
+
+/// [wind], if there is one. @return what keeps it from being written; empty when all is well.
+std::string writeWind(std::ostream& output, const ForestDescription& forest);
+
+/// That their distinct shapes have too many vertices; empty when they have not.
+std::string problemOfShapes(const std::vector<Species>& species);
 
 } // namespace osgTreeWind

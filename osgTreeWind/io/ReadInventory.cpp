@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
-#include <osgTreeWind/io/TreeSizeRanges.h>
-#include <osgTreeWind/io/WorldCoordinates.h>
 #include <osgTreeWind/model/Random.h>
 
 #include <glm/gtc/constants.hpp>
@@ -11,6 +10,11 @@
 namespace osgTreeWind {
 
 namespace {
+
+/// Of what a tree says.
+const Range& rangeOf(const std::string& key) {
+    return fieldAt(fieldsOf<TreePlacement>(), key).range;
+}
 
 /// A number that a column may hold.
 struct Measure {
@@ -32,7 +36,7 @@ public:
         _table.read("seed", seed);
         _table.read("open_grown", _openGrown);
         _leaves = _reading.leaves;
-        _table.read("leaves", _leaves, within(0, 1));
+        _table.read("leaves", _leaves, rangeOf("leaves"));
         readDefaultSpecies();
         _complete &= readCsv(delimiter);
         readColumns();
@@ -207,9 +211,9 @@ private:
     float _leaves = 1.0f;
 
     Measure _x{"x", worldCoordinates}, _y{"y", worldCoordinates}, _z{"z", worldCoordinates};
-    Measure _height{"height", treeHeights};
-    Measure _trunkDiameter{"trunk_diameter", trunkDiameters};
-    Measure _crownWidth{"crown_width", crownWidths};
+    Measure _height{"height", rangeOf("height")};
+    Measure _trunkDiameter{"trunk_diameter", rangeOf("trunk_diameter")};
+    Measure _crownWidth{"crown_width", rangeOf("crown_width")};
     Measure* const _measures[6] = {&_x, &_y, &_z, &_height, &_trunkDiameter, &_crownWidth};
     std::optional<std::size_t> _id, _species;
     std::string _defaultName;

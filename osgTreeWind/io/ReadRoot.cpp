@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -29,8 +32,13 @@ std::optional<std::size_t> ForestReading::speciesOrBuiltIn(const std::string& na
         return std::nullopt;
     // "English oak" is whatever is called oak: the document's own, or one that is here already.
     const auto [entry, isNew] = speciesByName.emplace(foldedName(found->name), forest.species.size());
-    if (isNew)
-        forest.species.push_back(*found);
+    if (isNew) {
+        std::vector<std::string>& aliases = forest.species.emplace_back(*found).aliases;
+        const auto taken = [&](const std::string& alias) {
+            return speciesByName.count(foldedName(alias)) > 0;
+        };
+        aliases.erase(std::remove_if(aliases.begin(), aliases.end(), taken), aliases.end());
+    }
     return entry->second;
 }
 
@@ -76,6 +84,20 @@ std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, 
     return std::nullopt;
 }
 
+std::string problemOfShapes(const std::vector<Species>& species) {
+    constexpr std::uint64_t mostVertices = 50000000;
+    std::uint64_t vertices = 0;
+    for (const Species& each : species)
+        vertices +=
+            countLargest(each.tree, each.shapes).totalVertices() * static_cast<std::uint64_t>(each.shapes);
+    if (vertices <= mostVertices)
+        return {};
+    return "the shapes of all species have " + std::to_string(vertices) + " vertices; at most " +
+           std::to_string(mostVertices) +
+           " are possible (fewer levels, children_per_branch, rings_per_branch, clusters_per_branch or "
+           "shapes)";
+}
+
 void readVersion(TableReader& root) {
     int version = 0;
     root.require("version", version, within(1, 1));
@@ -106,38 +128,16 @@ void readSeason(TableReader& root, ForestReading& reading) {
 }
 
 void readMotion(TableReader& table, ForestReading& reading) {
-    table.readChoice<MotionLaw>("law", reading.forest.law,
-                                {{"modal", MotionLaw::Modal},
-                                 {"damped", MotionLaw::Damped},
-                                 {"thesis", MotionLaw::Thesis},
-                                 {"thesis-smooth", MotionLaw::ThesisSmooth}});
-    table.read("gain", reading.forest.gain, within(0, 100));
-    table.read("leaves", reading.leaves, within(0, 1));
+    readFields(table, reading.forest);
+    table.read("leaves", reading.leaves, fieldAt(fieldsOf<TreePlacement>(), "leaves").range);
     bool octaves = false;
     const bool known = table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});
     float exponent = 1.0f;
-    const bool given = table.read("noise_exponent", exponent, within(0, 3));
+    const bool given = table.read("noise_exponent", exponent, noiseExponents);
     if (octaves)
         reading.forest.noiseExponent = exponent;
     else if (given && (known || !table.has("noise")))
         table.problem("noise_exponent", "expected noise = \"1/f\" with it");
-}
-
-void readDrawing(TableReader& table, ForestReading& reading) {
-    DrawingOptions& drawing = reading.forest.drawing;
-    table.read("tiers", drawing.tiers);
-    table.read("full", drawing.full, above(0, 100000));
-    table.read("reduced", drawing.reduced, above(0, 100000));
-    table.read("impostor", drawing.impostor, within(0, 100000));
-    table.read("blend", drawing.blend, within(0, 0.9));
-    if (!(drawing.reduced < drawing.full))
-        table.problem(table.has("reduced") ? "reduced" : "full", "expected reduced below full, found " +
-                                                                     numberText(drawing.reduced) + " and " +
-                                                                     numberText(drawing.full));
-    if (!(drawing.impostor < drawing.reduced))
-        table.problem(table.has("impostor") ? "impostor" : "reduced",
-                      "expected impostor below reduced, found " + numberText(drawing.impostor) + " and " +
-                          numberText(drawing.reduced));
 }
 
 /// A file without species has one, with every default.
@@ -160,18 +160,6 @@ void dropUnusedDefault(ForestDescription& forest) {
     forest.species.erase(forest.species.begin());
     for (TreePlacement& tree : forest.trees)
         --tree.species;
-}
-
-void checkShapes(TableReader& root, ForestReading& reading) {
-    std::uint64_t vertices = 0;
-    for (const Species& species : reading.forest.species)
-        vertices += countLargest(species.tree, species.shapes).totalVertices() *
-                    static_cast<std::uint64_t>(species.shapes);
-    if (vertices > ForestReading::mostVertices)
-        root.problem("species", "the shapes of all species have " + std::to_string(vertices) +
-                                    " vertices; at most " + std::to_string(ForestReading::mostVertices) +
-                                    " are possible (fewer levels, children_per_branch, rings_per_branch, "
-                                    "clusters_per_branch or shapes)");
 }
 
 /// (0, 0, 0) for trees near it; else the whole-metre centre of the trees, at the height of the lowest.
@@ -198,7 +186,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
     else
         forest.origin = defaultOrigin(forest.trees);
     for (const TreePlacement& tree : forest.trees)
-        if (glm::distance(tree.position, forest.origin) > ForestReading::farthest)
+        if (glm::distance(tree.position, forest.origin) > farthestTree)
             return root.problem(
                 "origin", "a tree at (" + numberText(tree.position.x) + ", " + numberText(tree.position.y) +
                               ", " + numberText(tree.position.z) + ") is more than 100 km from the origin");
@@ -210,12 +198,16 @@ void readRoot(TableReader& root, ForestReading& reading) {
     readHead(root, reading);
     readSeason(root, reading);
     root.table("motion", [&](TableReader& table) { readMotion(table, reading); });
-    root.table("drawing", [&](TableReader& table) { readDrawing(table, reading); });
+    root.table("drawing", [&](TableReader& table) {
+        readFields(table, reading.forest.drawing);
+        reportConflicts(table, conflictsOf(reading.forest.drawing));
+    });
     ensureSpecies(root, reading);
     root.tables("species", [&](TableReader& table) { readSpecies(table, reading); });
     if (reading.forest.species.empty())
         root.problem("species", "expected at least one [[species]]");
-    checkShapes(root, reading);
+    if (const std::string problem = problemOfShapes(reading.forest.species); !problem.empty())
+        root.problem("species", problem);
     reading.declaredSpecies = reading.forest.species.size();
 
     root.tables("tree", [&](TableReader& table) { readTree(table, reading); });

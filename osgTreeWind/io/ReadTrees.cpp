@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
-#include <osgTreeWind/io/TreeSizeRanges.h>
-#include <osgTreeWind/io/WorldCoordinates.h>
-
+#include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/Random.h>
 
 #include <glm/geometric.hpp>
@@ -43,6 +42,11 @@ std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& readin
                                    : "did you mean " + near + '?'));
     }
     return found;
+}
+
+/// Of what a tree says.
+const Range& rangeOf(const std::string& key) {
+    return fieldAt(fieldsOf<TreePlacement>(), key).range;
 }
 
 /// A number, or an array [min, max] from which each tree draws its own.
@@ -167,9 +171,9 @@ bool readMixture(TableReader& table, ForestReading& reading, Scatter& scatter) {
 }
 
 /// A size in metres, or as a ratio to the height; not both.
-void readEither(TableReader& table, const Scatter& scatter, const std::string& key, const Range& range,
+void readEither(TableReader& table, const Scatter& scatter, const std::string& key,
                 std::optional<Span>& metres, const std::string& ratioKey, std::optional<Span>& ratio) {
-    metres = readSpan(table, key, range);
+    metres = readSpan(table, key, rangeOf(key));
     ratio = readSpan(table, ratioKey, above(0, 10));
     if (table.has(key) && ratio)
         table.problem(ratioKey, "give either this or " + key);
@@ -194,15 +198,11 @@ void readTree(TableReader& table, ForestReading& reading) {
         tree.position = {position[0], position[1], position.size() > 2 ? position[2] : 0.0};
     else
         table.missing("position");
-    table.read("height", tree.size.height, treeHeights);
-    table.read("trunk_diameter", tree.size.trunkDiameter, trunkDiameters);
-    table.read("crown_width", tree.size.crownWidth, crownWidths);
-    table.read("open_grown", tree.openGrown);
     tree.leaves = reading.leaves;
-    table.read("leaves", tree.leaves, within(0, 1));
-    table.readDegrees("heading", tree.heading, within(-360, 360));
     tree.seed = reading.seed + static_cast<std::uint32_t>(reading.forest.trees.size());
-    table.read("seed", tree.seed);
+    readFields(table, tree);
+    if (!tree.name.empty() && !reading.treeNames.insert(tree.name).second)
+        table.problem("id", "the id " + inQuotes(tree.name) + " is taken already");
     reading.forest.trees.push_back(tree);
 }
 
@@ -217,14 +217,12 @@ void readScatter(TableReader& table, ForestReading& reading) {
         complete = false;
     }
     complete &= readMixture(table, reading, scatter);
-    scatter.height = readSpan(table, "height", treeHeights);
-    readEither(table, scatter, "trunk_diameter", trunkDiameters, scatter.trunkDiameter, "trunk_ratio",
-               scatter.trunkRatio);
-    readEither(table, scatter, "crown_width", crownWidths, scatter.crownWidth, "crown_ratio",
-               scatter.crownRatio);
+    scatter.height = readSpan(table, "height", rangeOf("height"));
+    readEither(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
+    readEither(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
     table.read("open_grown", scatter.openGrown);
     scatter.leaves = reading.leaves;
-    table.read("leaves", scatter.leaves, within(0, 1));
+    table.read("leaves", scatter.leaves, rangeOf("leaves"));
     table.read("seed", scatter.seed);
     if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))
         return;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NumberList.h>
-#include <osgTreeWind/io/WorldCoordinates.h>
+#include <osgTreeWind/io/ReadFields.h>
+#include <osgTreeWind/wind/FileWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
@@ -20,8 +23,6 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Components, m/s; no wind on Earth was faster.
-constexpr Range windSpeeds = within(-200, 200);
 constexpr Range directions = within(-360, 360);
 
 /// Passes on what is wrong with a field made from this table: at the key it names, else at the table.
@@ -80,8 +81,9 @@ bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     if (!table.has("height") && !table.has("roughness"))
         return true;
     LogProfile read;
-    bool complete = table.require("height", read.height, above(0, 10000));
-    complete &= table.require("roughness", read.roughness, above(0, 100));
+    const Fields& fields = fieldsOf<LogProfile>();
+    bool complete = table.require("height", read.height, fieldAt(fields, "height").range);
+    complete &= table.require("roughness", read.roughness, fieldAt(fields, "roughness").range);
     profile = read;
     if (complete && !read.valid()) {
         table.problem("roughness", "expected less than height");
@@ -94,9 +96,7 @@ WindFieldPtr readGusts(TableReader& table, ForestReading& reading) {
     GustWind::Parameters gusts;
     gusts.mean = readVelocity(table);
     gusts.seed = reading.seed;
-    table.read("intensity", gusts.intensity, within(0, 1));
-    table.read("length_scale", gusts.lengthScale, within(1, 1e5));
-    table.read("seed", gusts.seed);
+    readFields(table, gusts);
     if (gusts.mean.z != 0.0f)
         table.problem("velocity", "expected a horizontal wind");
     if (!readProfile(table, gusts.profile) || gusts.mean.z != 0.0f)
@@ -135,21 +135,28 @@ bool readValues(TableReader& table, ForestReading& reading, std::vector<float>& 
     return true;
 }
 
+/// `origin` in the world, or `corner` from the forest's origin. False after a problem.
 bool readCorner(TableReader& table, const ForestReading& reading, glm::dvec3& corner) {
-    std::vector<double> world = {reading.forest.origin.x, reading.forest.origin.y, reading.forest.origin.z};
-    if (!table.readNumbers("origin", world, 3, 3, worldCoordinates) && table.has("origin"))
-        return false;
-    corner = glm::dvec3(world[0], world[1], world[2]) - reading.forest.origin;
-    return true;
+    const glm::dvec3& zero = reading.forest.origin;
+    std::vector<double> from = {0, 0, 0}, world = {zero.x, zero.y, zero.z};
+    const bool given = table.readNumbers("corner", from, 3, 3, worldCoordinates),
+               placed = table.readNumbers("origin", world, 3, 3, worldCoordinates);
+    corner = given ? glm::dvec3(from[0], from[1], from[2]) : glm::dvec3(world[0], world[1], world[2]) - zero;
+    if (table.has("corner") && table.has("origin"))
+        table.problem("corner", "give either this or origin");
+    return given == table.has("corner") && placed == table.has("origin") && !(given && placed);
 }
 
 WindFieldPtr readGrid(TableReader& table, ForestReading& reading) {
     GridWind::Grid grid;
     std::vector<double> points, cell;
-    bool complete = table.readNumbers("points", points, 2, 3, within(1, 100000)) || table.missing("points");
-    complete &= table.readNumbers("cell", cell, 2, 3, above(0, 1e6)) || table.missing("cell");
+    bool complete = table.readNumbers("points", points, 2, 3, gridPoints) || table.missing("points");
+    complete &= table.readNumbers("cell", cell, 2, 3, gridCells) || table.missing("cell");
     complete &= readCorner(table, reading, grid.origin);
     complete &= table.read("times", grid.times) || !table.has("times");
+    std::vector<double> heights;
+    complete &= table.read("heights", heights) || !table.has("heights");
+    grid.heights.assign(heights.begin(), heights.end());
     complete &= readValues(table, reading, grid.values);
     if (!complete)
         return nullptr;
@@ -169,8 +176,8 @@ WindFieldPtr readForestWind(TableReader& table, ForestReading& reading) {
     int width = 0, length = 0;
     glm::dvec3 corner(0.0);
     std::vector<float> values;
-    bool complete = table.require("width", width, within(1, 100000));
-    complete &= table.require("length", length, within(1, 100000));
+    bool complete = table.require("width", width, gridPoints);
+    complete &= table.require("length", length, gridPoints);
     complete &= readCorner(table, reading, corner);
     complete &= readValues(table, reading, values);
     if (!complete)
@@ -319,7 +326,12 @@ WindFieldPtr readDataFile(TableReader& table, ForestReading& reading) {
             reading.forest.notes.push_back(paths.front() + ": " + note);
         noteTreesOutside(wind.value().summary, offset, paths.front(), reading.forest);
     }
-    return checked(wind ? Result<WindFieldPtr>(wind.value().field) : wind.problems(), table, reading);
+    const WindFieldPtr field =
+        checked(wind ? Result<WindFieldPtr>(wind.value().field) : wind.problems(), table, reading);
+    if (!field)
+        return nullptr;
+    return std::make_shared<FileWind>(field, FileWind::Source{paths, table.has("files"), times, offset,
+                                                              reading.forest.origin, options.speedUnit});
 }
 
 WindFieldPtr readCalm(TableReader&, ForestReading&) {
@@ -346,8 +358,7 @@ void readWind(TableReader& table, ForestReading& reading) {
         return table.ignoreRest();
     }
     RetimedWind::Clock clock;
-    table.read("start", clock.start, within(-1e12, 1e12));
-    table.read("time_scale", clock.scale, within(-1e6, 1e6));
+    readFields(table, clock);
     reading.forest.wind = kind(table, reading);
     if (reading.forest.wind && (clock.start != 0.0 || clock.scale != 1.0))
         reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, clock);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/io/Range.h>
+#include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/io/ReadLog.h>
 
 #include <glm/vec3.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/GrownTree.h>
 
-#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/model/PortableMath.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/model/RecursiveTree.h>
+#include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
@@ -249,26 +249,6 @@ private:
     std::array<float, 4> _longest{}; ///< Branch of each level that bears all its branches.
 };
 
-GrownBranches clamped(GrownBranches b, const GrownBranches& usual) {
-    constexpr float pi = glm::pi<float>();
-    b.count = glm::clamp(b.count, 0, 200);
-    b.units = glm::clamp(b.units, 1, 3);
-    b.start = clampOr(b.start, 0.0f, 0.95f, usual.start);
-    b.length = clampOr(b.length, 0.02f, 2.0f, usual.length);
-    b.lengthVariation = clampOr(b.lengthVariation, 0.0f, 1.0f, usual.lengthVariation);
-    b.inclination = clampOr(b.inclination, 0.0f, pi, usual.inclination);
-    b.inclinationEnd = clampOr(b.inclinationEnd, 0.0f, pi, usual.inclinationEnd);
-    b.inclinationVariation = clampOr(b.inclinationVariation, 0.0f, 1.5f, usual.inclinationVariation);
-    b.flat = clampOr(b.flat, 0.0f, 1.0f, usual.flat);
-    b.rise = clampOr(b.rise, -pi, pi, usual.rise);
-    b.riseOutside = clampOr(b.riseOutside, -pi, pi, usual.riseOutside);
-    b.crook = clampOr(b.crook, 0.0f, 1.0f, usual.crook);
-    b.sections = clampOr(b.sections, 0.01f, 2.0f, usual.sections);
-    b.power = clampOr(b.power, 0.0f, 3.0f, usual.power);
-    b.taper = clampOr(b.taper, 0.05f, 1.0f, usual.taper);
-    return b;
-}
-
 /// No skeleton has more points.
 std::uint64_t mostPoints(const GrownTreeParameters& p) {
     const auto number = [](int value) { return static_cast<std::uint64_t>(value); };
@@ -281,23 +261,9 @@ std::uint64_t mostPoints(const GrownTreeParameters& p) {
 } // namespace
 
 GrownTreeParameters clamped(GrownTreeParameters p) {
-    const GrownTreeParameters usual;
-    p.height = clampOr(p.height, 0.1f, 150.0f, usual.height);
-    const float thickest = 0.25f * p.height;
-    p.radius = clampOr(p.radius, 0.001f, thickest, std::min(usual.radius, thickest));
-    p.trunk = clampOr(p.trunk, 0.05f, 1.0f, usual.trunk);
-    p.trunkUnits = glm::clamp(p.trunkUnits, 1, 16);
-    p.trunkTaper = clampOr(p.trunkTaper, 0.01f, 1.0f, usual.trunkTaper);
-    p.trunkCrook = clampOr(p.trunkCrook, 0.0f, 1.0f, usual.trunkCrook);
-    p.forks = glm::clamp(p.forks, 0, 16);
-    p.forkInclination = clampOr(p.forkInclination, 0.0f, glm::pi<float>(), usual.forkInclination);
-    p.crownBase = clampOr(p.crownBase, 0.0f, 0.95f, usual.crownBase);
-    p.crownWidth = clampOr(p.crownWidth, 0.01f * p.height, 4.0f * p.height, usual.crownWidth);
-    p.whorl = glm::clamp(p.whorl, 1, 32);
-    p.boughs = clamped(p.boughs, usual.boughs);
-    p.branches = clamped(p.branches, usual.branches);
-    p.twigs = clamped(p.twigs, usual.twigs);
-    p.ringsPerBranch = glm::clamp(p.ringsPerBranch, 2, 64);
+    p = clampedFields(p);
+    p.radius = std::min(p.radius, 0.25f * p.height);
+    p.crownWidth = glm::clamp(p.crownWidth, 0.01f * p.height, 4.0f * p.height);
     while (p.twigs.count > 0 && mostPoints(p) > maxSkeletonPoints)
         --p.twigs.count;
     while (p.branches.count > 0 && mostPoints(p) > maxSkeletonPoints)

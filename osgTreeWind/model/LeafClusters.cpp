@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/LeafClusters.h>
 
-#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/model/PortableMath.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
@@ -198,20 +198,8 @@ QuadPlace sprayQuad(int quad) {
 
 } // namespace
 
-LeafParameters clamped(LeafParameters p) {
-    const LeafParameters usual;
-    p.clustersPerBranch = glm::clamp(p.clustersPerBranch, 0, 64);
-    p.clusters = glm::clamp(p.clusters, 0, 100000);
-    p.bare = clampOr(p.bare, 0.0f, 0.95f, usual.bare);
-    p.thinWood = clampOr(p.thinWood, 0.0f, 1.0f, usual.thinWood);
-    p.firstLevel = glm::clamp(p.firstLevel, 0, 9);
-    p.length = clampOr(p.length, 0.001f, 100.0f, usual.length);
-    p.width = clampOr(p.width, 0.001f, 100.0f, usual.width);
-    p.innerSize = clampOr(p.innerSize, 0.01f, 1.0f, usual.innerSize);
-    p.droop = clampOr(p.droop, -1.0f, 1.0f, usual.droop);
-    p.inclination = clampOr(p.inclination, 0.0f, 1.4f, usual.inclination);
-    p.area = clampOr(p.area, 0.0f, 1.0e6f, usual.area);
-    return p;
+LeafParameters clamped(LeafParameters parameters) {
+    return clampedFields(parameters);
 }
 
 std::vector<LeafCluster> makeLeafClusters(const Skeleton& skeleton, const LeafParameters& wanted) {

@@ -13,24 +13,23 @@
 
 namespace osgTreeWind {
 
-/// How leaves sit on a tree (thesis §2.4). The default makes 16 clusters of 3 quads on every branch.
+/// How leaves sit on a tree (thesis §2.4); ranges: TreeFields.h. The default makes 16 clusters of 3 quads on
+/// every branch.
 struct LeafParameters {
-    int clustersPerBranch = 16; ///< 0 to 64; 0 for a bare tree.
-    int clusters =
-        0; ///< Of the whole tree, spread evenly along its branches; 0: clustersPerBranch holds. 0 to 100,000.
-    float bare = 0.0f;     ///< Of `clusters`: share of a branch at firstLevel without any, from its base, [0,
-                           ///< 0.95]; on further levels less, on the outermost 0.
-    float thinWood = 1.0f; ///< Of `clusters`: share of the length of all wood, the thinnest, that bears some,
-                           ///< [0, 1].
-    int firstLevel = 1;    ///< Lowest branch level that bears leaves (the trunk is 0), 0 to 9.
-    float length = 0.5f;   ///< Cluster length along its petiole at the outermost level, metres, [0.001, 100].
-    float width = 0.45f;   ///< Cluster width, metres, [0.001, 100].
-    float innerSize = 0.5f; ///< Size at `firstLevel` over size at the outermost level, [0.01, 1].
+    int clustersPerBranch = 16; ///< 0 for a bare tree.
+    int clusters = 0;  ///< Of the whole tree, spread evenly along its branches; 0: clustersPerBranch holds.
+    float bare = 0.0f; ///< Of `clusters`: share of a branch at firstLevel without any, from its base; on
+                       ///< further levels less, on the outermost 0.
+    float thinWood = 1.0f; ///< Of `clusters`: share of the length of all wood, the thinnest, that bears some.
+    int firstLevel = 1;    ///< Lowest branch level that bears leaves (the trunk is 0).
+    float length = 0.5f;   ///< Cluster length along its petiole at the outermost level, metres.
+    float width = 0.45f;   ///< Cluster width, metres.
+    float innerSize = 0.5f; ///< Size at `firstLevel` over size at the outermost level.
     float droop = 0.3f;     ///< 0: clusters stand off the branch; 1: they hang down; -1: they point up.
-    /// Of `clusters`: mean angle of leaf faces from the horizontal, radians, [0, 1.4]; each cluster is a flat
+    /// Of `clusters`: mean angle of leaf faces from the horizontal, radians; each cluster is a flat
     /// spray with its own. 0: clusters are fans, with faces to all sides.
     float inclination = 0.0f;
-    float area = 0.0f; ///< Of all quads over the trunk's cross-section at breast height, [0, 1e6]; 0: length
+    float area = 0.0f; ///< Of all quads over the trunk's cross-section at breast height; 0: length
                        ///< and width hold as they are, else they tell the proportions.
     std::uint32_t seed = 1;
 };

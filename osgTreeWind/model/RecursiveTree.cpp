@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/RecursiveTree.h>
 
-#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/model/PortableMath.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
@@ -173,27 +173,8 @@ private:
 } // namespace
 
 RecursiveTreeParameters clamped(RecursiveTreeParameters p) {
-    const RecursiveTreeParameters usual;
-    p.levels = glm::clamp(p.levels, 0, 8);
-    p.childrenPerBranch = glm::clamp(p.childrenPerBranch, 1, 8);
-    p.trunkUnits = glm::clamp(p.trunkUnits, 1, 16);
-    p.bareUnits = glm::clamp(p.bareUnits, 0, 15);
-    p.ringsPerBranch = glm::clamp(p.ringsPerBranch, 2, 64);
-    p.length = clampOr(p.length, 0.01f, 100.0f, usual.length);
-    p.lengthRatio = clampOr(p.lengthRatio, 0.05f, maxLengthRatio, usual.lengthRatio);
-    p.boughLength = clampOr(p.boughLength, 0.02f, maxLengthRatio, usual.boughLength);
-    p.crownTaper = clampOr(p.crownTaper, 0.02f, maxLengthRatio, usual.crownTaper);
-    p.leader = clampOr(p.leader, 0.0f, 1.0f, usual.leader);
-    p.inclination = clampOr(p.inclination, 0.0f, maxInclination, usual.inclination);
-    p.inclinationGrowth = clampOr(p.inclinationGrowth, 0.05f, 3.0f, usual.inclinationGrowth);
-    p.follow = clampOr(p.follow, 0.0f, 1.0f, usual.follow);
-    p.twist = clampOr(p.twist, -glm::two_pi<float>(), glm::two_pi<float>(), usual.twist);
-    p.jitter = clampOr(p.jitter, 0.0f, 1.0f, usual.jitter);
-    p.crook = clampOr(p.crook, 0.0f, 0.3f, usual.crook);
-    const float thickest = 0.5f * trunkLength(p);
-    p.radius = clampOr(p.radius, 0.001f, thickest, std::min(usual.radius, thickest));
-    p.taper = clampOr(p.taper, 0.01f, 1.0f, usual.taper);
-    p.radiusRatio = clampOr(p.radiusRatio, 0.01f, 1.0f, usual.radiusRatio);
+    p = clampedFields(p);
+    p.radius = std::min(p.radius, 0.5f * trunkLength(p));
     while (countUnits(p) * static_cast<std::uint64_t>(p.ringsPerBranch) > maxSkeletonPoints)
         --p.levels;
     return p;

@@ -19,6 +19,9 @@ struct ScanDetail {
 /// What became of a scan. Metres and m^3.
 struct ScanReport {
     std::string source;          ///< Where it was read from, as its reader says.
+    std::string file;            ///< That file, absolute; empty: none.
+    std::size_t tree = 0;        ///< Which of its trees,
+    std::size_t trees = 0;       ///< of so many.
     std::size_t cylinders = 0;   ///< In the scan.
     std::size_t taken = 0;       ///< Of them, in units; the others were pruned.
     std::size_t units = 0;       ///< Of the skeleton.

@@ -77,7 +77,7 @@ ForestMemory forestMemory(const ForestDescription& description) {
         const Species& species = description.species[i];
         const TreeCounts counts = countLargest(species.tree, species.shapes);
         const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
-        const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, 64));
+        const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, mostShapes));
         memory.simulation +=
             shapes * shapeBytes(counts) +
             trees[i] *

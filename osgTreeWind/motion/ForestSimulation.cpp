@@ -164,6 +164,10 @@ ModalMotion* ForestSimulation::modal() {
     return modal ? &modal->sway() : nullptr;
 }
 
+UnitMotion ForestSimulation::unitMotion(std::size_t slot, std::size_t unit) const {
+    return _motion->unitMotion(slot, unit);
+}
+
 const ModalMotion* ForestSimulation::modal() const {
     return const_cast<ForestSimulation*>(this)->modal();
 }

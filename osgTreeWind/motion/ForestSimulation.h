@@ -17,7 +17,7 @@ namespace osgTreeWind {
 class BranchwiseMotion;
 class Motion;
 
-/// A forest in motion, without graphics: the `cpu` way to the pose.
+/// A forest in motion, without graphics (docs/frame.md).
 ///
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
 class OSGTREEWIND_EXPORT ForestSimulation {
@@ -31,8 +31,8 @@ public:
     /// As given, but without its trees, which are trees(), and with its first wind and season, whatever
     /// setWind() and setSeason() did.
     const ForestDescription& description() const { return _forest.description(); }
-    /// The forest as it is now: the trees that are alive, with all of their sizes and names, in the season
-    /// and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
+    /// The forest as it is now: the trees that are alive, with the sizes they were given and names, in the
+    /// season and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
     ForestDescription describe() const;
     const std::vector<TreeModel>& models() const { return _forest.models(); }
     /// By slot: in the order of the description, then as they were added. Not all of them are alive.
@@ -95,6 +95,9 @@ public:
     /// The same, under `modal` worked out into `values` instead of memory of the simulation's own: they stay
     /// until `values` is used again.
     TreeMotion motion(std::size_t slot, UnitValues& values) const;
+
+    /// One unit of a tree that stands there: the same numbers, at the cost of the units that carry it.
+    UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
 
     /// The trees under the law `modal`, which also knows how closely each is followed; null under another
     /// law. They come and go through this class only.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/Forest.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/nodes/TreeUnit.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>
@@ -56,6 +60,18 @@ private:
 constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
 constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidden
 
+/// For want of what a forest cannot be; empty where it can.
+std::string problemOfRoom(const ForestDescription& description) {
+    const std::string problem = BranchwiseForest::problemOf(description);
+    return problem.empty() ? problemOfMemory(description, true) : problem;
+}
+
+osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& simulation) {
+    if (simulation->description().law == MotionLaw::Modal)
+        return new StandDrawing(simulation);
+    return new BranchwiseForest(simulation);
+}
+
 } // namespace
 
 Forest::Forest() : Forest(ForestDescription()) {}
@@ -71,10 +87,9 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
-    show(other._simulation->restarted(), other._stand ? &other._stand->drawing() : nullptr);
+    const std::shared_ptr<ForestSimulation> simulation = other._simulation->restarted();
+    show(simulation, other._drawing->again(simulation));
     _wind = _simulation->givenWind();
-    if (_branchwise)
-        _branchwise->takeSettings(*other._branchwise);
 }
 
 Forest::~Forest() = default;
@@ -86,61 +101,75 @@ void Forest::setExecutor(Executor executor) {
 
 void Forest::setSeason(float season) {
     _simulation->setSeason(season);
-    if (_stand)
-        _stand->seasonChanged();
-    else
-        _branchwise->seasonChanged();
+    _drawing->seasonChanged();
+}
+
+float Forest::getSeason() const {
+    return _simulation->season();
+}
+
+const ForestDescription& Forest::getDescription() const {
+    return _simulation->description();
+}
+
+Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description) {
+    if (const std::string problem = problemOfRoom(description); !problem.empty())
+        return Diagnostic{{}, 0, 0, {}, problem};
+    const osg::ref_ptr<Forest> forest = new Forest;
+    forest->grow(std::move(description));
+    return forest;
+}
+
+void Forest::setWind(WindFieldPtr wind) {
+    _wind->set(std::move(wind));
+}
+
+WindFieldPtr Forest::getWind() const {
+    return _wind->get();
 }
 
 void Forest::setDescription(ForestDescription description) {
-    if (description.wind)
-        setWind(description.wind);
-    std::string problem = BranchwiseForest::problemOf(description);
-    if (problem.empty())
-        problem = problemOfMemory(description, true);
+    const std::string problem = problemOfRoom(description);
     if (!problem.empty()) {
         OSG_WARN << "osgTreeWind: " << problem << "; the forest is left empty" << std::endl;
+        WindFieldPtr wind = std::move(description.wind);
         description = ForestDescription();
+        description.wind = std::move(wind);
     }
+    grow(std::move(description));
+}
+
+void Forest::grow(ForestDescription description) {
+    if (description.wind)
+        setWind(description.wind);
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
     options.executor = _executor;
     options.wind = _wind;
     if (description.drawing.tiers && description.trees.size() > smallStand)
         options.level = ModalLevel::Far; // until someone sees them
-    show(std::make_shared<ForestSimulation>(std::move(description), options));
+    const auto simulation = std::make_shared<ForestSimulation>(std::move(description), options);
+    const osg::ref_ptr<ForestDrawing> drawing = drawingFor(simulation);
+    if (_drawing)
+        drawing->takeSettings(*_drawing);
+    show(simulation, drawing);
 }
 
-void Forest::show(std::shared_ptr<ForestSimulation> simulation, const StandResources* drawing) {
-    const osg::ref_ptr<BranchwiseForest> former = _branchwise;
-    for (osg::Node* node : {static_cast<osg::Node*>(_stand), static_cast<osg::Node*>(_branchwise),
-                            static_cast<osg::Node*>(_followed)})
-        removeChild(node);
-    _stand = nullptr;
-    _branchwise = nullptr;
-    _followed = nullptr;
+void Forest::show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<ForestDrawing> drawing) {
+    removeChild(_drawing);
     _simulation = std::move(simulation);
+    _drawing = std::move(drawing);
+    insertChild(0, _drawing);
     _treeCount =
         static_cast<std::size_t>(std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
                                                [](const PlacedTree& tree) { return tree.alive; }));
-    if (_simulation->modal()) {
-        _stand = drawing ? new TreeStand(_simulation, *drawing) : new TreeStand(_simulation);
-        _followed = new FollowedBranches;
-        insertChild(0, _stand);
-        insertChild(1, _followed);
-    } else {
-        _branchwise = new BranchwiseForest(_simulation);
-        if (former)
-            _branchwise->takeSettings(*former);
-        insertChild(0, _branchwise);
-    }
 }
 
 Result<TreeId> Forest::addTree(const TreePlacement& placement) {
     Result<TreeId> tree = _simulation->addTree(placement);
     if (tree) {
         ++_treeCount;
-        _stand->treeChanged(_simulation->slotOf(tree.value()));
+        _drawing->treeChanged(_simulation->slotOf(tree.value()));
     }
     return tree;
 }
@@ -149,7 +178,7 @@ Diagnostics Forest::removeTree(TreeId tree) {
     Diagnostics problems = _simulation->removeTree(tree);
     if (problems.empty()) {
         --_treeCount;
-        _stand->treeChanged(_simulation->slotOf(tree));
+        _drawing->treeChanged(_simulation->slotOf(tree));
     }
     return problems;
 }
@@ -157,7 +186,7 @@ Diagnostics Forest::removeTree(TreeId tree) {
 Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
     Diagnostics problems = _simulation->changeTree(tree, placement);
     if (problems.empty())
-        _stand->treeChanged(_simulation->slotOf(tree));
+        _drawing->treeChanged(_simulation->slotOf(tree));
     return problems;
 }
 
@@ -165,37 +194,45 @@ TreeId Forest::findTree(const std::string& name) const {
     return _simulation->findTree(name).value_or(noTree);
 }
 
-BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
+std::vector<TreeId> Forest::getTrees() const {
+    std::vector<TreeId> ids;
+    ids.reserve(_treeCount);
+    for (std::size_t slot = 0; slot < _simulation->trees().size(); ++slot)
+        if (_simulation->trees()[slot].alive)
+            ids.push_back(_simulation->idOf(slot));
+    return ids;
+}
+
+std::optional<TreePlacement> Forest::getPlacement(TreeId tree) const {
     if (!_simulation->holds(tree))
-        return nullptr;
-    if (_followed) {
-        BranchTransform* branch = _followed->follow(*_simulation, tree, unit);
-        if (branch)
-            _stand->keepNear(_simulation->slotOf(tree));
-        return branch;
-    }
-    return _branchwise->getTree(static_cast<unsigned>(_simulation->slotOf(tree)))->getBranch(unit);
+        return {};
+    return _simulation->placementOf(tree);
 }
 
-void Forest::setBarkState(std::size_t species, osg::StateSet* state) {
-    if (_stand && species < getDescription().species.size())
-        _stand->drawing().looks[species].ownBark = state;
+std::vector<TreeUnit> Forest::getUnits(TreeId tree) const {
+    if (!_simulation->holds(tree))
+        return {};
+    return unitsOf(*_simulation, _simulation->slotOf(tree));
 }
 
-void Forest::setLeafState(std::size_t species, osg::StateSet* state) {
-    if (_stand && species < getDescription().species.size())
-        _stand->drawing().looks[species].ownLeaves = state;
+BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
+    return _drawing->follow(tree, unit);
 }
 
-void Forest::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves) {
-    if (_stand && model < _simulation->models().size()) {
-        osg::ref_ptr<ModelResources>& shape = _stand->drawing().shapes[model];
-        shape = new ModelResources(*shape, bark, leaves);
-    }
+bool Forest::unfollow(TreeId tree, unsigned unit) {
+    return _drawing->unfollow(tree, unit);
+}
+
+StandDrawing* Forest::getStand() const {
+    return dynamic_cast<StandDrawing*>(_drawing.get());
+}
+
+BranchwiseForest* Forest::getBranchwise() const {
+    return dynamic_cast<BranchwiseForest*>(_drawing.get());
 }
 
 bool Forest::isOwnChild(const osg::Node* child) const {
-    return child == _stand || child == _branchwise || child == _followed;
+    return child == _drawing;
 }
 
 osg::Vec3d Forest::getOrigin() const {
@@ -210,6 +247,10 @@ void Forest::traverse(osg::NodeVisitor& visitor) {
     if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && stamp)
         _culledFrame = stamp->getFrameNumber();
     osg::Group::traverse(visitor);
+}
+
+osg::BoundingSphere Forest::computeBound() const {
+    return getNumChildren() == 1 ? _drawing->getBound() : osg::Group::computeBound(); // no box about a sphere
 }
 
 /// Update visitors enter what a Switch or LOD hides, too.
@@ -250,13 +291,7 @@ void Forest::update(osg::NodeVisitor& visitor) {
     }
     _lastFrame = stamp.getFrameNumber();
     stand(path);
-    if (_branchwise) {
-        _branchwise->update(stamp.getSimulationTime());
-        return;
-    }
-    _simulation->advance(stamp.getSimulationTime());
-    _stand->update(stamp.getFrameNumber(), stamp.getSimulationTime());
-    _followed->update(*_simulation);
+    _drawing->update(stamp);
 }
 
 } // namespace osgTreeWind

@@ -1,46 +1,69 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/base/Export.h>
-#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/drawing/stand/TreeStand.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/nodes/FollowedBranches.h>
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/forest/TreeId.h>
+#include <osgTreeWind/wind/WindField.h>
 
 #include <osg/Group>
+#include <osg/Matrix>
+#include <osg/Vec3d>
 
+#include <atomic>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace osgTreeWind {
+
+class BranchTransform;
+class BranchwiseForest;
+class ForestDrawing;
+class ForestSimulation;
+class GivenWind;
+class StandDrawing;
+struct ForestDescription;
+struct TreePlacement;
+struct TreeUnit;
 
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 ///
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's
 /// simulation time; a paused time holds the trees, and one below a Switch that is off rests. Under the law
-/// `modal` trees are instances (TreeStand); a law of a branch has them drawn the thesis' way
+/// `modal` trees are instances (StandDrawing); a law of a branch has them drawn the thesis' way
 /// (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of where it
-/// really stands; with two parents, that of the first one.
+/// really stands; with two parents, that of the first one. docs/coordinates.md says what its frames are.
+///
+/// Its bounding boxes (osg::ComputeBoundsVisitor) are those of trees at rest, its bounding sphere holds them
+/// as far as they sway.
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
+    /// As setDescription().
     explicit Forest(ForestDescription description);
+    /// The same with an answer: why there can be no such forest, for want of memory or of room in textures, in
+    /// place of an empty one.
+    static Result<osg::ref_ptr<Forest>> create(ForestDescription description);
     /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
     /// children go by `copyop`; branches that are followed are not copied.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
 
         /// Replaces all trees, and the wind if the description has one; without one the wind that is set goes
-        /// on. A forest for which there is not the memory (problemOfMemory()) is left empty, with a warning.
-        /// Not during a traversal.
+        /// on. A forest for which there is not the memory, or not the room in textures, is left empty, with a
+        /// warning. Not during a traversal.
         void setDescription(ForestDescription description);
     /// As given, but without its trees; its wind is the one it came with, whatever setWind() did since, and
     /// so its season.
-    const ForestDescription& getDescription() const { return _simulation->description(); }
+    const ForestDescription& getDescription() const;
 
     /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any
     /// time, also while a description is set: whichever of the two comes last counts.
-    void setWind(WindFieldPtr wind) { _wind->set(std::move(wind)); }
-    WindFieldPtr getWind() const { return _wind->get(); }
+    void setWind(WindFieldPtr wind);
+    WindFieldPtr getWind() const;
 
     /// A host's threads to step and grow it, SimulationOptions says more; null: those of the process. For the
     /// trees that it has now from the next step on, and for descriptions to come. In update or between
@@ -50,16 +73,16 @@ public:
     /// Of the year (species/Season.h): leaves, their colour, and what they do to how trees sway. In update or
     /// between frames.
     void setSeason(float season);
-    float getSeason() const { return _simulation->season(); }
+    float getSeason() const;
 
-    /// World coordinates of the node's own origin: geometry is relative to it, so that it keeps its precision
-    /// far from the world's origin.
+    /// The place of the node's own origin in the world's frame: geometry is relative to it, so that it keeps
+    /// its precision far from the world's origin.
     osg::Vec3d getOrigin() const;
 
     // Trees that come and go, in update or between frames, at a cost that does not depend on how many there
     // are (ForestSimulation says more). Under the law `modal` only: elsewhere it is a problem.
 
-    /// @param placement in world coordinates. @return an id that lasts.
+    /// @param placement in the world's frame. @return an id that lasts.
     Result<TreeId> addTree(const TreePlacement& placement);
     /// @return the problems; empty when it is done.
     Diagnostics removeTree(TreeId tree);
@@ -70,43 +93,43 @@ public:
     TreeId findTree(const std::string& name) const;
     /// Trees there are now.
     std::size_t getNumTrees() const { return _treeCount; }
+    /// Their ids, those of the description first and in its order as long as none was removed.
+    std::vector<TreeId> getTrees() const;
+    /// What would put that tree up again: species, place in the world's frame, all of its sizes, name.
+    /// Nothing for a tree that is not there.
+    std::optional<TreePlacement> getPlacement(TreeId tree) const;
+    /// Its branch units in access order, the numbers that branch() takes, and where they are now; nothing for
+    /// a tree that is not there. nearestUnit() finds one by its place. In update or between frames.
+    std::vector<TreeUnit> getUnits(TreeId tree) const;
 
-    /// A transform that goes where a branch goes, in the same frame: what is below it stands in the
-    /// coordinates of its tree at rest, in metres. The same one for the same branch; null where there is
-    /// none. It stays where it was when its tree is removed. In update or between frames.
+    /// A transform that goes where a branch goes, in the same video frame: what is below it stands in the
+    /// frame of its tree at rest, in metres. The same one for the same branch; null where there is none. It
+    /// stays where it was when its tree is removed. In update or between frames.
     BranchTransform* branch(TreeId tree, unsigned unit);
-
-    /// Puts state after that of a species' bark or leaves (index into the description's); null takes it away.
-    /// One with a program of its own replaces ours: it finds a tree's `treePlace`, `treeSize` and `treeState`
-    /// at the attribute locations 12, 13 and 14 (shaders/instance.glsl). Under `modal`; not during a
-    /// traversal.
-    void setBarkState(std::size_t species, osg::StateSet* state);
-    void setLeafState(std::size_t species, osg::StateSet* state);
-    /// Draws the trees of a model (index into getSimulation().models()) from these, at every tier with
-    /// branches, null for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
-    /// instance_leaf.vert, the index of the unit that moves a vertex among them. Under `modal`; not during a
-    /// traversal.
-    void setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
+    /// Lets a branch go that was asked for, also of a tree that was removed: what hangs on it leaves the
+    /// scene. In update or between frames. @return false where it was not asked for.
+    bool unfollow(TreeId tree, unsigned unit);
 
     /// Whether a child is a part of the forest; all others are yours.
     bool isOwnChild(const osg::Node* child) const;
 
-    /// The trees as instances; null under a law of a branch.
-    TreeStand* getStand() const { return _stand.get(); }
-    /// The trees drawn branch by branch: a node a tree, its transforms and passes; null under `modal`.
-    BranchwiseForest* getBranchwise() const { return _branchwise.get(); }
+    /// What draws the trees as instances, and state and geometry of your own; null under a law of a branch.
+    StandDrawing* getStand() const;
+    /// What draws them branch by branch: a node a tree, its transforms and passes; null under `modal`.
+    BranchwiseForest* getBranchwise() const;
 
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }
 
     void traverse(osg::NodeVisitor& visitor) override;
+    osg::BoundingSphere computeBound() const override;
 
 protected:
     ~Forest() override;
 
 private:
-    /// @param drawing to share; null: its own.
-    void show(std::shared_ptr<ForestSimulation> simulation, const StandResources* drawing = nullptr);
+    void grow(ForestDescription description);
+    void show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<ForestDrawing> drawing);
     void update(osg::NodeVisitor& visitor);
     bool isHidden(const osg::NodePath& path, unsigned frame) const;
     void stand(const osg::NodePath& path);
@@ -114,9 +137,7 @@ private:
     std::shared_ptr<GivenWind> _wind; ///< Of `_simulation` too.
     Executor _executor;
     std::shared_ptr<ForestSimulation> _simulation;
-    osg::ref_ptr<TreeStand> _stand;
-    osg::ref_ptr<BranchwiseForest> _branchwise;
-    osg::ref_ptr<FollowedBranches> _followed;
+    osg::ref_ptr<ForestDrawing> _drawing;
     std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};

@@ -10,6 +10,12 @@
 #include <cstdio>
 
 namespace osgTreeWind {
+
+float withinYear(float season) {
+    const float rest = season - 4.0f * std::floor(0.25f * season);
+    return rest >= 0.0f && rest < 4.0f ? rest : midsummer; // not a number
+}
+
 namespace {
 
 // When leaves unfold, turn and fall: mean dates of oak, beech, birch and horse chestnut in Central Europe, as
@@ -20,11 +26,6 @@ constexpr float budBurst = 0.75f, allOut = 1.15f;  // 12 April, 18 May
 constexpr float hardening = 1.0f, hardened = 1.5f; // 5 May, 20 June: leaves darken
 constexpr float turning = 2.45f, turned = 2.85f;   // 16 September, 23 October
 constexpr float falling = 2.7f, allFallen = 3.25f; // 9 October, 28 November
-
-float wrapped(float season) {
-    const float rest = season - 4.0f * std::floor(0.25f * season);
-    return rest >= 0.0f && rest < 4.0f ? rest : midsummer; // not a number
-}
 
 std::optional<float> seasonOfDate(const std::string& text) {
     int year = 0, month = 0, day = 0, end = 0;
@@ -37,7 +38,7 @@ std::optional<float> seasonOfDate(const std::string& text) {
     if (day > daysBefore[before + 1] - daysBefore[before] + leapDay)
         return {};
     constexpr float midwinterDay = 34.5f; // noon of 4 February
-    return wrapped(4.0f * (static_cast<float>(daysBefore[before] + day) - 0.5f - midwinterDay) / 365.25f);
+    return withinYear(4.0f * (static_cast<float>(daysBefore[before] + day) - 0.5f - midwinterDay) / 365.25f);
 }
 
 } // namespace
@@ -59,7 +60,7 @@ std::optional<float> parseSeason(const std::string& text) {
 float leafShare(const Appearance& appearance, float season) {
     if (appearance.isEvergreen())
         return 1.0f;
-    const float now = wrapped(season);
+    const float now = withinYear(season);
     return now < midsummer ? glm::smoothstep(budBurst, allOut, now)
                            : 1.0f - glm::smoothstep(falling, allFallen, now);
 }
@@ -67,7 +68,7 @@ float leafShare(const Appearance& appearance, float season) {
 glm::vec3 leafColor(const Appearance& appearance, float season) {
     if (appearance.isEvergreen())
         return appearance.leaves;
-    const float now = wrapped(season);
+    const float now = withinYear(season);
     if (now < midsummer)
         return glm::mix(appearance.springLeaves, appearance.leaves,
                         glm::smoothstep(hardening, hardened, now));

@@ -13,6 +13,9 @@ namespace osgTreeWind {
 // of autumn (5 November) in the temperate north; 4 is 0 again. What lies between them is even in days.
 constexpr float midwinter = 0.0f, midspring = 1.0f, midsummer = 2.0f, midautumn = 3.0f;
 
+/// The same time of the year in [0, 4); midsummer for what is not finite.
+OSGTREEWIND_EXPORT float withinYear(float season);
+
 /// What parseSeason() takes.
 constexpr const char* seasonForms =
     "winter, spring, summer, autumn, a number from 0 to 4 or a date such as 2024-11-05";

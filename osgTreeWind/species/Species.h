@@ -16,28 +16,28 @@ enum class WoodAllometry {
     Broadleaf, ///< A hardwood's total by diameter less its trunk; not less than drawn.
 };
 
-/// Mechanical properties of wood and crown, SI units. Sources: docs/validation.md.
+/// Mechanical properties of wood and crown, SI units. Sources: docs/validation.md; ranges:
+/// SpeciesFields.h.
 struct WoodParameters {
-    float elasticModulus = 9.0e9f; ///< Of green wood, Pa, > 0.
+    float elasticModulus = 9.0e9f; ///< Of green wood, Pa.
     // The rest is for the laws in SI units.
-    float density = 900.0f;     ///< Of green wood with its bark, kg/m^3, > 0.
-    float underBark = 1.0f;     ///< Diameter of the wood that bends, over that with its bark, (0, 1].
-    float dampingRatio = 0.05f; ///< Of wood, without air, [0, 2].
-    float leafArea =
-        1800.0f;            ///< Of a tree with leaves, over its trunk's cross-section at breast height, >= 0.
-    float leafMass = 0.2f;  ///< Fresh leaves over their area, kg/m^2, >= 0.
-    float woodDrag = 1.0f;  ///< Drag coefficient of a bare branch, >= 0.
-    float leafDrag = 0.25f; ///< Of leaves by their area, where no crownDrag is known, >= 0.
-    float stillDrag = 0.9f; ///< Of leaves by their area that move through still air, >= 0.
-    float crownDrag = 0.0f; ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
-    float streamlining = 0.0f;   ///< n: drag falls with the wind speed from 10 m/s on, [0, 2].
-    float streamlinedTo = 25.0f; ///< The highest speed at which it was measured, m/s, [10, 200].
+    float density = 900.0f;      ///< Of green wood with its bark, kg/m^3.
+    float underBark = 1.0f;      ///< Diameter of the wood that bends, over that with its bark.
+    float dampingRatio = 0.05f;  ///< Of wood, without air.
+    float leafArea = 1800.0f;    ///< Of a tree with leaves, over its trunk's cross-section at breast height.
+    float leafMass = 0.2f;       ///< Fresh leaves over their area, kg/m^2.
+    float woodDrag = 1.0f;       ///< Drag coefficient of a bare branch.
+    float leafDrag = 0.25f;      ///< Of leaves by their area, where no crownDrag is known.
+    float stillDrag = 0.9f;      ///< Of leaves by their area that move through still air.
+    float crownDrag = 0.0f;      ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
+    float streamlining = 0.0f;   ///< n: drag falls with the wind speed from 10 m/s on.
+    float streamlinedTo = 25.0f; ///< The highest speed at which it was measured, m/s.
 
     // How a living tree differs from clear wood on rock (GrowthLaws.h).
-    float wholeStem = 1.0f;     ///< Modulus of a living stem over elasticModulus, (0, 1].
-    float branchModulus = 1.0f; ///< Modulus of branches over that of the trunk, (0, 1].
-    float modulusPower = 0.0f;  ///< Power of the slenderness that the modulus follows, [0, 2].
-    float anchorage = 0.0f;     ///< Moment that overturns a tree over its stem, N m/kg, >= 0; 0: rock.
+    float wholeStem = 1.0f;     ///< Modulus of a living stem over elasticModulus.
+    float branchModulus = 1.0f; ///< Modulus of branches over that of the trunk.
+    float modulusPower = 0.0f;  ///< Power of the slenderness that the modulus follows.
+    float anchorage = 0.0f;     ///< Moment that overturns a tree over its stem, N m/kg; 0: rock.
     WoodAllometry branchWood = WoodAllometry::Drawn; ///< How much wood is in branches.
 };
 
@@ -50,10 +50,10 @@ struct CrownAllometry {
 
 /// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.
 struct BranchParameters {
-    float maxAngle = 0.5f;       ///< Largest angle about either axis, [0, pi/2].
-    float partialSteps = 24.0f;  ///< `NUMB`: a new angle is reached in this many partial steps, >= 1.
+    float maxAngle = 0.5f;       ///< Largest angle about either axis.
+    float partialSteps = 24.0f;  ///< `NUMB`: a new angle is reached in this many partial steps.
     float levelFactor = 0.0f;    ///< `factor`: added to the load per branch level (§3.1.2), m/s.
-    float noiseFrequency = 0.7f; ///< Of the load noise, Hz, >= 0.
+    float noiseFrequency = 0.7f; ///< Of the load noise, Hz.
 };
 
 /// How leaf clusters flutter (§3.2, appendix D). Angles in radians.
@@ -61,11 +61,14 @@ struct LeafMotion {
     float maxAngleX = 0.35f;     ///< `maxMotionAngleX`, about the leaf's thesis Z axis.
     float maxAngleZ = 0.35f;     ///< `maxMotionAngleZ`, about the leaf's X axis.
     float maxRotation = 0.6f;    ///< `maxRotationAngle`, about the petiole.
-    float partialSteps = 6.0f;   ///< `NUM`, >= 1.
-    float factor = 1.0f;         ///< `fact`, [0, 1].
+    float partialSteps = 6.0f;   ///< `NUM`.
+    float factor = 1.0f;         ///< `fact`.
     float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation that goes with the X motion.
-    float noiseFrequency = 1.3f; ///< Hz, >= 0.
+    float noiseFrequency = 1.3f; ///< Hz.
 };
+
+/// The most distinct models of one species.
+constexpr int mostShapes = 64;
 
 /// A kind of tree: how it grows, moves and looks.
 struct Species {
@@ -73,7 +76,7 @@ struct Species {
     std::vector<std::string> aliases; ///< Other names, common and scientific ones.
     std::string source;               ///< Of its numbers, for people.
     TreeParameters tree;
-    int shapes = 3; ///< Distinct models shared by all trees of the species, 1 to 64.
+    int shapes = 3; ///< Distinct models shared by all trees of the species.
     CrownAllometry crown;
     WoodParameters wood;
     BranchParameters branch;

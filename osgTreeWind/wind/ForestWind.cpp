@@ -21,14 +21,13 @@ std::size_t cellAt(double coordinate, int cells) {
 
 } // namespace
 
-ForestWind::ForestWind(int width, int length, std::vector<float> values, const glm::dvec3& origin)
-    : _width(width), _length(length), _values(std::move(values)), _origin(origin) {}
-
 glm::vec3 ForestWind::velocity(const WindPlace& place, double) const {
-    const glm::vec3 at = toThesis(glm::vec3(glm::dvec3(place.position) - _origin));
+    const glm::vec3 at = toThesis(glm::vec3(glm::dvec3(place.position) - _array.origin));
     const std::size_t windIndex =
-        (cellAt(at.x, _width) + cellAt(at.z, _length) * static_cast<std::size_t>(_width)) * 3;
-    return fromThesis(glm::vec3(_values[windIndex], _values[windIndex + 1], _values[windIndex + 2]));
+        (cellAt(at.x, _array.width) + cellAt(at.z, _array.length) * static_cast<std::size_t>(_array.width)) *
+        3;
+    return fromThesis(
+        glm::vec3(_array.values[windIndex], _array.values[windIndex + 1], _array.values[windIndex + 2]));
 }
 
 } // namespace osgTreeWind

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -14,18 +15,20 @@ namespace osgTreeWind {
 /// heights and times. Made by GridWind::fromForestWind, which checks the array.
 class OSGTREEWIND_EXPORT ForestWind final : public WindField {
 public:
-    /// @param width, length at least 1.
-    /// @param values width * length * 3 finite components in thesis axes.
-    /// @param origin scene position of the array's corner, thesis (0, 0, 0).
-    ForestWind(int width, int length, std::vector<float> values, const glm::dvec3& origin);
+    struct Array {
+        int width = 1, length = 1; ///< Cells of 1 m along thesis x and z.
+        std::vector<float> values; ///< width * length * 3 finite components in thesis axes.
+        glm::dvec3 origin{0.0};    ///< Scene position of the array's corner, thesis (0, 0, 0).
+    };
+    /// @param array as GridWind::fromForestWind has checked it.
+    explicit ForestWind(Array array) : _array(std::move(array)) {}
+
+    const Array& array() const { return _array; }
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
 
 private:
-    int _width;
-    int _length;
-    std::vector<float> _values;
-    glm::dvec3 _origin;
+    Array _array;
 };
 
 } // namespace osgTreeWind

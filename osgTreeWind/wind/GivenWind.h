@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <glm/mat4x4.hpp>
@@ -11,7 +12,7 @@ namespace osgTreeWind {
 
 /// The wind that a forest is given: any thread may set and get it at any time. Whoever moves the forest meets
 /// it where the forest stands.
-class GivenWind {
+class OSGTREEWIND_EXPORT GivenWind {
 public:
     /// @param wind null: calm.
     explicit GivenWind(WindFieldPtr wind = {}) : _wind(std::move(wind)) {}

@@ -197,7 +197,8 @@ Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector
                     problems);
     if (!problems.empty())
         return problems;
-    return WindFieldPtr(std::make_shared<ForestWind>(width, length, std::move(values), origin));
+    return WindFieldPtr(
+        std::make_shared<ForestWind>(ForestWind::Array{width, length, std::move(values), origin}));
 }
 
 glm::vec3 GridWind::velocity(const WindPlace& place, double time) const {

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <glm/common.hpp>
@@ -130,8 +131,7 @@ Result<std::shared_ptr<const GustWind>> GustWind::create(const Parameters& param
     };
     check("mean", glm::length(glm::dvec3(parameters.mean)), 0.0, maxMeasuredSpeed, "at most 200 m/s");
     check("mean", parameters.mean.z, 0.0, 0.0, "a horizontal wind");
-    check("intensity", parameters.intensity, 0.0, 1.0, "0 to 1");
-    check("lengthScale", parameters.lengthScale, 1.0, 1e5, "1 to 100000 m");
+    checkFields(parameters, "", problems);
     if (parameters.profile && !parameters.profile->valid())
         problems.push_back(keyProblem("profile", "expected 0 < roughness < height in metres"));
     if (!problems.empty())

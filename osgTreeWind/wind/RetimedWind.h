@@ -29,6 +29,9 @@ public:
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
+    const WindFieldPtr& inner() const { return _inner; } ///< Never null.
+    const Clock& clock() const { return _clock; }
+
 private:
     bool carried() const;
     double innerTime(double x, double time) const;

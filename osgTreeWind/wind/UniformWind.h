@@ -14,6 +14,8 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
 
+    const glm::vec3& velocity() const { return _velocity; }
+
 private:
     glm::vec3 _velocity;
 };

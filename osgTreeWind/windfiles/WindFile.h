@@ -60,7 +60,8 @@ OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>
 
 /// A record at one point as it is, m/s: of any format that holds one; of a table with these columns, their
 /// unit among them. A grid is an error.
-Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns);
+OSGTREEWIND_EXPORT Result<WindSeries> readWindSeries(const std::string& path,
+                                                     const WindSeriesColumns& columns);
 
 /// readWindFile() for those who only want the field.
 OSGTREEWIND_EXPORT Result<WindFieldPtr> readWindField(const std::string& path,

@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/windfiles/NetCdfClassic.h>
 #include <osgTreeWind/windfiles/WindInput.h>
 
 #include <algorithm>
@@ -59,11 +58,7 @@ const Format formats[] = {
      readTable<readToa5>},
     {"NetCDF", nullptr,
      [](std::string_view head) { return startsWith(head, "CDF") || startsWith(head, "\x89HDF"); },
-     [](const Given& given) {
-         const std::string damage = problemOfNetCdfHeader(given.input.bytes());
-         return damage.empty() ? readNetCdf(given.input.path(), given.asStored)
-                               : fileProblem(given.input.path(), damage);
-     }},
+     [](const Given& given) { return readNetCdf(given.input.path(), given.asStored); }},
     {"QES sensor XML", ".xml", [](std::string_view head) { return holds(head, "<timeSeries"); },
      readAll<readQesSensor>},
     {".csv", ".csv", nullptr, readTable<readWindCsv>}};

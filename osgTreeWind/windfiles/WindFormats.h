@@ -52,7 +52,8 @@ Result<WindContent> readQesSensor(std::string_view bytes, const std::string& fil
 /// CSV, and what WindSeriesRows says of it. While it names no column, the usual names.
 Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                 const WindSeriesColumns& columns);
-/// NetCDF through GDAL; an error where the library was built without it.
+/// NetCDF, read by the program osgtreewind-netcdf in a process of its own: a damaged file ends that one only.
+/// An error where it is not installed.
 /// @param asStored as in WindFileOptions.
 Result<WindContent> readNetCdf(const std::string& path, bool asStored = false);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <osgTreeWind/wind/WindDirection.h>
 
 #include <string>
@@ -9,7 +11,7 @@ namespace osgTreeWind {
 
 /// Which columns of a CSV table hold a wind record, and their units.
 /// Either u and v (and w), or speed and direction; the names of the others stay empty.
-struct WindSeriesColumns {
+struct OSGTREEWIND_EXPORT WindSeriesColumns {
     std::string time;
     std::string timeUnit = "s"; ///< "s", "min", "h", or "iso8601" for dates and times as text.
     std::string u;              ///< Velocity toward east.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/nodes/Forest.h>
 
@@ -8,20 +10,32 @@
 
 #include <sstream>
 
-// A Forest is written to .osgt, .osgb and .osgx as the .treewind document it was read from, and grown again
-// when it is read: a few kilobytes in place of its geometry, and the wind comes along. Children that are not
+// A Forest is written to .osgt, .osgb and .osgx as the .treewind document that says what it is now, and grown
+// again when it is read: kilobytes in place of its geometry, and the wind comes along. Children that are not
 // its own are written as they are.
 namespace {
 
 using osgTreeWind::BranchwiseForest;
 using osgTreeWind::Forest;
 
-bool checkDocument(const Forest& forest) {
-    if (forest.getDescription().source.empty()) {
-        OSG_WARN << "osgTreeWind: a Forest that was not read from a .treewind document cannot be written"
-                 << std::endl;
-        return false;
+/// The forest as it is now; empty, with a warning, where no document can say it. Without its wind where it is
+/// only that.
+std::string documentOf(const Forest& forest) {
+    osgTreeWind::ForestDescription now = forest.getSimulation().describe();
+    now.wind = forest.getWind(); // of the world
+    for (;;) {
+        std::ostringstream document;
+        const osgTreeWind::Diagnostics problems = writeForest(now, document);
+        if (problems.empty())
+            return document.str();
+        OSG_WARN << "osgTreeWind: a Forest cannot be written: " << problems.front().text() << std::endl;
+        if (problems.front().key != "wind")
+            return {};
+        now.wind = nullptr;
     }
+}
+
+bool checkDocument(const Forest&) {
     return true;
 }
 
@@ -30,7 +44,7 @@ bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
     output << output.PROPERTY("Folder");
     output.writeWrappedString(forest.getDescription().folder);
     output << std::endl << output.PROPERTY("Source");
-    output.writeWrappedString(forest.getDescription().source);
+    output.writeWrappedString(documentOf(forest));
     output << std::endl << output.END_BRACKET << std::endl;
     return true;
 }
@@ -44,6 +58,8 @@ bool readDocument(osgDB::InputStream& input, Forest& forest) {
     input.readWrappedString(source);
     input >> input.END_BRACKET;
 
+    if (source.empty())
+        return true; // what it was could not be written
     std::istringstream document(source);
     osgTreeWind::Result<osgTreeWind::ForestDescription> description =
         osgTreeWind::readForest(document, where);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgDB/FileNameUtils>
@@ -13,12 +12,13 @@ namespace {
 
 using namespace osgTreeWind;
 
-/// Reads .treewind files (docs/treewind.md) as a Forest. Stateless, so that pager threads may share it.
+/// Reads .treewind files (docs/treewind.md) as a Forest, and writes one as it is now. Stateless, so that
+/// pager threads may share it.
 class ReaderWriterTreewind : public osgDB::ReaderWriter {
 public:
     ReaderWriterTreewind() { supportsExtension("treewind", "osgTreeWind forest description"); }
 
-    const char* className() const override { return "osgTreeWind forest reader"; }
+    const char* className() const override { return "osgTreeWind forest reader and writer"; }
 
     ReadResult readObject(const std::string& file, const Options* options) const override {
         return readNode(file, options);
@@ -47,18 +47,57 @@ public:
         return read(input, where);
     }
 
+    WriteResult writeObject(const osg::Object& object, const std::string& file,
+                            const Options* options) const override {
+        const osg::Node* const node = object.asNode();
+        return node ? writeNode(*node, file, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
+    }
+    WriteResult writeObject(const osg::Object& object, std::ostream& output,
+                            const Options* options) const override {
+        const osg::Node* const node = object.asNode();
+        return node ? writeNode(*node, output, options) : WriteResult(WriteResult::FILE_NOT_HANDLED);
+    }
+
+    WriteResult writeNode(const osg::Node& node, const std::string& file, const Options*) const override {
+        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
+            return WriteResult::FILE_NOT_HANDLED;
+        return write(node, [&](const ForestDescription& forest) { return writeForestFile(forest, file); });
+    }
+    WriteResult writeNode(const osg::Node& node, std::ostream& output, const Options*) const override {
+        return write(node, [&](const ForestDescription& forest) { return writeForest(forest, output); });
+    }
+
 private:
     static ReadResult read(std::istream& input, const ForestFileOptions& where) {
         Result<ForestDescription> forest = readForest(input, where);
         if (!forest)
             return ReadResult(forest.problems().front().text());
-        if (const std::string problem = problemOfMemory(forest.value(), true); !problem.empty())
-            return ReadResult(Diagnostic{where.file, 0, 0, {}, problem}.text());
-        if (const std::string problem = BranchwiseForest::problemOf(forest.value()); !problem.empty())
-            return ReadResult(Diagnostic{where.file, 0, 0, {}, problem}.text());
-        for (const std::string& note : forest.value().notes)
+        const std::vector<std::string> notes = forest.value().notes;
+        Result<osg::ref_ptr<Forest>> node = Forest::create(std::move(forest.value()));
+        if (!node) {
+            Diagnostic problem = node.problems().front();
+            problem.file = where.file;
+            return ReadResult(problem.text());
+        }
+        for (const std::string& note : notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
-        return new Forest(std::move(forest.value()));
+        return node.value().get();
+    }
+
+    /// A Forest with nothing else below it.
+    template <typename Writer>
+    static WriteResult write(const osg::Node& node, const Writer& writer) {
+        const auto forest = dynamic_cast<const Forest*>(&node);
+        if (!forest)
+            return WriteResult(std::string("a .treewind file holds a Forest, not a ") + node.className());
+        for (unsigned i = 0; i < forest->getNumChildren(); ++i)
+            if (!forest->isOwnChild(forest->getChild(i)))
+                return WriteResult("a .treewind file does not hold the forest's child " +
+                                   forest->getChild(i)->getName());
+        ForestDescription now = forest->getSimulation().describe();
+        now.wind = forest->getWind(); // of the world
+        const Diagnostics problems = writer(now);
+        return problems.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(problems.front().text());
     }
 };
 

@@ -3,7 +3,10 @@
 // The argument is the number of trees: 1 and 16 reference trees, 1233 the measured campus.
 #include <tests/TestData.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <benchmark/benchmark.h>

@@ -250,6 +250,9 @@ const BadInput badInputs[] = {
     {"SpeciesUnclear", head + "@" + tree + oak + "[[species]]\nname = \"fir\"\n", "tree.species", "missing"},
     {"TreeNotATable", head + "tree = @3\n", "tree", "expected a table, found 3"},
 
+    {"IdTwice", head + tree + "id = \"7\"\n" + tree + "id = @\"7\"\n", "tree.id",
+     "the id \"7\" is taken already"},
+
     // [scatter]
     {"BillionTrees", head + "[scatter]\ncount = @1000000000\narea = [0, 0, 9, 9]\n", "scatter.count",
      "more than 1000000 trees"},
@@ -347,6 +350,14 @@ const BadInput badInputs[] = {
      "wind", "either values or file", "a.txt", "1 0 0"},
     {"GridFileText", wind("kind = \"grid\"\npoints = [1, 1]\ncell = [5, 5]\nfile = \"a.txt\"\n"), "",
      "expected a finite number", "a.txt", "1 0\n @zero"},
+    {"GridTwoPlaces",
+     wind("kind = \"grid\"\npoints = [1, 1]\ncell = [5, 5]\nvalues = [1, 0, 0]\norigin = [0, 0, 0]\n"
+          "corner = @[0, 0, 0]\n"),
+     "wind.corner", "give either this or origin"},
+    {"GridHeights",
+     wind("kind = \"grid\"\npoints = [1, 1, 2]\ncell = [5, 5, 5]\nheights = @[3, 2]\n"
+          "values = [1, 0, 0, 1, 0, 0]\n"),
+     "wind.heights", "increasing upward"},
     {"ForestWindLength", wind("kind = \"forest_wind\"\nwidth = 2\nlength = 1\nvalues = @[1, 2, 3]\n"),
      "wind.values", "6"},
     {"ForestWindWidth", wind("kind = \"forest_wind\"\nwidth = @0\nlength = 1\nvalues = [1, 2, 3]\n"),

@@ -97,7 +97,7 @@ TEST(SpeciesCatalogue, WhatIsWrongIsSaidWithItsPlace) {
     EXPECT_EQ(problemOf("[[species]]\nname = \"a\"\nlike = \"lamp post\"\n"),
               "species.treewind:4:8: species.like: no built-in species \"lamp post\"");
     EXPECT_EQ(problemOf("[[tree]]\nposition = [0, 0]\n"),
-              "species.treewind:2:1: tree: unknown key; known here: group, species, version");
+              "species.treewind:2:3: tree: unknown key; known here: group, species, version");
     EXPECT_NE(problemOf("[[species]\n").find("not valid TOML"), std::string::npos);
 }
 

@@ -53,15 +53,16 @@ TEST_P(ForestCopyTest, takesTheWindOfNow) {
 TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
-    forest->setLeafState(0, own);
+    forest->getStand()->setLeafState(0, own);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     EXPECT_EQ(&copy->getSimulation().models(), &forest->getSimulation().models());
     EXPECT_EQ(&copy->getSimulation().modal()->archetype(0), &forest->getSimulation().modal()->archetype(0));
-    const StandResources &one = forest->getStand()->drawing(), &other = copy->getStand()->drawing();
-    EXPECT_EQ(one.shapes, other.shapes);
+    const StandResources &one = forest->getStand()->trees()->resources(),
+                         &other = copy->getStand()->trees()->resources();
+    EXPECT_EQ(one.models, other.models);
     EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
     EXPECT_EQ(other.looks[0].ownLeaves, own);
-    copy->setLeafState(0, nullptr);
+    copy->getStand()->setLeafState(0, nullptr);
     EXPECT_EQ(one.looks[0].ownLeaves, own) << "yet each is changed alone";
 }
 

@@ -105,7 +105,7 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
-    const osg::ref_ptr<TreeStand> former = forest->getStand();
+    const osg::ref_ptr<TreeStand> former = forest->getStand()->trees();
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2);
     forest->setDescription(smallForest(5));
     EXPECT_EQ(forest->getNumTrees(), 5u);
@@ -130,7 +130,6 @@ TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     EXPECT_EQ(forest->branch(TreeId(1), 2), forest->getBranchwise()->getTree(1)->getBranch(2));
     EXPECT_FALSE(forest->addTree(TreePlacement()).ok()) << "under modal only";
     EXPECT_FALSE(forest->removeTree(TreeId(0)).empty());
-    forest->setBarkState(0, new osg::StateSet);
     updateFrames(*forest, 1, 5);
     forest->setDescription(smallForest(3));
     EXPECT_NE(forest->getStand(), nullptr);

@@ -86,7 +86,7 @@ TEST(ForestTreesTest, aTreeThatChangesEveryFrameIsFollowedOnce) {
         update(*forest, frame, frame / 25.0);
         forest->removeTree(other);
     }
-    EXPECT_LE(forest->getStand()->nearTrees(), 5u);
+    EXPECT_LE(forest->getStand()->trees()->nearTrees(), 5u);
 }
 
 TEST(ForestTreesTest, aTreeThatMovesKeepsItsSway) {
@@ -180,9 +180,9 @@ TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
-    ASSERT_EQ(forest->getStand()->nearTrees(), 0u);
+    ASSERT_EQ(forest->getStand()->trees()->nearTrees(), 0u);
     forest->branch(TreeId(5), 0);
-    EXPECT_EQ(forest->getStand()->nearTrees(), 1u);
+    EXPECT_EQ(forest->getStand()->trees()->nearTrees(), 1u);
     updateFrames(*forest, 1, 200);
     EXPECT_EQ(forest->getSimulation().modal()->level(5), ModalMotion::Level::Near);
     EXPECT_EQ(forest->getSimulation().modal()->level(6), ModalMotion::Level::Far);

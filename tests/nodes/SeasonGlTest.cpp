@@ -3,6 +3,7 @@
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/Pictures.h>
 
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
 

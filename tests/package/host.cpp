@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
-#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <iostream>

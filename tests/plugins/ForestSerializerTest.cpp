@@ -4,6 +4,8 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
+#include <osgTreeWind/wind/FunctionWind.h>
+
 #include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
 
@@ -108,11 +110,51 @@ TEST_P(ForestSerializerTest, keepsHowItIsDrawn) {
     EXPECT_EQ(back->getBranchwise()->getLeafDrawing(), BranchwiseForest::LEAF_TRANSFORMS);
 }
 
-TEST_P(ForestSerializerTest, aForestMadeByHandIsNotWrittenAndSaysSo) {
+TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
+    const TreeId second = forest->getSimulation().idOf(1);
+    TreePlacement moved = forest->getSimulation().placementOf(second);
+    moved.position.x += 20.0;
+    moved.name = "moved";
+    EXPECT_TRUE(forest->changeTree(second, moved).empty());
+    EXPECT_TRUE(forest->removeTree(forest->getSimulation().idOf(0)).empty());
+    EXPECT_TRUE(forest->addTree(moved));
+    forest->setSeason(5.0f); // spring, again
+    forest->setWind(std::make_shared<UniformWind>(glm::vec3(3, 4, 0)));
+    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    const Forest* const back = dynamic_cast<const Forest*>(node.get());
+    ASSERT_NE(back, nullptr);
+    EXPECT_EQ(takeSaid(), "");
+    EXPECT_EQ(back->getNumTrees(), 4u);
+    EXPECT_EQ(back->getSeason(), midspring);
+    const auto wind = std::dynamic_pointer_cast<const UniformWind>(back->getWind());
+    ASSERT_TRUE(wind);
+    EXPECT_EQ(wind->velocity(), glm::vec3(3, 4, 0));
+    const PlacedTree& tree =
+        back->getSimulation().trees()[back->getSimulation().slotOf(back->findTree("moved"))];
+    const PlacedTree& was = forest->getSimulation().trees()[1];
+    EXPECT_EQ(tree.position, was.position);
+    EXPECT_EQ(tree.scale.axes, was.scale.axes) << "to the bit";
+    EXPECT_EQ(tree.scale.radius, was.scale.radius);
+}
+
+TEST_P(ForestSerializerTest, leavesOutAWindThatNoFileCanSayAndSaysSo) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    forest->setWind(std::make_shared<FunctionWind>(nullptr));
+    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
+    EXPECT_NE(takeSaid().find("cannot be written: wind: a wind that no file can say"), std::string::npos);
+    const Forest* const back = dynamic_cast<const Forest*>(node.get());
+    ASSERT_NE(back, nullptr);
+    EXPECT_EQ(back->getNumTrees(), 2u);
+}
+
+TEST_P(ForestSerializerTest, whatNoFileCanSayIsAnEmptyForestAndSaysSo) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
-    scene->addChild(new Forest(smallForest(2)));
+    ForestDescription description = smallForest(2);
+    description.species[0].name = "\xe9";
+    scene->addChild(new Forest(description));
     osg::ref_ptr<osg::Node> node = thereAndBack(*scene, GetParam());
-    EXPECT_NE(takeSaid().find("cannot be written"), std::string::npos);
+    EXPECT_NE(takeSaid().find("cannot be written: species[0].name: expected UTF-8"), std::string::npos);
     ASSERT_TRUE(node && node->asGroup()) << "the rest of the scene is still good";
     EXPECT_EQ(node->asGroup()->getNumChildren(), 1u);
 }

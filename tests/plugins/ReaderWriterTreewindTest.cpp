@@ -4,12 +4,16 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
+#include <osgTreeWind/wind/FunctionWind.h>
+
 #include <osgDB/ReadFile>
+#include <osgDB/WriteFile>
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 #include <thread>
+#include <typeinfo>
 
 using namespace osgTreeWind;
 
@@ -46,6 +50,8 @@ constexpr const char* oneTreeDocument = "version = 1\n[[tree]]\nposition = [1.0,
 TEST_F(ReaderWriterTreewindTest, readsTheReferenceTree) {
     osg::ref_ptr<Forest> forest = readForestNode(exampleFile("thesis.treewind"));
     ASSERT_TRUE(forest);
+    const Forest& read = *forest;
+    EXPECT_TRUE(&typeid(read) == &typeid(Forest)) << "the plugin's library has a Forest of its own";
     EXPECT_EQ(forest->getNumTrees(), 1u);
     EXPECT_EQ(forest->getBranchwise()->getTree(0)->getNumBranches(), 122u);
     EXPECT_EQ(said(), "");
@@ -135,4 +141,36 @@ TEST_F(ReaderWriterTreewindTest, servesSeveralThreadsAtOnce) {
         EXPECT_EQ(statesOf(*forest), statesOf(*forests[0]));
     }
     EXPECT_EQ(said(), "");
+}
+
+TEST_F(ReaderWriterTreewindTest, writesAForestThatMovesAlike) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() + "/again.treewind";
+    osg::ref_ptr<Forest> forest = readForestNode(exampleFile("forest.treewind"));
+    ASSERT_TRUE(forest);
+    ASSERT_TRUE(osgDB::writeNodeFile(*forest, file)) << said();
+    osg::ref_ptr<Forest> back = readForestNode(file);
+    ASSERT_TRUE(back) << said();
+    updateFrames(*forest, 1, 10);
+    updateFrames(*back, 1, 10);
+    EXPECT_EQ(statesOf(*back), statesOf(*forest));
+    EXPECT_EQ(said(), "");
+}
+
+TEST_F(ReaderWriterTreewindTest, refusesByNameWhatItCannotWrite) {
+    std::ostringstream stream;
+    const auto refusal = [&](const osg::Object& object) {
+        return plugin()->writeObject(object, stream, nullptr).message();
+    };
+    EXPECT_EQ(refusal(*osg::ref_ptr<osg::Group>(new osg::Group)),
+              "a .treewind file holds a Forest, not a Group");
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
+    forest->setWind(std::make_shared<FunctionWind>(nullptr));
+    EXPECT_EQ(refusal(*forest).find("wind: a wind that no file can say"), 0u);
+    forest->addChild(new osg::Group);
+    forest->getChild(forest->getNumChildren() - 1)->setName("house");
+    EXPECT_EQ(refusal(*forest), "a .treewind file does not hold the forest's child house");
+    EXPECT_EQ(stream.str(), "");
+    EXPECT_EQ(plugin()->writeNode(*forest, std::string("a.obj"), nullptr).status(),
+              osgDB::ReaderWriter::WriteResult::FILE_NOT_HANDLED);
 }

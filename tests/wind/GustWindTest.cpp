@@ -227,8 +227,10 @@ TEST(GustWind, ImpossibleParametersAreRefused) {
               "mean: expected at most 200 m/s, found 1000000000");
     EXPECT_EQ(problemOf([](auto& p) { p.mean.y = std::numeric_limits<float>::quiet_NaN(); }),
               "mean: expected at most 200 m/s, found nan");
-    EXPECT_EQ(problemOf([](auto& p) { p.intensity = -0.1; }), "intensity: expected 0 to 1, found -0.1");
-    EXPECT_EQ(problemOf([](auto& p) { p.lengthScale = 0; }), "lengthScale: expected 1 to 100000 m, found 0");
+    EXPECT_EQ(problemOf([](auto& p) { p.intensity = -0.1; }),
+              "intensity: expected a finite number in [0, 1], found -0.1");
+    EXPECT_EQ(problemOf([](auto& p) { p.lengthScale = 0; }),
+              "length_scale: expected a finite number in [1, 100000], found 0");
     EXPECT_EQ(problemOf([](auto& p) {
                   p.profile = LogProfile{1, 2};
               }),

@@ -32,21 +32,21 @@ std::shared_ptr<ForestSimulation> noTrees() {
 osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, PosedTree& posed) {
     const Tier tier = impostorTier(tree.leaves);
     Pictures& pictures = _pictures[{tree.model, tier}];
-    if (!pictures.shape) {
+    if (!pictures.strip) {
         if (!_pictureProgram)
             _pictureProgram = createProgram("impostor", "impostor");
         const Species& species = _simulation->description().species[tree.species];
         ImpostorSettings settings;
         settings.leaves = leavesOn(tier);
-        pictures.shape =
+        pictures.strip =
             new ImpostorStrip(paintImpostor(posed.model(), species.appearance, settings), _pictureProgram);
-        pictures.state = new SharedStateSet(*pictures.shape->stateSet());
+        pictures.state = new SharedStateSet(*pictures.strip->stateSet());
         pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
     }
     pictures.state->getOrCreateUniform("leafTint", osg::Uniform::FLOAT_VEC3)
         ->set(seasonTint(_simulation->description().species[tree.species].appearance, _simulation->season()));
     osg::ref_ptr<osg::Drawable> drawable =
-        new BillboardDrawable(pictures.shape->geometry(), &posed, Random(tree.seed).uniform());
+        new BillboardDrawable(pictures.strip->geometry(), &posed, Random(tree.seed).uniform());
     drawable->setStateSet(pictures.state);
     return drawable;
 }
@@ -85,7 +85,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         _styles.push_back(styles.style(species.appearance));
     for (std::size_t i = 0; i < simulation.models().size(); ++i) {
         const Species& species = simulation.description().species[simulation.forest().speciesOfModel(i)];
-        _shapes.push_back(
+        _buffers.push_back(
             new TreeBuffers(std::shared_ptr<const TreeModel>(_simulation, &simulation.models()[i]),
                             species.appearance.leafForm));
     }
@@ -95,7 +95,7 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     _stand->setDataVariance(osg::Object::DYNAMIC);
     for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
         const PlacedTree& tree = simulation.trees()[i];
-        osg::ref_ptr<TreeNode> node = new TreeNode(_shapes[tree.model], _styles[tree.species], tree.scale);
+        osg::ref_ptr<TreeNode> node = new TreeNode(_buffers[tree.model], _styles[tree.species], tree.scale);
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
@@ -145,11 +145,20 @@ void BranchwiseForest::seasonChanged() {
     }
 }
 
-void BranchwiseForest::takeSettings(const BranchwiseForest& other) {
-    setAngleSource(other._wantedSource);
-    setBranchDrawing(other._branchDrawing);
-    setLeafDrawing(other._leafDrawing);
-    setLodRanges(other._lodRanges);
+osg::ref_ptr<ForestDrawing> BranchwiseForest::again(std::shared_ptr<ForestSimulation> simulation) const {
+    const osg::ref_ptr<BranchwiseForest> drawing = new BranchwiseForest(std::move(simulation));
+    drawing->takeSettings(*this);
+    return drawing;
+}
+
+void BranchwiseForest::takeSettings(const ForestDrawing& former) {
+    const auto* other = dynamic_cast<const BranchwiseForest*>(&former);
+    if (!other)
+        return;
+    setAngleSource(other->_wantedSource);
+    setBranchDrawing(other->_branchDrawing);
+    setLeafDrawing(other->_leafDrawing);
+    setLodRanges(other->_lodRanges);
 }
 
 void BranchwiseForest::setBranchDrawing(BranchDrawing drawing) {
@@ -217,37 +226,46 @@ void BranchwiseForest::traverse(osg::NodeVisitor& visitor) {
 
 void BranchwiseForest::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Group::resizeGLObjectBuffers(maxSize);
-    for (const osg::ref_ptr<TreeBuffers>& shape : _shapes)
-        shape->resizeGLObjectBuffers(maxSize);
+    for (const osg::ref_ptr<TreeBuffers>& buffers : _buffers)
+        buffers->resizeGLObjectBuffers(maxSize);
     for (const auto& [key, pictures] : _pictures)
-        if (pictures.shape)
-            pictures.shape->geometry()->resizeGLObjectBuffers(maxSize);
+        if (pictures.strip)
+            pictures.strip->geometry()->resizeGLObjectBuffers(maxSize);
     if (_prePass)
         _prePass->node()->resizeGLObjectBuffers(maxSize);
 }
 
 void BranchwiseForest::releaseGLObjects(osg::State* state) const {
     osg::Group::releaseGLObjects(state);
-    for (const osg::ref_ptr<TreeBuffers>& shape : _shapes)
-        shape->releaseGLObjects(state);
+    for (const osg::ref_ptr<TreeBuffers>& buffers : _buffers)
+        buffers->releaseGLObjects(state);
     for (const TreeStyle& style : _styles)
         style.releaseGLObjects(state);
     for (const auto& [key, pictures] : _pictures)
-        if (pictures.shape) {
-            pictures.shape->geometry()->releaseGLObjects(state);
+        if (pictures.strip) {
+            pictures.strip->geometry()->releaseGLObjects(state);
             pictures.state->releaseShared(state);
         }
     if (_prePass)
         _prePass->node()->releaseGLObjects(state);
 }
 
-void BranchwiseForest::update(double time) {
+void BranchwiseForest::update(const osg::FrameStamp& stamp) {
     chooseAngleSource();
+    const double time = stamp.getSimulationTime();
     const bool moved = _prePass ? stepOnGpu(time) : stepOnCpu(time);
     if (moved)
         uploadUnitPoses();
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
         tree->updatePose(moved);
+}
+
+BranchTransform* BranchwiseForest::follow(TreeId tree, unsigned unit) {
+    return _simulation->holds(tree) ? _trees[_simulation->slotOf(tree)]->getBranch(unit) : nullptr;
+}
+
+bool BranchwiseForest::unfollow(TreeId tree, unsigned unit) {
+    return _simulation->holds(tree) && _trees[_simulation->slotOf(tree)]->letGo(unit);
 }
 
 bool BranchwiseForest::stepOnCpu(double time) {

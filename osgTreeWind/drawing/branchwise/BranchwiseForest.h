@@ -2,12 +2,11 @@
 #pragma once
 
 #include <osgTreeWind/base/Export.h>
+#include <osgTreeWind/drawing/ForestDrawing.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-
-#include <osg/Group>
 
 #include <map>
 #include <memory>
@@ -21,9 +20,8 @@ class AnglePrePass;
 class DataTexture;
 class FloatTargetProbe;
 
-/// A forest drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit. A
-/// part of a Forest, which tells it the time.
-class OSGTREEWIND_EXPORT BranchwiseForest : public osg::Group {
+/// Trees drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit.
+class OSGTREEWIND_EXPORT BranchwiseForest : public ForestDrawing {
 public:
     /// Where the angles of branches and leaves are worked out.
     enum AngleSource {
@@ -55,8 +53,7 @@ public:
     BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, BranchwiseForest)
 
-        /// From the next frame on. Not during a traversal. It starts with the environment's
-        /// OSGTREEWIND_ANGLES (cpu or gpu), else CPU_ANGLES.
+        /// From the next frame on; GPU_ANGLES until it is called. Not during a traversal.
         void setAngleSource(AngleSource source);
     /// Where they are worked out now: GPU_ANGLES only once a context has been found to support it.
     AngleSource getAngleSource() const { return _prePass ? GPU_ANGLES : CPU_ANGLES; }
@@ -73,21 +70,19 @@ public:
     void setLodRanges(const TreeLodRanges& ranges);
     const TreeLodRanges& getLodRanges() const { return _lodRanges; }
 
-    /// Has it drawn and moved in the same ways as another one.
-    void takeSettings(const BranchwiseForest& other);
-
-    /// The simulation's season is another one. Not during a traversal.
-    void seasonChanged();
-
     unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); }
     TreeNode* getTree(unsigned index) const { return _trees[index].get(); }
 
     /// The passes at work; null with CPU_ANGLES.
     const AnglePrePass* getAnglePrePass() const { return _prePass.get(); }
 
-    /// Moves the trees on to `time` (seconds), in the wind of the simulation. Once a frame, in the update
-    /// traversal.
-    void update(double time);
+    osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const override;
+    void takeSettings(const ForestDrawing& former) override;
+    void update(const osg::FrameStamp& stamp) override;
+    void treeChanged(std::size_t) override {} // never: its trees are those it was made with
+    void seasonChanged() override;
+    BranchTransform* follow(TreeId tree, unsigned unit) override;
+    bool unfollow(TreeId tree, unsigned unit) override;
 
     void traverse(osg::NodeVisitor& visitor) override;
     void resizeGLObjectBuffers(unsigned maxSize) override;
@@ -98,7 +93,7 @@ protected:
 
 private:
     struct Pictures {
-        osg::ref_ptr<ImpostorStrip> shape;
+        osg::ref_ptr<ImpostorStrip> strip;
         osg::ref_ptr<SharedStateSet> state;
     };
     osg::ref_ptr<osg::Drawable> billboard(const PlacedTree& tree, PosedTree& posed);
@@ -111,7 +106,7 @@ private:
     void useCpuAngles();
 
     std::shared_ptr<ForestSimulation> _simulation;
-    std::vector<osg::ref_ptr<TreeBuffers>> _shapes;             ///< By model.
+    std::vector<osg::ref_ptr<TreeBuffers>> _buffers;            ///< By model.
     std::map<std::pair<std::size_t, Tier>, Pictures> _pictures; ///< By model and share of leaves.
     osg::ref_ptr<osg::Program> _pictureProgram;
     std::vector<TreeStyle> _styles;  ///< By species.

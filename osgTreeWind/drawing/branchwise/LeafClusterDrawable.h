@@ -6,7 +6,7 @@
 namespace osgTreeWind {
 
 /// One leaf cluster in the leaf frame, size 1: the thesis' display list (§2.4.1), to stand below the
-/// transform of each cluster of all trees of a shape.
+/// transform of each cluster of all trees of a model.
 class LeafClusterDrawable : public TreeDrawable {
 public:
     LeafClusterDrawable() = default;

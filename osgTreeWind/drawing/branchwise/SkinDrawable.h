@@ -11,7 +11,7 @@ public:
     static constexpr int wholeTree = -1;
 
     SkinDrawable() = default;
-    /// @param geometry the shape's skin, or its unitSkin(unit).
+    /// @param geometry the model's skin, or its unitSkin(unit).
     SkinDrawable(osg::Geometry* geometry, PosedTree* tree, int unit = wholeTree);
     SkinDrawable(const SkinDrawable& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     using TreeDrawable::accept;

@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-/// The drawn form of a model, shared by all trees of that shape: vertex buffers for bark and leaves as
+/// The drawn form of a model, shared by all its trees: vertex buffers for bark and leaves as
 /// shaders/branchwise/bark.vert and shaders/branchwise/leaf.vert describe them.
 class TreeBuffers : public osg::Referenced {
 public:

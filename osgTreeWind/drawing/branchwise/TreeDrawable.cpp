@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
 namespace osgTreeWind {
 
 TreeDrawable::TreeDrawable(osg::Geometry* geometry, PosedTree* tree) : _geometry(geometry), _tree(tree) {
@@ -21,7 +23,7 @@ void TreeDrawable::accept(osg::PrimitiveFunctor& functor) const {
 }
 
 void TreeDrawable::drawImplementation(osg::RenderInfo& renderInfo) const {
-    if (_geometry)
+    if (_geometry && canRunPrograms(*renderInfo.getState()))
         _geometry->draw(renderInfo);
 }
 

@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-/// A part of one tree, drawn from geometry that all trees of its shape share, and that is released by its
+/// A part of one tree, drawn from geometry that all trees of its model share, and that is released by its
 /// TreeBuffers only. Vertices are posed by shaders;
 /// for bounds, picking and statistics they are posed on the CPU.
 class TreeDrawable : public osg::Drawable {

@@ -6,6 +6,9 @@
 
 #include <osgUtil/IntersectionVisitor>
 
+#include <algorithm>
+#include <utility>
+
 namespace osgTreeWind {
 namespace {
 
@@ -22,8 +25,8 @@ TreeNode::TreeNode() {
     setDataVariance(osg::Object::DYNAMIC);
 }
 
-TreeNode::TreeNode(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale) : TreeNode() {
-    build(shape, style, scale);
+TreeNode::TreeNode(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale) : TreeNode() {
+    build(buffers, style, scale);
 }
 
 TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
@@ -36,22 +39,22 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
         setStateSet(new osg::StateSet(*getStateSet(), osg::CopyOp::DEEP_COPY_UNIFORMS));
     if (other._tree) {
         _leafShare = other._leafShare;
-        build(other._shape, other._style, other._tree->scale());
+        build(other._buffers, other._style, other._tree->scale());
         _lod->setRanges(other._lod->getRanges());
         setBranchwise(other._branchwise);
         setLeafwise(other._leafwise);
     }
 }
 
-void TreeNode::build(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale) {
-    _shape = shape;
+void TreeNode::build(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale) {
+    _buffers = buffers;
     _style = style;
-    _tree = new PosedTree(shape->model(), scale);
+    _tree = new PosedTree(buffers->model(), scale);
     _branches.resize(getNumBranches());
-    _skin = styled(new SkinDrawable(shape->skin(), _tree), style.bark);
-    _leaves = styled(new LeafDrawable(shape->leaves(), _tree), style.leaves);
-    _bareSkin = styled(new SkinDrawable(shape->bareSkin(), _tree), style.bark);
-    _lod = new TreeLod(measureTree(shape->model()->extents, scale).height);
+    _skin = styled(new SkinDrawable(buffers->skin(), _tree), style.bark);
+    _leaves = styled(new LeafDrawable(buffers->leaves(), _tree), style.leaves);
+    _bareSkin = styled(new SkinDrawable(buffers->bareSkin(), _tree), style.bark);
+    _lod = new TreeLod(measureTree(buffers->model()->extents, scale).height);
     for (osg::Drawable* drawable : {_skin.get(), _leaves.get()})
         _lod->level(TreeLod::STAND_IN)->addChild(drawable);
     for (osg::Drawable* drawable : {_bareSkin.get(), _leaves.get()})
@@ -73,13 +76,35 @@ unsigned TreeNode::getNumBranches() const {
 BranchTransform* TreeNode::getBranch(unsigned unit) {
     if (unit >= getNumBranches())
         return nullptr;
-    if (const int parent = _tree->model().skeleton.units[unit].parent; parent >= 0)
-        getBranch(static_cast<unsigned>(parent));
     BranchTransform* const transform = branch(unit);
-    if (!_branches[unit].followed)
-        transform->setRotation(toOsg(_tree->rotation(unit)));
-    _branches[unit].followed = true;
+    if (std::exchange(_branches[unit].asked, true))
+        return transform;
+    for (int at = static_cast<int>(unit); at >= 0; at = parentOf(at))
+        if (Branch& carrier = _branches[static_cast<std::size_t>(at)]; carrier.followed++ == 0)
+            carrier.transform->setRotation(toOsg(_tree->rotation(static_cast<std::size_t>(at))));
     return transform;
+}
+
+bool TreeNode::letGo(unsigned unit) {
+    if (unit >= getNumBranches() || !std::exchange(_branches[unit].asked, false))
+        return false;
+    for (int at = static_cast<int>(unit); at >= 0; at = parentOf(at))
+        --_branches[static_cast<std::size_t>(at)].followed;
+    BranchTransform& transform = *_branches[unit].transform;
+    for (unsigned i = transform.getNumChildren(); i-- > 0;)
+        if (!isOwn(transform.getChild(i)))
+            transform.removeChild(i);
+    return true;
+}
+
+int TreeNode::parentOf(int unit) const {
+    return _tree->model().skeleton.units[static_cast<std::size_t>(unit)].parent;
+}
+
+/// Whether a child of a branch is a part of the tree.
+bool TreeNode::isOwn(const osg::Node* child) const {
+    return dynamic_cast<const BranchTransform*>(child) || dynamic_cast<const SkinDrawable*>(child) ||
+           std::find(_leafTransforms.begin(), _leafTransforms.end(), child) != _leafTransforms.end();
 }
 
 BranchTransform* TreeNode::branch(unsigned unit) {
@@ -138,8 +163,8 @@ void TreeNode::makeTransforms() {
         return;
     _full = true;
     for (unsigned unit = 0; _branchwise && unit < getNumBranches(); ++unit)
-        branch(unit)->addChild(styled(new SkinDrawable(_shape->unitSkin(unit), _tree, static_cast<int>(unit)),
-                                      _style.branchBark));
+        branch(unit)->addChild(styled(
+            new SkinDrawable(_buffers->unitSkin(unit), _tree, static_cast<int>(unit)), _style.branchBark));
     if (!_leafwise)
         return;
     std::size_t index = 0;
@@ -148,7 +173,7 @@ void TreeNode::makeTransforms() {
         osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
         leaf->setDataVariance(osg::Object::DYNAMIC);
         leaf->setStateSet(borne ? _style.leafCluster : _style.bareCluster);
-        leaf->addChild(_shape->leafCluster());
+        leaf->addChild(_buffers->leafCluster());
         branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
         _leafTransforms.push_back(leaf);
     }

@@ -13,7 +13,7 @@
 
 namespace osgTreeWind {
 
-/// One tree: placed by its position and attitude, drawn from a shared shape, moved by its forest.
+/// One tree: placed by its position and attitude, drawn from shared buffers, moved by its forest.
 ///
 /// Any branch can be had as a BranchTransform to hang nodes on. Transforms are made when first asked for, or
 /// first looked at, and turned for cameras and picking that look: a tree far away, or out of sight, costs
@@ -23,8 +23,8 @@ public:
     /// Draws nothing.
     TreeNode();
     /// A tree at rest.
-    TreeNode(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale);
-    /// A tree of the same shape, size and place, at rest; nodes hung on branches are not copied.
+    TreeNode(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale);
+    /// A tree of the same model, size and place, at rest; nodes hung on branches are not copied.
     TreeNode(const TreeNode& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, TreeNode)
 
@@ -34,6 +34,9 @@ public:
     /// the tree from then on, seen or not; what hangs on it is drawn with the level FULL. Call it where the
     /// scene may be changed (update or event traversal, between frames).
     BranchTransform* getBranch(unsigned unit);
+    /// Takes off what hangs on a branch that was asked for, which from then on follows as others do.
+    /// @return false where it was not asked for.
+    bool letGo(unsigned unit);
 
     /// Draws the bark branch by branch below BranchTransforms (the thesis' way) instead of in one draw.
     void setBranchwise(bool branchwise);
@@ -75,10 +78,13 @@ protected:
 private:
     struct Branch {
         osg::ref_ptr<BranchTransform> transform;
-        bool followed = false; ///< Asked for, by getBranch().
+        bool asked = false;    ///< For, by getBranch().
+        unsigned followed = 0; ///< It and those that it carries, as far as they were asked for.
     };
-    void build(TreeBuffers* shape, const TreeStyle& style, const TreeScale& scale);
+    void build(TreeBuffers* buffers, const TreeStyle& style, const TreeScale& scale);
     BranchTransform* branch(unsigned unit);
+    int parentOf(int unit) const;
+    bool isOwn(const osg::Node* child) const;
     void fillFullLevel();
     void clearFullLevel();
     void makeTransforms();
@@ -87,7 +93,7 @@ private:
     void bringUpToDate();
     bool hasTransforms() const { return _branchwise || _leafwise; }
 
-    osg::ref_ptr<TreeBuffers> _shape;
+    osg::ref_ptr<TreeBuffers> _buffers;
     TreeStyle _style;
     osg::ref_ptr<PosedTree> _tree;
     osg::ref_ptr<TreeLod> _lod;

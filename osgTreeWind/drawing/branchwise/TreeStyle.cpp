@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/TreeStyle.h>
 
-#include <osgTreeWind/drawing/looks/SceneShading.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/species/Season.h>
@@ -14,23 +13,12 @@ TreeStyle TreeStyles::style(const Appearance& appearance) {
         _leafProgram = createProgram("branchwise/leaf", "leaf");
     }
     TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr, nullptr};
-    style.bark->setAttributeAndModes(_barkProgram);
-    style.bark->setTextureAttribute(0, _textures.bark(appearance));
-    style.bark->addUniform(new osg::Uniform("barkTexture", 0));
-    style.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
-    style.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
-
+    _textures.showBark(*style.bark, _barkProgram, appearance);
     style.branchBark = new SharedStateSet(*style.bark);
     style.branchBark->addUniform(new osg::Uniform("treeFirstUnit", -1));
 
-    style.leaves->setAttributeAndModes(_leafProgram);
-    style.leaves->setTextureAttribute(0, _textures.leaves(appearance));
-    style.leaves->addUniform(new osg::Uniform("leafTexture", 0));
+    _textures.showLeaves(*style.leaves, _leafProgram, appearance);
     style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
-    style.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
-    // Shadow cameras would leave out half of them.
-    style.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
-    setCoverageModes(*style.leaves);
     style.leafCluster = new SharedStateSet(*style.leaves);
     style.leafCluster->addUniform(new osg::Uniform("treeFirstUnit", -1));
     style.leafCluster->addUniform(new osg::Uniform("treeFirstLeaf", -1));

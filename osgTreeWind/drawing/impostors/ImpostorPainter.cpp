@@ -21,7 +21,7 @@
 namespace osgTreeWind {
 namespace {
 
-/// A quad of a leaf cluster, and what shaders/leaf.vert makes of it.
+/// A quad of a leaf cluster, and what shaders/instance_leaf.vert makes of it.
 struct LeafPiece {
     glm::vec3 corner, across, along; ///< Metres, tree frame.
     glm::vec3 color;

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <algorithm>
 #include <utility>
@@ -33,7 +34,7 @@ osg::ref_ptr<osg::Texture2D> texture(const char* name, osg::Image* image) {
 
 osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Program* program) {
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
-    state->setAttributeAndModes(program);
+    state->setAttributeAndModes(program, ownProgram);
     state->setTextureAttribute(ImpostorStrip::colorUnit, texture("impostor colors", pictures.colors));
     state->setTextureAttribute(ImpostorStrip::normalUnit, texture("impostor normals", pictures.normals));
     state->addUniform(new osg::Uniform("impostorColors", ImpostorStrip::colorUnit));

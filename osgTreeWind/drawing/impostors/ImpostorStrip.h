@@ -9,14 +9,14 @@
 
 namespace osgTreeWind {
 
-/// The drawn form of a tree's pictures, shared by all trees of that shape: a strip that shaders/impostor.vert
+/// The drawn form of a tree's pictures, shared by all trees of a model: a strip that shaders/impostor.vert
 /// puts where the attributes treePlace, treeSize and treeState say, and what it needs but for the uniform
 /// leanPower.
 class ImpostorStrip : public osg::Referenced {
 public:
     static constexpr int colorUnit = 0, normalUnit = 6; ///< Texture units; shadows use those between.
 
-    /// @param program createProgram("impostor", "impostor"), shared by all shapes. @param segments of the
+    /// @param program createProgram("impostor", "impostor"), shared by all models. @param segments of the
     /// strip up the tree, at least 1: how finely it bends.
     ImpostorStrip(ImpostorPictures pictures, osg::Program* program, int segments = 2);
 

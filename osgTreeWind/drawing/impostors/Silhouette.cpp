@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/Silhouette.h>
 
-#include <glm/common.hpp>
+#include <osgTreeWind/drawing/looks/Parallelogram.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,26 +16,11 @@ float Silhouette::Mask::coverage() const {
 
 void Silhouette::draw(const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along,
                       const Mask& mask) {
-    const float det = across.x * along.y - across.y * along.x;
-    if (!(std::abs(det) > 1e-6f))
-        return;
-    const auto from = [&](float low) {
-        return static_cast<int>(std::clamp(std::floor(low), 0.0f, static_cast<float>(_size)));
-    };
-    const glm::vec2 low = corner + glm::min(across, 0.0f) + glm::min(along, 0.0f),
-                    high = corner + glm::max(across, 0.0f) + glm::max(along, 0.0f);
-    const auto size = static_cast<float>(mask.size);
-    for (int y = from(low.y); y < from(high.y + 1.0f); ++y)
-        for (int x = from(low.x); x < from(high.x + 1.0f); ++x) {
-            const glm::vec2 p = glm::vec2(x, y) + 0.5f - corner;
-            const float u = (p.x * along.y - p.y * along.x) / det,
-                        v = (across.x * p.y - across.y * p.x) / det;
-            if (u < 0.0f || u >= 1.0f || v < 0.0f || v >= 1.0f)
-                continue;
-            const int texel = static_cast<int>(v * size) * mask.size + static_cast<int>(u * size);
-            if (mask.solid[static_cast<std::size_t>(texel)])
-                _black[static_cast<std::size_t>(y * _size + x)] = 1;
-        }
+    visitParallelogram(corner, across, along, mask.size, _size, [&](const ParallelogramRow& row) {
+        for (int x = row.first; x < row.end; ++x)
+            if (mask.solid[static_cast<std::size_t>(row.cell(x))])
+                _black[static_cast<std::size_t>(row.y * _size + x)] = 1;
+    });
 }
 
 void Silhouette::spread(int reach, std::uint8_t value) {

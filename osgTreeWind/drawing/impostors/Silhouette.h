@@ -12,7 +12,8 @@ namespace osgTreeWind {
 /// A square picture in black and white: what stands before the sky.
 class Silhouette {
 public:
-    /// What of a parallelogram is solid: rows and columns, u from left to right, v from the bottom up.
+    /// What of a parallelogram is solid: rows and columns, as many as a power of two, u from left to right,
+    /// v from the bottom up.
     struct Mask {
         int size = 0;
         std::vector<std::uint8_t> solid;

@@ -40,113 +40,23 @@ struct Shoot {
     glm::vec2 at(float t) const { return foot + length * t * direction(lean + 0.5f * bend * t); }
 };
 
-Habit habitOf(LeafForm form) {
-    Habit h;
-    switch (form) {
-    case LeafForm::Blade:
-        break;
-    case LeafForm::Lobed: // leaves crowd at the ends
-        h.lean = 1.0f;
-        h.bare = 0.4f;
-        h.length = 0.2f;
-        h.petiole = 0.01f;
-        h.spacing = 0.05f;
-        break;
-    case LeafForm::Ovate: // flat, in two rows
-        h.lean = 0.8f;
-        h.length = 0.16f;
-        h.leafLean = 0.85f;
-        h.spacing = 0.06f;
-        h.variation = 0.12f;
-        break;
-    case LeafForm::Rhombic:
-        h.lean = 0.7f;
-        h.length = 0.1f;
-        h.petiole = 0.035f;
-        h.spacing = 0.035f;
-        h.twigs = 4;
-        break;
-    case LeafForm::Palmate:
-        h.opposite = true;
-        h.sides = 6;
-        h.twigs = 2;
-        h.length = 0.19f;
-        h.petiole = 0.1f;
-        h.spacing = 0.15f;
-        h.bare = 0.3f;
-        break;
-    case LeafForm::Pinnate:
-        h.opposite = true;
-        h.sides = 6;
-        h.twigs = 2;
-        h.length = 0.14f;
-        h.petiole = 0.34f;
-        h.spacing = 0.12f;
-        h.bare = 0.4f;
-        h.leafLean = 0.7f;
-        break;
-    case LeafForm::Heart:
-        h.length = 0.15f;
-        h.petiole = 0.06f;
-        h.spacing = 0.08f;
-        h.variation = 0.5f;
-        break;
-    case LeafForm::Round:
-        h.lean = 0.8f;
-        h.length = 0.1f;
-        h.petiole = 0.08f;
-        h.spacing = 0.05f;
-        h.variation = 0.6f;
-        break;
-    case LeafForm::Fingered:
-        h.opposite = true;
-        h.sides = 6;
-        h.twigs = 1;
-        h.length = 0.22f;
-        h.petiole = 0.16f;
-        h.spacing = 0.35f;
-        h.bare = 0.25f;
-        h.leafLean = 1.2f;
-        break;
-    case LeafForm::Fan: // bunches on spurs
-        h.lean = 1.0f;
-        h.length = 0.12f;
-        h.petiole = 0.08f;
-        h.spacing = 0.13f;
-        h.variation = 0.2f;
-        break;
-    case LeafForm::Needles:
-        h.lean = 0.8f;
-        h.twigs = 5;
-        h.sides = 9;
-        h.bare = 0.0f;
-        h.length = 0.04f;
-        h.spacing = 0.006f;
-        h.petiole = 0.0f;
-        h.variation = 0.15f;
-        break;
-    case LeafForm::Bundles:
-        h.lean = 0.75f;
-        h.twigs = 3;
-        h.bare = 0.3f;
-        h.length = 0.13f;
-        h.spacing = 0.007f;
-        h.leafLean = 0.55f;
-        h.petiole = 0.0f;
-        h.variation = 0.25f;
-        break;
-    case LeafForm::Tufts:
-        h.lean = 0.9f;
-        h.twigs = 4;
-        h.length = 0.055f;
-        h.spacing = 0.035f;
-        h.petiole = 0.0f;
-        break;
-    case LeafForm::Frond:
-        break;
-    }
-    return h;
-}
+/// By form; that of a frond is not used.
+constexpr Habit habits[] = {
+    {7, 3, 0.9f, false, 0.1f, 0.05f, 0.9f, 0.15f, 0.02f, 0.3f},    // blade
+    {7, 3, 1.0f, false, 0.4f, 0.05f, 0.9f, 0.2f, 0.01f, 0.3f},     // lobed: leaves crowd at the ends
+    {7, 3, 0.8f, false, 0.1f, 0.06f, 0.85f, 0.16f, 0.02f, 0.12f},  // ovate: flat, in two rows
+    {7, 4, 0.7f, false, 0.1f, 0.035f, 0.9f, 0.1f, 0.035f, 0.3f},   // rhombic
+    {6, 2, 0.9f, true, 0.3f, 0.15f, 0.9f, 0.19f, 0.1f, 0.3f},      // palmate
+    {6, 2, 0.9f, true, 0.4f, 0.12f, 0.7f, 0.14f, 0.34f, 0.3f},     // pinnate
+    {7, 3, 0.9f, false, 0.1f, 0.08f, 0.9f, 0.15f, 0.06f, 0.5f},    // heart
+    {7, 3, 0.8f, false, 0.1f, 0.05f, 0.9f, 0.1f, 0.08f, 0.6f},     // round
+    {6, 1, 0.9f, true, 0.25f, 0.35f, 1.2f, 0.22f, 0.16f, 0.3f},    // fingered
+    {7, 3, 1.0f, false, 0.1f, 0.13f, 0.9f, 0.12f, 0.08f, 0.2f},    // fan: bunches on spurs
+    {9, 5, 0.8f, false, 0.0f, 0.006f, 0.9f, 0.04f, 0.0f, 0.15f},   // needles
+    {7, 3, 0.75f, false, 0.3f, 0.007f, 0.55f, 0.13f, 0.0f, 0.25f}, // bundles
+    {7, 4, 0.9f, false, 0.1f, 0.035f, 0.9f, 0.055f, 0.0f, 0.3f},   // tufts
+    {7, 3, 0.9f, false, 0.1f, 0.05f, 0.9f, 0.15f, 0.02f, 0.3f},    // frond
+};
 
 /// Within a rounded outline that the eye does not take for a card.
 bool onCard(const glm::vec2& p) {
@@ -157,7 +67,7 @@ bool onCard(const glm::vec2& p) {
 class Spray {
 public:
     explicit Spray(LeafForm form)
-        : _form(form), _habit(habitOf(form)), _outline(leafOutline(form)),
+        : _form(form), _habit(habits[static_cast<std::size_t>(form)]), _outline(leafOutline(form)),
           _random(100 + static_cast<std::uint64_t>(form)) {}
 
     LeafTexels paint() {

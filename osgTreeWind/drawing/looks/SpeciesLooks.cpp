@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
 
-#include <osgTreeWind/drawing/looks/SceneShading.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
@@ -18,22 +17,11 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) {
         _leafProgram = createProgram("instance_leaf", "instance_leaf");
     }
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet, nullptr, nullptr};
-    looks.bark->setAttributeAndModes(_barkProgram);
-    looks.bark->setTextureAttribute(0, _textures.bark(appearance));
-    looks.bark->addUniform(new osg::Uniform("barkTexture", 0));
-    looks.bark->addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
-    looks.bark->setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
-
+    _textures.showBark(*looks.bark, _barkProgram, appearance);
+    _textures.showLeaves(*looks.leaves, _leafProgram, appearance);
     const glm::vec4 limits = flutterLimits(species.leaf);
-    looks.leaves->setAttributeAndModes(_leafProgram);
-    looks.leaves->setTextureAttribute(0, _textures.leaves(appearance));
-    looks.leaves->addUniform(new osg::Uniform("leafTexture", 0));
-    looks.leaves->addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
-    // Shadow cameras would leave out half of them.
-    looks.leaves->setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
-    setCoverageModes(*looks.leaves);
     return looks;
 }
 

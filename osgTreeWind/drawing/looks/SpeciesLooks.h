@@ -4,9 +4,6 @@
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/species/Species.h>
 
-#include <osg/Program>
-#include <osg/StateSet>
-
 namespace osgTreeWind {
 
 /// What the trees of a species are drawn with under the law `modal`.

@@ -3,7 +3,10 @@
 
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
+#include <osgTreeWind/drawing/looks/SceneShading.h>
 #include <osgTreeWind/drawing/looks/TreePicture.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/observer_ptr>
 
@@ -91,6 +94,24 @@ osg::Texture2D* TreeTextures::bark(const Appearance& appearance) {
     if (!texture)
         texture = makeTreeTexture("bark", image, osg::Texture::REPEAT);
     return texture;
+}
+
+void TreeTextures::showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
+    state.setAttributeAndModes(program, ownProgram);
+    state.setTextureAttribute(0, bark(appearance));
+    state.addUniform(new osg::Uniform("barkTexture", 0));
+    state.addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
+    state.setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
+}
+
+void TreeTextures::showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
+    state.setAttributeAndModes(program, ownProgram);
+    state.setTextureAttribute(0, leaves(appearance));
+    state.addUniform(new osg::Uniform("leafTexture", 0));
+    state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
+    // Shadow cameras would leave out half of them.
+    state.setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    setCoverageModes(state);
 }
 
 } // namespace osgTreeWind

@@ -4,6 +4,8 @@
 #include <osgTreeWind/species/Appearance.h>
 
 #include <osg/Image>
+#include <osg/Program>
+#include <osg/StateSet>
 #include <osg/Texture2D>
 
 #include <map>
@@ -26,6 +28,11 @@ class TreeTextures {
 public:
     osg::Texture2D* leaves(const Appearance& appearance);
     osg::Texture2D* bark(const Appearance& appearance);
+
+    /// Has bark, or leaves and twigs, drawn by a program, with what the appearance says but the leaves'
+    /// colour.
+    void showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
+    void showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
 
 private:
     std::map<osg::ref_ptr<osg::Image>, osg::ref_ptr<osg::Texture2D>> _textures;

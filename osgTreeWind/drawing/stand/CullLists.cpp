@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/stand/CullLists.h>
 
 #include <osgTreeWind/drawing/looks/SceneShading.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 
 namespace osgTreeWind {
 
@@ -17,20 +18,20 @@ std::size_t CullLists::bandOf(float distance) {
     return band;
 }
 
-void CullLists::begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place, osg::Camera* camera) {
+void CullLists::begin(unsigned frame, std::size_t models, osgUtil::StateGraph* place, osg::Camera* camera) {
     _frame = frame;
     _camera = camera;
     _place = place;
     _used = 0;
     _near.clear();
-    _shapes = shapes;
-    _open.assign(2 * bands * shapes * tierCount, 0);
+    _models = models;
+    _open.assign(2 * bands * models * tierCount, 0);
 }
 
-InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, bool fading,
+InstanceList& CullLists::list(std::size_t band, std::size_t model, Tier tier, bool fading,
                               const PosePass* passes, PosePage* page) {
     std::size_t& open =
-        _open[2 * ((band * _shapes + shape) * tierCount + static_cast<std::size_t>(tier)) + fading];
+        _open[2 * ((band * _models + model) * tierCount + static_cast<std::size_t>(tier)) + fading];
     if (open != 0 && _lists[open - 1].trees->page == page)
         return *_lists[open - 1].trees;
     if (_used == _lists.size())
@@ -38,7 +39,7 @@ InstanceList& CullLists::list(std::size_t band, std::size_t shape, Tier tier, bo
     List& list = _lists[_used++];
     open = _used;
     list.band = band;
-    list.shape = shape;
+    list.model = model;
     list.tier = tier;
     list.fading = fading;
     list.trees->clear();
@@ -53,6 +54,8 @@ void CullLists::countTrees(std::array<std::size_t, tierCount>& trees) const {
 }
 
 void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
+    if (!canRunPrograms(*renderInfo.getState()))
+        return;
     osg::ref_ptr<osg::Camera> camera;
     setSceneDefines(*_shading, _place, _camera.lock(camera) && isMultisampled(*camera));
     for (std::size_t i = 0; i < _used; ++i)

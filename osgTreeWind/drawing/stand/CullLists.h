@@ -26,7 +26,7 @@ public:
     CullLists();
 
     struct List {
-        std::size_t band = 0, shape = 0;
+        std::size_t band = 0, model = 0;
         Tier tier = Tier::Full;
         bool fading = false; ///< Whether its trees cross over to another tier.
         osg::ref_ptr<InstanceList> trees = new InstanceList;
@@ -34,9 +34,9 @@ public:
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
     };
 
-    /// A cull by a camera begins, of a stand of so many shapes. @param place of the trees in the scene's
+    /// A cull by a camera begins, of a stand of so many models. @param place of the trees in the scene's
     /// state.
-    void begin(unsigned frame, std::size_t shapes, osgUtil::StateGraph* place, osg::Camera* camera);
+    void begin(unsigned frame, std::size_t models, osgUtil::StateGraph* place, osg::Camera* camera);
     unsigned frame() const { return _frame; }
 
     /// Trees are drawn band by band, so that near ones hide the far ones behind them.
@@ -44,8 +44,8 @@ public:
     /// That of trees in this distance, metres: the first one up to 60 m, each of the others twice as deep.
     static std::size_t bandOf(float distance);
 
-    /// The list that trees of this band, shape and tier go to, and of this page if they have poses.
-    InstanceList& list(std::size_t band, std::size_t shape, Tier tier, bool fading, const PosePass* passes,
+    /// The list that trees of this band, model and tier go to, and of this page if they have poses.
+    InstanceList& list(std::size_t band, std::size_t model, Tier tier, bool fading, const PosePass* passes,
                        PosePage* page);
 
     struct SeenCell {
@@ -76,7 +76,7 @@ public:
 
 private:
     unsigned _frame = ~0u;
-    std::size_t _used = 0, _shapes = 0;
+    std::size_t _used = 0, _models = 0;
     osg::ref_ptr<osgUtil::StateGraph> _place;
     osg::observer_ptr<osg::Camera> _camera; // which may hold the stand
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
@@ -84,7 +84,7 @@ private:
     std::vector<SeenCell> _seenCells;
     std::vector<List> _lists;
     std::vector<std::size_t>
-        _open; ///< By band, shape, tier and fading, the list that is filled now; 0: none, else one more.
+        _open; ///< By band, model, tier and fading, the list that is filled now; 0: none, else one more.
     std::vector<std::uint32_t> _near;
 };
 

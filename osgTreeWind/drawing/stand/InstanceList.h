@@ -16,7 +16,7 @@ struct TreeInstance {
                     ///< y, fade, its own number).
 };
 
-/// Trees of one shape and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at
+/// Trees of one model and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at
 /// a time.
 struct InstanceList : osg::Referenced {
     InstanceList();

@@ -23,6 +23,8 @@ void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees) {
 
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
+    if (!canRunPrograms(state))
+        return;
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     state.unbindVertexArrayObject(); // where there is one it would be of the geometry drawn before
     state.setCurrentToGlobalVertexArrayState();

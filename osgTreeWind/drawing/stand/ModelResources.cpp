@@ -50,28 +50,14 @@ void ModelResources::paint(Tier tier, const TreeModel& model, const Appearance& 
         new ImpostorStrip(paintImpostor(model, appearance, settings), program);
 }
 
-void ModelResources::resizeGLObjectBuffers(unsigned maxSize) const {
+void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
     for (int tier = 0; tier < branchTiers; ++tier)
         for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
             if (geometry)
-                geometry->resizeGLObjectBuffers(maxSize);
+                objects.push_back(geometry);
     for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
-        if (impostor) {
-            impostor->geometry()->resizeGLObjectBuffers(maxSize);
-            impostor->stateSet()->resizeGLObjectBuffers(maxSize);
-        }
-}
-
-void ModelResources::releaseGLObjects(osg::State* state) const {
-    for (int tier = 0; tier < branchTiers; ++tier)
-        for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
-            if (geometry)
-                geometry->releaseGLObjects(state);
-    for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
-        if (impostor) {
-            impostor->geometry()->releaseGLObjects(state);
-            impostor->stateSet()->releaseGLObjects(state);
-        }
+        if (impostor)
+            objects.insert(objects.end(), {impostor->geometry(), impostor->stateSet()});
 }
 
 } // namespace osgTreeWind

@@ -8,12 +8,14 @@
 #include <osg/Geometry>
 #include <osg/StateSet>
 
+#include <vector>
+
 namespace osgTreeWind {
 
 /// What the trees of one model are drawn from, at each tier.
 class ModelResources : public osg::Referenced {
 public:
-    /// @param species that it is a shape of.
+    /// @param species that it is a model of.
     ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance);
     /// As another one, but drawn from these at every tier; null for none.
     ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves);
@@ -32,8 +34,8 @@ public:
     /// Where shaders find its poses, and how sharply leaves are drawn at that tier.
     osg::StateSet* state(Tier tier) const { return _states[static_cast<int>(tier)].get(); }
 
-    void resizeGLObjectBuffers(unsigned maxSize) const;
-    void releaseGLObjects(osg::State* state) const;
+    /// Adds geometries and state sets: all that OpenGL keeps something of.
+    void addGLObjects(std::vector<osg::Object*>& objects) const;
 
 private:
     std::size_t _species;

@@ -8,7 +8,7 @@
 namespace osgTreeWind {
 
 StandResources::StandResources(const PlacedForest& forest)
-    : shapes(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
+    : models(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
       programs(new PosePrograms) {
     SpeciesStyles styles;
     for (const Species& species : forest.description().species)
@@ -17,12 +17,12 @@ StandResources::StandResources(const PlacedForest& forest)
     state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
-    if (shapes.empty()) // nor a pool of threads
+    if (models.empty()) // nor a pool of threads
         return;
     impostorProgram = createProgram("impostor", "impostor");
-    ThreadPool::executor()(shapes.size(), [&](std::size_t model) {
+    ThreadPool::executor()(models.size(), [&](std::size_t model) {
         const std::size_t species = forest.speciesOfModel(model);
-        shapes[model] = new ModelResources(forest.models()[model], species,
+        models[model] = new ModelResources(forest.models()[model], species,
                                            forest.description().species[species].appearance);
     });
     followSeason(forest);
@@ -33,7 +33,7 @@ void StandResources::followSeason(const PlacedForest& forest) {
     for (std::size_t i = 0; i < looks.size(); ++i)
         looks[i].showSeason(species[i].appearance, forest.season());
     std::set<std::pair<std::size_t, Tier>> wanted;
-    for (std::size_t model = 0; model < shapes.size(); ++model) // of trees that may come
+    for (std::size_t model = 0; model < models.size(); ++model) // of trees that may come
         wanted.emplace(model, impostorTier(leafShare(species[forest.speciesOfModel(model)].appearance,
                                                      forest.season())));
     for (const PlacedTree& tree : forest.trees)
@@ -51,12 +51,12 @@ void StandResources::paintImpostors(const PlacedForest& forest,
     const DrawingOptions& drawing = forest.description().drawing;
     std::vector<std::pair<std::size_t, Tier>> missing;
     for (const auto& [model, tier] : wanted)
-        if (drawing.tiers && drawing.impostor > 0.0f && !shapes[model]->impostor(tier))
+        if (drawing.tiers && drawing.impostor > 0.0f && !models[model]->impostor(tier))
             missing.emplace_back(model, tier);
     const auto paint = [&](std::size_t i) {
         const auto [model, tier] = missing[i];
-        shapes[model]->paint(tier, forest.models()[model],
-                             forest.description().species[shapes[model]->species()].appearance,
+        models[model]->paint(tier, forest.models()[model],
+                             forest.description().species[models[model]->species()].appearance,
                              impostorProgram);
     };
     if (missing.size() == 1)
@@ -65,32 +65,16 @@ void StandResources::paintImpostors(const PlacedForest& forest,
         ThreadPool::executor()(missing.size(), paint);
 }
 
-void StandResources::resizeGLObjectBuffers(unsigned maxSize) const {
-    for (const osg::ref_ptr<ModelResources>& shape : shapes)
-        shape->resizeGLObjectBuffers(maxSize);
+std::vector<osg::Object*> StandResources::glObjects() const {
+    std::vector<osg::Object*> objects = {programs->turns, programs->poses};
+    for (const osg::ref_ptr<ModelResources>& model : models)
+        model->addGLObjects(objects);
     for (const SpeciesLooks& look : looks)
         for (const osg::ref_ptr<osg::StateSet>& set :
              {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
             if (set)
-                set->resizeGLObjectBuffers(maxSize);
-    if (programs) {
-        programs->turns->resizeGLObjectBuffers(maxSize);
-        programs->poses->resizeGLObjectBuffers(maxSize);
-    }
-}
-
-void StandResources::releaseGLObjects(osg::State* of) const {
-    for (const osg::ref_ptr<ModelResources>& shape : shapes)
-        shape->releaseGLObjects(of);
-    for (const SpeciesLooks& look : looks)
-        for (const osg::ref_ptr<osg::StateSet>& set :
-             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
-            if (set)
-                set->releaseGLObjects(of);
-    if (programs) {
-        programs->turns->releaseGLObjects(of);
-        programs->poses->releaseGLObjects(of);
-    }
+                objects.push_back(set);
+    return objects;
 }
 
 } // namespace osgTreeWind

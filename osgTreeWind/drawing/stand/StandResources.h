@@ -14,7 +14,6 @@ namespace osgTreeWind {
 
 /// What the trees of a stand are drawn from. A copy shares all of it.
 struct StandResources {
-    StandResources() = default;
     explicit StandResources(const PlacedForest& forest);
 
     /// Has leaves the colour of the forest's season, and all impostors that its trees need. In update.
@@ -22,15 +21,15 @@ struct StandResources {
     /// The same for one tree.
     void paintImpostor(const PlacedForest& forest, const PlacedTree& tree);
 
-    std::vector<osg::ref_ptr<ModelResources>> shapes; ///< By model.
+    std::vector<osg::ref_ptr<ModelResources>> models; ///< By model.
     std::vector<SpeciesLooks> looks;                  ///< By species.
     osg::ref_ptr<osg::StateSet> state;                ///< Of all trees with branches.
     osg::ref_ptr<osg::StateSet> fading;               ///< Of trees that cross over to another tier.
     osg::ref_ptr<osg::Program> impostorProgram;
     osg::ref_ptr<PosePrograms> programs;
 
-    void resizeGLObjectBuffers(unsigned maxSize) const;
-    void releaseGLObjects(osg::State* state) const;
+    /// Programs, geometries and state sets: all that OpenGL keeps something of.
+    std::vector<osg::Object*> glObjects() const;
 
 private:
     /// Those of them that are not painted yet. @param wanted models and tiers.

@@ -9,6 +9,7 @@
 #include <osgUtil/IntersectionVisitor>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
 namespace {
@@ -22,13 +23,14 @@ TreeStand::TreeStand() : TreeStand(std::make_shared<ForestSimulation>(ForestDesc
 TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation)
     : TreeStand(simulation, StandResources(simulation->forest())) {}
 
-TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& drawing)
-    : _simulation(std::move(simulation)), _drawing(drawing), _tiers(_simulation->description().drawing),
+TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)
+    : _simulation(std::move(simulation)), _resources(resources), _tiers(_simulation->description().drawing),
       _flutter(_simulation->description().species.size()) {
     setName("trees");
     setSupportsDisplayList(false);
+    setUseVertexBufferObjects(true); // else nobody asks it to compile them
     for (const TreeModel& model : _simulation->models())
-        _passes.push_back(new PosePass(model.skeleton, _drawing.programs));
+        _passes.push_back(new PosePass(model.skeleton, _resources.programs));
     for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
         if (_simulation->trees()[tree].alive)
             treeChanged(tree);
@@ -36,7 +38,7 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandRe
 }
 
 TreeStand::TreeStand(const TreeStand& other, const osg::CopyOp&)
-    : TreeStand(other._simulation, other._drawing) {}
+    : TreeStand(other._simulation, other._resources) {}
 
 void TreeStand::treeChanged(std::size_t tree) {
     const PlacedTree& placed = _simulation->trees()[tree];
@@ -50,15 +52,30 @@ void TreeStand::treeChanged(std::size_t tree) {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
-        _drawing.paintImpostor(_simulation->forest(), placed);
+        _resources.paintImpostor(_simulation->forest(), placed);
         if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
             follow(number);
     }
     dirtyBound();
 }
 
+osg::BoundingBox TreeStand::computeBoundingBox() const {
+    osg::BoundingBox box;
+    for (const PlacedTree& tree : _simulation->trees()) {
+        if (!tree.alive)
+            continue;
+        const std::array<float, 5> reach = _simulation->forest().modelOf(tree).extents.reach(tree.scale);
+        const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+        for (const float x : {-reach[1], reach[0]})
+            for (const float y : {-reach[3], reach[2]})
+                for (const float z : {0.0f, reach[4]})
+                    box.expandBy(toOsg(tree.position + turnHeading({x, y, z}, sine, cosine)));
+    }
+    return box;
+}
+
 void TreeStand::seasonChanged() {
-    _drawing.followSeason(_simulation->forest());
+    _resources.followSeason(_simulation->forest());
 }
 
 void TreeStand::follow(std::uint32_t tree) {
@@ -69,10 +86,12 @@ void TreeStand::follow(std::uint32_t tree) {
     attention.isNear = true;
 }
 
-void TreeStand::keepNear(std::size_t tree) {
+void TreeStand::keepNear(std::size_t tree, bool kept) {
+    _attention[tree].kept = kept;
+    if (!kept)
+        return;
     _simulation->modal()->setLevel(tree, ModalMotion::Level::Near);
     follow(static_cast<std::uint32_t>(tree));
-    _attention[tree].kept = true;
 }
 
 void TreeStand::update(unsigned frame, double time) {
@@ -151,7 +170,7 @@ void TreeStand::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
     const osg::ref_ptr<CullLists> lists = freeLists(visitor);
-    TreeStandCull{visitor, frame,    *_simulation, *_simulation->modal(), _drawing, _passes, _tiers,
+    TreeStandCull{visitor, frame,    *_simulation, *_simulation->modal(), _resources, _passes, _tiers,
                   _cells,  _flutter, *lists}
         .run();
 }
@@ -165,14 +184,26 @@ std::array<std::size_t, tierCount> TreeStand::listedTrees() const {
     return trees;
 }
 
+void TreeStand::compileGLObjects(osg::RenderInfo& renderInfo) const {
+    for (osg::Object* object : _resources.glObjects())
+        if (const osg::StateSet* state = object->asStateSet())
+            state->compileGLObjects(*renderInfo.getState());
+        else if (const osg::StateAttribute* program = object->asStateAttribute())
+            program->compileGLObjects(*renderInfo.getState());
+        else
+            object->asDrawable()->compileGLObjects(renderInfo);
+}
+
 void TreeStand::resizeGLObjectBuffers(unsigned maxSize) {
     osg::Drawable::resizeGLObjectBuffers(maxSize);
-    _drawing.resizeGLObjectBuffers(maxSize);
+    for (osg::Object* object : _resources.glObjects())
+        object->resizeGLObjectBuffers(maxSize);
 }
 
 void TreeStand::releaseGLObjects(osg::State* state) const {
     osg::Drawable::releaseGLObjects(state);
-    _drawing.releaseGLObjects(state);
+    for (const osg::Object* object : _resources.glObjects())
+        object->releaseGLObjects(state);
     for (const osg::ref_ptr<PosePass>& passes : _passes)
         passes->releaseGLObjects(state);
     const std::lock_guard<std::mutex> lock(_listsMutex);

@@ -25,8 +25,8 @@ public:
     /// No trees.
     TreeStand();
     explicit TreeStand(std::shared_ptr<ForestSimulation> simulation);
-    /// Drawn from the same shapes and state as another one of the same models and species.
-    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& drawing);
+    /// Drawn from the same models and state as another one of the same models and species.
+    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources);
     /// Of the same trees, which the original's forest moves.
     TreeStand(const TreeStand& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     osg::Object* cloneType() const override { return new TreeStand; }
@@ -41,14 +41,14 @@ public:
     void treeChanged(std::size_t tree);
     /// The forest's season is another one. In update.
     void seasonChanged();
-    /// Has a tree followed closely from now on, whoever sees it. In update.
-    void keepNear(std::size_t tree);
+    /// Has a tree followed closely from now on, whoever sees it; or no more. In update.
+    void keepNear(std::size_t tree, bool kept);
     /// After each step: which trees are followed how closely. In update.
     void update(unsigned frame, double time);
 
     /// What its trees are drawn from. Changed between frames.
-    StandResources& drawing() { return _drawing; }
-    const StandResources& drawing() const { return _drawing; }
+    StandResources& resources() { return _resources; }
+    const StandResources& resources() const { return _resources; }
     /// Trees that are followed closely, since a camera saw their branches of late.
     std::size_t nearTrees() const { return _near.size(); }
     /// Trees in lists of the culls of the last frame, of all cameras, by tier; one that crosses over counts
@@ -57,8 +57,13 @@ public:
 
     using osg::Drawable::accept;
     void accept(osg::NodeVisitor& visitor) override;
-    osg::BoundingBox computeBoundingBox() const override { return _cells.bounds(); }
+    /// The trees at rest, from the foot of the lowest; exact for trees that head north or south.
+    osg::BoundingBox computeBoundingBox() const override;
+    /// The trees as far as they may sway, as culling takes them.
+    osg::BoundingBox reach() const { return _cells.bounds(); }
     void drawImplementation(osg::RenderInfo&) const override {}
+    /// Whatever its trees are drawn with, as osgUtil::GLObjectsVisitor and pagers ask for it.
+    void compileGLObjects(osg::RenderInfo& renderInfo) const override;
     void resizeGLObjectBuffers(unsigned maxSize) override;
     void releaseGLObjects(osg::State* state = nullptr) const override;
 
@@ -72,7 +77,7 @@ private:
     osg::ref_ptr<CullLists> freeLists(const osgUtil::CullVisitor& visitor);
 
     std::shared_ptr<ForestSimulation> _simulation;
-    StandResources _drawing;
+    StandResources _resources;
     std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.
     TreeTiers _tiers;
     mutable TreeCells _cells;

@@ -22,7 +22,7 @@ float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
 } // namespace
 
 void TreeStandCull::run() {
-    lists.begin(frame, drawing.shapes.size(), visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
+    lists.begin(frame, resources.models.size(), visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
     const ViewFrustum view(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();
@@ -107,7 +107,7 @@ void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseReques
 void TreeStandCull::handOver() {
     if (lists.size() == 0)
         return;
-    visitor.pushStateSet(drawing.state);
+    visitor.pushStateSet(resources.state);
     visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
     bool drawn = false;
@@ -131,19 +131,19 @@ void TreeStandCull::handOver() {
         CullLists::List& list = lists[i];
         list.trees->values->dirty();
         osg::StateSet* const inBand = lists.bandState(list.band);
-        osg::StateSet* const fading = list.fading ? drawing.fading.get() : nullptr;
-        const ModelResources& shape = *drawing.shapes[list.shape];
-        const SpeciesLooks& looks = drawing.looks[shape.species()];
+        osg::StateSet* const fading = list.fading ? resources.fading.get() : nullptr;
+        const ModelResources& model = *resources.models[list.model];
+        const SpeciesLooks& looks = resources.looks[model.species()];
         if (list.tier >= Tier::Impostor) {
-            const ImpostorStrip& impostor = *shape.impostor(list.tier);
+            const ImpostorStrip& impostor = *model.impostor(list.tier);
             draw(impostor.geometry(), *list.bark, *list.trees,
                  {inBand, fading, impostor.stateSet(), looks.impostors});
             continue;
         }
-        draw(shape.bark(list.tier), *list.bark, *list.trees,
-             {inBand, fading, looks.bark, shape.state(list.tier), looks.ownBark});
-        draw(shape.leaves(list.tier), *list.leaves, *list.trees,
-             {inBand, fading, looks.leaves, shape.state(list.tier), looks.ownLeaves});
+        draw(model.bark(list.tier), *list.bark, *list.trees,
+             {inBand, fading, looks.bark, model.state(list.tier), looks.ownBark});
+        draw(model.leaves(list.tier), *list.leaves, *list.trees,
+             {inBand, fading, looks.leaves, model.state(list.tier), looks.ownLeaves});
     }
     visitor.popStateSet();
     visitor.popStateSet();

@@ -20,7 +20,7 @@ public:
     unsigned frame;
     const ForestSimulation& simulation;
     const ModalMotion& modal; ///< Of the simulation.
-    const StandResources& drawing;
+    const StandResources& resources;
     const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
     const TreeTiers& tiers;
     const TreeCells& cells;

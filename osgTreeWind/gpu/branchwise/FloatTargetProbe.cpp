@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
 #include <osg/GLExtensions>
 #include <osg/State>
 #include <osg/Texture>
@@ -32,7 +34,8 @@ bool supportsAnglePasses(osg::State& state) {
     const osg::GLExtensions* gl = state.get<osg::GLExtensions>();
     GLint vertexTextures = 0;
     glGetIntegerv(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS, &vertexTextures);
-    return gl && gl->isFrameBufferObjectSupported && gl->glslLanguageVersion >= 3.3f && vertexTextures > 2 &&
+    return gl && canRunPrograms(state) && gl->isFrameBufferObjectSupported &&
+           gl->glslLanguageVersion >= 3.3f && vertexTextures > 2 &&
            osg::isGLExtensionOrVersionSupported(state.getContextID(), "GL_ARB_texture_float", 3.0f) &&
            hasFloatTargets(*gl);
 }

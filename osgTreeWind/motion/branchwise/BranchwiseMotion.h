@@ -35,6 +35,10 @@ public:
     Diagnostics replace(std::size_t, const PlacedTree&) override { return {fixed()}; }
     TreeMotion motion(std::size_t slot) const override;
     TreeMotion motion(std::size_t slot, UnitValues&) const override { return motion(slot); }
+    UnitMotion unitMotion(std::size_t slot, std::size_t unit) const override {
+        const std::size_t at = _forest.trees[slot].firstUnit + unit;
+        return {_poses[at], _rotations[at]};
+    }
 
     /// Takes over states computed elsewhere, one per unit, and composes the poses.
     void setStates(const glm::vec4* states);

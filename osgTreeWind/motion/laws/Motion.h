@@ -47,6 +47,8 @@ public:
     virtual TreeMotion motion(std::size_t slot) const = 0;
     /// The same; a law that works it out does so in `values`.
     virtual TreeMotion motion(std::size_t slot, UnitValues& values) const = 0;
+    /// One unit of a tree that stands there: the same numbers, at the cost of the units that carry it.
+    virtual UnitMotion unitMotion(std::size_t slot, std::size_t unit) const = 0;
 };
 
 } // namespace osgTreeWind

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
-#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/species/SpeciesFields.h>
 
 #include <glm/geometric.hpp>
 
@@ -29,13 +29,11 @@ glm::vec3 flutterPhases(double time, const LeafMotion& motion) {
     return {wrapped(paces[0] * periods), wrapped(paces[1] * periods), wrapped(paces[2] * periods)};
 }
 
-glm::vec4 flutterLimits(const LeafMotion& motion) {
+glm::vec4 flutterLimits(const LeafMotion& given) {
     Laws laws;
-    const LeafMotion usual;
-    const float factor = clampOr(motion.factor, 0.0f, 1.0f, usual.factor);
-    return {factor * laws.angleLimit(motion.maxAngleX), factor * laws.angleLimit(motion.maxAngleZ),
-            clampOr(motion.maxRotation, 0.0f, 10.0f, usual.maxRotation),
-            clampOr(motion.linkedFactor, -10.0f, 10.0f, usual.linkedFactor)};
+    const LeafMotion motion = clampedFields(given);
+    return {motion.factor * laws.angleLimit(motion.maxAngleX),
+            motion.factor * laws.angleLimit(motion.maxAngleZ), motion.maxRotation, motion.linkedFactor};
 }
 
 void StatelessFlutter::run(glm::vec4* angles) const {

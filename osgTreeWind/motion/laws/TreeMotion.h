@@ -25,6 +25,12 @@ struct TreeMotion {
     Span<glm::vec4> leaves;
 };
 
+/// One unit as it stands now: a pose and a rotation of TreeMotion.
+struct UnitMotion {
+    UnitPose pose;
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+};
+
 /// Memory for the values of one tree.
 struct UnitValues {
     std::vector<glm::vec2> angles;

@@ -6,23 +6,31 @@
 
 namespace osgTreeWind {
 
+UnitPose carriedPose(const UnitPose& parent, const glm::quat& rotation, const glm::vec3& base) {
+    UnitPose pose;
+    pose.rotation = parent.rotation * rotation;
+    pose.translation = parent.apply(base) - pose.rotation * base;
+    return pose;
+}
+
+glm::quat swungRotation(const BranchUnit& unit, const TreeScale& scale, const glm::vec2& angles) {
+    return dampedRotation(glm::vec4(angles, 0.0f, 0.0f), ScaledUnit(unit, scale).direction());
+}
+
 void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,
                   UnitPose* poses) {
     const UnitPose ground;
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const BranchUnit& unit = skeleton.units[i];
         const UnitPose& parent = unit.parent < 0 ? ground : poses[unit.parent];
-        const glm::vec3 base = scale.axes * unit.base;
-        poses[i].rotation = parent.rotation * rotations[i];
-        poses[i].translation = parent.apply(base) - poses[i].rotation * base;
+        poses[i] = carriedPose(parent, rotations[i], scale.axes * unit.base);
     }
 }
 
 void swingPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
                 glm::quat* rotations, UnitPose* poses) {
     for (std::size_t i = 0; i < skeleton.units.size(); ++i)
-        rotations[i] = dampedRotation(glm::vec4(angles[i], 0.0f, 0.0f),
-                                      ScaledUnit(skeleton.units[i], scale).direction());
+        rotations[i] = swungRotation(skeleton.units[i], scale, angles[i]);
     composePoses(skeleton, scale, rotations, poses);
 }
 

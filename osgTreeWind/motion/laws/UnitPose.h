@@ -19,11 +19,17 @@ struct UnitPose {
     glm::vec3 apply(const glm::vec3& p) const { return rotation * p + translation; }
 };
 
-/// Composes M(unit) = M(parent) * T(base) * R(unit) * T(-base) down the hierarchy (thesis §3.1.3), with
-/// `rotations` the turn of each unit about its own base in the tree's rest axes.
+/// M(unit) = M(parent) * T(base) * R(unit) * T(-base) (thesis §3.1.3), of one unit.
+UnitPose carriedPose(const UnitPose& parent, const glm::quat& rotation, const glm::vec3& base);
+
+/// Composes M(unit) down the hierarchy, with `rotations` the turn of each unit about its own base in the
+/// tree's rest axes.
 /// @param rotations, poses skeleton.units.size() elements each.
 void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,
                   UnitPose* poses);
+
+/// The turn of a unit from its angles about its own two axes (laws `damped` and `modal`).
+glm::quat swungRotation(const BranchUnit& unit, const TreeScale& scale, const glm::vec2& angles);
 
 /// The same from the angles of each unit about its own two axes (laws `damped` and `modal`), with the
 /// rotations on the way.

@@ -125,6 +125,20 @@ TreeMotion ModalForest::motion(std::size_t slot, UnitValues& values) const {
             {values.leaves.data(), values.leaves.size()}};
 }
 
+UnitMotion ModalForest::unitMotion(std::size_t slot, std::size_t unit) const {
+    const PlacedTree& tree = _forest.trees[slot];
+    const std::vector<BranchUnit>& units = _forest.modelOf(tree).skeleton.units;
+    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+    _sway.poseVector(slot, vector);
+    const auto motionOf = [&](const auto& self, std::size_t at) -> UnitMotion {
+        const int parent = units[at].parent;
+        const UnitPose carrier = parent < 0 ? UnitPose() : self(self, static_cast<std::size_t>(parent)).pose;
+        const glm::quat rotation = swungRotation(units[at], tree.scale, _sway.unitAngles(slot, at, vector));
+        return {carriedPose(carrier, rotation, tree.scale.axes * units[at].base), rotation};
+    };
+    return motionOf(motionOf, unit);
+}
+
 void ModalForest::flutter(const PlacedTree& tree, UnitValues& values) const {
     const std::vector<LeafCluster>& leaves = _forest.modelOf(tree).leaves;
     const LeafMotion& leaf = _forest.speciesOf(tree).leaf;

@@ -33,6 +33,7 @@ public:
     Diagnostics replace(std::size_t slot, const PlacedTree& tree) override;
     TreeMotion motion(std::size_t slot) const override;
     TreeMotion motion(std::size_t slot, UnitValues& values) const override;
+    UnitMotion unitMotion(std::size_t slot, std::size_t unit) const override;
 
 private:
     ModalForest(const ModalForest& other, const PlacedForest& forest);

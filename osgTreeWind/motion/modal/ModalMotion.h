@@ -75,6 +75,8 @@ public:
     /// Angles of each unit about its two axes as the tree stands (those of `damped`), held within the
     /// species' largest. @param angles one per unit.
     void angles(std::size_t tree, glm::vec2* angles) const;
+    /// Those of one unit. @param vector poseVector() of the tree.
+    glm::vec2 unitAngles(std::size_t tree, std::size_t unit, const float* vector) const;
     /// Speed of the wind that each patch met last, m/s. @param speeds model(tree).patches.size() elements.
     void patchSpeeds(std::size_t tree, float* speeds) const;
     /// How far its modes have moved the top of the tree, metres, scene axes; height z has moved by

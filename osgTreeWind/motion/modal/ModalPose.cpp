@@ -65,17 +65,21 @@ void ModalMotion::patchSpeeds(std::size_t tree, float* speeds) const {
 }
 
 void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
-    const ModalModel& model = this->model(tree);
     float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
     poseVector(tree, vector);
-    Laws laws;
-    const float* row = model.poses.data();
-    for (std::size_t joint = 0; joint < model.joints; ++joint, row += model.columns()) {
-        float angle = 0.0f;
+    for (std::size_t unit = 0; unit < model(tree).joints / 2; ++unit)
+        angles[unit] = unitAngles(tree, unit, vector);
+}
+
+glm::vec2 ModalMotion::unitAngles(std::size_t tree, std::size_t unit, const float* vector) const {
+    const ModalModel& model = this->model(tree);
+    const float* row = model.poses.data() + 2 * unit * model.columns();
+    glm::vec2 sums(0.0f);
+    for (glm::length_t axis = 0; axis < 2; ++axis)
         for (std::size_t i = 0; i < model.columns(); ++i)
-            angle += row[i] * vector[i];
-        angles[joint / 2][static_cast<glm::length_t>(joint % 2)] = laws.bounded(angle, model.maxAngle);
-    }
+            sums[axis] += *row++ * vector[i];
+    Laws laws;
+    return {laws.bounded(sums.x, model.maxAngle), laws.bounded(sums.y, model.maxAngle)};
 }
 
 std::vector<float> ModalMotion::amplitudes(std::size_t tree) const {

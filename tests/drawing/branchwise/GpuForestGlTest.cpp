@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
 
+#include <osgTreeWind/drawing/BranchTransform.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>

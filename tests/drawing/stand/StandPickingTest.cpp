@@ -183,7 +183,7 @@ TEST(StandPickingTest, everyIntersectorOfAGroupFindsItsTree) {
 
 TEST(StandPickingTest, aMaskHidesTheTreesFromItsVisitors) {
     osg::ref_ptr<Forest> forest = blownForest(1);
-    forest->getStand()->setNodeMask(0x2);
+    forest->getStand()->trees()->setNodeMask(0x2);
     const osg::Vec3d trunk = middleOf(*forest, 0, 0);
     osg::ref_ptr<LineSegmentIntersector> line =
         new LineSegmentIntersector(trunk - osg::Vec3d(0, 1, 0), trunk + osg::Vec3d(0, 1, 0));

@@ -102,8 +102,8 @@ protected:
 
 void drawWhite(Forest& forest) {
     for (std::size_t species = 0; species < forest.getDescription().species.size(); ++species) {
-        forest.setBarkState(species, silhouette("instance_bark.vert"));
-        forest.setLeafState(species, silhouette("instance_leaf.vert"));
+        forest.getStand()->setBarkState(species, silhouette("instance_bark.vert"));
+        forest.getStand()->setLeafState(species, silhouette("instance_leaf.vert"));
     }
 }
 
@@ -147,7 +147,7 @@ TEST_F(TreeStandGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSameFram
             followed->branch(simulation.idOf(tree), unit)->addChild(white(corners));
         }
     }
-    followed->getStand()->setNodeMask(0);
+    followed->getStand()->trees()->setNodeMask(0);
     osg::ref_ptr<osg::Image> trees = picture(drawn, 30), things = picture(followed, 30);
     EXPECT_GT(covered(*trees), 0.01);
     EXPECT_LT(differing(*trees, *things), 0.001);
@@ -201,7 +201,7 @@ TEST_F(TreeStandGlTest, aTextureOfOnesOwnSaysHowBrightLeavesAre) {
     std::copy(texel, texel + 4, dark->data());
     osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
     own->setTextureAttribute(0, new osg::Texture2D(dark));
-    forest->setLeafState(0, own);
+    forest->getStand()->setLeafState(0, own);
     osg::ref_ptr<osg::Image> painted = run(1, 1);
     double greens[2] = {0, 0};
     for (int i = 0; i < width * height; ++i) {
@@ -209,14 +209,14 @@ TEST_F(TreeStandGlTest, aTextureOfOnesOwnSaysHowBrightLeavesAre) {
         greens[1] += painted->data()[4 * i + 1];
     }
     EXPECT_LT(greens[1], 0.4 * greens[0]);
-    forest->setLeafState(0, nullptr);
+    forest->getStand()->setLeafState(0, nullptr);
     EXPECT_EQ(difference(*run(2, 2), *plain).mean, 0.0);
 }
 
 TEST_F(TreeStandGlTest, aProgramOfOnesOwnReplacesOurs) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     osg::ref_ptr<osg::Image> plain = picture(forest, 2);
-    forest->setBarkState(0, silhouette("instance_bark.vert"));
+    forest->getStand()->setBarkState(0, silhouette("instance_bark.vert"));
     osg::ref_ptr<osg::Image> painted = run(2, 2);
     int before = 0, after = 0;
     for (int i = 0; i < width * height; ++i) {
@@ -225,8 +225,7 @@ TEST_F(TreeStandGlTest, aProgramOfOnesOwnReplacesOurs) {
     }
     EXPECT_EQ(before, 0);
     EXPECT_GT(after, 100) << "white bark";
-    forest->setBarkState(7, new osg::StateSet); // of no species: nothing happens
-    run(3, 3);
+    EXPECT_FALSE(forest->getStand()->setBarkState(7, silhouette("instance_bark.vert"))) << "no such species";
 }
 
 TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
@@ -236,13 +235,14 @@ TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     const std::vector<TreeModel>& models = forest->getSimulation().models();
     for (std::size_t model = 0; model < models.size(); ++model) {
         const CrownShade crown(models[model].leaves, models[model].leafMesh, leafCoverage(LeafForm::Blade));
-        forest->setGeometry(model, makeSkinGeometry(models[model].skin, crown),
-                            makeLeafGeometry(models[model].leaves, models[model].leafMesh, crown));
+        forest->getStand()->setGeometry(
+            model, makeSkinGeometry(models[model].skin, crown),
+            makeLeafGeometry(models[model].leaves, models[model].leafMesh, crown));
     }
     EXPECT_EQ(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.0);
     look(forest);
     for (std::size_t model = 0; model < models.size(); ++model)
-        forest->setGeometry(model, nullptr, nullptr);
+        forest->getStand()->setGeometry(model, nullptr, nullptr);
     EXPECT_EQ(covered(*run(0, 1)), 0.0);
 }
 
@@ -272,7 +272,8 @@ TEST_F(TreeStandGlTest, whatIsDrawnAroundItIsDrawnAsWithoutIt) { // passes leave
     look(with);
     viewer().getCamera()->setCullingMode(osg::CullSettings::NO_CULLING);
     osg::ref_ptr<osg::Image> together = run(0, 2);
-    EXPECT_GT(forest->getStand()->listedTrees()[0] + forest->getStand()->listedTrees()[1], 0u);
+    EXPECT_GT(forest->getStand()->trees()->listedTrees()[0] + forest->getStand()->trees()->listedTrees()[1],
+              0u);
     EXPECT_GT(covered(*alone), 0.02);
     EXPECT_EQ(difference(*alone, *together).mean, 0.0);
 }

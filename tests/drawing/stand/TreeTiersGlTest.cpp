@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
 
+#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -95,7 +97,7 @@ TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
                 pictureFrom(eye, {0, 140, 8}, i / 30.0);
             pictures.push_back(pictureFrom(eye, {0, 140, 8}, 8 / 30.0));
             if (tiers) {
-                const auto listed = _forest->getStand()->listedTrees();
+                const auto listed = _forest->getStand()->trees()->listedTrees();
                 EXPECT_GT(listed[3], 0u) << "no impostors in the test";
             }
         }

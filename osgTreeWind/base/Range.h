@@ -26,4 +26,7 @@ constexpr Range atLeast(double min) {
     return {min, Range().max, false};
 }
 
+/// World coordinates, metres: any map projection of the Earth.
+constexpr Range worldCoordinates = within(-1e8, 1e8);
+
 } // namespace osgTreeWind

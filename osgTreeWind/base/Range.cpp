@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/io/Range.h>
+#include <osgTreeWind/base/Range.h>
 
 #include <osgTreeWind/base/Number.h>
 

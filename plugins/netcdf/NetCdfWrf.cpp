@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/windfiles/NetCdfFile.h>
+#include <plugins/netcdf/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
 
@@ -67,24 +67,21 @@ std::vector<float> overCells(NetCdfFile& file, const char* name, const Sizes& n)
     const NetCdfFile::Array array = file.array(name);
     std::vector<std::size_t> sizes;
     if (array)
-        for (const auto& dimension : array->GetDimensions())
-            sizes.push_back(static_cast<std::size_t>(dimension->GetSize()));
+        for (const NetCdfDimension& dimension : array->dimensions)
+            sizes.push_back(dimension.size);
     const bool steady = sizes == std::vector<std::size_t>{n.y, n.x};
     if (!steady && sizes != std::vector<std::size_t>{n.t, n.y, n.x})
         return {};
-    return file.read(array, static_cast<double>(steady ? 1 : n.t) * static_cast<double>(n.y) *
-                                static_cast<double>(n.x));
+    return file.read(*array, static_cast<double>(steady ? 1 : n.t) * static_cast<double>(n.y) *
+                                 static_cast<double>(n.x));
 }
 
 /// The place by XLAT and XLONG; empty where they are not on the map, or not as far apart as the cells.
 std::optional<Place> placeOn(const std::string& map, NetCdfFile& file, const Sizes& n,
                              const glm::dvec2& cell) {
-    OGRSpatialReference model;
-    if (model.importFromProj4(map.c_str()) != OGRERR_NONE)
-        return {};
-    const Projection ways(model);
+    const Projection model(map);
     const std::vector<float> longitudes = overCells(file, "XLONG", n), latitudes = overCells(file, "XLAT", n);
-    if (!ways.toMap || longitudes.empty() || latitudes.empty())
+    if (!model.good() || longitudes.empty() || latitudes.empty())
         return {};
 
     const glm::dvec2 size(n.x, n.y);
@@ -94,11 +91,11 @@ std::optional<Place> placeOn(const std::string& map, NetCdfFile& file, const Siz
         const auto at = [](const std::vector<float>& numbers, std::size_t cell) {
             return numbers[cell % numbers.size()];
         };
-        double x[] = {at(longitudes, first), at(longitudes, last)},
-               y[] = {at(latitudes, first), at(latitudes, last)};
-        if (!ways.toMap->Transform(2, x, y))
+        std::vector<glm::dvec2> corners = {{at(longitudes, first), at(latitudes, first)},
+                                           {at(longitudes, last), at(latitudes, last)}};
+        if (!model.toMap(corners))
             return {};
-        const glm::dvec2 corner(x[0], y[0]), opposite(x[1], y[1]);
+        const glm::dvec2 &corner = corners[0], &opposite = corners[1];
         if (t == 0)
             place.corner = corner;
         const glm::dvec2 cells = (opposite - corner) / cell, moved = (corner - place.corner) / cell;
@@ -131,57 +128,94 @@ void append(const Means& means, std::size_t t, const Sizes& n, const glm::ivec2&
             }
 }
 
-} // namespace
+/// The arrays of a file, in the order of the names below.
+constexpr const char* names[] = {"U", "V", "W", "PH", "PHB"};
+using Arrays = std::vector<NetCdfFile::Array>;
 
-Result<WindContent> readNetCdfWrf(NetCdfFile& file, bool asStored) {
-    NetCdfFile::Array arrays[5];
-    const char* names[5] = {"U", "V", "W", "PH", "PHB"};
-    for (int i = 0; i < 5; ++i) {
-        arrays[i] = file.array(names[i]);
-        if (!arrays[i] || arrays[i]->GetDimensionCount() != 4) {
-            file.fail(names[i], "expected this array of 4 dimensions in WRF output");
-            return file.problem();
-        }
+Arrays arraysOf(NetCdfFile& file) {
+    Arrays arrays;
+    for (const char* name : names) {
+        arrays.push_back(file.array(name));
+        if (!arrays.back() || arrays.back()->dimensions.size() != 4)
+            file.fail(name, "expected this array of 4 dimensions in WRF output");
     }
-    const auto& u = arrays[0]->GetDimensions();
-    const Sizes n{static_cast<std::size_t>(u[0]->GetSize()), static_cast<std::size_t>(u[1]->GetSize()),
-                  static_cast<std::size_t>(u[2]->GetSize()), static_cast<std::size_t>(u[3]->GetSize()) - 1};
-    if (n.t < 1 || n.z < 1 || n.y < 1 || u[3]->GetSize() < 2 || u[2]->GetSize() > 100000 ||
-        u[3]->GetSize() > 100000)
-        file.fail("U", "expected at least one point in each direction, and 100000 at most");
+    return arrays;
+}
 
-    WindContent content;
-    GridWind::Grid grid;
-    const double layer = static_cast<double>(n.y) * static_cast<double>(n.x), t = static_cast<double>(n.t),
-                 z = static_cast<double>(n.z);
-    const double dx = file.positive("DX"), dy = file.positive("DY");
-    content.summary.unit = file.speedUnitOf({arrays[0], arrays[1], arrays[2]});
-    const std::vector<float> east =
-        file.read(arrays[0], t * z * static_cast<double>(n.y) * static_cast<double>(n.x + 1));
-    const std::vector<float> north =
-        file.read(arrays[1], t * z * static_cast<double>(n.y + 1) * static_cast<double>(n.x));
-    const std::vector<float> up = file.read(arrays[2], t * (z + 1.0) * layer);
-    std::vector<float> heights = file.read(arrays[3], t * (z + 1.0) * layer);
-    const std::vector<float> base = file.read(arrays[4], t * (z + 1.0) * layer);
+Sizes sizesOf(NetCdfFile& file, const NetCdfArray& u) {
+    const std::size_t t = u.dimensions[0].size, z = u.dimensions[1].size, y = u.dimensions[2].size,
+                      x = u.dimensions[3].size;
+    if (t < 1 || z < 1 || y < 1 || x < 2 || y > 100000 || x > 100000)
+        file.fail("U", "expected at least one point in each direction, and 100000 at most");
+    return {t, z, y, x - 1};
+}
+
+/// Velocities and heights, and the times and the unit of speed that go with them.
+Means readMeans(NetCdfFile& file, const Arrays& arrays, const Sizes& n, GridWind::Grid& grid,
+                WindSummary& summary) {
+    const double t = static_cast<double>(n.t), z = static_cast<double>(n.z), y = static_cast<double>(n.y),
+                 x = static_cast<double>(n.x);
+    summary.unit = file.speedUnitOf({arrays[0], arrays[1], arrays[2]});
+    const std::vector<float> east = file.read(*arrays[0], t * z * y * (x + 1.0)),
+                             north = file.read(*arrays[1], t * z * (y + 1.0) * x),
+                             up = file.read(*arrays[2], t * (z + 1.0) * (y * x));
+    std::vector<float> heights = file.read(*arrays[3], t * (z + 1.0) * (y * x));
+    const std::vector<float> base = file.read(*arrays[4], t * (z + 1.0) * (y * x));
     const auto times = file.array("XTIME");
     if (times)
-        grid.times = file.seconds(times, content.summary.start);
+        grid.times = file.seconds(*times, summary.start);
     if (!times || (file.good() && grid.times.size() != n.t))
         file.fail("XTIME", "expected " + std::to_string(n.t) + " times");
     if (!file.good())
-        return file.problem();
+        return {};
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] = (heights[i] + base[i]) / gravity;
+    return {destaggered(east, n.t * n.z * n.y, n.x, 1), destaggered(north, n.t * n.z, n.y, n.x),
+            destaggered(up, n.t, n.z, n.y * n.x), destaggered(heights, n.t, n.z, n.y * n.x)};
+}
 
+/// Says where the model's grid stands, and what that leaves to be known.
+void notePlace(const std::string& map, const std::optional<Place>& place, bool asStored,
+               WindSummary& summary) {
+    if (!place) {
+        summary.notes.push_back(
+            std::string(map.empty() ? "the file names no map that is known here (MAP_PROJ 1, 2 or 3)"
+                                    : "XLAT and XLONG are not on the map and cells that the file names") +
+            "; x and y are metres from the centre of the south-western cell");
+        return;
+    }
+    summary.coordinates = map;
+    const auto stands = [](const glm::ivec2& moved) { return moved == glm::ivec2(0); };
+    if (!std::all_of(place->moved.begin(), place->moved.end(), stands))
+        summary.notes.emplace_back(
+            asStored ? "the model's grid moves; winds of later times are shown at the places that their "
+                       "cells have at the first time, in a forest they are where they blew"
+                     : "the model's grid moves; its winds are read at the cells of its "
+                       "first time, edges held where later ones do not reach");
+}
+
+} // namespace
+
+Result<WindContent> readNetCdfWrf(NetCdfFile& file, bool asStored) {
+    const Arrays arrays = arraysOf(file);
+    if (!file.good())
+        return file.problem();
+    const Sizes n = sizesOf(file, *arrays[0]);
+    const glm::dvec2 cell(file.positive("DX"), file.positive("DY"));
+    WindContent content;
+    GridWind::Grid grid;
+    const Means means = readMeans(file, arrays, n, grid, content.summary);
+    if (!file.good())
+        return file.problem();
     const std::string map = mapOf(file);
-    const std::optional<Place> place = map.empty() ? std::nullopt : placeOn(map, file, n, {dx, dy});
+    const std::optional<Place> place = map.empty() ? std::nullopt : placeOn(map, file, n, cell);
     if (!file.good())
         return file.problem();
 
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] = (heights[i] + base[i]) / gravity;
-    const Means means{destaggered(east, n.t * n.z * n.y, n.x, 1), destaggered(north, n.t * n.z, n.y, n.x),
-                      destaggered(up, n.t, n.z, n.y * n.x), destaggered(heights, n.t, n.z, n.y * n.x)};
     grid.points = {static_cast<int>(n.x), static_cast<int>(n.y), static_cast<int>(n.z)};
-    grid.cell = {dx, dy, 1.0};
+    grid.cell = {cell, 1.0};
+    if (place)
+        grid.origin = {place->corner, 0.0};
     grid.values.reserve(3 * means.u.size());
     grid.heights.reserve(means.u.size());
     for (std::size_t step = 0; step < n.t; ++step)
@@ -190,22 +224,7 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file, bool asStored) {
     content.summary.direction = "components toward x, y and up of the model's grid";
     content.summary.notes = {"velocities at cell centres, means of the staggered neighbours",
                              "heights are (PH + PHB) / 9.81, metres above sea level, of each point and time"};
-    if (!place) {
-        content.summary.notes.push_back(
-            std::string(map.empty() ? "the file names no map that is known here (MAP_PROJ 1, 2 or 3)"
-                                    : "XLAT and XLONG are not on the map and cells that the file names") +
-            "; x and y are metres from the centre of the south-western cell");
-    } else {
-        grid.origin = {place->corner, 0.0};
-        content.summary.coordinates = map;
-        const auto stands = [](const glm::ivec2& moved) { return moved == glm::ivec2(0); };
-        if (!std::all_of(place->moved.begin(), place->moved.end(), stands))
-            content.summary.notes.emplace_back(
-                asStored ? "the model's grid moves; winds of later times are shown at the places that their "
-                           "cells have at the first time, in a forest they are where they blew"
-                         : "the model's grid moves; its winds are read at the cells of its "
-                           "first time, edges held where later ones do not reach");
-    }
+    notePlace(map, place, asStored, content.summary);
     content.data = std::move(grid);
     return content;
 }

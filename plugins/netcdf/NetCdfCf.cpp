@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <plugins/netcdf/NetCdfFile.h>
+
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
-#include <osgTreeWind/windfiles/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 
-#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -25,21 +25,19 @@ Array named(const NetCdfFile& file, const std::vector<std::string>& standard,
     const auto among = [](const std::vector<std::string>& names, const std::string& name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
-    if (Array found = file.find([&](const Array& array) {
-            return array->GetDimensionCount() >= 2 &&
-                   among(standard, NetCdfFile::text(array, "standard_name"));
+    if (Array found = file.find([&](const NetCdfArray& array) {
+            return array.dimensions.size() >= 2 && among(standard, array.text("standard_name"));
         }))
         return found;
-    return file.find([&](const Array& array) {
-        return array->GetDimensionCount() >= 2 && among(own, lower(array->GetName()));
+    return file.find([&](const NetCdfArray& array) {
+        return array.dimensions.size() >= 2 && among(own, lower(array.name));
     });
 }
 
 /// The array whose name begins like this.
 Array beginning(const NetCdfFile& file, const std::string& begin) {
-    return file.find([&](const Array& array) {
-        return array->GetDimensionCount() >= 2 &&
-               lower(array->GetName()).compare(0, begin.size(), begin) == 0;
+    return file.find([&](const NetCdfArray& array) {
+        return array.dimensions.size() >= 2 && lower(array.name).compare(0, begin.size(), begin) == 0;
     });
 }
 
@@ -49,38 +47,6 @@ struct Axis {
     std::size_t count = 1;
     bool backwards = false;
 };
-
-/// The way true north lies at points of a projection: unit vectors along its x and y. Empty where the
-/// projection cannot say. @param points metres.
-std::vector<glm::dvec2> trueNorth(const OGRSpatialReference& projection, std::vector<glm::dvec2> points) {
-    const Projection ways(projection);
-    if (!ways.toMap)
-        return {};
-    const double unit = projection.GetLinearUnits();
-    for (glm::dvec2& point : points) {
-        double longitude = point.x / unit, latitude = point.y / unit;
-        if (!ways.toGlobe->Transform(1, &longitude, &latitude))
-            return {};
-        const double step = latitude > 0.0 ? -1e-4 : 1e-4; // some metres, never across a pole
-        double x = longitude, y = latitude + step;
-        if (!ways.toMap->Transform(1, &x, &y))
-            return {};
-        point = glm::normalize((glm::dvec2(x, y) * unit - point) / step);
-    }
-    return points;
-}
-
-/// The name of a reference system; its PROJ text where it has none.
-std::string nameOf(const OGRSpatialReference& reference) {
-    std::string name = reference.GetName() ? reference.GetName() : "";
-    if (!name.empty() && name != "unnamed" && name != "unknown")
-        return name;
-    char* text = nullptr;
-    const bool known = reference.exportToProj4(&text) == OGRERR_NONE && text;
-    name = known ? text : "";
-    CPLFree(text);
-    return name;
-}
 
 /// Which array holds what, on which axes.
 class CfReader {
@@ -125,12 +91,11 @@ private:
             return false;
         _arrays = {u, v};
         const Array w = named(_file, {"upward_air_velocity"}, {"w"});
-        if (w && w->GetDimensions().size() == u->GetDimensions().size())
+        if (w && w->dimensions.size() == u->dimensions.size())
             _arrays.push_back(w);
         // Data from GRIB have a flag; their name is the same either way.
-        const std::string ofGrid = NetCdfFile::text(u, "GRIB_uvRelativeToGrid");
-        _fromTrueNorth =
-            ofGrid.empty() ? NetCdfFile::text(u, "standard_name") == "eastward_wind" : ofGrid == "0";
+        const std::string ofGrid = u->text("GRIB_uvRelativeToGrid");
+        _fromTrueNorth = ofGrid.empty() ? u->text("standard_name") == "eastward_wind" : ofGrid == "0";
         _content.summary.direction = _fromTrueNorth ? "components toward true east, true north and up"
                                                     : "components toward x (east), y (north) and up";
         _content.summary.unit = _file.speedUnitOf(_arrays);
@@ -150,10 +115,10 @@ private:
             return false;
         _polar = true;
         _sense = !from && toward ? DirectionSense::Toward : DirectionSense::From;
-        const std::string unit = _arrays[1]->GetUnit();
+        const std::string unit = _arrays[1]->unit;
         if (!unit.empty() && unit.compare(0, 3, "deg") != 0)
-            _file.fail(_arrays[1]->GetName(), expectedFound("degrees", unit));
-        const std::string name = NetCdfFile::text(_arrays[1], "standard_name");
+            _file.fail(_arrays[1]->name, expectedFound("degrees", unit));
+        const std::string name = _arrays[1]->text("standard_name");
         _fromTrueNorth = unit == "degree_true" || unit == "degrees_true" || name == "wind_from_direction" ||
                          name == "wind_to_direction";
         _content.summary.direction = std::string(_sense == DirectionSense::From ? "from" : "toward") +
@@ -163,16 +128,16 @@ private:
         return true;
     }
 
-    static bool isTime(const NetCdfFile::Dimension& dimension) {
-        return dimension->GetType() == GDAL_DIM_TYPE_TEMPORAL || lower(dimension->GetName())[0] == 't';
+    static bool isTime(const NetCdfDimension& dimension) {
+        return dimension.temporal || lower(dimension.name)[0] == 't';
     }
 
-    Axis evenAxis(const NetCdfFile::Dimension& dimension) {
+    Axis evenAxis(const NetCdfDimension& dimension) {
         const std::vector<double> at = _file.metres(dimension);
         Axis axis;
-        axis.count = static_cast<std::size_t>(dimension->GetSize());
+        axis.count = dimension.size;
         if (at.size() != axis.count || axis.count < 1 || axis.count > 100000) {
-            _file.fail(dimension->GetName(), "expected coordinates of this dimension, 1 to 100000 of them");
+            _file.fail(dimension.name, "expected coordinates of this dimension, 1 to 100000 of them");
             return axis;
         }
         const double step =
@@ -182,37 +147,36 @@ private:
         axis.step = std::abs(step);
         for (std::size_t i = 0; i < at.size(); ++i)
             if (!(std::abs(at[i] - (at.front() + step * static_cast<double>(i))) <= 0.01 * axis.step))
-                _file.fail(dimension->GetName(), "expected evenly spaced coordinates");
+                _file.fail(dimension.name, "expected evenly spaced coordinates");
         return axis;
     }
 
-    void readHeights(const NetCdfFile::Dimension& dimension) {
+    void readHeights(const NetCdfDimension& dimension) {
         std::vector<double> at = _file.metres(dimension);
-        _layers = static_cast<std::size_t>(dimension->GetSize());
+        _layers = dimension.size;
         if (at.size() != _layers || _layers < 1 || _layers > 100000)
-            return _file.fail(dimension->GetName(),
-                              "expected heights of this dimension, 1 to 100000 of them");
+            return _file.fail(dimension.name, "expected heights of this dimension, 1 to 100000 of them");
         _downward = at.front() > at.back();
         if (_downward)
             std::reverse(at.begin(), at.end());
         _grid.heights.assign(at.begin(), at.end());
     }
 
-    void readTimes(const NetCdfFile::Dimension& dimension) {
-        _steps = static_cast<std::size_t>(dimension->GetSize());
-        if (const Array times = _file.coordinates(dimension))
-            _grid.times = _file.seconds(times, _content.summary.start);
+    void readTimes(const NetCdfDimension& dimension) {
+        _steps = dimension.size;
+        if (const Array times = _file.array(dimension.coordinates))
+            _grid.times = _file.seconds(*times, _content.summary.start);
         if (_grid.times.size() != _steps || _steps < 1)
-            _file.fail(dimension->GetName(), "expected times of this dimension");
+            _file.fail(dimension.name, "expected times of this dimension");
     }
 
     void readAxes() {
-        const auto& dimensions = _arrays[0]->GetDimensions();
+        const auto& dimensions = _arrays[0]->dimensions;
         const std::size_t count = dimensions.size();
         if (count > 4)
-            return _file.fail(_arrays[0]->GetName(), "expected dimensions (time, height, y, x) or fewer");
-        _reference = _arrays[0]->GetSpatialRef();
-        _content.summary.coordinates = _reference ? nameOf(*_reference) : "";
+            return _file.fail(_arrays[0]->name, "expected dimensions (time, height, y, x) or fewer");
+        _projection = _arrays[0]->projection();
+        _content.summary.coordinates = _projection ? _projection->name() : "";
         _x = evenAxis(dimensions[count - 1]);
         _y = evenAxis(dimensions[count - 2]);
         if (count == 4 || (count == 3 && isTime(dimensions[0])))
@@ -229,7 +193,7 @@ private:
                              static_cast<double>(_layers) * static_cast<double>(_steps);
         std::vector<std::vector<float>> values;
         for (const Array& array : _arrays)
-            values.push_back(_file.read(array, count));
+            values.push_back(_file.read(*array, count));
         if (!_file.good())
             return;
         _grid.values.reserve(3 * values[0].size());
@@ -245,7 +209,7 @@ private:
     /// From true north to the y axis of the grid, or a note of what that would be.
     void turnToGrid() {
         std::vector<std::string>& notes = _content.summary.notes;
-        if (!_reference || !_reference->IsProjected()) {
+        if (!_projection || !_projection->isMap()) {
             notes.emplace_back(_asStored ? "the file counts from true north and names no projection; in a "
                                            "forest its y is taken as true north"
                                          : "the file names no projection; its y is taken as true north");
@@ -256,11 +220,11 @@ private:
             for (std::size_t x = 0; x < _x.count; ++x)
                 points.emplace_back(_x.first + _x.step * static_cast<double>(x),
                                     _y.first + _y.step * static_cast<double>(y));
-        const std::vector<glm::dvec2> norths = trueNorth(*_reference, std::move(points));
+        const std::vector<glm::dvec2> norths = _projection->trueNorth(std::move(points));
         if (norths.empty() && _asStored)
             notes.emplace_back("the file counts from true north; its projection does not hold its points");
         else if (norths.empty())
-            _file.fail(_arrays[0]->GetName(), "the projection of this array does not hold its points");
+            _file.fail(_arrays[0]->name, "the projection of this array does not hold its points");
         if (norths.empty())
             return;
         double least = 360.0, most = -360.0;
@@ -295,9 +259,8 @@ private:
         const float a = values[0][i], b = values[1][i];
         glm::vec3 velocity(a, b, values.size() > 2 ? values[2][i] : 0.0f);
         if (_polar && (a < 0.0f || std::abs(b) > maxDirection))
-            _file.fail(_arrays[1]->GetName(),
-                       "expected speeds not below 0 and directions of -360 to 360, found " + numberText(a) +
-                           " and " + numberText(b));
+            _file.fail(_arrays[1]->name, "expected speeds not below 0 and directions of -360 to 360, found " +
+                                             numberText(a) + " and " + numberText(b));
         else if (_polar)
             velocity = std::isnan(a) || std::isnan(b) ? glm::vec3(std::numeric_limits<float>::quiet_NaN())
                                                       : windVelocity({a, b}, _sense);
@@ -309,7 +272,7 @@ private:
     WindContent _content;
     GridWind::Grid _grid;
     std::vector<Array> _arrays;
-    std::shared_ptr<OGRSpatialReference> _reference;
+    std::optional<Projection> _projection;
     bool _polar = false, _fromTrueNorth = false, _downward = false;
     DirectionSense _sense = DirectionSense::From;
     Axis _x, _y;

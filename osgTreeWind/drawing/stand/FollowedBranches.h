@@ -11,13 +11,16 @@
 namespace osgTreeWind {
 
 /// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A
-/// part of a Forest.
+/// part of a StandDrawing.
 class FollowedBranches : public osg::Group {
 public:
     FollowedBranches();
 
     /// The one of that branch; null where there is none.
     BranchTransform* follow(const ForestSimulation& simulation, TreeId tree, unsigned unit);
+    /// Takes it away. @return false where none is followed.
+    bool unfollow(TreeId tree, unsigned unit);
+    bool follows(TreeId tree) const { return _branches.count(tree) > 0; }
     /// Sets them where their branches are now. Those of trees that are gone stay.
     void update(const ForestSimulation& simulation);
 
@@ -28,7 +31,6 @@ private:
     void place(const ForestSimulation& simulation, TreeId tree);
 
     std::map<TreeId, std::map<unsigned, osg::ref_ptr<BranchTransform>>> _branches;
-    UnitValues _values;
 };
 
 } // namespace osgTreeWind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/nodes/FollowedBranches.h>
+#include <osgTreeWind/drawing/stand/FollowedBranches.h>
 
 #include <osgTreeWind/gpu/OsgConversions.h>
 
@@ -26,6 +26,20 @@ BranchTransform* FollowedBranches::follow(const ForestSimulation& simulation, Tr
     return branch;
 }
 
+bool FollowedBranches::unfollow(TreeId tree, unsigned unit) {
+    const auto of = _branches.find(tree);
+    if (of == _branches.end())
+        return false;
+    const auto branch = of->second.find(unit);
+    if (branch == of->second.end())
+        return false;
+    removeChild(branch->second);
+    of->second.erase(branch);
+    if (of->second.empty())
+        _branches.erase(of);
+    return true;
+}
+
 void FollowedBranches::update(const ForestSimulation& simulation) {
     for (const auto& [tree, branches] : _branches)
         if (simulation.holds(tree))
@@ -35,15 +49,16 @@ void FollowedBranches::update(const ForestSimulation& simulation) {
 void FollowedBranches::place(const ForestSimulation& simulation, TreeId tree) {
     const std::size_t slot = simulation.slotOf(tree);
     const PlacedTree& placed = simulation.trees()[slot];
-    const TreeMotion motion = simulation.motion(slot, _values);
+    const std::size_t units = simulation.forest().unitsOf(placed);
     const osg::Matrix stand = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                               osg::Matrix::translate(toOsg(placed.position));
     for (const auto& [unit, branch] : _branches[tree]) {
-        if (unit >= motion.poses.size) // it has become a tree of fewer branches
+        if (unit >= units) // it has become a tree of fewer branches
             continue;
-        const UnitPose& pose = motion.poses[unit];
-        branch->setMatrix(osg::Matrix::rotate(toOsg(pose.rotation)) *
-                          osg::Matrix::translate(toOsg(pose.translation)) * stand);
+        const UnitMotion motion = simulation.unitMotion(slot, unit);
+        branch->setPose(osg::Matrix::rotate(toOsg(motion.pose.rotation)) *
+                            osg::Matrix::translate(toOsg(motion.pose.translation)) * stand,
+                        toOsg(motion.rotation));
     }
 }
 

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Field.h>
+
+#include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/base/Number.h>
+
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Replaces what is outside by the nearer end, and NaN.
+struct Clamp {
+    const Field& field;
+    const Range range;
+    Member usual;
+
+    void operator()(int* number) const {
+        *number = std::clamp(*number, static_cast<int>(range.min), static_cast<int>(range.max));
+    }
+    void operator()(float* number) const {
+        *number = clampOr(*number, static_cast<float>(range.min), static_cast<float>(range.max),
+                          **std::get_if<float*>(&usual));
+    }
+    void operator()(const PartMember& part) const {
+        clampFields(*part.fields, part.object, std::get_if<PartMember>(&usual)->object);
+    }
+    template <typename T>
+    void operator()(const T&) const {}
+};
+
+/// Says what is outside.
+struct Check {
+    const Field& field;
+    const Range range;
+    const std::string& path;
+    Diagnostics& problems;
+
+    void add(const std::string& message) const { problems.push_back({{}, 0, 0, path, message}); }
+    void number(double value, const char* kind) const {
+        if ((std::isfinite(value) && range.contains(value)) ||
+            (!problems.empty() && problems.back().key == path))
+            return;
+        const std::string limits = field.range.text();
+        add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits) +
+            ", found " + numberText(field.degrees() ? static_cast<float>(glm::degrees(value)) : value));
+    }
+
+    void operator()(const int* value) const { number(*value, "whole"); }
+    void operator()(const float* value) const { number(static_cast<double>(*value), "finite"); }
+    void operator()(const double* value) const { number(*value, "finite"); }
+    template <typename T>
+    void operator()(const glm::vec<3, T>* value) const {
+        for (int i = 0; i < 3; ++i)
+            number(static_cast<double>((*value)[i]), "finite");
+    }
+    void operator()(const std::vector<glm::vec3>* values) const {
+        std::for_each(values->begin(), values->end(), [&](const glm::vec3& value) { (*this)(&value); });
+    }
+    template <typename T>
+    void operator()(const std::vector<T>* values) const {
+        if constexpr (std::is_arithmetic_v<T>)
+            for (const T value : *values)
+                number(static_cast<double>(value), "finite");
+    }
+    void operator()(const WordMember& word) const {
+        const int value = word.get(word.object);
+        for (const auto& known : field.words)
+            if (known.second == value)
+                return;
+        add("expected one of its words, found " + std::to_string(value));
+    }
+    void operator()(const PartMember& part) const { checkFields(*part.fields, part.object, path, problems); }
+    template <typename T>
+    void operator()(const T*) const {}
+};
+
+/// Compares with the same member of another struct.
+struct Same {
+    Member other;
+
+    template <typename T>
+    bool operator()(const T* value) const {
+        const T& b = **std::get_if<T*>(&other);
+        if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, glm::vec3> ||
+                      std::is_same_v<T, glm::dvec3>)
+            return std::memcmp(value, &b, sizeof b) == 0; // tells -0 from 0
+        else
+            return *value == b;
+    }
+    bool operator()(const WordMember& word) const {
+        const WordMember& b = *std::get_if<WordMember>(&other);
+        return word.get(word.object) == b.get(b.object);
+    }
+    bool operator()(const PartMember& part) const {
+        return std::all_of(part.fields->begin(), part.fields->end(), [&](const Field& field) {
+            return sameField(field, part.object, std::get_if<PartMember>(&other)->object);
+        });
+    }
+};
+
+} // namespace
+
+std::vector<std::pair<std::string, int>> inOrder(const std::vector<std::string>& words) {
+    std::vector<std::pair<std::string, int>> result;
+    for (const std::string& word : words)
+        result.emplace_back(word, static_cast<int>(result.size()));
+    return result;
+}
+
+const Field& fieldAt(const Fields& fields, const std::string& key) {
+    return *std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.key == key; });
+}
+
+Range memberRange(const Field& field) {
+    const auto end = [&](double limit) {
+        return static_cast<double>(static_cast<float>(field.degrees() ? glm::radians(limit) : limit));
+    };
+    return {end(field.range.min), end(field.range.max), field.range.aboveMin};
+}
+
+void clampFields(const Fields& fields, void* struct_, const void* usual) {
+    for (const Field& field : fields)
+        std::visit(Clamp{field, memberRange(field), field.of(usual)}, field.member(struct_));
+}
+
+void checkFields(const Fields& fields, const void* struct_, const std::string& path, Diagnostics& problems) {
+    for (const Field& field : fields) {
+        const Member member = field.of(struct_);
+        const Range range = std::holds_alternative<double*>(member) ? field.range : memberRange(field);
+        std::visit(Check{field, range, path.empty() ? field.key : path + '.' + field.key, problems}, member);
+    }
+}
+
+bool sameField(const Field& field, const void* a, const void* b) {
+    return std::visit(Same{field.of(b)}, field.of(a));
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/ForestDrawing.h>
+
+#include <osg/Geometry>
+
+namespace osgTreeWind {
+
+class FollowedBranches;
+class TreeStand;
+struct StandResources;
+
+/// Trees under the law `modal`: instances (TreeStand), and transforms for the branches that someone follows.
+class OSGTREEWIND_EXPORT StandDrawing : public ForestDrawing {
+public:
+    /// No trees.
+    StandDrawing();
+    explicit StandDrawing(std::shared_ptr<ForestSimulation> simulation);
+    /// Of the same trees, which the original's forest moves; branches that are followed are not copied.
+    StandDrawing(const StandDrawing& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
+    META_Node(osgTreeWind, StandDrawing)
+
+        /// Puts state after that of a species' bark or leaves (index into the description's); null takes it
+        /// away. One with a program of its own replaces ours: it finds a tree's `treePlace`, `treeSize` and
+        /// `treeState` at the attribute locations 12, 13 and 14 (shaders/instance.glsl). Not during a
+        /// traversal. @return false where there is no such species.
+        bool setBarkState(std::size_t species, osg::StateSet* state);
+    bool setLeafState(std::size_t species, osg::StateSet* state);
+    /// Draws the trees of a model (index into ForestSimulation::models()) from these, at every tier with
+    /// branches, null for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
+    /// instance_leaf.vert, the index of the unit that moves a vertex among them. Not during a traversal.
+    /// @return false where there is no such model.
+    bool setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
+
+    /// The one drawable of all trees.
+    TreeStand* trees() const { return _trees.get(); }
+
+    osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const override;
+    void takeSettings(const ForestDrawing&) override {} // they are of species and models that are gone
+    void update(const osg::FrameStamp& stamp) override;
+    void treeChanged(std::size_t slot) override;
+    void seasonChanged() override;
+    BranchTransform* follow(TreeId tree, unsigned unit) override;
+    bool unfollow(TreeId tree, unsigned unit) override;
+
+    /// As far as the trees may sway, so that none is culled that is seen; boxes are of trees at rest.
+    osg::BoundingSphere computeBound() const override;
+
+protected:
+    ~StandDrawing() override;
+
+private:
+    StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources);
+
+    std::shared_ptr<ForestSimulation> _simulation;
+    osg::ref_ptr<TreeStand> _trees;
+    osg::ref_ptr<FollowedBranches> _followed;
+};
+
+} // namespace osgTreeWind

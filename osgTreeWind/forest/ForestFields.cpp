@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/forest/ForestFields.h>
+
+#include <osgTreeWind/base/Number.h>
+
+namespace osgTreeWind {
+
+template <>
+const Fields& fieldsOf<DrawingOptions>() {
+    using P = DrawingOptions;
+    static const Fields fields = {
+        {"tiers", at<&P::tiers>, {}, "false: everything in full"},
+        {"full", at<&P::full>, above(0, 100000), "from this height on: every vertex", "pixels"},
+        {"reduced", at<&P::reduced>, above(0, 100000),
+         "from this height on: reduced once, to about a fifth of the vertices", "pixels"},
+        {"impostor", at<&P::impostor>, within(0, 100000),
+         "from this height on: reduced twice, to about a twentieth; below: a picture of the tree that leans "
+         "with it. 0: no pictures",
+         "pixels"},
+        {"blend", at<&P::blend>, within(0, 0.9),
+         "share of a threshold over which one form gives way to the next, pixel by pixel"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<ForestDescription>() {
+    using P = ForestDescription;
+    static const Fields fields = {
+        {"law",
+         at<&P::law>,
+         {},
+         "how trees answer the wind",
+         "",
+         {{"modal", static_cast<int>(MotionLaw::Modal)},
+          {"damped", static_cast<int>(MotionLaw::Damped)},
+          {"thesis", static_cast<int>(MotionLaw::Thesis)},
+          {"thesis-smooth", static_cast<int>(MotionLaw::ThesisSmooth)}}},
+        {"gain", at<&P::gain>, gains,
+         "on how far the laws `\"modal\"` and `\"damped\"` bend trees: 1 is physical; more exaggerates for "
+         "the eye, at the same pace"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<TreePlacement>() {
+    using P = TreePlacement;
+    static const Fields fields = {
+        {"height", at<&P::size, &TreeSize::height>, above(0, 150), "ground to highest point", "m"},
+        {"trunk_diameter", at<&P::size, &TreeSize::trunkDiameter>, above(0, 20), "at breast height", "m"},
+        {"crown_width", at<&P::size, &TreeSize::crownWidth>, above(0, 150),
+         "mean of east-west and north-south", "m"},
+        {"open_grown",
+         at<&P::openGrown>,
+         {},
+         "it stands by itself: the crown of a built-in species, where `crown_width` is not given, is wider "
+         "than in a forest"},
+        {"leaves", at<&P::leaves>, within(0, 1),
+         "share of its leaves that it bears: their mass, drag and damping; else `motion.leaves`"},
+        {"heading", at<&P::heading>, within(-360, 360),
+         "turn about the vertical, counter-clockwise from above", "degrees"},
+        {"seed",
+         at<&P::seed>,
+         {},
+         "picks the shape and its motion; without it `seed` and its place in the file, from 0"},
+        {"id", at<&P::name>, {}, "what it is called, any text; no two alike"},
+    };
+    return fields;
+}
+
+std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing) {
+    std::vector<FieldConflict> conflicts;
+    const auto expectBelow = [&](const char* key, float low, const char* other, float high) {
+        if (!(low < high))
+            conflicts.push_back({key, other,
+                                 std::string("expected ") + key + " below " + other + ", found " +
+                                     numberText(low) + " and " + numberText(high)});
+    };
+    expectBelow("reduced", drawing.reduced, "full", drawing.full);
+    expectBelow("impostor", drawing.impostor, "reduced", drawing.reduced);
+    return conflicts;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/forest/ForestDescription.h>
+
+namespace osgTreeWind {
+
+template <>
+const Fields& fieldsOf<DrawingOptions>();
+template <>
+const Fields& fieldsOf<TreePlacement>();
+/// Of [motion], but for the noise.
+template <>
+const Fields& fieldsOf<ForestDescription>();
+
+/// Of ForestDescription::gain and noiseExponent.
+constexpr Range gains = within(0, 100), noiseExponents = within(0, 3);
+/// Of ForestDescription::season.
+constexpr Range seasons = within(0, 4);
+constexpr std::size_t mostTrees = 1000000;
+constexpr double farthestTree = 100000.0; ///< From the origin, metres: floats still resolve 8 mm.
+
+std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing);
+
+} // namespace osgTreeWind

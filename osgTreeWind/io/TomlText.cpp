@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/TomlText.h>
+
+#include <osgTreeWind/io/TableReader.h>
+
+#include <glm/trigonometric.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// The shortest decimal of six digits or more that is taken for the number.
+template <typename Taken>
+std::string shortest(double number, const Taken& taken) {
+    if (number == 0.0)
+        return std::signbit(number) ? "-0.0" : "0";
+    for (int digits = 6;; ++digits) {
+        char text[32];
+        char* const end =
+            std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits).ptr;
+        double read = 0.0;
+        std::from_chars(text, end, read);
+        if (digits == 17 || taken(read))
+            return {text, end};
+    }
+}
+
+/// The value of a field.
+struct ValueText {
+    const Field& field;
+
+    std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
+    std::string operator()(const std::optional<bool>* value) const {
+        return value->has_value() ? (*this)(&**value) : "";
+    }
+    std::string operator()(const float* value) const {
+        const auto taken = [&](double read) {
+            return static_cast<float>(field.degrees() ? glm::radians(read) : read) == *value &&
+                   field.range.contains(read);
+        };
+        const double number = static_cast<double>(*value);
+        return shortest(field.degrees() ? glm::degrees(number) : number, taken);
+    }
+    std::string operator()(const std::string* value) const {
+        if (value->empty() || field.unit != "file")
+            return value->empty() ? "" : tomlText(*value);
+        return tomlText(std::filesystem::absolute(*value).string());
+    }
+    template <typename T>
+    std::string operator()(const std::vector<T>* values) const {
+        return values->empty() ? "" : tomlText(*values);
+    }
+    std::string operator()(const WordMember& word) const {
+        for (const auto& [text, value] : field.words)
+            if (value == word.get(word.object))
+                return tomlText(text);
+        return {};
+    }
+    std::string operator()(const PartMember&) const { return {}; }
+    std::string operator()(const std::uint32_t* value) const { return std::to_string(*value); }
+    template <typename T>
+    std::string operator()(const T* value) const {
+        return tomlText(*value);
+    }
+};
+
+} // namespace
+
+std::string tomlText(double number) {
+    return shortest(number, [&](double read) { return read == number; });
+}
+
+std::string tomlText(float number) {
+    return shortest(static_cast<double>(number),
+                    [&](double read) { return static_cast<float>(read) == number; });
+}
+
+std::string tomlText(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) {
+            constexpr const char* digits = "0123456789abcdef";
+            quoted += std::string("\\u00") + digits[byte >> 4] + digits[byte & 15];
+        } else {
+            quoted += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+        }
+    }
+    return quoted + '"';
+}
+
+void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* struct_,
+                 const void* usual) {
+    const auto differs = [&](const Field& field) { return !usual || !sameField(field, struct_, usual); };
+    for (const Field& field : fields)
+        if (differs(field))
+            if (const std::string text = std::visit(ValueText{field}, field.of(struct_)); !text.empty())
+                output << field.key << " = " << text << '\n';
+    for (const Field& field : fields) {
+        const Member member = field.of(struct_);
+        const auto part = std::get_if<PartMember>(&member);
+        if (!part || !differs(field))
+            continue;
+        const std::string path = table + '.' + field.key;
+        const Member other = usual ? field.of(usual) : Member();
+        output << "\n[" << path << "]\n";
+        writeFields(output, path, *part->fields, part->object,
+                    usual ? std::get_if<PartMember>(&other)->object : nullptr);
+    }
+}
+
+bool isToml(const std::string& text) {
+    ReadLog log;
+    TableReader::readDocument("text = " + tomlText(text), log, [](TableReader& root) { root.ignoreRest(); });
+    return log.problems.empty();
+}
+
+} // namespace osgTreeWind

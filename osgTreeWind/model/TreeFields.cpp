@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/model/TreeFields.h>
+
+namespace osgTreeWind {
+
+template <>
+const Fields& fieldsOf<RecursiveTreeParameters>() {
+    using P = RecursiveTreeParameters;
+    static const Fields fields = {
+        {"levels", at<&P::levels>, within(0, 8), "levels of branches above the trunk"},
+        {"children_per_branch", at<&P::childrenPerBranch>, within(1, 8),
+         "branches at the end of each branch"},
+        {"trunk_units", at<&P::trunkUnits>, within(1, 16), "pieces the trunk is made of"},
+        {"bare_units", at<&P::bareUnits>, within(0, 15),
+         "lowest trunk units that end without branches; fewer bare than `trunk_units` - 1 make whorls up the "
+         "trunk, as conifers have"},
+        {"rings_per_branch", at<&P::ringsPerBranch>, within(2, 64), "rings of vertices along each branch"},
+        {"length", at<&P::length>, within(0.01, 100), "length of one trunk unit", "m"},
+        {"length_ratio", at<&P::lengthRatio>, within(0.05, 1.5),
+         "length of any other branch over its parent's"},
+        {"bough_length", at<&P::boughLength>, within(0.02, 1.5),
+         "length of a first branch over the whole trunk's"},
+        {"crown_taper", at<&P::crownTaper>, within(0.02, 1.5),
+         "length of the topmost first branches over the lowest"},
+        {"leader", at<&P::leader>, within(0, 1), "0: all children lean alike; 1: one goes straight on"},
+        {"inclination", at<&P::inclination>, within(0, 124), "of a branch from the vertical", "degrees"},
+        {"inclination_growth", at<&P::inclinationGrowth>, within(0.05, 3),
+         "factor on the inclination from level to level"},
+        {"follow", at<&P::follow>, within(0, 1), "0: angles from the vertical; 1: from the parent's axis"},
+        {"twist", at<&P::twist>, within(-360, 360), "by which each level is turned against the one below",
+         "degrees"},
+        {"jitter", at<&P::jitter>, within(0, 1), "random part of lengths and directions"},
+        {"crook", at<&P::crook>, within(0, 0.3), "largest sideways offset over branch length"},
+        {"radius", at<&P::radius>, within(0.001, 10), "of the trunk at the ground; at most half its length",
+         "m"},
+        {"taper", at<&P::taper>, within(0.01, 1),
+         "tip radius over base radius of the trunk, and of a branch; linear between"},
+        {"radius_ratio", at<&P::radiusRatio>, within(0.01, 1),
+         "base radius of a branch over its parent's tip radius"},
+        {"seed", at<&P::seed>, {}, "of its random parts"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<GrownBranches>() {
+    using P = GrownBranches;
+    static const Fields fields = {
+        {"count", at<&P::count>, within(0, 200),
+         "of boughs on the tree; of others on the longest that bears them, fewer on shorter ones"},
+        {"units", at<&P::units>, within(1, 3), "rigid pieces each is made of"},
+        {"start", at<&P::start>, within(0, 0.95),
+         "bare share of what bears them; of boughs `crown_base` tells it"},
+        {"length", at<&P::length>, within(0.02, 2),
+         "of boughs over the way to the crown's outline; of others over what bears them less 0.6 of the way "
+         "along it"},
+        {"length_variation", at<&P::lengthVariation>, within(0, 1), "random part that shortens them"},
+        {"inclination", at<&P::inclination>, within(0, 180), "of the first of them from what bears them",
+         "degrees"},
+        {"inclination_end", at<&P::inclinationEnd>, within(0, 180), "of the last", "degrees"},
+        {"inclination_variation", at<&P::inclinationVariation>, within(0, 85), "largest random part of it",
+         "degrees"},
+        {"flat", at<&P::flat>, within(0, 1), "0: on all sides of what bears them; 1: left and right of it"},
+        {"rise", at<&P::rise>, within(-180, 180), "by which the inner half of each turns up; below 0 down",
+         "degrees"},
+        {"rise_outside", at<&P::riseOutside>, within(-180, 180), "likewise the outer half", "degrees"},
+        {"crook", at<&P::crook>, within(0, 1), "how far each winds"},
+        {"sections", at<&P::sections>, within(0.01, 2),
+         "cross-sections of all together over that of what bears them; 1 is Leonardo's rule"},
+        {"power", at<&P::power>, within(0, 3), "radii of sisters go as length to this power"},
+        {"taper", at<&P::taper>, within(0.05, 1), "radius at the tip over that at the base"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<GrownTreeParameters>() {
+    using P = GrownTreeParameters;
+    static const Fields fields = {
+        {"height", at<&P::height>, within(0.1, 150), "of the tree", "m"},
+        {"radius", at<&P::radius>, within(0.001, 10),
+         "of the trunk at the ground; at most a quarter of the height", "m"},
+        {"trunk", at<&P::trunk>, within(0.05, 1), "height of the trunk over that of the tree"},
+        {"trunk_units", at<&P::trunkUnits>, within(1, 16), "rigid pieces of it"},
+        {"trunk_taper", at<&P::trunkTaper>, within(0.01, 1),
+         "radius at its top over that at the ground; linear between"},
+        {"trunk_crook", at<&P::trunkCrook>, within(0, 1), "how far it winds"},
+        {"forks", at<&P::forks>, within(0, 16), "boughs that spring from its very end"},
+        {"fork_inclination", at<&P::forkInclination>, within(0, 180), "of these from the trunk", "degrees"},
+        {"shape",
+         at<&P::shape>,
+         {},
+         "outline of the crown; boughs reach to it",
+         "",
+         inOrder({"cone", "sphere", "hemisphere", "cylinder", "tapered_cylinder", "flame", "inverse_cone",
+                  "tend_flame"})},
+        {"crown_base", at<&P::crownBase>, within(0, 0.95),
+         "height of the lowest bough over that of the tree"},
+        {"crown_width", at<&P::crownWidth>, within(0.001, 600),
+         "of the outline where it is widest; branches reach a little beyond", "m"},
+        {"whorl", at<&P::whorl>, within(1, 32), "boughs at about one height"},
+        {"rings_per_branch", at<&P::ringsPerBranch>, within(2, 64), "rings of vertices along each piece"},
+        {"seed", at<&P::seed>, {}, "of its random parts"},
+        {"boughs", at<&P::boughs>, {}, "branches on the trunk"},
+        {"branches", at<&P::branches>, {}, "branches on boughs"},
+        {"twigs", at<&P::twigs>, {}, "branches on branches"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<LeafParameters>() {
+    using P = LeafParameters;
+    static const Fields fields = {
+        {"clusters_per_branch", at<&P::clustersPerBranch>, within(0, 64), "0 for a bare tree"},
+        {"clusters", at<&P::clusters>, within(0, 100000),
+         "of the whole tree, spread evenly along its branches; 0: `clusters_per_branch` holds; 1300 with "
+         "`[species.growth]`"},
+        {"bare", at<&P::bare>, within(0, 0.95),
+         "with `clusters`: share of a branch at `first_level` without any, from its base; less on further "
+         "levels"},
+        {"first_level", at<&P::firstLevel>, within(0, 9), "lowest level that bears leaves; the trunk is 0"},
+        {"length", at<&P::length>, within(0.001, 10), "of a cluster, along its petiole", "m"},
+        {"width", at<&P::width>, within(0.001, 10), "", "m"},
+        {"inner_size", at<&P::innerSize>, within(0.01, 1),
+         "size at `first_level` over size at the outermost level"},
+        {"droop", at<&P::droop>, within(-1, 1), "1: clusters hang; 0: stand off the branch; -1: point up"},
+        {"inclination", at<&P::inclination>, within(0, 80),
+         "with `clusters`: mean angle of leaf faces from the horizontal; clusters then are flat sprays. 0: "
+         "fans with faces to all sides",
+         "degrees"},
+        {"thin_wood", at<&P::thinWood>, within(0, 1),
+         "with `clusters`: share of the length of all wood, the thinnest, that bears some"},
+        {"area", at<&P::area>, within(0, 1e6),
+         "of all quads over the cross-section of the trunk at breast height: then `length` and `width` tell "
+         "their proportions; 0: they hold as they are; without it as `wood.leaf_area` needs with "
+         "`[species.growth]` or `scan` and no size of a cluster, else 0"},
+        {"seed", at<&P::seed>, {}, "of their places"},
+    };
+    return fields;
+}
+
+std::vector<FieldConflict> conflictsOf(const RecursiveTreeParameters& tree) {
+    std::vector<FieldConflict> conflicts;
+    if (tree.radius > 0.5f * tree.length * static_cast<float>(tree.trunkUnits))
+        conflicts.push_back({"radius", "", "expected at most half the trunk, length * trunk_units"});
+    if (clamped(tree).levels != tree.levels)
+        conflicts.push_back({"levels", "",
+                             "with children_per_branch and rings_per_branch they make more than " +
+                                 std::to_string(maxSkeletonPoints) + " skeleton points"});
+    return conflicts;
+}
+
+std::vector<FieldConflict> conflictsOf(const GrownTreeParameters& tree) {
+    std::vector<FieldConflict> conflicts;
+    if (tree.radius > 0.25f * tree.height)
+        conflicts.push_back({"radius", "trunk_diameter", "expected at most a quarter of the height"});
+    if (clamped(tree).twigs.count != tree.twigs.count)
+        conflicts.push_back({"", "",
+                             "boughs, branches and twigs make more than " +
+                                 std::to_string(maxSkeletonPoints) + " skeleton points"});
+    return conflicts;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/species/SpeciesFields.h>
+
+namespace osgTreeWind {
+
+template <>
+const Fields& fieldsOf<CrownAllometry>() {
+    using P = CrownAllometry;
+    static const Fields fields = {
+        {"base", at<&P::base>, within(0, 50),
+         "width in a forest: `base` and `per_diameter` times the diameter", "m"},
+        {"per_diameter", at<&P::perDiameter>, within(0, 100), ""},
+        {"open_base", at<&P::openBase>, within(0, 50), "likewise with room on all sides (`open_grown`)", "m"},
+        {"open_per_diameter", at<&P::openPerDiameter>, within(0, 100), ""},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<WoodParameters>() {
+    using P = WoodParameters;
+    static const Fields fields = {
+        {"elastic_modulus", at<&P::elasticModulus>, within(1e3, 1e12), "of green wood", "Pa"},
+        {"density", at<&P::density>, within(1, 1e4),
+         "of green wood with its bark; this and what follows is for the laws `\"modal\"` and `\"damped\"`",
+         "kg/m³"},
+        {"damping_ratio", at<&P::dampingRatio>, within(0, 2), "of wood, without air; 1 is critical"},
+        {"under_bark", at<&P::underBark>, within(0.1, 1),
+         "diameter of the wood, which alone bends, over that with its bark"},
+        {"whole_stem", at<&P::wholeStem>, within(0.1, 1),
+         "modulus of a living stem, with its knots and young wood, over `elastic_modulus`; 0.85 in built-in "
+         "species"},
+        {"branch_modulus", at<&P::branchModulus>, within(0.01, 1),
+         "modulus of branches over that of the trunk; 0.54 in built-in species"},
+        {"modulus_power", at<&P::modulusPower>, within(0, 2),
+         "power of the slenderness (height over diameter) that the modulus follows, from 50 to 110, 1 at 80; "
+         "0.78 in built-in species"},
+        {"anchorage", at<&P::anchorage>, within(0, 1e4),
+         "moment that overturns the tree over the mass of its stem; 0 is rigid ground", "N m/kg"},
+        {"leaf_area", at<&P::leafArea>, within(0, 1e5),
+         "area of all leaves of a tree over the cross-section of its trunk at breast height; a branch bears "
+         "its share of what is drawn"},
+        {"leaf_mass", at<&P::leafMass>, within(0, 100), "fresh leaves over their area", "kg/m²"},
+        {"wood_drag", at<&P::woodDrag>, within(0, 10), "drag coefficient of a branch"},
+        {"leaf_drag", at<&P::leafDrag>, within(0, 10),
+         "drag coefficient of leaves, which turn out of the wind, by their area; not used with `crown_drag`"},
+        {"still_drag", at<&P::stillDrag>, within(0, 10),
+         "drag coefficient of leaves that swing through still air, by their area (law `\"modal\"`); 0.75 in "
+         "built-in conifers"},
+        {"crown_drag", at<&P::crownDrag>, within(0, 100),
+         "C of the whole crown by its outline, as measured: drag coefficient C·u^-n at u m/s; 0 is not "
+         "known"},
+        {"streamlining", at<&P::streamlining>, within(0, 2), "that n: drag falls with speed from 10 m/s on"},
+        {"streamlined_to", at<&P::streamlinedTo>, within(10, 200),
+         "the highest speed of that measurement; C·u^-n stays as it is beyond", "m/s"},
+        {"branch_wood",
+         at<&P::branchWood>,
+         {},
+         "how much wood is in branches: as drawn, or by the diameter of the trunk as in softwoods or in "
+         "hardwoods (Jenkins et al. 2003)",
+         "",
+         inOrder({"drawn", "conifer", "broadleaf"})},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<BranchParameters>() {
+    using P = BranchParameters;
+    static const Fields fields = {
+        {"max_angle", at<&P::maxAngle>, within(0, 90), "largest turn about either axis", "degrees"},
+        {"partial_steps", at<&P::partialSteps>, within(1, 10000),
+         "steps in which `thesis-smooth` reaches an angle"},
+        {"level_factor", at<&P::levelFactor>, within(-100, 100), "added to the load per branch level", "m/s"},
+        {"noise_frequency", at<&P::noiseFrequency>, within(0, 100), "of the load's noise", "Hz"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<LeafMotion>() {
+    using P = LeafMotion;
+    static const Fields fields = {
+        {"max_angle_x", at<&P::maxAngleX>, within(0, 90), "largest swing along the branch", "degrees"},
+        {"max_angle_z", at<&P::maxAngleZ>, within(0, 90), "largest swing across it", "degrees"},
+        {"max_rotation", at<&P::maxRotation>, within(0, 180), "largest turn about the petiole", "degrees"},
+        {"partial_steps", at<&P::partialSteps>, within(1, 10000), "steps in which a leaf reaches its angle"},
+        {"factor", at<&P::factor>, within(0, 1), "how much of the largest angles is used"},
+        {"linked_factor", at<&P::linkedFactor>, within(-10, 10), "rotation that goes with the swing"},
+        {"noise_frequency", at<&P::noiseFrequency>, within(0, 100), "of the flutter", "Hz"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<Appearance>() {
+    using P = Appearance;
+    static const Fields fields = {
+        {"bark", at<&P::bark>, within(0, 1), "linear red, green, blue"},
+        {"leaves", at<&P::leaves>, within(0, 1), "linear red, green, blue"},
+        {"spring_leaves", at<&P::springLeaves>, within(0, 1), "their colour as they unfold"},
+        {"autumn_leaves", at<&P::autumnLeaves>, within(0, 1), "their colour before they fall"},
+        {"evergreen",
+         at<&P::evergreen>,
+         {},
+         "whether it bears its leaves all year, in the colour `leaves`; not given: as `needles`, `bundles` "
+         "and `frond` do"},
+        {"leaf_form",
+         at<&P::leafForm>,
+         {},
+         "leaves on the texture",
+         "",
+         inOrder({"blade", "lobed", "ovate", "rhombic", "palmate", "pinnate", "heart", "round", "fingered",
+                  "fan", "needles", "bundles", "tufts", "frond"})},
+        {"bark_form",
+         at<&P::barkForm>,
+         {},
+         "surface of the bark",
+         "",
+         inOrder({"furrowed", "plated", "smooth", "banded", "flaking", "ringed"})},
+        {"leaf_image", at<&P::leafImage>, {}, "a picture of a spray to show instead, below", "file"},
+        {"bark_image", at<&P::barkImage>, {}, "a picture of bark to show instead, below", "file"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<Species>() {
+    using P = Species;
+    static const Fields fields = {
+        {"aliases", at<&P::aliases>, {}, "other names, as an inventory may have them; no two alike"},
+        {"source", at<&P::source>, {}, "where its numbers come from"},
+        {"shapes", at<&P::shapes>, within(1, mostShapes),
+         "different shapes its trees share; memory grows with them"},
+        {"crown", at<&P::crown>, {}, ""},
+        {"wood", at<&P::wood>, {}, ""},
+        {"branch", at<&P::branch>, {}, ""},
+        {"leaf", at<&P::leaf>, {}, ""},
+        {"appearance", at<&P::appearance>, {}, ""},
+    };
+    return fields;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/WindFields.h>
+
+namespace osgTreeWind {
+
+template <>
+const Fields& fieldsOf<GustWind::Parameters>() {
+    using P = GustWind::Parameters;
+    static const Fields fields = {
+        {"intensity", at<&P::intensity>, within(0, 1),
+         "standard deviation of the wind along the mean over the mean; across 0.8 and upward 0.5 of that. "
+         "Open country 0.15, suburbs 0.25, over a forest 0.3 and more"},
+        {"length_scale", at<&P::lengthScale>, within(1, 1e5), "size of the largest gusts along the wind",
+         "m"},
+        {"seed", at<&P::seed>, {}, "one seed, one wind; without it the `seed` of the file"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<GridWind::Grid>() {
+    using P = GridWind::Grid;
+    static const Fields fields = {
+        {"corner", at<&P::origin>, worldCoordinates,
+         "the same from the forest's origin, in place of `origin`", "m"},
+        {"points", at<&P::points>, gridPoints, "points east, north and up"},
+        {"cell", at<&P::cell>, gridCells, "distances between points", "m"},
+        {"times", at<&P::times>, {}, "when each layer of values holds", "s"},
+        {"heights", at<&P::heights>, {}, "heights of layers that are not even", "m"},
+        {"values", at<&P::values>, windSpeeds, "u, v, w of each point", "m/s"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<ForestWind::Array>() {
+    using P = ForestWind::Array;
+    static const Fields fields = {
+        {"width", at<&P::width>, gridPoints, "cells along thesis x (east)"},
+        {"length", at<&P::length>, gridPoints, "cells along thesis z (south)"},
+        {"corner", at<&P::origin>, worldCoordinates, "position of the array's corner", "m"},
+        {"values", at<&P::values>, windSpeeds, "components in thesis axes", "m/s"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<WindSeries>() {
+    using P = WindSeries;
+    static const Fields fields = {
+        {"times", at<&P::times>, {}, "of the records", "s"},
+        {"velocities", at<&P::velocities>, windSpeeds, "toward east, north, up; one for each time", "m/s"},
+        {"repeat", at<&P::repeat>, {}, "start again after the last time"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<LogProfile>() {
+    using P = LogProfile;
+    static const Fields fields = {
+        {"height", at<&P::height>, above(0, 10000), "", "m"},
+        {"roughness", at<&P::roughness>, above(0, 100), "", "m"},
+    };
+    return fields;
+}
+
+template <>
+const Fields& fieldsOf<RetimedWind::Clock>() {
+    using P = RetimedWind::Clock;
+    static const Fields fields = {
+        {"start", at<&P::start>, within(-1e12, 1e12),
+         "time of the wind data shown when the scene's time is 0", "s"},
+        {"time_scale", at<&P::scale>, within(-1e6, 1e6),
+         "seconds of wind data per second of the scene: 60 shows an hour in a minute, 0 stands still"},
+    };
+    return fields;
+}
+
+} // namespace osgTreeWind

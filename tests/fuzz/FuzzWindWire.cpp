@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include <tests/fuzz/Fuzz.h>
+
+#include <osgTreeWind/windfiles/WindWire.h>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+using namespace osgTreeWind;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const int file = memfd_create("fuzz", 0);
+    if (write(file, data, size) == static_cast<ssize_t>(size) && lseek(file, 0, SEEK_SET) == 0) {
+        const auto content = WindWire::receive(file);
+        if (content && content->ok())
+            GridWind::create(std::get<GridWind::Grid>(content->value().data));
+    }
+    close(file);
+    return 0;
+}

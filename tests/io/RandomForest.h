@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/wind/ForestWind.h>
+#include <osgTreeWind/wind/GridWind.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindFields.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace osgTreeWind {
+
+/// Descriptions made in code and documents by chance, from the tables of fields. Their trees are tiny.
+class RandomForest {
+public:
+    explicit RandomForest(std::uint64_t seed) : _random(seed) {}
+
+    ForestDescription description() {
+        ForestDescription forest;
+        fill(forest);
+        fill(forest.drawing);
+        forest.drawing.reduced = std::clamp(forest.drawing.reduced, 2e-3f, 5e4f);
+        forest.drawing.full = std::max(forest.drawing.full, std::nextafter(forest.drawing.reduced, 1e5f));
+        forest.drawing.impostor = 0.3f * forest.drawing.reduced;
+        if (maybe())
+            forest.noiseExponent = static_cast<float>(number(noiseExponents));
+        forest.season = static_cast<float>(number(seasons));
+        forest.origin = place(maybe() ? 1e7 : 0.0);
+        for (int i = 0, count = whole(1, 3); i < count; ++i)
+            forest.species.push_back(species(std::to_string(i) + text()));
+        for (int i = 0, count = whole(0, 4); i < count; ++i)
+            forest.trees.push_back(tree(forest, i));
+        forest.wind = wind();
+        if (forest.wind && maybe(0.3))
+            forest.wind = std::make_shared<RetimedWind>(
+                forest.wind, RetimedWind::Clock{number(within(-1e12, 1e12)), number(within(-1e6, 1e6))});
+        return forest;
+    }
+
+    /// Some keys, in decimals of any length, and one tree at least.
+    std::string document() {
+        std::string text =
+            "version = 1\nseed = " + std::to_string(whole(0, 9)) + "\nseason = " + decimal(seasons) + '\n';
+        text += "[motion]\n" + keys<ForestDescription>();
+        if (maybe())
+            text += "noise = \"1/f\"\nnoise_exponent = " + decimal(noiseExponents) + '\n';
+        text += "[wind]\nkind = \"gusts\"\nspeed = " + decimal(within(0, 199)) +
+                "\nunit = \"kn\"\ndirection_from = " + decimal(within(-360, 360)) + '\n' +
+                keys<GustWind::Parameters>() + keys<RetimedWind::Clock>();
+        text.replace(text.find("\"kn\""), 4, maybe() ? "\"km/h\"" : "\"m/s\"");
+        for (const char* name : {"ash", "Bush"}) {
+            text += std::string("[[species]]\nname = \"") + name + "\"\nshapes = 2\n[species.appearance]\n" +
+                    keys<Appearance>() + "[species.wood]\n" + keys<WoodParameters>() + "[species.crown]\n" +
+                    keys<CrownAllometry>() + "[species.branch]\n" + keys<BranchParameters>() +
+                    "[species.leaf]\n" + keys<LeafMotion>() + "[species.leaves]\n" +
+                    keys<LeafParameters>({"clusters", "clusters_per_branch"}) + "clusters = 5\n";
+            if (maybe())
+                text += "[species.tree]\nlevels = 1\nrings_per_branch = 2\nradius = 0.001\n" +
+                        keys<RecursiveTreeParameters>(
+                            {"levels", "children_per_branch", "rings_per_branch", "radius"});
+            else
+                text += "[species.growth]\nrings_per_branch = 2\nradius = 0.003\n" +
+                        keys<GrownTreeParameters>({"rings_per_branch", "radius"}) +
+                        "[species.growth.boughs]\ncount = 3\n" + keys<GrownBranches>({"count"}) +
+                        "[species.growth.branches]\ncount = 1\n" + keys<GrownBranches>({"count"});
+        }
+        for (int i = 0, count = whole(1, 3); i < count; ++i)
+            text += "[[tree]]\nspecies = \"bush\"\nposition = [" + decimal(within(-1e4, 1e4)) + ", 2]\n" +
+                    keys<TreePlacement>({"id"});
+        return text;
+    }
+
+private:
+    bool maybe(double share = 0.5) { return static_cast<double>(_random.uniform()) < share; }
+    int whole(int low, int high) {
+        return low + static_cast<int>(_random.next() % static_cast<std::uint64_t>(high - low + 1));
+    }
+    /// Often an end of the range, or of any magnitude.
+    double number(const Range& range) {
+        const double share = 0x1p-53 * static_cast<double>(_random.next() >> 11);
+        const double any = range.min + (range.max - range.min) * share;
+        const double small = std::pow(10.0, -12.0 * share);
+        const double value = maybe(0.1) ? range.max : maybe(0.1) ? range.min : maybe(0.1) ? small : any;
+        return range.contains(value) ? value : any;
+    }
+    std::string decimal(const Range& range) {
+        for (;;) {
+            char text[40];
+            std::snprintf(text, sizeof text, "%.*g", whole(1, 17), number(range));
+            if (range.contains(std::stod(text)))
+                return text;
+        }
+    }
+    std::string text() {
+        const char* const parts[] = {"oak", " ",          "\"", "\\", "\n", "\x01", "\x7f",
+                                     "é",   "\U0001f333", "#",  "[[", "=",  "'"};
+        std::string result = "a";
+        for (int i = 0, count = whole(0, 6); i < count; ++i)
+            result += parts[whole(0, 12)];
+        return result;
+    }
+    glm::dvec3 place(double reach) {
+        const Range range = within(-reach, reach);
+        return {number(range), number(range), number(range)};
+    }
+
+    struct Fill {
+        RandomForest& forest;
+        const Field& field;
+        void operator()(bool* value) const { *value = forest.maybe(); }
+        void operator()(std::optional<bool>* value) const {
+            if (forest.maybe())
+                *value = forest.maybe();
+        }
+        void operator()(int* value) const {
+            *value = forest.whole(static_cast<int>(field.range.min), static_cast<int>(field.range.max));
+        }
+        void operator()(std::uint32_t* value) const {
+            *value = static_cast<std::uint32_t>(forest._random.next());
+        }
+        void operator()(float* value) const {
+            const Range range = memberRange(field);
+            do
+                *value = static_cast<float>(forest.number(range));
+            while (!range.contains(static_cast<double>(*value)));
+        }
+        void operator()(double* value) const { *value = forest.number(field.range); }
+        void operator()(glm::vec3* value) const {
+            for (int i = 0; i < 3; ++i)
+                (*value)[i] = static_cast<float>(forest.number(field.range));
+        }
+        void operator()(std::string* value) const { *value = field.unit == "file" ? "" : forest.text(); }
+        void operator()(std::vector<std::string>* texts) const {
+            for (int i = forest.whole(0, 2); i > 0; --i)
+                texts->push_back(std::to_string(forest._random.next()) + forest.text());
+        }
+        template <typename T>
+        void operator()(T*) const {} // arrays of the wind are made below
+        void operator()(const WordMember& word) const {
+            word.set(word.object, field
+                                      .words[static_cast<std::size_t>(
+                                          forest.whole(0, static_cast<int>(field.words.size()) - 1))]
+                                      .second);
+        }
+        void operator()(const PartMember& part) const { forest.fillAll(*part.fields, part.object); }
+    };
+    void fillAll(const Fields& fields, void* struct_) {
+        for (const Field& field : fields)
+            if (maybe(0.8))
+                std::visit(Fill{*this, field}, field.member(struct_));
+    }
+    template <typename Struct>
+    void fill(Struct& value) {
+        fillAll(fieldsOf<Struct>(), &value);
+    }
+
+    /// A line for some keys of a table, in words of a file.
+    template <typename Struct>
+    std::string keys(const std::vector<std::string>& without = {}) {
+        std::string lines;
+        for (const Field& field : fieldsOf<Struct>()) {
+            Struct value{};
+            if (std::find(without.begin(), without.end(), field.key) != without.end() || maybe(0.3))
+                continue;
+            const Member member = field.of(&value);
+            if (std::holds_alternative<float*>(member) || std::holds_alternative<double*>(member)) {
+                lines += std::string(field.key) + " = " + decimal(field.range) + '\n';
+            } else if (!std::holds_alternative<PartMember>(member)) {
+                std::visit(Fill{*this, field}, member);
+                std::ostringstream line;
+                writeFields(line, "", {field}, &value, nullptr);
+                lines += line.str();
+            }
+        }
+        return lines;
+    }
+
+    Species species(const std::string& name) {
+        Species species;
+        fill(species);
+        species.name = name;
+        species.shapes = whole(1, 3);
+        RecursiveTreeParameters& wood = species.tree.wood;
+        fill(wood);
+        fill(species.tree.leaves);
+        wood.levels = whole(0, 2), wood.childrenPerBranch = whole(1, 2);
+        wood.radius = std::min(wood.radius, 0.49f * wood.length * static_cast<float>(wood.trunkUnits));
+        species.tree.leaves.clustersPerBranch = whole(0, 2), species.tree.leaves.clusters = whole(0, 9);
+        if (maybe()) {
+            GrownTreeParameters& grown = species.tree.grown.emplace();
+            fill(grown);
+            grown.radius = std::min(grown.radius, 0.24f * grown.height);
+            grown.boughs.count = whole(0, 3), grown.branches.count = whole(0, 2),
+            grown.twigs.count = whole(0, 1);
+        }
+        return species;
+    }
+
+    TreePlacement tree(const ForestDescription& forest, int index) {
+        TreePlacement tree;
+        fill(tree);
+        tree.species = static_cast<std::size_t>(whole(0, static_cast<int>(forest.species.size()) - 1));
+        tree.position = forest.origin + place(1000.0);
+        tree.name = maybe() ? std::to_string(index) + text() : "";
+        return tree;
+    }
+
+    std::vector<double> times(int count) {
+        std::vector<double> times = {number(within(-1e6, 1e6))};
+        for (int i = 1; i < count; ++i)
+            times.push_back(std::nextafter(times.back(), 1e9) + (maybe() ? 0.0 : number(within(0, 100))));
+        return times;
+    }
+    std::vector<float> speeds(int count) {
+        std::vector<float> speeds;
+        for (int i = 0; i < count; ++i)
+            speeds.push_back(static_cast<float>(number(windSpeeds)));
+        return speeds;
+    }
+    glm::vec3 velocity() {
+        const std::vector<float> v = speeds(3);
+        return {v[0], v[1], v[2]};
+    }
+    std::optional<LogProfile> profile() {
+        if (maybe())
+            return {};
+        const double height = number(above(0.001, 10000));
+        return LogProfile{height, std::min(100.0, height * number(within(0.001, 0.99)))};
+    }
+    WindFieldPtr wind() {
+        switch (whole(0, 5)) {
+        case 0:
+            return nullptr;
+        case 1:
+            return std::make_shared<UniformWind>(velocity());
+        case 2: {
+            GustWind::Parameters gusts;
+            fill(gusts);
+            gusts.mean = 0.7f * velocity() * glm::vec3(1, 1, 0);
+            gusts.profile = profile();
+            return GustWind::create(gusts).value();
+        }
+        case 3: {
+            GridWind::Grid grid;
+            grid.points = {whole(1, 3), whole(1, 3), whole(1, 2)};
+            grid.origin = place(1e6);
+            grid.cell = {number(above(0, 1e6)), number(above(0, 1e6)), 1e-9};
+            const int steps = whole(0, 2), points = grid.points.x * grid.points.y * grid.points.z;
+            if (steps > 0)
+                grid.times = times(steps);
+            for (int i = 0; i < grid.points.z && maybe(0.8); ++i)
+                grid.heights.push_back(0.1f + static_cast<float>(i));
+            if (static_cast<int>(grid.heights.size()) < grid.points.z)
+                grid.heights.clear();
+            grid.values = speeds(3 * points * std::max(1, steps));
+            return GridWind::create(grid).value();
+        }
+        case 4:
+            return GridWind::fromForestWind(2, 3, speeds(18), place(1e5)).value();
+        default: {
+            WindSeries series;
+            series.times = times(whole(1, 4));
+            for (std::size_t i = 0; i < series.times.size(); ++i)
+                series.velocities.push_back(velocity());
+            series.repeat = maybe();
+            series.profile = profile();
+            return TimeSeriesWind::create(series).value();
+        }
+        }
+    }
+
+    Random _random;
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <tests/base/FirstProblem.h>
+
+#include <osgTreeWind/windfiles/WindWire.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// A file in memory that closes with the test.
+struct MemoryFile {
+    const int descriptor = memfd_create("wire", 0);
+    ~MemoryFile() { close(descriptor); }
+};
+
+WindContent someGrid() {
+    WindContent content;
+    content.summary.format = "made";
+    content.summary.start = "now";
+    content.summary.notes = {"one", "", "three"};
+    GridWind::Grid grid;
+    grid.points = {2, 1, 1};
+    grid.origin = {1.5, -2.5, 1e300};
+    grid.times = {0.0, 7.0};
+    grid.values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+    content.data = grid;
+    return content;
+}
+
+std::optional<Result<WindContent>> receiveFirst(const MemoryFile& file, off_t length) {
+    EXPECT_EQ(ftruncate(file.descriptor, length), 0);
+    lseek(file.descriptor, 0, SEEK_SET);
+    return WindWire::receive(file.descriptor);
+}
+
+} // namespace
+
+TEST(WindWire, WhatIsSentArrives) {
+    const MemoryFile file;
+    Result<WindContent> sent = someGrid();
+    ASSERT_TRUE(WindWire::send(file.descriptor, sent));
+    const auto received = receiveFirst(file, lseek(file.descriptor, 0, SEEK_CUR));
+    ASSERT_TRUE(received && *received);
+    const WindContent& content = received->value();
+    EXPECT_EQ(content.summary.format, "made");
+    EXPECT_EQ(content.summary.start, "now");
+    EXPECT_EQ(content.summary.notes, sent.value().summary.notes);
+    const auto &grid = std::get<GridWind::Grid>(content.data),
+               &made = std::get<GridWind::Grid>(sent.value().data);
+    EXPECT_EQ(grid.points, made.points);
+    EXPECT_EQ(grid.origin, made.origin);
+    EXPECT_EQ(grid.times, made.times);
+    EXPECT_EQ(grid.values, made.values);
+}
+
+TEST(WindWire, ProblemsArriveToo) {
+    const MemoryFile file;
+    Result<WindContent> sent = Diagnostic{"a.nc", 0, 0, "u", "is wrong"};
+    ASSERT_TRUE(WindWire::send(file.descriptor, sent));
+    const auto received = receiveFirst(file, lseek(file.descriptor, 0, SEEK_CUR));
+    ASSERT_TRUE(received);
+    EXPECT_EQ(firstProblem(*received), "a.nc: u: is wrong");
+}
+
+TEST(WindWire, CutAnywhereNothingArrives) {
+    const MemoryFile file;
+    Result<WindContent> sent = someGrid();
+    ASSERT_TRUE(WindWire::send(file.descriptor, sent));
+    for (off_t length = lseek(file.descriptor, 0, SEEK_CUR) - 1; length >= 0; --length)
+        EXPECT_FALSE(receiveFirst(file, length)) << length;
+}
+
+TEST(WindWire, NoMemoryIsTakenForNumbersThatDoNotCome) {
+    const MemoryFile file;
+    const std::string claims = std::string(1, '\1') + std::string(8, '\x7f') + "and then little";
+    ASSERT_EQ(write(file.descriptor, claims.data(), claims.size()), static_cast<ssize_t>(claims.size()));
+    EXPECT_FALSE(receiveFirst(file, static_cast<off_t>(claims.size())));
+}
+
+} // namespace osgTreeWind
