@@ -42,7 +42,6 @@ set(public_headers
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h
     osgTreeWind/wind/FunctionWind.h
-    osgTreeWind/wind/GivenWind.h
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h

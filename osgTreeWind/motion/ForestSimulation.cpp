@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalForest.h>
+#include <osgTreeWind/wind/GivenWind.h>
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +112,14 @@ std::optional<TreeId> ForestSimulation::findTree(const std::string& name) const 
 
 std::string ForestSimulation::nameOf(TreeId tree) const {
     return holds(tree) ? _forest.names.of(static_cast<std::uint32_t>(slotOf(tree))) : std::string();
+}
+
+void ForestSimulation::setWind(WindFieldPtr wind) {
+    _wind->set(std::move(wind));
+}
+
+WindFieldPtr ForestSimulation::wind() const {
+    return _wind->get();
 }
 
 void ForestSimulation::setExecutor(const Executor& executor) {

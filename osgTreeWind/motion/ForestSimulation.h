@@ -68,8 +68,8 @@ public:
     float season() const { return _forest.season(); }
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
-    void setWind(WindFieldPtr wind) { _wind->set(std::move(wind)); }
-    WindFieldPtr wind() const { return _wind->get(); }
+    void setWind(WindFieldPtr wind);
+    WindFieldPtr wind() const;
     /// Its home.
     const std::shared_ptr<GivenWind>& givenWind() const { return _wind; }
 

@@ -3,11 +3,12 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/motion/modal/ModalLevel.h>
-#include <osgTreeWind/wind/GivenWind.h>
 
 #include <memory>
 
 namespace osgTreeWind {
+
+class GivenWind;
 
 /// How a ForestSimulation works.
 struct SimulationOptions {

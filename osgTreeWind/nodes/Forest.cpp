@@ -3,10 +3,13 @@
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
+#include <osgTreeWind/wind/GivenWind.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/LOD>
@@ -19,6 +22,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -67,6 +71,24 @@ std::string problemOfRoom(const ForestDescription& description) {
     return problem.empty() ? problemOfMemory(description, true) : problem;
 }
 
+std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot) {
+    const PlacedTree& tree = simulation.trees()[slot];
+    UnitValues values;
+    const TreeMotion motion = simulation.motion(slot, values);
+    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    std::vector<TreeUnit> units;
+    for (const BranchUnit& rest : simulation.forest().modelOf(tree).skeleton.units) {
+        const UnitPose& pose = motion.poses[units.size()];
+        const auto now = [&](const glm::vec3& point) {
+            return toOsg(turnHeading(pose.apply(point), sine, cosine) + tree.position);
+        };
+        const glm::vec3 base = tree.scale.axes * rest.base, tip = tree.scale.axes * rest.tip;
+        units.push_back({rest.parent, rest.level, tree.scale.radius * rest.baseRadius,
+                         tree.scale.radius * rest.tipRadius, toOsg(base), toOsg(tip), now(base), now(tip)});
+    }
+    return units;
+}
+
 osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& simulation) {
     if (simulation->description().law == MotionLaw::Modal)
         return new StandDrawing(simulation);
@@ -95,6 +117,14 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
+void Forest::setWind(WindFieldPtr wind) {
+    _wind->set(std::move(wind));
+}
+
+WindFieldPtr Forest::getWind() const {
+    return _wind->get();
+}
+
 void Forest::setExecutor(Executor executor) {
     _simulation->setExecutor(executor);
     _executor = std::move(executor);
@@ -114,6 +144,8 @@ const ForestDescription& Forest::getDescription() const {
 }
 
 Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description) {
+    if (Diagnostics problems = check(description); !problems.empty())
+        return problems;
     if (const std::string problem = problemOfRoom(description); !problem.empty())
         return Diagnostic{{}, 0, 0, {}, problem};
     const osg::ref_ptr<Forest> forest = new Forest;

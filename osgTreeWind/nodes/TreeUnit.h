@@ -10,8 +10,6 @@
 
 namespace osgTreeWind {
 
-class ForestSimulation;
-
 /// A branch unit of one tree: the wood from one fork to the next. docs/coordinates.md says what the frames
 /// are.
 struct TreeUnit {
@@ -21,9 +19,6 @@ struct TreeUnit {
     osg::Vec3 restBase, restTip;               ///< At rest, in the tree's frame, as what hangs on it stands.
     osg::Vec3 base, tip;                       ///< Now, in the forest's frame.
 };
-
-/// Those of a tree that stands in a slot, in access order.
-OSGTREEWIND_EXPORT std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot);
 
 /// Index of the unit whose line from base to tip passes nearest to a point of the forest's frame now; nothing
 /// where there are no units.

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <glm/mat4x4.hpp>
 
 #include <mutex>
+#include <utility>
 
 namespace osgTreeWind {
 
 /// The wind that a forest is given: any thread may set and get it at any time. Whoever moves the forest meets
 /// it where the forest stands.
-class OSGTREEWIND_EXPORT GivenWind {
+class GivenWind {
 public:
     /// @param wind null: calm.
     explicit GivenWind(WindFieldPtr wind = {}) : _wind(std::move(wind)) {}

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <thread>
 
 using namespace osgTreeWind;
@@ -176,6 +177,29 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
     EXPECT_EQ(forest->getWind(), last) << "no wind was lost";
 }
 
+TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
+    std::atomic<int> calls{0};
+    const Executor lent = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
+        ++calls;
+        runInTurn(count, job);
+    };
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    forest->setExecutor(lent);
+    update(*forest, 1, 0.04);
+    EXPECT_GT(calls, 0);
+    osg::ref_ptr<Forest> copy = osg::clone(forest.get());
+    int before = calls;
+    update(*copy, 1, 0.04);
+    EXPECT_GT(calls, before);
+    before = calls;
+    forest->setDescription(smallForest(3));
+    EXPECT_GT(calls, before) << "and grow the next one";
+    forest->setExecutor(nullptr);
+    before = calls;
+    update(*forest, 2, 0.08);
+    EXPECT_EQ(calls, before);
+}
+
 TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     osg::ref_ptr<MessageCollector> messages = new MessageCollector;
@@ -193,6 +217,20 @@ TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
     updateFrames(*forest, 1, 2);
     forest->setDescription(smallForest(2));
     EXPECT_EQ(forest->getNumTrees(), 2u) << "and may be filled again";
+}
+
+TEST(ForestTest, whatCannotBeMadeIsAProblemAndNoEmptyForest) {
+    const Result<osg::ref_ptr<Forest>> made = Forest::create(smallForest(3));
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made.value()->getNumTrees(), 3u);
+    ForestDescription endless = smallForest(2);
+    endless.trees[1].size.height = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(Forest::create(endless).ok()) << "check() says more";
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
+    const Result<osg::ref_ptr<Forest>> tooLarge = Forest::create(smallForest(1000));
+    ASSERT_FALSE(tooLarge);
+    EXPECT_EQ(tooLarge.problems().front().text().rfind("1000 trees of these species need about ", 0), 0u)
+        << tooLarge.problems().front().text();
 }
 
 TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {
