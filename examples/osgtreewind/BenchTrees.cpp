@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/wind/GustWind.h>
 
 #include <algorithm>
