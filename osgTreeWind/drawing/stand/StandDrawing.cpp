@@ -61,6 +61,7 @@ void StandDrawing::update(const osg::FrameStamp& stamp) {
 
 void StandDrawing::treeChanged(std::size_t slot) {
     _trees->treeChanged(slot);
+    dirtyBound(); // which the drawable's box is no part of
 }
 
 void StandDrawing::seasonChanged() {
