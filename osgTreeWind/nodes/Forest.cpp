@@ -152,14 +152,6 @@ Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description) {
     return forest;
 }
 
-void Forest::setWind(WindFieldPtr wind) {
-    _wind->set(std::move(wind));
-}
-
-WindFieldPtr Forest::getWind() const {
-    return _wind->get();
-}
-
 void Forest::setDescription(ForestDescription description) {
     const std::string problem = problemOfRoom(description);
     if (!problem.empty()) {
