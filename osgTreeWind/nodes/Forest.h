@@ -44,9 +44,9 @@ public:
     Forest();
     /// As setDescription().
     explicit Forest(ForestDescription description);
-    /// The same with an answer: why there can be no such forest, for want of memory or of room in textures, in
-    /// place of an empty one.
-    static Result<osg::ref_ptr<Forest>> create(ForestDescription description);
+    /// The same with an answer: why there can be no such forest, for want of memory or of room in textures,
+    /// in place of an empty one. @param executor as of setExecutor().
+    static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
     /// children go by `copyop`; branches that are followed are not copied.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
