@@ -141,13 +141,18 @@ ExitCode render(RenderOptions options) {
         return runOtherBackend(options.backend);
     if (const ExitCode problem = checkOutput(options); problem != Succeeded)
         return problem;
-    auto description = loadForest(options.file, true);
+    auto description = loadForest(options.file);
     if (!description)
         return BadInput;
     if (!options.tiers.empty())
         description->drawing.tiers = options.tiers == "on";
     description->season = options.season.value_or(description->season);
-    osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
+    const Result<osg::ref_ptr<Forest>> made = Forest::create(std::move(*description));
+    if (!made) {
+        std::cerr << options.file << ": " << made.problems().front().text() << '\n';
+        return BadInput;
+    }
+    const osg::ref_ptr<Forest> forest = made.value();
     osg::ref_ptr<osg::Group> scene = createSetting(*forest, shadowsOf(options.shadows));
 
     OffscreenViewer drawing(options.width, options.height, samplesAcross(options));

@@ -34,7 +34,8 @@ std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file
         std::cerr << forest.problems().front().text() << '\n';
         return {};
     }
-    if (const std::string problem = osgTreeWind::problemOfMemory(forest.value(), withNodes);
+    if (const std::string problem =
+            withNodes ? osgTreeWind::problemOfMemory(forest.value(), true) : std::string();
         !problem.empty()) {
         std::cerr << file << ": " << problem << '\n';
         return {};

@@ -66,7 +66,7 @@ constexpr int quadsPerLeafCluster = 3;
 constexpr int verticesPerLeafCluster = quadsPerLeafCluster * 4;
 constexpr int trianglesPerLeafCluster = quadsPerLeafCluster * 2;
 
-/// The one shape all clusters share (the thesis' display list, §2.4.1): quads 4i .. 4i+3. A fan about the
+/// The one mesh all clusters share (the thesis' display list, §2.4.1): quads 4i .. 4i+3. A fan about the
 /// petiole, or with an inclination a flat spray.
 std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters& parameters);
 

@@ -184,10 +184,6 @@ int branchingUnits(const RecursiveTreeParameters& p) {
     return p.trunkUnits - std::min(p.bareUnits, p.trunkUnits - 1);
 }
 
-std::uint64_t branchUnitCount(const RecursiveTreeParameters& parameters) {
-    return countUnits(clamped(parameters));
-}
-
 Skeleton makeRecursiveTree(const RecursiveTreeParameters& parameters) {
     return Generator(clamped(parameters)).grow();
 }

@@ -47,10 +47,6 @@ RecursiveTreeParameters clamped(RecursiveTreeParameters parameters);
 /// @param parameters clamped() ones.
 int branchingUnits(const RecursiveTreeParameters& parameters);
 
-/// Number of units the clamped() parameters give: trunkUnits + branchingUnits times the sum of
-/// childrenPerBranch^i, i = 1..levels.
-std::uint64_t branchUnitCount(const RecursiveTreeParameters& parameters);
-
 /// Grows a skeleton. Out-of-range parameters are clamped(). Branches shorter than 1e-4 and radii thinner than
 /// 1e-5 of the tree's reach are brought up to that, so that no part of it degenerates.
 Skeleton makeRecursiveTree(const RecursiveTreeParameters& parameters);

@@ -3,6 +3,8 @@
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
@@ -19,6 +21,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -65,6 +68,24 @@ constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidde
 std::string problemOfRoom(const ForestDescription& description) {
     const std::string problem = BranchwiseForest::problemOf(description);
     return problem.empty() ? problemOfMemory(description, true) : problem;
+}
+
+std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot) {
+    const PlacedTree& tree = simulation.trees()[slot];
+    UnitValues values;
+    const TreeMotion motion = simulation.motion(slot, values);
+    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    std::vector<TreeUnit> units;
+    for (const BranchUnit& rest : simulation.forest().modelOf(tree).skeleton.units) {
+        const UnitPose& pose = motion.poses[units.size()];
+        const auto now = [&](const glm::vec3& point) {
+            return toOsg(turnHeading(pose.apply(point), sine, cosine) + tree.position);
+        };
+        const glm::vec3 base = tree.scale.axes * rest.base, tip = tree.scale.axes * rest.tip;
+        units.push_back({rest.parent, rest.level, tree.scale.radius * rest.baseRadius,
+                         tree.scale.radius * rest.tipRadius, toOsg(base), toOsg(tip), now(base), now(tip)});
+    }
+    return units;
 }
 
 osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& simulation) {
@@ -114,6 +135,8 @@ const ForestDescription& Forest::getDescription() const {
 }
 
 Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Executor executor) {
+    if (Diagnostics problems = check(description); !problems.empty())
+        return problems;
     if (const std::string problem = problemOfRoom(description); !problem.empty())
         return Diagnostic{{}, 0, 0, {}, problem};
     const osg::ref_ptr<Forest> forest = new Forest;

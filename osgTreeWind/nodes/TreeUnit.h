@@ -10,8 +10,6 @@
 
 namespace osgTreeWind {
 
-class ForestSimulation;
-
 /// A branch unit of one tree: the wood from one fork to the next. docs/coordinates.md says what the frames
 /// are.
 struct TreeUnit {
@@ -22,11 +20,9 @@ struct TreeUnit {
     osg::Vec3 base, tip;                       ///< Now, in the forest's frame.
 };
 
-/// Those of a tree that stands in a slot, in access order.
-std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot);
-
 /// Index of the unit whose line from base to tip passes nearest to a point of the forest's frame now; nothing
 /// where there are no units.
-OSGTREEWIND_EXPORT std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units, const osg::Vec3& point);
+OSGTREEWIND_EXPORT std::optional<unsigned> nearestUnit(const std::vector<TreeUnit>& units,
+                                                       const osg::Vec3& point);
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgDB/InputStream>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osgDB/FileNameUtils>

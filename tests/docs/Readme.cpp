@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the C++ of README.md takes for granted.
+#include <osgTreeWind/drawing/BranchTransform.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/wind/StreamedWind.h>

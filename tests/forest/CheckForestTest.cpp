@@ -48,7 +48,7 @@ TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].tree.leaves.droop = -2.0f; }),
               Texts{"species[0].leaves.droop: expected a finite number in [-1, 1], found -2"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.trees[0].heading = 7.0f; }),
-              Texts{"tree[0].heading: expected a finite number in [-360, 360], found 401.07046508789062"});
+              Texts{"tree[0].heading: expected a finite number in [-360, 360], found 401.0704650878906"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.trees[0].size.crownWidth = 151.0f; }),
               Texts{"tree[0].crown_width: expected a finite number in (0, 150], found 151"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.trees[0].species = 1; }),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/model/ModelTestCases.h>
 
+#include <osgTreeWind/model/TreeModel.h>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
@@ -23,11 +25,15 @@ float angleBetween(const glm::vec3& a, const glm::vec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+std::uint64_t unitsOf(const RecursiveTreeParameters& parameters) {
+    return countTree(TreeParameters{parameters, {}, {}, {}}).units;
+}
+
 TEST(RecursiveTree, ReferenceTreeHas122UnitsAnd1952Points) {
     const Skeleton skeleton = makeRecursiveTree({});
     EXPECT_EQ(skeleton.units.size(), 122u);
     EXPECT_EQ(skeleton.points.size(), 1952u);
-    EXPECT_EQ(branchUnitCount({}), 122u);
+    EXPECT_EQ(unitsOf({}), 122u);
 }
 
 TEST(RecursiveTree, UnitCountIsTrunkPlusGeometricSum) {
@@ -41,7 +47,7 @@ TEST(RecursiveTree, UnitCountIsTrunkPlusGeometricSum) {
                 if (children > 1)
                     branches = (std::pow(children, levels + 1) - children) / (children - 1);
                 const auto expected = static_cast<std::uint64_t>(trunk + branches + 0.5);
-                EXPECT_EQ(branchUnitCount(p), expected) << levels << " levels of " << children;
+                EXPECT_EQ(unitsOf(p), expected) << levels << " levels of " << children;
                 EXPECT_EQ(makeRecursiveTree(p).units.size(), expected) << levels << " levels of " << children;
             }
 }
@@ -276,7 +282,7 @@ TEST(RecursiveTree, AnyParametersMakeAFiniteTreeOfReasonableSize) {
     for (const NamedParameters& c : extremeTrees()) {
         const Skeleton skeleton = makeRecursiveTree(c.parameters);
         ASSERT_FALSE(skeleton.units.empty()) << c.name;
-        ASSERT_EQ(skeleton.units.size(), branchUnitCount(c.parameters)) << c.name;
+        ASSERT_EQ(skeleton.units.size(), unitsOf(c.parameters)) << c.name;
         for (const glm::vec3& point : skeleton.points) {
             ASSERT_TRUE(isFinite(point)) << c.name;
             ASSERT_LT(glm::length(point), 1e5f) << c.name;
@@ -304,7 +310,7 @@ TEST(RecursiveTree, LevelsAreLoweredUntilTheSkeletonFits) {
     RecursiveTreeParameters p;
     p.levels = p.childrenPerBranch = 8; // 19 million units as they stand
     EXPECT_EQ(clamped(p).levels, 5);    // 2 + 8 + ... + 8^5 = 37,450 units, 599,200 points
-    EXPECT_LE(branchUnitCount(p) * 16, maxSkeletonPoints);
+    EXPECT_LE(unitsOf(p) * 16, maxSkeletonPoints);
     p.childrenPerBranch = 3;
     EXPECT_EQ(clamped(p).levels, 8) << "9,842 units fit";
 }

@@ -45,6 +45,19 @@ struct GrownTree {
     glm::dvec3 tipOf(std::size_t unit) const { return scale.axes * units()[unit].tip; }
 };
 
+/// Whether `carrier` is `link` or carries it.
+inline bool carries(const JointTree& tree, std::size_t carrier, std::size_t link) {
+    int i = static_cast<int>(link);
+    while (i > static_cast<int>(carrier))
+        i = tree.links[static_cast<std::size_t>(i)].parent;
+    return i == static_cast<int>(carrier);
+}
+
+inline ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material,
+                                 const ModalDetail& detail = {}) {
+    return makeModalModels(tree, material, {detail}).front();
+}
+
 /// The end of a unit as a point of its link.
 inline JointTree::Point tipPoint(const GrownTree& tree, const JointTree& joints, std::size_t unit) {
     JointTree::Point point;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <thread>
 
 using namespace osgTreeWind;
@@ -197,6 +198,8 @@ TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
     before = calls;
     update(*forest, 2, 0.08);
     EXPECT_EQ(calls, before);
+    EXPECT_TRUE(Forest::create(smallForest(1), lent));
+    EXPECT_GT(calls, before) << "from the start";
 }
 
 TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
@@ -216,6 +219,20 @@ TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
     updateFrames(*forest, 1, 2);
     forest->setDescription(smallForest(2));
     EXPECT_EQ(forest->getNumTrees(), 2u) << "and may be filled again";
+}
+
+TEST(ForestTest, whatCannotBeMadeIsAProblemAndNoEmptyForest) {
+    const Result<osg::ref_ptr<Forest>> made = Forest::create(smallForest(3));
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made.value()->getNumTrees(), 3u);
+    ForestDescription endless = smallForest(2);
+    endless.trees[1].size.height = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(Forest::create(endless).ok()) << "check() says more";
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
+    const Result<osg::ref_ptr<Forest>> tooLarge = Forest::create(smallForest(1000));
+    ASSERT_FALSE(tooLarge);
+    EXPECT_EQ(tooLarge.problems().front().text().rfind("1000 trees of these species need about ", 0), 0u)
+        << tooLarge.problems().front().text();
 }
 
 TEST(ForestTest, aDefaultOneIsEmptyAndRuns) {

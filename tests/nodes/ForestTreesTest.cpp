@@ -2,6 +2,10 @@
 // Trees that are put up, removed and changed, and branches that are followed, while a forest runs.
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/nodes/TreeUnit.h>
+
+#include <osg/ComputeBoundsVisitor>
+
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -135,6 +139,111 @@ TEST(ForestTreesTest, branchesAreFollowedInTheFrameOfTheirTree) {
         EXPECT_LT((osg::Vec3(toOsg(tip) * branch->getMatrix()) - toOsg(expected)).length(), 1e-4f);
     }
     EXPECT_NE(branch->getMatrix(), before);
+}
+
+TEST(ForestTreesTest, aFollowedBranchStandsWhereTheWholeTreeHasIt) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
+    std::vector<osg::ref_ptr<BranchTransform>> branches;
+    for (unsigned unit = 0; unit < forest->getUnits(TreeId(2)).size(); ++unit)
+        branches.emplace_back(forest->branch(TreeId(2), unit));
+    ASSERT_GT(branches.size(), 10u);
+    updateFrames(*forest, 1, 30);
+    const PlacedTree& placed = forest->getSimulation().trees()[2];
+    const osg::Matrix stand = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
+                              osg::Matrix::translate(toOsg(placed.position));
+    UnitValues values;
+    const TreeMotion whole = forest->getSimulation().motion(2, values);
+    for (std::size_t unit = 0; unit < branches.size(); ++unit) {
+        EXPECT_EQ(branches[unit]->getMatrix(),
+                  osg::Matrix::rotate(toOsg(whole.poses[unit].rotation)) *
+                      osg::Matrix::translate(toOsg(whole.poses[unit].translation)) * stand)
+            << unit;
+        EXPECT_EQ(branches[unit]->getRotation(), toOsg(whole.rotations[unit])) << "its own turn";
+    }
+    EXPECT_GT(std::abs(branches.back()->getRotation().w() - 1.0), 1e-7);
+}
+
+TEST(ForestTreesTest, aBranchIsLetGoWithWhatHangsOnIt) {
+    ForestDescription description = smallForest(1, 20.0f);
+    description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    const osg::ref_ptr<BranchTransform> first = forest->branch(TreeId(5), 3),
+                                        last = forest->branch(TreeId(5), 9);
+    EXPECT_TRUE(forest->unfollow(TreeId(5), 3));
+    EXPECT_EQ(first->getNumParents(), 0u);
+    EXPECT_EQ(last->getNumParents(), 1u);
+    EXPECT_FALSE(forest->unfollow(TreeId(5), 3)) << "it was already";
+    EXPECT_FALSE(forest->unfollow(TreeId(5), 4)) << "nobody asked for it";
+    EXPECT_NE(forest->branch(TreeId(5), 3), first);
+    ASSERT_TRUE(forest->removeTree(TreeId(5)).empty());
+    EXPECT_TRUE(forest->unfollow(TreeId(5), 3)) << "also of a tree that is gone";
+    EXPECT_TRUE(forest->unfollow(TreeId(5), 9));
+    EXPECT_EQ(last->getNumParents(), 0u);
+}
+
+TEST(ForestTreesTest, unitsAreWhereTheTreeIs) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
+    const std::vector<TreeUnit> rest = forest->getUnits(TreeId(1));
+    updateFrames(*forest, 1, 30);
+    const std::vector<TreeUnit> units = forest->getUnits(TreeId(1));
+    const PlacedTree& placed = forest->getSimulation().trees()[1];
+    ASSERT_EQ(units.size(), forest->getSimulation().forest().unitsOf(placed));
+    EXPECT_LT((units[0].base - toOsg(placed.position)).length(), 1e-5f) << "the foot of the trunk";
+    EXPECT_EQ(units[0].parent, -1);
+    float moved = 0.0f, highest = 0.0f;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        const TreeUnit& unit = units[i];
+        EXPECT_NEAR((unit.tip - unit.base).length(), (unit.restTip - unit.restBase).length(), 1e-4f)
+            << "rigid";
+        if (unit.parent >= 0)
+            EXPECT_GE(unit.level, units[static_cast<std::size_t>(unit.parent)].level);
+        EXPECT_GE(unit.baseRadius, unit.tipRadius);
+        EXPECT_EQ(nearestUnit(units, (unit.base + unit.tip) * 0.5f), i);
+        const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), static_cast<unsigned>(i));
+        EXPECT_LT((osg::Vec3(unit.restTip * branch->getMatrix()) - unit.tip).length(), 1e-4f);
+        EXPECT_EQ(branch->getBase(), unit.restBase);
+        moved = std::max(moved, (unit.tip - rest[i].tip).length());
+        highest = std::max(highest, rest[i].tip.z());
+    }
+    EXPECT_GT(moved, 0.01f) << "the wind did not move the tree, so this shows nothing";
+    EXPECT_NEAR(highest, 5.5f, 1.0f) << "as high as the tree";
+    EXPECT_TRUE(forest->getUnits(TreeId(7)).empty());
+    EXPECT_FALSE(nearestUnit({}, osg::Vec3()).has_value());
+}
+
+TEST(ForestTreesTest, treesAndTheirPlacementsCanBeWalkedThrough) {
+    ForestDescription description = smallForest(3);
+    description.origin = {4.3e5, 4.5e6, 10.0};
+    for (TreePlacement& tree : description.trees)
+        tree.position += description.origin;
+    description.trees[2].name = "old oak";
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    ASSERT_TRUE(forest->removeTree(TreeId(1)).empty());
+    const std::vector<TreeId> trees = forest->getTrees();
+    EXPECT_EQ(trees, (std::vector<TreeId>{TreeId(0), TreeId(2)}));
+    const std::optional<TreePlacement> oak = forest->getPlacement(trees[1]);
+    ASSERT_TRUE(oak);
+    EXPECT_EQ(oak->name, "old oak");
+    EXPECT_EQ(oak->position, description.trees[2].position) << "in the world";
+    EXPECT_NEAR(oak->size.height, 6.0f, 0.06f);
+    EXPECT_FALSE(forest->getPlacement(TreeId(1)));
+}
+
+TEST(ForestTreesTest, boxesAreOfTreesAtRestFromTheFootAndTheSphereHoldsTheirSway) {
+    ForestDescription description = oneTree(smallSpecies());
+    description.trees[0].position = {10.0, 20.0, 3.0};
+    description.trees[0].size = {12.0f, 0.3f, 7.0f};
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    osg::ComputeBoundsVisitor bounds;
+    forest->accept(bounds);
+    const osg::BoundingBox box = bounds.getBoundingBox();
+    EXPECT_FLOAT_EQ(box.zMin(), 3.0f);
+    EXPECT_NEAR(box.zMax(), 15.0f, 0.12f);
+    EXPECT_NEAR(0.5f * (box.xMax() - box.xMin() + box.yMax() - box.yMin()), 7.0f, 0.1f);
+    EXPECT_TRUE(box.contains(osg::Vec3(10.0f, 20.0f, 3.0f)));
+    const osg::BoundingSphere sphere = forest->getBound();
+    EXPECT_GT(sphere.radius(), box.radius() + 2.0f);
+    EXPECT_TRUE(sphere.contains(osg::Vec3(10.0f + 3.5f + 0.35f * 12.0f, 20.0f, 14.0f))) << "as it sways";
 }
 
 TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {

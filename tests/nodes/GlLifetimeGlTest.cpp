@@ -6,6 +6,7 @@
 #include <osg/BufferObject>
 #include <osg/ContextData>
 #include <osg/Texture>
+#include <osgUtil/GLObjectsVisitor>
 
 using namespace osgTreeWind;
 
@@ -64,6 +65,27 @@ TEST_F(GlLifetimeGlTest, releasingGivesEveryBufferAndTextureBack) {
     frame(0.04); // in which the context takes them
     EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), 0u);
     EXPECT_EQ(textures->getNumberActiveTextureObjects(), 0u);
+}
+
+TEST_F(GlLifetimeGlTest, whatTreesAreDrawnWithIsCompiledAhead) {
+    open(width, height);
+    viewer().setSceneData(new osg::Group);
+    frame(0.0);
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    auto* buffers = osg::get<osg::GLBufferObjectManager>(contextID());
+    auto* textures = osg::get<osg::TextureObjectManager>(contextID());
+    ASSERT_EQ(buffers->getNumberActiveGLBufferObjects(), 0u);
+    context().makeCurrent();
+    osgUtil::GLObjectsVisitor compile;
+    compile.setState(context().getState());
+    forest->accept(compile);
+    context().releaseContext();
+    const auto compiled = buffers->getNumberActiveGLBufferObjects();
+    EXPECT_GE(compiled, 4u) << "bark and leaves of two models";
+    EXPECT_GE(textures->getNumberActiveTextureObjects(), 4u) << "bark, blades and impostors";
+    viewer().setSceneData(forest);
+    frame(0.04);
+    EXPECT_LE(buffers->getNumberActiveGLBufferObjects(), compiled + 8) << "but for lists of trees";
 }
 
 TEST_F(GlLifetimeGlTest, aHundredForestsComeAndGoAndNothingGrows) {

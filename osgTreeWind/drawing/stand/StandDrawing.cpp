@@ -26,19 +26,19 @@ StandDrawing::StandDrawing(const StandDrawing& other, const osg::CopyOp&)
 StandDrawing::~StandDrawing() = default;
 
 bool StandDrawing::setBarkState(std::size_t species, osg::StateSet* state) {
-    std::vector<SpeciesLooks>& looks = _trees->resources().looks;
-    if (species >= looks.size())
-        return false;
-    looks[species].ownBark = state;
-    return true;
+    return setState(&SpeciesLooks::ownBark, species, state);
 }
 
 bool StandDrawing::setLeafState(std::size_t species, osg::StateSet* state) {
+    return setState(&SpeciesLooks::ownLeaves, species, state);
+}
+
+bool StandDrawing::setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species,
+                            osg::StateSet* state) {
     std::vector<SpeciesLooks>& looks = _trees->resources().looks;
-    if (species >= looks.size())
-        return false;
-    looks[species].ownLeaves = state;
-    return true;
+    if (species < looks.size())
+        looks[species].*own = state;
+    return species < looks.size();
 }
 
 bool StandDrawing::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves) {

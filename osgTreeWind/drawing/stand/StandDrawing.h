@@ -9,6 +9,7 @@ namespace osgTreeWind {
 
 class FollowedBranches;
 class TreeStand;
+struct SpeciesLooks;
 struct StandResources;
 
 /// Trees under the law `modal`: instances (TreeStand), and transforms for the branches that someone follows.
@@ -52,6 +53,7 @@ protected:
 
 private:
     StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources);
+    bool setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species, osg::StateSet* state);
 
     std::shared_ptr<ForestSimulation> _simulation;
     osg::ref_ptr<TreeStand> _trees;

@@ -42,8 +42,6 @@ struct JointTree {
 
     /// Number of joint angles: two a link, 2 * link + axis.
     std::size_t jointCount() const { return 2 * links.size(); }
-    /// Whether `carrier` is `link` or carries it.
-    bool carries(std::size_t carrier, std::size_t link) const;
     /// Displacement of a point per angle of a joint of a link that carries it.
     glm::dvec3 displacement(const Point& point, std::size_t link, std::size_t axis) const;
 };

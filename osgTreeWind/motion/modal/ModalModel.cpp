@@ -213,10 +213,6 @@ std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMateri
     return models;
 }
 
-ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material, const ModalDetail& detail) {
-    return std::move(makeModalModels(tree, material, {detail}).front());
-}
-
 std::vector<std::size_t> nearestPatches(const ModalModel& model, float length, const ModalModel& other,
                                         float otherLength) {
     std::vector<std::size_t> nearest;

@@ -74,11 +74,7 @@ struct ModalMaterial {
 
 /// Takes the modes with most energy under gusts out of the slowest ones: at least 8 (where there are as
 /// many), and as many more as it takes for 95 % of the energy.
-ModalModel makeModalModel(const JointTree& tree, const ModalMaterial& material,
-                          const ModalDetail& detail = {});
-
-/// The same at several levels of detail, finest first. The modes of a coarser one are the first of a finer
-/// one.
+/// @param details finest first: the modes of a coarser one are the first of a finer one.
 std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMaterial& material,
                                         const std::vector<ModalDetail>& details);
 

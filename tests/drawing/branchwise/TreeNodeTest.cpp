@@ -53,6 +53,23 @@ TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
     EXPECT_FALSE(tree.getBranch(13)->getRotation().zeroRotation());
 }
 
+TEST(TreeNodeTest, aBranchThatIsLetGoLosesWhatHungOnItAndFollowsNoMore) {
+    osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 20.0f)));
+    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    BranchTransform* const branch = forest->branch(TreeId(0), 9);
+    const unsigned own = branch->getNumChildren();
+    branch->addChild(new osg::Group);
+    ASSERT_EQ(forest->branch(TreeId(0), 2), tree.getBranch(2)) << "one that carries others stays";
+    EXPECT_TRUE(forest->unfollow(TreeId(0), 9));
+    EXPECT_EQ(branch->getNumChildren(), own);
+    EXPECT_FALSE(forest->unfollow(TreeId(0), 9));
+    EXPECT_FALSE(forest->unfollow(TreeId(0), 1000));
+    const osg::Quat held = branch->getRotation(), before = tree.getBranch(2)->getRotation();
+    updateFrames(*forest, 1, 20);
+    EXPECT_EQ(branch->getRotation(), held) << "nobody looks";
+    EXPECT_NE(tree.getBranch(2)->getRotation(), before);
+}
+
 TEST(TreeNodeTest, anEmptyOneHasNothingAndTakesEverything) {
     osg::ref_ptr<TreeNode> tree = new TreeNode;
     tree->setBranchwise(true);

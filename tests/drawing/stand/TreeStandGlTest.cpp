@@ -228,6 +228,22 @@ TEST_F(TreeStandGlTest, aProgramOfOnesOwnReplacesOurs) {
     EXPECT_FALSE(forest->getStand()->setBarkState(7, silhouette("instance_bark.vert"))) << "no such species";
 }
 
+TEST_F(TreeStandGlTest, aProgramThatAHostOverridesAboveLeavesTreesAlone) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+        ForestDescription description = smallForest(4);
+        description.law = law;
+        osg::ref_ptr<osg::Group> host = new osg::Group;
+        host->addChild(new Forest(description));
+        osg::ref_ptr<osg::Program> program = new osg::Program;
+        program->addShader(
+            new osg::Shader(osg::Shader::FRAGMENT, "void main() { gl_FragColor = vec4(1, 0, 0, 1); }"));
+        host->getOrCreateStateSet()->setAttributeAndModes(program, osg::StateAttribute::ON |
+                                                                       osg::StateAttribute::OVERRIDE);
+        EXPECT_EQ(difference(*picture(host, 3), *picture(new Forest(description), 3)).mean, 0.0)
+            << static_cast<int>(law);
+    }
+}
+
 TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     ForestDescription description = smallForest(4);
     description.drawing.tiers = false;

@@ -30,7 +30,7 @@ Eigen::MatrixXd displacements(const JointTree& tree, const std::vector<JointTree
                                                    static_cast<Eigen::Index>(tree.jointCount()));
     for (std::size_t s = 0; s < points.size(); ++s)
         for (std::size_t i = 0; i < tree.jointCount(); ++i)
-            if (tree.carries(i / 2, points[s].link)) {
+            if (carries(tree, i / 2, points[s].link)) {
                 const glm::dvec3 d = tree.displacement(points[s], i / 2, i % 2);
                 for (int c = 0; c < 3; ++c)
                     matrix(3 * static_cast<Eigen::Index>(s) + c, static_cast<Eigen::Index>(i)) = d[c];

@@ -41,7 +41,7 @@ std::vector<double> staticAngles(const JointTree& tree, std::size_t patches, con
         const std::size_t p = patchOf[point.link];
         const glm::dvec3 force = (point.woodDrag + point.leafDrag) / area[p] * forces[p];
         for (std::size_t i = 0; i < angles.size(); ++i)
-            if (tree.carries(i / 2, point.link))
+            if (carries(tree, i / 2, point.link))
                 angles[i] +=
                     glm::dot(tree.displacement(point, i / 2, i % 2), force) / tree.links[i / 2].stiffness;
     }

@@ -179,7 +179,7 @@ TEST(ModalMotion, ATreeTakesNoMoreThanIsSaid) {
     for (const char* name : {"oak", "Norway spruce"}) {
         const Forest forest(2000, {name});
         const ModalMotion motion(forest.trees, 1.0f, ThreadPool::executor());
-        EXPECT_LE(motion.stateBytes(), ModalMotion::treeBytes(Level::Near) * 2000 * 21 / 20)
+        EXPECT_LE(motion.stateBytes(), ModalMotion::treeBytes(Level::Near) * 2000 * 11 / 10)
             << name << ": " << static_cast<double>(motion.stateBytes()) / 2000.0 << " bytes a tree, "
             << motion.archetypeCount() << " archetypes";
     }

@@ -2,6 +2,8 @@
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/modal/TreeModes.h>
 
+#include <tests/motion/GrownTree.h>
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
@@ -76,7 +78,7 @@ Eigen::MatrixXd denseMasses(const JointTree& tree) {
         for (Eigen::Index i = 0; i < n; ++i)
             for (Eigen::Index j = 0; j < n; ++j) {
                 const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-                if (tree.carries(a / 2, point.link) && tree.carries(b / 2, point.link))
+                if (carries(tree, a / 2, point.link) && carries(tree, b / 2, point.link))
                     m(i, j) += point.mass * glm::dot(tree.displacement(point, a / 2, a % 2),
                                                      tree.displacement(point, b / 2, b % 2));
             }
