@@ -116,14 +116,6 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
-void Forest::setWind(WindFieldPtr wind) {
-    _wind->set(std::move(wind));
-}
-
-WindFieldPtr Forest::getWind() const {
-    return _wind->get();
-}
-
 void Forest::setExecutor(Executor executor) {
     _simulation->setExecutor(executor);
     _executor = std::move(executor);
@@ -142,12 +134,13 @@ const ForestDescription& Forest::getDescription() const {
     return _simulation->description();
 }
 
-Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description) {
+Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Executor executor) {
     if (Diagnostics problems = check(description); !problems.empty())
         return problems;
     if (const std::string problem = problemOfRoom(description); !problem.empty())
         return Diagnostic{{}, 0, 0, {}, problem};
     const osg::ref_ptr<Forest> forest = new Forest;
+    forest->setExecutor(std::move(executor));
     forest->grow(std::move(description));
     return forest;
 }

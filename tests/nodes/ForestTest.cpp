@@ -198,6 +198,8 @@ TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
     before = calls;
     update(*forest, 2, 0.08);
     EXPECT_EQ(calls, before);
+    EXPECT_TRUE(Forest::create(smallForest(1), lent));
+    EXPECT_GT(calls, before) << "from the start";
 }
 
 TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
