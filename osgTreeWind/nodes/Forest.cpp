@@ -116,6 +116,14 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
+void Forest::setWind(WindFieldPtr wind) {
+    _wind->set(std::move(wind));
+}
+
+WindFieldPtr Forest::getWind() const {
+    return _wind->get();
+}
+
 void Forest::setExecutor(Executor executor) {
     _simulation->setExecutor(executor);
     _executor = std::move(executor);
