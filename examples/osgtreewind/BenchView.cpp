@@ -62,7 +62,7 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
         const BenchClock clock;
-        StandResources(simulation.forest());
+        const StandResources painted(simulation);
         result.shapesSeconds = clock.seconds();
     }
     return forest;

@@ -38,13 +38,14 @@ struct Clamp {
 struct Check {
     const Field& field;
     const Range range;
-    const std::string& path;
+    const std::string& path; ///< Of the struct.
     Diagnostics& problems;
 
-    void add(const std::string& message) const { problems.push_back({{}, 0, 0, path, message}); }
+    std::string key() const { return path.empty() ? field.key : path + '.' + field.key; }
+    void add(const std::string& message) const { problems.push_back({{}, 0, 0, key(), message}); }
     void number(double value, const char* kind) const {
         if ((std::isfinite(value) && range.contains(value)) ||
-            (!problems.empty() && problems.back().key == path))
+            (!problems.empty() && problems.back().key == key()))
             return;
         const std::string limits = field.range.text();
         add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits) +
@@ -75,7 +76,7 @@ struct Check {
                 return;
         add("expected one of its words, found " + std::to_string(value));
     }
-    void operator()(const PartMember& part) const { checkFields(*part.fields, part.object, path, problems); }
+    void operator()(const PartMember& part) const { checkFields(*part.fields, part.object, key(), problems); }
     template <typename T>
     void operator()(const T*) const {}
 };
@@ -133,7 +134,7 @@ void checkFields(const Fields& fields, const void* struct_, const std::string& p
     for (const Field& field : fields) {
         const Member member = field.of(struct_);
         const Range range = std::holds_alternative<double*>(member) ? field.range : memberRange(field);
-        std::visit(Check{field, range, path.empty() ? field.key : path + '.' + field.key, problems}, member);
+        std::visit(Check{field, range, path, problems}, member);
     }
 }
 

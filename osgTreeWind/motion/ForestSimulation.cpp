@@ -48,11 +48,12 @@ Diagnostics noSuchSpecies(const TreePlacement& placement, const ForestDescriptio
 } // namespace
 
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
-    : _forest(placed(std::move(description), options)), _motion(motionOf(_forest, options)),
+    : _forest(placed(std::move(description), options)), _lent(options.executor),
+      _motion(motionOf(_forest, options)),
       _wind(options.wind ? options.wind : std::make_shared<GivenWind>(this->description().wind)) {}
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
-    : _forest(other._forest), _motion(other._motion->restarted(_forest)),
+    : _forest(other._forest), _lent(other._lent), _motion(other._motion->restarted(_forest)),
       _wind(std::make_shared<GivenWind>(other.wind())) {}
 
 ForestSimulation::~ForestSimulation() = default;
@@ -122,8 +123,13 @@ WindFieldPtr ForestSimulation::wind() const {
     return _wind->get();
 }
 
-void ForestSimulation::setExecutor(const Executor& executor) {
-    _motion->setExecutor(executorFor(executor, trees().size()));
+void ForestSimulation::setExecutor(Executor executor) {
+    _lent = std::move(executor);
+    _motion->setExecutor(executorFor(_lent, trees().size()));
+}
+
+Executor ForestSimulation::executor() const {
+    return _lent ? _lent : ThreadPool::executor();
 }
 
 void ForestSimulation::reset() {

@@ -74,7 +74,9 @@ public:
     const std::shared_ptr<GivenWind>& givenWind() const { return _wind; }
 
     /// As SimulationOptions::executor, from the next step on.
-    void setExecutor(const Executor& executor);
+    void setExecutor(Executor executor);
+    /// The threads that a host lends, else those of the process.
+    Executor executor() const;
 
     /// Moves on to `time` (seconds): samples the wind, takes one step of the law, flutters the leaves,
     /// composes the poses. The first call, and a call with an unchanged or earlier time, keeps the state (a
@@ -116,6 +118,7 @@ private:
     std::optional<float> elapsedAt(double time);
 
     PlacedForest _forest;
+    Executor _lent;
     std::unique_ptr<Motion> _motion;
     std::optional<double> _time;
     std::shared_ptr<GivenWind> _wind;

@@ -143,22 +143,15 @@ const ForestDescription& Forest::getDescription() const {
     return _simulation->description();
 }
 
-Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description) {
+Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Executor executor) {
     if (Diagnostics problems = check(description); !problems.empty())
         return problems;
     if (const std::string problem = problemOfRoom(description); !problem.empty())
         return Diagnostic{{}, 0, 0, {}, problem};
     const osg::ref_ptr<Forest> forest = new Forest;
+    forest->setExecutor(std::move(executor));
     forest->grow(std::move(description));
     return forest;
-}
-
-void Forest::setWind(WindFieldPtr wind) {
-    _wind->set(std::move(wind));
-}
-
-WindFieldPtr Forest::getWind() const {
-    return _wind->get();
 }
 
 void Forest::setDescription(ForestDescription description) {

@@ -45,8 +45,8 @@ public:
     /// As setDescription().
     explicit Forest(ForestDescription description);
     /// The same with an answer in place of an empty forest, or of one that is not what was asked for: numbers
-    /// out of range (check()), no memory, no room in textures.
-    static Result<osg::ref_ptr<Forest>> create(ForestDescription description);
+    /// out of range (check()), no memory, no room in textures. @param executor as of setExecutor().
+    static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
     /// children go by `copyop`; branches that are followed are not copied.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (write(file, data, size) == static_cast<ssize_t>(size) && lseek(file, 0, SEEK_SET) == 0) {
         const auto content = WindWire::receive(file);
         if (content && content->ok())
-            GridWind::create(std::get<GridWind::Grid>(content->value().data));
+            (void)GridWind::check(std::get<GridWind::Grid>(content->value().data));
     }
     close(file);
     return 0;

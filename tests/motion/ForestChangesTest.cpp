@@ -272,9 +272,9 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
         EXPECT_EQ(again.trees[i].heading, now.trees[i].heading);
         EXPECT_EQ(again.trees[i].leaves, now.trees[i].leaves);
         EXPECT_EQ(again.trees[i].seed, now.trees[i].seed);
-        EXPECT_NEAR(again.trees[i].size.height / now.trees[i].size.height, 1.0f, 0.004f);
-        EXPECT_NEAR(again.trees[i].size.trunkDiameter / now.trees[i].size.trunkDiameter, 1.0f, 0.004f);
-        EXPECT_NEAR(again.trees[i].size.crownWidth / now.trees[i].size.crownWidth, 1.0f, 0.004f);
+        EXPECT_EQ(again.trees[i].size.height, now.trees[i].size.height);
+        EXPECT_EQ(again.trees[i].size.trunkDiameter, now.trees[i].size.trunkDiameter);
+        EXPECT_EQ(again.trees[i].size.crownWidth, now.trees[i].size.crownWidth);
     }
 }
 

@@ -198,6 +198,8 @@ TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
     before = calls;
     update(*forest, 2, 0.08);
     EXPECT_EQ(calls, before);
+    EXPECT_TRUE(Forest::create(smallForest(1), lent));
+    EXPECT_GT(calls, before) << "from the start";
 }
 
 TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
@@ -227,7 +229,9 @@ TEST(ForestTest, whatCannotBeMadeIsAProblemAndNoEmptyForest) {
     endless.trees[1].size.height = std::numeric_limits<float>::infinity();
     EXPECT_FALSE(Forest::create(endless).ok()) << "check() says more";
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
-    const Result<osg::ref_ptr<Forest>> tooLarge = Forest::create(smallForest(1000));
+    ForestDescription many = smallForest(1);
+    many.trees.resize(1000, many.trees[0]);
+    const Result<osg::ref_ptr<Forest>> tooLarge = Forest::create(many);
     ASSERT_FALSE(tooLarge);
     EXPECT_EQ(tooLarge.problems().front().text().rfind("1000 trees of these species need about ", 0), 0u)
         << tooLarge.problems().front().text();

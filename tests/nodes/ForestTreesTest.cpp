@@ -196,8 +196,9 @@ TEST(ForestTreesTest, unitsAreWhereTheTreeIs) {
         const TreeUnit& unit = units[i];
         EXPECT_NEAR((unit.tip - unit.base).length(), (unit.restTip - unit.restBase).length(), 1e-4f)
             << "rigid";
-        if (unit.parent >= 0)
+        if (unit.parent >= 0) {
             EXPECT_GE(unit.level, units[static_cast<std::size_t>(unit.parent)].level);
+        }
         EXPECT_GE(unit.baseRadius, unit.tipRadius);
         EXPECT_EQ(nearestUnit(units, (unit.base + unit.tip) * 0.5f), i);
         const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), static_cast<unsigned>(i));

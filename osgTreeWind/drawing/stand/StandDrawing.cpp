@@ -11,7 +11,7 @@ namespace osgTreeWind {
 StandDrawing::StandDrawing() : StandDrawing(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
 StandDrawing::StandDrawing(std::shared_ptr<ForestSimulation> simulation)
-    : StandDrawing(simulation, StandResources(simulation->forest())) {}
+    : StandDrawing(simulation, StandResources(*simulation)) {}
 
 StandDrawing::StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)
     : _simulation(std::move(simulation)), _trees(new TreeStand(_simulation, resources)),
@@ -61,6 +61,7 @@ void StandDrawing::update(const osg::FrameStamp& stamp) {
 
 void StandDrawing::treeChanged(std::size_t slot) {
     _trees->treeChanged(slot);
+    dirtyBound(); // which the drawable's box is no part of
 }
 
 void StandDrawing::seasonChanged() {

@@ -1,68 +1,68 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/StandResources.h>
 
-#include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 
 namespace osgTreeWind {
 
-StandResources::StandResources(const PlacedForest& forest)
-    : models(forest.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
+StandResources::StandResources(const ForestSimulation& simulation)
+    : models(simulation.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
       programs(new PosePrograms) {
     SpeciesStyles styles;
-    for (const Species& species : forest.description().species)
+    for (const Species& species : simulation.description().species)
         looks.push_back(styles.looks(species));
     fading->setDefine("FADING");
     state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
-    if (models.empty()) // nor a pool of threads
+    if (models.empty()) // nor threads
         return;
     impostorProgram = createProgram("impostor", "impostor");
-    ThreadPool::executor()(models.size(), [&](std::size_t model) {
-        const std::size_t species = forest.speciesOfModel(model);
-        models[model] = new ModelResources(forest.models()[model], species,
-                                           forest.description().species[species].appearance);
+    simulation.executor()(models.size(), [&](std::size_t model) {
+        const std::size_t species = simulation.forest().speciesOfModel(model);
+        models[model] = new ModelResources(simulation.models()[model], species,
+                                           simulation.description().species[species].appearance);
     });
-    followSeason(forest);
+    followSeason(simulation);
 }
 
-void StandResources::followSeason(const PlacedForest& forest) {
-    const std::vector<Species>& species = forest.description().species;
+void StandResources::followSeason(const ForestSimulation& simulation) {
+    const std::vector<Species>& species = simulation.description().species;
     for (std::size_t i = 0; i < looks.size(); ++i)
-        looks[i].showSeason(species[i].appearance, forest.season());
+        looks[i].showSeason(species[i].appearance, simulation.season());
     std::set<std::pair<std::size_t, Tier>> wanted;
     for (std::size_t model = 0; model < models.size(); ++model) // of trees that may come
-        wanted.emplace(model, impostorTier(leafShare(species[forest.speciesOfModel(model)].appearance,
-                                                     forest.season())));
-    for (const PlacedTree& tree : forest.trees)
+        wanted.emplace(model,
+                       impostorTier(leafShare(species[simulation.forest().speciesOfModel(model)].appearance,
+                                              simulation.season())));
+    for (const PlacedTree& tree : simulation.trees())
         if (tree.alive)
             wanted.emplace(tree.model, impostorTier(tree.leaves));
-    paintImpostors(forest, std::move(wanted));
+    paintImpostors(simulation, std::move(wanted));
 }
 
-void StandResources::paintImpostor(const PlacedForest& forest, const PlacedTree& tree) {
-    paintImpostors(forest, {{tree.model, impostorTier(tree.leaves)}});
+void StandResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
+    paintImpostors(simulation, {{tree.model, impostorTier(tree.leaves)}});
 }
 
-void StandResources::paintImpostors(const PlacedForest& forest,
+void StandResources::paintImpostors(const ForestSimulation& simulation,
                                     std::set<std::pair<std::size_t, Tier>> wanted) {
-    const DrawingOptions& drawing = forest.description().drawing;
+    const DrawingOptions& drawing = simulation.description().drawing;
     std::vector<std::pair<std::size_t, Tier>> missing;
     for (const auto& [model, tier] : wanted)
         if (drawing.tiers && drawing.impostor > 0.0f && !models[model]->impostor(tier))
             missing.emplace_back(model, tier);
     const auto paint = [&](std::size_t i) {
         const auto [model, tier] = missing[i];
-        models[model]->paint(tier, forest.models()[model],
-                             forest.description().species[models[model]->species()].appearance,
+        models[model]->paint(tier, simulation.models()[model],
+                             simulation.description().species[models[model]->species()].appearance,
                              impostorProgram);
     };
     if (missing.size() == 1)
         paint(0);
     else if (!missing.empty())
-        ThreadPool::executor()(missing.size(), paint);
+        simulation.executor()(missing.size(), paint);
 }
 
 std::vector<osg::Object*> StandResources::glObjects() const {

@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
 #include <osgTreeWind/drawing/stand/ModelResources.h>
-#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/PosePass.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <set>
 #include <utility>
@@ -12,14 +12,15 @@
 
 namespace osgTreeWind {
 
-/// What the trees of a stand are drawn from. A copy shares all of it.
+/// What the trees of a stand are drawn from, made on the threads of their simulation. A copy shares all of
+/// it.
 struct StandResources {
-    explicit StandResources(const PlacedForest& forest);
+    explicit StandResources(const ForestSimulation& simulation);
 
-    /// Has leaves the colour of the forest's season, and all impostors that its trees need. In update.
-    void followSeason(const PlacedForest& forest);
+    /// Has leaves the colour of the season, and all impostors that its trees need. In update.
+    void followSeason(const ForestSimulation& simulation);
     /// The same for one tree.
-    void paintImpostor(const PlacedForest& forest, const PlacedTree& tree);
+    void paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree);
 
     std::vector<osg::ref_ptr<ModelResources>> models; ///< By model.
     std::vector<SpeciesLooks> looks;                  ///< By species.
@@ -33,7 +34,7 @@ struct StandResources {
 
 private:
     /// Those of them that are not painted yet. @param wanted models and tiers.
-    void paintImpostors(const PlacedForest& forest, std::set<std::pair<std::size_t, Tier>> wanted);
+    void paintImpostors(const ForestSimulation& simulation, std::set<std::pair<std::size_t, Tier>> wanted);
 };
 
 } // namespace osgTreeWind

@@ -22,7 +22,7 @@ constexpr unsigned framesNear = 60; // for which a tree is followed closely afte
 TreeStand::TreeStand() : TreeStand(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
 TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation)
-    : TreeStand(simulation, StandResources(simulation->forest())) {}
+    : TreeStand(simulation, StandResources(*simulation)) {}
 
 TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)
     : _simulation(std::move(simulation)), _resources(resources), _tiers(_simulation->description().drawing),
@@ -53,7 +53,7 @@ void TreeStand::treeChanged(std::size_t tree) {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3]});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
-        _resources.paintImpostor(_simulation->forest(), placed);
+        _resources.paintImpostor(*_simulation, placed);
         if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
             follow(number);
     }
@@ -76,7 +76,7 @@ osg::BoundingBox TreeStand::computeBoundingBox() const {
 }
 
 void TreeStand::seasonChanged() {
-    _resources.followSeason(_simulation->forest());
+    _resources.followSeason(*_simulation);
 }
 
 void TreeStand::follow(std::uint32_t tree) {
