@@ -10,7 +10,9 @@ set(public_headers
     osgTreeWind/drawing/ForestDrawing.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h
     osgTreeWind/drawing/branchwise/TreeLodRanges.h
+    osgTreeWind/drawing/stand/StandDrawing.h
     osgTreeWind/drawing/stand/TreeHit.h
+    osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/PlacedForest.h

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <glm/vec3.hpp>
@@ -13,7 +12,7 @@ namespace osgTreeWind {
 
 /// The thesis' forestWind array (§4.2) in its own axes and with its own indexing; the same wind at all
 /// heights and times. Made by GridWind::fromForestWind, which checks the array.
-class OSGTREEWIND_EXPORT ForestWind final : public WindField {
+class ForestWind final : public WindField {
 public:
     struct Array {
         int width = 1, length = 1; ///< Cells of 1 m along thesis x and z.
