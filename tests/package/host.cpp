@@ -17,7 +17,8 @@ int main() {
     osgTreeWind::ForestSimulation simulation(description);
     for (int frame = 0; frame <= 60; ++frame)
         simulation.advance(frame / 60.0);
-    const float tip = simulation.motion(0).poses[simulation.motion(0).poses.size - 1].translation.x;
-    std::cout << forest->getNumTrees() << " tree, " << tip << " m\n";
-    return forest->getNumTrees() == 1 && tip > 0.0f ? 0 : 1;
+    const osgTreeWind::TreeMotion motion = simulation.motion(0);
+    const float turn = motion.rotations[0].y; // of the trunk, whose top goes with the wind
+    std::cout << forest->getNumTrees() << " tree, half its turn " << turn << " rad\n";
+    return forest->getNumTrees() == 1 && turn > 0.0f ? 0 : 1;
 }
