@@ -38,7 +38,7 @@ for document in README.md CONTRIBUTING.md docs/*.md; do
     while read -r quoted; do
         for token in $quoted; do
             case $token in
-            -* | http* | build/* | *=*) continue ;;
+            -* | http* | build/* | share/* | *=*) continue ;;
             *.json | .ci/* | [a-zA-Z]*/*) [[ ! $token =~ ^[A-Za-z_./*]+$ || $token == */[a-z] || $token == 1/* ]] ||
                 exists "$token" || fail "$document" "no path $token" ;;
             *::*)
