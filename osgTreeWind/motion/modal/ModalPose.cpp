@@ -73,13 +73,16 @@ void ModalMotion::angles(std::size_t tree, glm::vec2* angles) const {
 
 glm::vec2 ModalMotion::unitAngles(std::size_t tree, std::size_t unit, const float* vector) const {
     const ModalModel& model = this->model(tree);
-    const float* row = model.poses.data() + 2 * unit * model.columns();
-    glm::vec2 sums(0.0f);
-    for (glm::length_t axis = 0; axis < 2; ++axis)
-        for (std::size_t i = 0; i < model.columns(); ++i)
-            sums[axis] += *row++ * vector[i];
-    Laws laws;
-    return {laws.bounded(sums.x, model.maxAngle), laws.bounded(sums.y, model.maxAngle)};
+    const std::size_t columns = model.columns();
+    const float* row = model.poses.data() + 2 * unit * columns;
+    glm::vec2 angles;
+    for (glm::length_t axis = 0; axis < 2; ++axis, row += columns) {
+        float angle = 0.0f; // a sum of its own stays in a register
+        for (std::size_t i = 0; i < columns; ++i)
+            angle += row[i] * vector[i];
+        angles[axis] = Laws().bounded(angle, model.maxAngle);
+    }
+    return angles;
 }
 
 std::vector<float> ModalMotion::amplitudes(std::size_t tree) const {
