@@ -66,6 +66,13 @@ void lookPast(osg::Camera& camera) {
     camera.setCullingMode(osg::CullSettings::NO_CULLING);
 }
 
+float largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        largest = std::max({largest, std::abs(a[i].x - b[i].x), std::abs(a[i].y - b[i].y)});
+    return largest;
+}
+
 class GpuForestGlTest : public GlTest {
 protected:
     /// A forest with GPU angles, and its probe's frame behind it. It is culled as seen, and not drawn into
@@ -83,15 +90,21 @@ protected:
         return forest;
     }
 
+    /// Of the branches' states from those on the CPU, after ten seconds of frames.
+    float offAfterSixHundredFrames(const ForestDescription& description) {
+        osg::ref_ptr<Forest> forest = start(description);
+        ForestSimulation oracle(given);
+        oracle.advance(0.0);
+        for (int i = 1; i <= 600; ++i) {
+            frame(i / 60.0);
+            oracle.advance(i / 60.0);
+        }
+        frame(10.0);
+        return largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states());
+    }
+
     ForestDescription given;
 };
-
-float largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
-    float largest = 0.0f;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        largest = std::max({largest, std::abs(a[i].x - b[i].x), std::abs(a[i].y - b[i].y)});
-    return largest;
-}
 
 struct TexelCase {
     const char* name;
@@ -147,16 +160,7 @@ TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
 
 TEST_F(GpuForestGlTest, SixHundredFramesStayWithTheCpu) {
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped}) {
-        osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(4, 3, 2), 4, law));
-        ForestSimulation oracle(given);
-        oracle.advance(0.0);
-        for (int i = 1; i <= 600; ++i) {
-            frame(i / 60.0);
-            oracle.advance(i / 60.0);
-        }
-        frame(10.0);
-        const float off =
-            largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states());
+        const float off = offAfterSixHundredFrames(forestOf(bareSpecies(4, 3, 2), 4, law));
         RecordProperty("off" + std::to_string(static_cast<int>(law)), std::to_string(off));
         EXPECT_LT(off, 1e-3f) << static_cast<int>(law);
     }
@@ -166,16 +170,7 @@ TEST_F(GpuForestGlTest, SixHundredFramesOfTheExampleForestStayWithTheCpu) {
     auto example = readForestFile(OSGTREEWIND_SOURCE_DIR "/examples/forest.treewind");
     ASSERT_TRUE(example);
     example.value().law = MotionLaw::Damped;
-    osg::ref_ptr<Forest> forest = start(example.value());
-    ForestSimulation oracle(example.value());
-    oracle.advance(0.0);
-    for (int i = 1; i <= 600; ++i) {
-        frame(i / 60.0);
-        oracle.advance(i / 60.0);
-    }
-    frame(10.0);
-    const float off =
-        largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states());
+    const float off = offAfterSixHundredFrames(example.value());
     RecordProperty("off", std::to_string(off));
     EXPECT_LT(off, 1e-3f);
 }
