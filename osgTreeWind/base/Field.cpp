@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -42,7 +43,7 @@ struct Check {
     Diagnostics& problems;
 
     std::string key() const { return path.empty() ? field.key : path + '.' + field.key; }
-    void add(const std::string& message) const { problems.push_back({{}, 0, 0, key(), message}); }
+    void add(const std::string& message) const { problems.push_back(keyProblem(key(), message)); }
     void number(double value, const char* kind) const {
         if ((std::isfinite(value) && range.contains(value)) ||
             (!problems.empty() && problems.back().key == key()))

@@ -2,6 +2,7 @@
 #include <osgTreeWind/forest/CheckForest.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/species/SpeciesFields.h>
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t mostProblems = 100;
 
 void add(Diagnostics& problems, const std::string& key, const std::string& message) {
-    problems.push_back({{}, 0, 0, key, message});
+    problems.push_back(keyProblem(key, message));
 }
 
 /// What is out of range, or else does not go together.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestFile.h>
@@ -39,7 +40,7 @@ public:
 
 private:
     void add(const std::string& key, const std::string& message) {
-        _problems.push_back({{}, 0, 0, key, message});
+        _problems.push_back(keyProblem(key, message));
     }
     void ofName(const std::string& name, std::set<std::string>& names, const std::string& key,
                 const std::string& folded) {
@@ -141,7 +142,7 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
     Diagnostics problems = Refusals(forest).take();
     std::ostringstream wind;
     if (const std::string problem = writeWind(wind, forest); !problem.empty())
-        problems.push_back({{}, 0, 0, "wind", problem});
+        problems.push_back(keyProblem("wind", problem));
     if (!problems.empty())
         return problems;
     output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
@@ -157,7 +158,7 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
         writeTree(output, tree, forest);
     output.flush();
     if (!output)
-        return {{{}, 0, 0, {}, "cannot be written"}};
+        return {keyProblem({}, "cannot be written")};
     return {};
 }
 
@@ -165,7 +166,7 @@ Diagnostics writeForestFile(const ForestDescription& forest, const std::string& 
     std::ostringstream text;
     Diagnostics problems = writeForest(forest, text);
     if (problems.empty() && !(std::ofstream(path, std::ios::binary) << text.str()).flush())
-        problems.push_back({{}, 0, 0, {}, "cannot be written"});
+        problems.push_back(keyProblem({}, "cannot be written"));
     for (Diagnostic& problem : problems)
         problem.file = path;
     return problems;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ForestSimulation.h>
 
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalForest.h>
@@ -33,7 +34,7 @@ std::unique_ptr<Motion> motionOf(const PlacedForest& forest, const SimulationOpt
 }
 
 Diagnostics noSuchTree() {
-    return {{{}, 0, 0, "tree", "no tree has this id, or it is gone"}};
+    return {keyProblem("tree", "no tree has this id, or it is gone")};
 }
 
 Diagnostics noSuchSpecies(const TreePlacement& placement, const ForestDescription& description) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/Forest.h>
 
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/forest/CheckForest.h>
@@ -147,7 +148,7 @@ Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Execu
     if (Diagnostics problems = check(description); !problems.empty())
         return problems;
     if (const std::string problem = problemOfRoom(description); !problem.empty())
-        return Diagnostic{{}, 0, 0, {}, problem};
+        return keyProblem({}, problem);
     const osg::ref_ptr<Forest> forest = new Forest;
     forest->setExecutor(std::move(executor));
     forest->grow(std::move(description));

@@ -3,6 +3,7 @@
 // on which libhdf5 frees wild memory, ends this process and not the one that has a forest.
 #include <plugins/netcdf/NetCdfFile.h>
 
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/windfiles/WindWire.h>
 
 #include <cpl_error.h>
@@ -30,7 +31,7 @@ Result<WindContent> read(const std::string& path, bool asStored) {
         const bool staggered = u && u->dimensions.size() == 4 && u->dimensions[3].name == "west_east_stag";
         return staggered ? readNetCdfWrf(file, asStored) : readNetCdfCf(file, asStored);
     } catch (const std::exception& error) { // what the libraries below throw stops here
-        return Diagnostic{path, 0, 0, {}, std::string("cannot be read: ") + error.what()};
+        return fileProblem(path, std::string("cannot be read: ") + error.what());
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/model/ThesisAxes.h>
 #include <osgTreeWind/motion/branchwise/DampedBranches.h>
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
@@ -29,7 +30,7 @@ std::unique_ptr<Motion> BranchwiseMotion::restarted(const PlacedForest& forest) 
 }
 
 Diagnostic BranchwiseMotion::fixed() {
-    return {{}, 0, 0, "law", "trees come, go and change under the law modal only"};
+    return keyProblem("law", "trees come, go and change under the law modal only");
 }
 
 void BranchwiseMotion::followSeason() {
