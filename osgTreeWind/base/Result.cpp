@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Result.h>
 
+#include <iostream>
+
 namespace osgTreeWind {
 
 std::string Diagnostic::text() const {
@@ -16,6 +18,10 @@ std::string Diagnostic::text() const {
     if (!key.empty())
         result += key + ": ";
     return result + message;
+}
+
+void warnOfNoValue(const Diagnostics& problems) {
+    std::cerr << "osgTreeWind: there is no value: " + problems.front().text() + '\n';
 }
 
 } // namespace osgTreeWind

@@ -23,6 +23,9 @@ struct OSGTREEWIND_EXPORT Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Says on stderr that somebody took the value of a Result that has none, and why it has none.
+OSGTREEWIND_EXPORT void warnOfNoValue(const Diagnostics& problems);
+
 /// A value, or the problems that kept it from being made. Never throws, never ends a program.
 template <typename T>
 class [[nodiscard]] Result {
@@ -35,9 +38,13 @@ public:
     bool ok() const { return _problems.empty(); }
     explicit operator bool() const { return ok(); }
 
-    /// The value; an empty one, T(), where there is none.
-    T& value() { return _value; }
-    const T& value() const { return _value; }
+    /// The value; where there is none an empty one, T(), with a warning on stderr.
+    T& value() {
+        if (!ok())
+            warnOfNoValue(_problems);
+        return _value;
+    }
+    const T& value() const { return const_cast<Result*>(this)->value(); }
 
     /// All problems in the order of the input; none when ok().
     const Diagnostics& problems() const { return _problems; }

@@ -31,9 +31,13 @@ TEST(Result, HoldsAValueOrItsProblems) {
     EXPECT_EQ(bad.problems().back().line, 2);
 }
 
-TEST(Result, IsEmptyWithoutAValue) {
+TEST(Result, IsEmptyWithoutAValueAndSaysSo) {
+    testing::internal::CaptureStderr();
     EXPECT_EQ(Result<int>(Diagnostic{"f", 3, 0, {}, "third"}).value(), 0);
-    EXPECT_EQ(Result<std::string>(Diagnostics{{"f", 3, 0, {}, "third"}}).value(), "");
-    EXPECT_EQ(Result<std::shared_ptr<int>>(Diagnostic{"f", 3, 0, {}, "third"}).value(), nullptr);
+    EXPECT_EQ(Result<std::string>(Diagnostics{{"f", 4, 0, {}, "fourth"}}).value(), "");
+    EXPECT_EQ(Result<std::shared_ptr<int>>(Diagnostic{"f", 5, 0, {}, "fifth"}).value(), nullptr);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "osgTreeWind: there is no value: f:3: third\n"
+                                                      "osgTreeWind: there is no value: f:4: fourth\n"
+                                                      "osgTreeWind: there is no value: f:5: fifth\n");
     EXPECT_TRUE(Result<int>(3).problems().empty());
 }

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include <tests/motion/OneTree.h>
+
+#include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace osgTreeWind;
+
+TEST(ForestSteps, CalmAfterWindFreezesTheThesisLaw) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({2, 1, 0});
+    ForestSimulation simulation(forest);
+    run(simulation, 20);
+    const auto poses = simulation.branches()->poses();
+    simulation.setWind(nullptr);
+    run(simulation, 60, 1.0);
+    EXPECT_GT(simulation.branches()->states()[5].x, 0.01f);
+    EXPECT_TRUE(sameBits(poses, simulation.branches()->poses()));
+}
+
+TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
+    ForestDescription forest = oneTree();
+    forest.species[0].wood.elasticModulus = 2.0e8f; // stiff: far from the limit
+    forest.wind = uniform({2, 0, 0});
+    ForestSimulation slow(forest), fast(forest);
+    run(slow, 30, 0.0, 1.0 / 30.0);
+    run(fast, 60, 0.0, 1.0 / 60.0);
+    EXPECT_NEAR(fast.branches()->states()[8].x / slow.branches()->states()[8].x, 2.0f, 0.02f);
+}
+
+TEST(ForestSteps, DampedLawDoesNotFollowTheFrameRate) {
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    forest.species[0].wood.elasticModulus = 2.0e8f;
+    forest.wind = uniform({6, 2, 0});
+    ForestSimulation slow(forest), fast(forest);
+    run(slow, 40, 0.0, 1.0 / 20.0);
+    run(fast, 240, 0.0, 1.0 / 120.0);
+    for (std::size_t unit = 0; unit < 14; ++unit)
+        EXPECT_LT(glm::length(tip(slow, unit) - tip(fast, unit)), 1e-3f);
+}
+
+TEST(ForestSteps, AJumpCountsAsTheLongestStepOfTheDampedLaw) {
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    forest.wind = uniform({6, 2, 0});
+    ForestSimulation jump(forest), step(forest);
+    jump.advance(0.0);
+    jump.advance(1000.0);
+    step.advance(0.0);
+    step.advance(ForestSimulation::maxStep);
+    EXPECT_TRUE(sameBits(jump.branches()->states(), step.branches()->states()));
+}
+
+TEST(ForestSteps, AReplacedWindShowsInTheNextStep) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({1, 0, 0});
+    ForestSimulation simulation(forest);
+    run(simulation, 3);
+    simulation.setWind(uniform({0, -4, 0}));
+    simulation.advance(1.0);
+    for (const glm::vec3& sample : simulation.branches()->winds())
+        EXPECT_EQ(sample, glm::vec3(0, -4, 0));
+    simulation.setWind(nullptr);
+    simulation.advance(1.1);
+    EXPECT_EQ(simulation.branches()->winds()[3], glm::vec3(0.0f));
+}
+
+TEST(ForestSteps, FirstCallPauseAndEarlierTimesHoldTheState) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({2, 0, 0});
+    ForestSimulation simulation(forest);
+    EXPECT_FALSE(simulation.advance(5.0));
+    EXPECT_EQ(simulation.branches()->states()[3], glm::vec4(0.0f));
+    EXPECT_TRUE(simulation.advance(5.1));
+    const auto states = simulation.branches()->states();
+    const auto leaves = simulation.branches()->leaves().states();
+    EXPECT_FALSE(simulation.advance(5.1));
+    EXPECT_FALSE(simulation.advance(2.0));
+    EXPECT_FALSE(simulation.advance(std::nan("")));
+    EXPECT_TRUE(sameBits(states, simulation.branches()->states()));
+    EXPECT_TRUE(sameBits(leaves, simulation.branches()->leaves().states()));
+    EXPECT_TRUE(simulation.advance(2.1)); // goes on from the earlier time
+}
+
+TEST(ForestSteps, AJumpIsOneStep) {
+    ForestDescription forest = oneTree();
+    forest.wind = uniform({0.2f, 0, 0});
+    ForestSimulation one(forest), jump(forest);
+    run(one, 1);
+    jump.advance(0.0);
+    jump.advance(1.0e6);
+    EXPECT_NEAR(jump.branches()->states()[9].x, one.branches()->states()[9].x,
+                0.2f * one.branches()->states()[9].x);
+}
+
+TEST(ForestSteps, GustsAreFollowedAtAnyFrameRate) {
+    const auto tips = [](int rate) {
+        ForestDescription forest = oneTree(MotionLaw::Damped);
+        forest.species[0].wood.elasticModulus = 2.0e8f;
+        forest.wind = std::make_shared<TestWind>([](const glm::vec3&, double t) {
+            return glm::vec3(6.0 + 2.0 * std::sin(1.1 * t) + std::sin(2.7 * t + 1.0), std::sin(1.7 * t), 0.0);
+        });
+        ForestSimulation simulation(forest);
+        std::vector<glm::vec3> path;
+        for (int i = 0; i <= 10 * rate; ++i) {
+            simulation.advance(static_cast<double>(i) / rate);
+            if (i % (rate / 10) == 0)
+                path.push_back(tip(simulation, 13));
+        }
+        return path;
+    };
+    const std::vector<glm::vec3> reference = tips(960);
+    float peak = 0.0f;
+    for (const glm::vec3& place : reference)
+        peak = std::max(peak, glm::length(place - reference.front()));
+    EXPECT_GT(peak, 0.05f);
+    for (const auto& [rate, share] : {std::pair(30, 6e-3f), std::pair(120, 5e-4f)}) {
+        const std::vector<glm::vec3> path = tips(rate);
+        for (std::size_t i = 0; i < path.size(); ++i)
+            ASSERT_LT(glm::length(path[i] - reference[i]), share * peak) << rate << " Hz, tenth " << i;
+    }
+}
+
+TEST(ForestSteps, BelowTenFramesASecondTreesKeepTheirTime) {
+    const auto path = [](MotionLaw law, int rate) { // of the outermost tip, second by second
+        ForestDescription forest = oneTree(law);
+        forest.species[0].wood.elasticModulus = 2.0e8f;
+        forest.trees[0].size = {9.0f, 0.1f, 0.0f};
+        forest.wind = std::make_shared<TestWind>([](const glm::vec3&, double t) {
+            return glm::vec3(6.0 + 2.0 * std::sin(1.1 * t) + std::sin(2.7 * t + 1.0), std::sin(1.7 * t), 0.0);
+        });
+        ForestSimulation simulation(forest);
+        std::vector<glm::vec3> places;
+        for (int i = 0; i <= 20 * rate; ++i) {
+            simulation.advance(static_cast<double>(i) / rate);
+            if (i % rate == 0)
+                places.push_back(tip(simulation, 13));
+        }
+        return places;
+    };
+    for (const MotionLaw law : {MotionLaw::Damped, MotionLaw::Modal}) {
+        const std::vector<glm::vec3> reference = path(law, 60);
+        float peak = 0.0f;
+        for (const glm::vec3& place : reference)
+            peak = std::max(peak, glm::length(place - reference.front()));
+        EXPECT_GT(peak, 0.05f);
+        for (const auto& [rate, share] : {std::pair(5, 0.04f), std::pair(2, 0.2f)}) {
+            const std::vector<glm::vec3> slow = path(law, rate);
+            for (std::size_t i = 0; i < slow.size(); ++i)
+                EXPECT_LT(glm::length(slow[i] - reference[i]), share * peak)
+                    << (law == MotionLaw::Damped ? "damped, " : "modal, ") << rate << " Hz, second " << i;
+        }
+    }
+}
+
+TEST(ForestSteps, UnderModalALongStepMeetsTheWindOnItsWay) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    std::vector<double> times;
+    forest.wind = std::make_shared<TestWind>([&](const glm::vec3&, double t) {
+        if (times.empty() || times.back() != t)
+            times.push_back(t);
+        return glm::vec3(3, 0, 0);
+    });
+    ForestSimulation simulation(forest);
+    simulation.advance(2.0);
+    times.clear();
+    simulation.advance(2.05);
+    EXPECT_EQ(times, std::vector<double>({2.05}));
+    simulation.advance(2.45);
+    ASSERT_EQ(times.size(), 5u);
+    EXPECT_NEAR(times[1], 2.15, 1e-6);
+    EXPECT_EQ(times[4], 2.45);
+    times.clear();
+    simulation.advance(1000.0);
+    ASSERT_EQ(times.size(), 10u) << "a jump counts as a second";
+    EXPECT_NEAR(times[0], 999.1, 1e-6);
+}
+
+TEST(ForestSteps, AWindThatIsReplacedIsReachedWithinTheStep) {
+    // From calm to 8 m/s within a long step: half of what the whole step in 8 m/s would give, roughly.
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    ForestSimulation rising(forest), steady(forest);
+    forest.wind = uniform({8, 0, 0});
+    steady.setWind(forest.wind);
+    for (ForestSimulation* simulation : {&rising, &steady})
+        simulation->advance(0.0);
+    rising.setWind(forest.wind);
+    for (ForestSimulation* simulation : {&rising, &steady})
+        simulation->advance(0.1);
+    EXPECT_GT(rising.branches()->states()[0].x, 0.0f);
+    EXPECT_LT(rising.branches()->states()[0].x, 0.5f * steady.branches()->states()[0].x);
+}
+
+TEST(ForestSteps, EveryStepStartsFromTheWindOfTheTimeBefore) {
+    ForestDescription forest = oneTree(MotionLaw::Damped);
+    forest.trees[0].heading = 1.5707963f; // the tree's x points north
+    forest.wind = std::make_shared<TestWind>(
+        [](const glm::vec3&, double t) { return glm::vec3(0.0f, static_cast<float>(t), 0.0f); });
+    ForestSimulation simulation(forest);
+    const auto expectWinds = [&](float before, float now) {
+        ASSERT_EQ(simulation.branches()->windTexels().size(), 28u);
+        for (std::size_t unit = 0; unit < 14; ++unit) {
+            EXPECT_NEAR(simulation.branches()->windTexels()[2 * unit].x, before, 1e-5f);
+            EXPECT_NEAR(simulation.branches()->windTexels()[2 * unit + 1].x, now, 1e-5f);
+        }
+    };
+    simulation.advance(6.0);
+    simulation.advance(6.05);
+    expectWinds(6.0f, 6.05f);
+    simulation.advance(6.05); // a pause
+    simulation.advance(6.1);
+    expectWinds(6.05f, 6.1f);
+    simulation.advance(2.0); // back
+    simulation.advance(2.05);
+    expectWinds(2.0f, 2.05f);
+    simulation.advance(50.0); // ahead
+    simulation.advance(50.05);
+    expectWinds(50.0f, 50.05f);
+    simulation.reset();
+    expectWinds(0.0f, 0.0f);
+    simulation.advance(9.0);
+    simulation.advance(9.05);
+    expectWinds(9.0f, 9.05f);
+}
+
+TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    forest.wind = uniform({4, 1, 0});
+    ForestSimulation slow(forest), fast(forest);
+    run(slow, 90, 0.0, 1.0 / 30.0);
+    run(fast, 720, 0.0, 1.0 / 240.0);
+    const float lean = tip(fast, 0).x - fast.models()[0].skeleton.units[0].tip.x;
+    EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
+}
+
+TEST(ForestSteps, StepsOfATenthOfAMillisecondKeepTheirTime) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+        ForestDescription forest = oneTree(law);
+        forest.wind = uniform({4, 0, 0});
+        ForestSimulation usual(forest), fast(forest);
+        const float upright = tip(usual, 1).x;
+        run(usual, 100, 0.0, 0.01);
+        run(fast, 10000, 0.0, 0.0001);
+        const float bent = tip(usual, 1).x - upright;
+        EXPECT_GT(std::abs(bent), 1e-3f);
+        EXPECT_NEAR(tip(fast, 1).x - upright, bent, 0.03f * std::abs(bent));
+    }
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A host with more forests than one would count, and threads of its own.
+#include <tests/nodes/ForestFixtures.h>
+
+#include <osgUtil/CullVisitor>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+using namespace osgTreeWind;
+
+namespace {
+
+std::ptrdiff_t threadsOfTheProcess() {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task"),
+                         std::filesystem::directory_iterator());
+}
+
+/// What a viewer does with its scene in one frame, but for drawing it.
+void showFrame(osg::Node& scene, unsigned frame) {
+    update(scene, frame, frame / 25.0);
+    const osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
+    stamp->setFrameNumber(frame);
+    stamp->setSimulationTime(frame / 25.0);
+    osgUtil::CullVisitor cull;
+    const osg::ref_ptr<osgUtil::StateGraph> states = new osgUtil::StateGraph;
+    const osg::ref_ptr<osgUtil::RenderStage> stage = new osgUtil::RenderStage;
+    const osg::ref_ptr<osg::Viewport> viewport = new osg::Viewport(0, 0, 64, 64);
+    stage->setViewport(viewport);
+    cull.setFrameStamp(stamp);
+    cull.setTraversalNumber(frame);
+    cull.setStateGraph(states);
+    cull.setRenderStage(stage);
+    cull.pushViewport(viewport);
+    cull.pushProjectionMatrix(new osg::RefMatrix(osg::Matrix::perspective(60, 1, 1, 500)));
+    cull.pushModelViewMatrix(
+        new osg::RefMatrix(osg::Matrix::lookAt(osg::Vec3(5, -30, 5), osg::Vec3(5, 0, 3), osg::Z_AXIS)),
+        osg::Transform::ABSOLUTE_RF);
+    scene.accept(cull);
+}
+
+} // namespace
+
+TEST(ManyForests, twoViewersShowTwoHundredOnTheThreadsOfTheirHost) {
+    std::atomic<int> calls{0};
+    const Executor host = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
+        ++calls;
+        for (std::size_t i = 0; i < count; ++i)
+            job(i);
+    };
+    std::vector<osg::ref_ptr<Forest>> forests;
+    osg::ref_ptr<osg::Group> scenes[] = {new osg::Group, new osg::Group};
+    for (int i = 0; i < 200; ++i) {
+        Result<osg::ref_ptr<Forest>> made = Forest::create(smallForest(9), host);
+        ASSERT_TRUE(made);
+        forests.push_back(made.value());
+        scenes[i % 2]->addChild(made.value());
+    }
+    const std::ptrdiff_t threads = threadsOfTheProcess();
+    std::vector<std::thread> viewers;
+    for (const osg::ref_ptr<osg::Group>& scene : scenes)
+        viewers.emplace_back([&] {
+            for (unsigned frame = 1; frame <= 5; ++frame)
+                showFrame(*scene, frame);
+        });
+    for (std::thread& viewer : viewers)
+        viewer.join();
+    EXPECT_EQ(threadsOfTheProcess(), threads);
+    EXPECT_GE(calls, 200 * 4) << "every step of every forest";
+    for (const osg::ref_ptr<Forest>& forest : forests)
+        ASSERT_EQ(statesOf(*forest), statesOf(*forests.front()));
+}
