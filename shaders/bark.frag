@@ -3,11 +3,13 @@
 
 #include "bark_texture.glsl"
 #include "encode.glsl"
+#include "surface.glsl"
 
 in vec2 barkCoord;
 in vec3 barkLight;
 
 void main() {
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    gl_FragColor = vec4(encoded(inside * barkAlbedo(barkCoord) * barkLight), 1.0);
+    vec3 albedo = inside * barkAlbedo(barkCoord);
+    paintSurface(encoded(albedo * barkLight), albedo, 1.0);
 }

@@ -7,6 +7,7 @@
 
 #include "dither.glsl"
 #include "scene.glsl"
+#include "surface.glsl"
 
 uniform sampler2D impostorColors;  // times coverage, which is alpha
 uniform sampler2D impostorNormals; // LightLobe::way and 1 of leaves, 0 of bark, times coverage
@@ -47,8 +48,9 @@ void main() {
     if (color.a <= chance)
         discard;
 
-    vec4 surface = textureLod(impostorNormals, coord, lod) / color.a;
-    vec3 light = barkLight + surface.a * leafLightMore + lightByNormal * (4.0 * surface.xyz - 2.0);
-    vec3 tint = mix(vec3(1.0), leafTint, surface.a);
-    gl_FragColor = vec4(sceneColor(tint * color.rgb / color.a * max(light, 0.0), pictureEye), 1.0);
+    vec4 lobe = textureLod(impostorNormals, coord, lod) / color.a;
+    vec3 light = barkLight + lobe.a * leafLightMore + lightByNormal * (4.0 * lobe.xyz - 2.0);
+    vec3 tint = mix(vec3(1.0), leafTint, lobe.a);
+    vec3 albedo = tint * color.rgb / color.a;
+    paintSurface(sceneColor(albedo * max(light, 0.0), pictureEye), albedo, 1.0);
 }

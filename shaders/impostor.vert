@@ -5,6 +5,8 @@
 
 #include "law/tint.glsl"
 #include "light.glsl"
+#define VERTEX_SHADER
+#include "surface.glsl"
 
 in vec4 treePlace; // foot, heading
 in vec4 treeSize;  // scale across and along the trunk, of radii, of leaves
@@ -74,6 +76,5 @@ void main() {
     leafLightMore *= tint;
     for (int i = 0; i < 3; ++i)
         lightByNormal[i] *= tint;
-    gl_ClipVertex = eyePosition;
-    gl_Position = gl_ProjectionMatrix * eyePosition;
+    placeSurface(eyePosition, normalize(gl_NormalMatrix * toEye), treeState.w);
 }

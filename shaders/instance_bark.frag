@@ -6,6 +6,7 @@
 #include "bark_texture.glsl"
 #include "dither.glsl"
 #include "scene.glsl"
+#include "surface.glsl"
 
 in vec2 barkCoord;
 in vec3 barkLight;
@@ -18,5 +19,6 @@ void main() {
         discard;
 #endif
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    gl_FragColor = vec4(sceneColor(inside * barkAlbedo(barkCoord) * barkLight, scenePosition), 1.0);
+    vec3 albedo = inside * barkAlbedo(barkCoord);
+    paintSurface(sceneColor(albedo * barkLight, scenePosition), albedo, 1.0);
 }

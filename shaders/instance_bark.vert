@@ -6,6 +6,8 @@
 
 #include "instance.glsl"
 #include "light.glsl"
+#define VERTEX_SHADER
+#include "surface.glsl"
 
 out vec2 barkCoord;
 out vec3 barkLight;
@@ -15,10 +17,10 @@ void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
     vec4 eyePosition = eyePoint(pose, treeSize.xxy * gl_Vertex.xyz + treeSize.z * gl_Vertex.w * gl_Normal);
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), treeHeading());
-    barkLight = barkShade(eyePosition.xyz, eyeDirection(pose, gl_Normal), shade);
+    vec3 eyeNormal = eyeDirection(pose, gl_Normal);
+    barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = gl_MultiTexCoord0.xy;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
-    gl_ClipVertex = eyePosition;
-    gl_Position = gl_ProjectionMatrix * eyePosition;
+    placeSurface(eyePosition, eyeNormal, treeState.z);
 }

@@ -7,6 +7,7 @@
 #include "dither.glsl"
 #include "leaf_texture.glsl"
 #include "scene.glsl"
+#include "surface.glsl"
 
 in vec2 leafCoord;
 in vec3 leafLight;
@@ -25,5 +26,6 @@ void main() {
     if (dithered(treeFade))
         discard;
 #endif
-    gl_FragColor = vec4(sceneColor(leafAlbedo(leaf, leafBorne) * leafLight, scenePosition), coverage);
+    vec3 albedo = leafAlbedo(leaf, leafBorne);
+    paintSurface(sceneColor(albedo * leafLight, scenePosition), albedo, coverage);
 }

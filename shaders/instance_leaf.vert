@@ -11,6 +11,8 @@
 #include "law/tint.glsl"
 #include "instance.glsl"
 #include "light.glsl"
+#define VERTEX_SHADER
+#include "surface.glsl"
 
 uniform vec4 flutterLimits;
 uniform vec3 flutterPhases;
@@ -34,10 +36,10 @@ void main() {
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading());
     leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
-    leafLight = own * leafShade(eyePosition.xyz, eyeDirection(pose, normal), shade);
+    vec3 eyeNormal = eyeDirection(pose, normal);
+    leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
     leafCoord = gl_MultiTexCoord0.xy;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
-    gl_ClipVertex = eyePosition;
-    gl_Position = gl_ProjectionMatrix * eyePosition;
+    placeSurface(eyePosition, eyeNormal, treeState.z);
 }

@@ -3,6 +3,7 @@
 
 #include "encode.glsl"
 #include "leaf_texture.glsl"
+#include "surface.glsl"
 
 in vec2 leafCoord;
 in vec3 leafLight;
@@ -11,5 +12,6 @@ flat in float leafBorne;
 void main() {
     vec4 leaf = texture(leafTexture, leafCoord);
     float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
-    gl_FragColor = vec4(encoded(leafAlbedo(leaf, leafBorne) * leafLight), coverage);
+    vec3 albedo = leafAlbedo(leaf, leafBorne);
+    paintSurface(encoded(albedo * leafLight), albedo, coverage);
 }

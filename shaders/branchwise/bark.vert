@@ -6,6 +6,10 @@
 
 #include "branchwise/tree.glsl"
 #include "light.glsl"
+#define VERTEX_SHADER
+#include "surface.glsl"
+
+uniform float treeOwn; // number of this tree, [0, 1)
 
 out vec2 barkCoord;
 out vec3 barkLight;
@@ -19,6 +23,5 @@ void main() {
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), vec2(1.0, 0.0));
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = gl_MultiTexCoord0.xy;
-    gl_ClipVertex = eyePosition;
-    gl_Position = gl_ProjectionMatrix * eyePosition;
+    placeSurface(eyePosition, eyeNormal, treeOwn);
 }

@@ -8,6 +8,8 @@
 #include "branchwise/tree.glsl"
 #include "law/tint.glsl"
 #include "light.glsl"
+#define VERTEX_SHADER
+#include "surface.glsl"
 
 uniform sampler2D leafAngles; // a texel a leaf: motionAngleX, motionAngleZ, totalRotaAngle
 uniform float treeOwn;        // number of this tree, [0, 1): its shade
@@ -40,6 +42,5 @@ void main() {
     leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
 
     leafCoord = gl_MultiTexCoord0.xy;
-    gl_ClipVertex = eyePosition;
-    gl_Position = gl_ProjectionMatrix * eyePosition;
+    placeSurface(eyePosition, eyeNormal, treeOwn);
 }

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include <tests/gpu/FilePath.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/Notify>
-#include <osgDB/Registry>
 
 #include <gtest/gtest.h>
 
 using namespace osgTreeWind;
 
 namespace {
-
-/// Puts a folder first in OSG_FILE_PATH for one test.
-class FilePath {
-public:
-    explicit FilePath(const std::string& folder)
-        : _former(osgDB::Registry::instance()->getDataFilePathList()) {
-        osgDB::Registry::instance()->getDataFilePathList().push_front(folder);
-    }
-    ~FilePath() { osgDB::Registry::instance()->getDataFilePathList() = _former; }
-
-private:
-    osgDB::FilePathList _former;
-};
 
 struct Warnings : osg::NotifyHandler {
     void notify(osg::NotifySeverity severity, const char* message) override {

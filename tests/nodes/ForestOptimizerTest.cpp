@@ -65,6 +65,21 @@ TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
     EXPECT_EQ(branch->getNumParents(), 1u);
 }
 
+TEST_P(ForestOptimizerTest, leavesAStaticTransformAboveTheForest) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+        osg::ref_ptr<osg::Group> scene = new osg::Group;
+        osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(osg::Matrix::translate(70, 0, 0));
+        place->setDataVariance(osg::Object::STATIC);
+        scene->addChild(place);
+        ForestDescription description = smallForest(3);
+        description.law = law;
+        osg::ref_ptr<Forest> forest = new Forest(description);
+        place->addChild(forest);
+        osgUtil::Optimizer().optimize(scene, GetParam());
+        EXPECT_EQ(worldMatrix(*forest).getTrans(), osg::Vec3d(70, 0, 0));
+    }
+}
+
 TEST_P(ForestOptimizerTest, anEmptyForestTakesADescriptionAfterwards) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest;

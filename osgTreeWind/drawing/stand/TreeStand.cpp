@@ -28,6 +28,7 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandRe
     : _simulation(std::move(simulation)), _resources(resources), _tiers(_simulation->description().drawing),
       _flutter(_simulation->description().species.size()) {
     setName("trees");
+    setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true); // else nobody asks it to compile them
     for (const TreeModel& model : _simulation->models())

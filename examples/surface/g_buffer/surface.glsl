@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Albedo and normals, for a host that lights its scene when all of it is drawn.
+
+#ifdef VERTEX_SHADER
+
+out vec3 hostNormal;
+
+void placeSurface(vec4 eye, vec3 normal, float tree) {
+    gl_ClipVertex = eye;
+    gl_Position = gl_ProjectionMatrix * eye;
+    hostNormal = normal;
+}
+
+#else
+
+in vec3 hostNormal;
+
+void paintSurface(vec3 color, vec3 albedo, float coverage) {
+    gl_FragData[0] = vec4(albedo, coverage);
+    gl_FragData[1] = vec4(normalize(hostNormal), 1.0);
+}
+
+#endif

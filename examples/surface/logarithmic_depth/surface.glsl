@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Depth as the logarithm of the distance, for a host that draws from centimetres to the horizon of a planet. Its own
+// shaders write the same; the uniform is set on the root of the scene.
+
+uniform float farthest; // metres
+
+#ifdef VERTEX_SHADER
+
+out float hostDistance;
+
+void placeSurface(vec4 eye, vec3 normal, float tree) {
+    gl_ClipVertex = eye;
+    gl_Position = gl_ProjectionMatrix * eye;
+    hostDistance = gl_Position.w;
+}
+
+#else
+
+in float hostDistance;
+
+void paintSurface(vec3 color, vec3 albedo, float coverage) {
+    gl_FragColor = vec4(color, coverage);
+    gl_FragDepth = log2(1.0 + hostDistance) / log2(1.0 + farthest);
+}
+
+#endif

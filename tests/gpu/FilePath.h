@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgDB/Registry>
+
+#include <string>
+
+/// Puts a folder first in OSG_FILE_PATH while it lives.
+class FilePath {
+public:
+    explicit FilePath(const std::string& folder)
+        : _former(osgDB::Registry::instance()->getDataFilePathList()) {
+        osgDB::Registry::instance()->getDataFilePathList().push_front(folder);
+    }
+    ~FilePath() { osgDB::Registry::instance()->getDataFilePathList() = _former; }
+
+private:
+    osgDB::FilePathList _former;
+};
