@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Folders.h>
+
 #include <osgTreeWind/base/EmbeddedTexts.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cost of a frame on the CPU, without drawing: wind, motion, and what becomes of poses in the scene graph.
 // The argument is the number of trees: 1 and 16 reference trees, 1233 the measured campus.
+#include <tests/Folders.h>
 #include <tests/TestData.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/EnvironmentVariable.h>
+#include <tests/Folders.h>
 #include <tests/TestData.h>
 #include <tests/io/TemporaryFolder.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a host pays for a forest: the headers that its one header brings along.
+#include <tests/Folders.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Folders.h>
 #include <tests/MessageCollector.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/nodes/ForestFixtures.h>

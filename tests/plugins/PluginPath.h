@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <tests/Folders.h>
+
 #include <osgDB/Registry>
 
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Folders.h>
 #include <tests/TestData.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/tool/Tool.h>

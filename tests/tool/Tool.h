@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <tests/Folders.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <fstream>

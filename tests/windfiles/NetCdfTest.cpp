@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // NetCDF against numbers that ncdump prints; skipped where GDAL was not built in.
+#include <tests/Folders.h>
 #include <tests/windfiles/NetCdfReading.h>
 
 #include <tests/TestData.h>

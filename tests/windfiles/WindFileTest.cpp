@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <tests/Folders.h>
 #include <tests/base/FirstProblem.h>
 
 #include <gtest/gtest.h>

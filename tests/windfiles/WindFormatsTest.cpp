@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one door through which records and fields come in.
+#include <tests/Folders.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/windfiles/WindFormatsCases.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Several files of one time each, read as one wind.
+#include <tests/Folders.h>
 #include <tests/windfiles/NetCdfReading.h>
 
 #include <tests/io/TemporaryFolder.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Folders.h>
 #include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/drawing/BranchTransform.h>
