@@ -53,6 +53,7 @@ set(public_headers
     osgTreeWind/wind/UniformWind.h
     osgTreeWind/wind/WindDirection.h
     osgTreeWind/wind/WindField.h
+    osgTreeWind/wind/WindFrame.h
     osgTreeWind/wind/WindPlace.h
     osgTreeWind/wind/WindSeries.h
     osgTreeWind/windfiles/WindContent.h

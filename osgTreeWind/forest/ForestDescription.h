@@ -6,6 +6,7 @@
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/species/Species.h>
 #include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/WindFrame.h>
 
 #include <glm/vec3.hpp>
 
@@ -46,7 +47,8 @@ struct ForestDescription {
     float gain = 1.0f;
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;
-    WindFieldPtr wind;        ///< In scene coordinates. Null: calm.
+    WindFieldPtr wind; ///< Null: calm.
+    WindFrame windFrame = WindFrame::Forest;
     float season = midsummer; ///< Of the year (Season.h).
     DrawingOptions drawing;
 

@@ -58,6 +58,9 @@ void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatt
 void readInventory(TableReader& table, ForestReading& reading); ///< One [[inventory]].
 void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; needs the forest's origin.
 
+/// `wind.frame`.
+const std::vector<std::pair<std::string, WindFrame>>& windFrames();
+
 /// [wind], if there is one. @return what keeps it from being written; empty when all is well.
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 

@@ -340,6 +340,12 @@ WindFieldPtr readCalm(TableReader&, ForestReading&) {
 
 } // namespace
 
+const std::vector<std::pair<std::string, WindFrame>>& windFrames() {
+    static const std::vector<std::pair<std::string, WindFrame>> frames = {
+        {"forest", WindFrame::Forest}, {"scene", WindFrame::Scene}, {"geocentric", WindFrame::Geocentric}};
+    return frames;
+}
+
 void readWind(TableReader& table, ForestReading& reading) {
     WindFieldPtr (*kind)(TableReader&, ForestReading&) = nullptr;
     table.readChoice<decltype(kind)>("kind", kind,
@@ -359,6 +365,7 @@ void readWind(TableReader& table, ForestReading& reading) {
     }
     RetimedWind::Clock clock;
     readFields(table, clock);
+    table.readChoice("frame", reading.forest.windFrame, windFrames());
     reading.forest.wind = kind(table, reading);
     if (reading.forest.wind && (clock.start != 0.0 || clock.scale != 1.0))
         reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, clock);

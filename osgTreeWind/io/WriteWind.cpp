@@ -106,6 +106,9 @@ std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     if (!forest.wind)
         return {};
     output << "\n[wind]\n";
+    for (const auto& [name, frame] : windFrames())
+        if (frame == forest.windFrame && frame != WindFrame::Forest)
+            output << "frame = " << tomlText(name) << '\n';
     return WindWriter(output, forest).write(*forest.wind);
 }
 

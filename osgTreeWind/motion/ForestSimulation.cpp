@@ -33,6 +33,10 @@ std::unique_ptr<Motion> motionOf(const PlacedForest& forest, const SimulationOpt
                                          executorFor(options.executor, forest.trees.size()));
 }
 
+FramedWind givenBy(const ForestDescription& description) {
+    return {description.wind, description.windFrame};
+}
+
 Diagnostics noSuchTree() {
     return {keyProblem("tree", "no tree has this id, or it is gone")};
 }
@@ -51,11 +55,11 @@ Diagnostics noSuchSpecies(const TreePlacement& placement, const ForestDescriptio
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
     : _forest(placed(std::move(description), options)), _lent(options.executor),
       _motion(motionOf(_forest, options)),
-      _wind(options.wind ? options.wind : std::make_shared<GivenWind>(this->description().wind)) {}
+      _wind(options.wind ? options.wind : std::make_shared<GivenWind>(givenBy(this->description()))) {}
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
     : _forest(other._forest), _lent(other._lent), _motion(other._motion->restarted(_forest)),
-      _wind(std::make_shared<GivenWind>(other.wind())) {}
+      _wind(std::make_shared<GivenWind>(other._wind->get())) {}
 
 ForestSimulation::~ForestSimulation() = default;
 
@@ -65,7 +69,9 @@ std::shared_ptr<ForestSimulation> ForestSimulation::restarted() const {
 
 ForestDescription ForestSimulation::describe() const {
     ForestDescription now = _forest.describe();
-    now.wind = wind();
+    const FramedWind given = _wind->get();
+    now.wind = given.wind;
+    now.windFrame = given.frame;
     return now;
 }
 
@@ -117,11 +123,11 @@ std::string ForestSimulation::nameOf(TreeId tree) const {
 }
 
 void ForestSimulation::setWind(WindFieldPtr wind) {
-    _wind->set(std::move(wind));
+    _wind->set({std::move(wind), _wind->get().frame});
 }
 
 WindFieldPtr ForestSimulation::wind() const {
-    return _wind->get();
+    return _wind->get().wind;
 }
 
 void ForestSimulation::setExecutor(Executor executor) {

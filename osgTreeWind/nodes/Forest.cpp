@@ -118,12 +118,16 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
-void Forest::setWind(WindFieldPtr wind) {
-    _wind->set(std::move(wind));
+void Forest::setWind(WindFieldPtr wind, WindFrame frame) {
+    _wind->set({std::move(wind), frame});
 }
 
 WindFieldPtr Forest::getWind() const {
-    return _wind->get();
+    return _wind->get().wind;
+}
+
+WindFrame Forest::getWindFrame() const {
+    return _wind->get().frame;
 }
 
 void Forest::setExecutor(Executor executor) {
@@ -159,16 +163,17 @@ void Forest::setDescription(ForestDescription description) {
     const std::string problem = problemOfRoom(description);
     if (!problem.empty()) {
         OSG_WARN << "osgTreeWind: " << problem << "; the forest is left empty" << std::endl;
-        WindFieldPtr wind = std::move(description.wind);
-        description = ForestDescription();
-        description.wind = std::move(wind);
+        ForestDescription empty;
+        empty.wind = std::move(description.wind);
+        empty.windFrame = description.windFrame;
+        description = std::move(empty);
     }
     grow(std::move(description));
 }
 
 void Forest::grow(ForestDescription description) {
     if (description.wind)
-        setWind(description.wind);
+        setWind(description.wind, description.windFrame);
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
     options.executor = _executor;

@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/WindFrame.h>
 
 #include <osg/Group>
 #include <osg/Matrix>
@@ -60,10 +61,11 @@ public:
     /// so its season.
     const ForestDescription& getDescription() const;
 
-    /// The wind from the next frame on; null for calm. World coordinates less getOrigin(). Any thread, any
-    /// time, also while a description is set: whichever of the two comes last counts.
-    void setWind(WindFieldPtr wind);
+    /// The wind from the next frame on, and whose axes it is given in; null for calm. Any thread, any time,
+    /// also while a description is set, which says both too: whichever of the two comes last counts.
+    void setWind(WindFieldPtr wind, WindFrame frame = WindFrame::Scene);
     WindFieldPtr getWind() const;
+    WindFrame getWindFrame() const;
 
     /// A host's threads to step and grow it, SimulationOptions says more; null: those of the process. For the
     /// trees that it has now from the next step on, and for descriptions to come. In update or between

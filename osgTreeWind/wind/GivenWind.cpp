@@ -5,24 +5,26 @@
 
 namespace osgTreeWind {
 
-void GivenWind::set(WindFieldPtr wind) {
+void GivenWind::set(FramedWind given) {
     const std::lock_guard<std::mutex> lock(_mutex);
-    _wind.swap(wind); // the old field goes when the parameter does, after the lock
+    std::swap(_given, given); // the old field goes when the parameter does, after the lock
 }
 
-WindFieldPtr GivenWind::get() const {
+FramedWind GivenWind::get() const {
     const std::lock_guard<std::mutex> lock(_mutex);
-    return _wind;
+    return _given;
 }
 
 WindFieldPtr GivenWind::here() {
-    const WindFieldPtr wind = get();
-    if (!wind || _place == glm::dmat4(1.0))
-        return wind;
-    if (wind != _metWind || _place != _metPlace) {
-        _metWind = wind;
+    const FramedWind given = get();
+    if (!given.wind || given.frame == WindFrame::Forest || _place == glm::dmat4(1.0))
+        return given.wind;
+    if (!(given == _metGiven) || _place != _metPlace) {
+        _metGiven = given;
         _metPlace = _place;
-        _met = std::make_shared<MovedWind>(wind, _place);
+        _met = std::make_shared<MovedWind>(given.wind, _place,
+                                           given.frame == WindFrame::Geocentric ? MovedWind::Up::OfTheFrame
+                                                                                : MovedWind::Up::OfTheWorld);
     }
     return _met;
 }

@@ -193,7 +193,7 @@ void GustWind::sample(const WindPlace* places, std::size_t count, double time, g
             const WindPlace& place = places[first + n];
             near.axis[0][n] = held(place.position.x);
             near.axis[1][n] = held(place.position.y);
-            near.axis[2][n] = held(place.height());
+            near.axis[2][n] = held(place.height);
         }
         for (const Frame& frame : frames) {
             for (int axis = 0; axis < 3; ++axis)

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -27,10 +28,11 @@ glm::dmat3 rotationOf(const glm::dmat4& matrix) {
 
 } // namespace
 
-MovedWind::MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld)
+MovedWind::MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld, Up up)
     : _world(world ? std::move(world) : std::make_shared<UniformWind>(glm::vec3(0.0f))),
-      _frameToWorld(frameToWorld), _turnBack(glm::transpose(rotationOf(frameToWorld))) {
-    if (const auto moved = std::dynamic_pointer_cast<const MovedWind>(_world)) {
+      _frameToWorld(frameToWorld), _turnBack(glm::transpose(rotationOf(frameToWorld))), _up(up) {
+    const auto moved = std::dynamic_pointer_cast<const MovedWind>(_world);
+    if (moved && moved->_up == up) {
         _world = moved->_world;
         _frameToWorld = moved->_frameToWorld * _frameToWorld;
         _turnBack = _turnBack * moved->_turnBack;
@@ -40,8 +42,11 @@ MovedWind::MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld)
 WindPlace MovedWind::inWorld(const WindPlace& place) const {
     const glm::dvec3 at(place.position);
     const glm::dvec3 position(_frameToWorld * glm::dvec4(at, 1.0));
-    const glm::dvec3 foot(_frameToWorld * glm::dvec4(at.x, at.y, static_cast<double>(place.ground), 1.0));
-    return {glm::vec3(position), static_cast<float>(foot.z)};
+    const glm::dvec3 rise(_frameToWorld[2] * static_cast<double>(place.height)); // from the foot
+    WindPlace moved{glm::vec3(position)};
+    moved.height =
+        static_cast<float>(_up == Up::OfTheWorld ? rise.z : std::copysign(glm::length(rise), place.height));
+    return moved;
 }
 
 glm::vec3 MovedWind::velocity(const WindPlace& place, double time) const {

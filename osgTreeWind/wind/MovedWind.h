@@ -13,8 +13,11 @@ namespace osgTreeWind {
 /// moved already it takes the wind within, and one move that is both.
 class MovedWind final : public WindField {
 public:
+    /// Along which z heights above the ground are counted.
+    enum class Up { OfTheWorld, OfTheFrame };
+
     /// @param world null is calm. @param frameToWorld takes places of the frame to the world.
-    MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld);
+    MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld, Up up = Up::OfTheWorld);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
@@ -25,6 +28,7 @@ private:
     WindFieldPtr _world;
     glm::dmat4 _frameToWorld;
     glm::dmat3 _turnBack; ///< Of velocities, from the world to the frame.
+    Up _up;
 };
 
 } // namespace osgTreeWind

@@ -63,13 +63,13 @@ glm::vec3 TimeSeriesWind::atHeight(const glm::dvec3& measured, float height) con
 }
 
 glm::vec3 TimeSeriesWind::velocity(const WindPlace& place, double time) const {
-    return atHeight(measured(time), place.height());
+    return atHeight(measured(time), place.height);
 }
 
 void TimeSeriesWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const glm::dvec3 now = measured(time);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = atHeight(now, places[i].height());
+        out[i] = atHeight(now, places[i].height);
 }
 
 } // namespace osgTreeWind

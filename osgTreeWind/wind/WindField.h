@@ -13,9 +13,9 @@ namespace osgTreeWind {
 
 /// The wind: a velocity at every place and time.
 ///
-/// Positions are metres in the scene (x east, y north, z up, relative to the forest's origin); velocities are
-/// m/s, the direction the air moves *toward*; times are seconds of simulation time. Fields that know how wind
-/// grows with height count it from the ground of each place.
+/// Positions are metres in the axes that it is given in (WindFrame: the forest's own are x east, y north,
+/// z up, from its origin); velocities are m/s, the direction the air moves *toward*; times are seconds of
+/// simulation time. Fields that know how wind grows with height count it from the ground of each place.
 /// Fields are immutable once shared: any number of threads may sample one. Replace a wind by handing over
 /// another field.
 class OSGTREEWIND_EXPORT WindField {

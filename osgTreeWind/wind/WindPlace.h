@@ -5,17 +5,16 @@
 
 namespace osgTreeWind {
 
-/// Where wind is asked for: a position in the scene, and the ground that it stands above. Metres.
+/// Where wind is asked for: a position, and how far above the ground that is. Metres.
 struct WindPlace {
     glm::vec3 position{0.0f};
-    float ground = 0.0f; ///< Scene z of the ground below it.
+    float height = 0.0f; ///< Above the ground below it.
 
     WindPlace() = default;
-    WindPlace(const glm::vec3& at, float groundBelow = 0.0f) : position(at), ground(groundBelow) {}
+    /// @param ground z of the ground below it.
+    WindPlace(const glm::vec3& at, float ground = 0.0f) : position(at), height(at.z - ground) {}
     /// Over ground at z = 0.
-    WindPlace(float x, float y, float z) : position(x, y, z) {}
-
-    float height() const { return position.z - ground; }
+    WindPlace(float x, float y, float z) : position(x, y, z), height(z) {}
 };
 
 } // namespace osgTreeWind

@@ -23,7 +23,6 @@ using osgTreeWind::Forest;
 /// only that.
 std::string documentOf(const Forest& forest) {
     osgTreeWind::ForestDescription now = forest.getSimulation().describe();
-    now.wind = forest.getWind(); // of the world
     for (;;) {
         std::ostringstream document;
         const osgTreeWind::Diagnostics problems = writeForest(now, document);

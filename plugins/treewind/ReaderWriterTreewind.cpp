@@ -96,7 +96,6 @@ private:
                 return WriteResult("a .treewind file does not hold the forest's child " +
                                    forest->getChild(i)->getName());
         ForestDescription now = forest->getSimulation().describe();
-        now.wind = forest->getWind(); // of the world
         const Diagnostics problems = writer(now);
         return problems.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(problems.front().text());
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Folders.h>
 #include <tests/io/RandomForest.h>
 #include <tests/io/TemporaryFolder.h>
 
@@ -90,6 +91,8 @@ std::string differenceOf(const ForestDescription& a, const ForestDescription& b)
     found.compare("season", a.season, b.season);
     found.compare("origin", a.origin, b.origin);
     found.wind(a.wind, b.wind);
+    if (a.wind)
+        found.compare("wind.frame", a.windFrame, b.windFrame);
     found.compare("species", a.species.size(), b.species.size());
     found.compare("trees", a.trees.size(), b.trees.size());
     if (!found.keys.empty())

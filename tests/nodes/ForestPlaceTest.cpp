@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/MessageCollector.h>
+#include <tests/nodes/Culling.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/motion/modal/ModalMotion.h>
@@ -8,8 +9,6 @@
 #include <osg/LOD>
 #include <osg/MatrixTransform>
 #include <osg/Switch>
-#include <osgUtil/CullVisitor>
-#include <osgUtil/RenderStage>
 
 #include <gtest/gtest.h>
 
@@ -31,6 +30,7 @@ WindFieldPtr gradient() {
 ForestDescription treesIn(const WindFieldPtr& wind) {
     ForestDescription description = smallForest(6);
     description.wind = wind;
+    description.windFrame = WindFrame::Scene;
     return description;
 }
 
@@ -53,29 +53,6 @@ struct Listening {
     osg::ref_ptr<MessageCollector> messages;
     osg::ref_ptr<osg::NotifyHandler> former;
 };
-
-/// The cull traversal of one frame, seen from a place.
-void cull(osg::Node& scene, unsigned frame, const osg::Vec3d& eye) {
-    osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
-    stamp->setFrameNumber(frame);
-    osg::ref_ptr<osgUtil::CullVisitor> visitor = new osgUtil::CullVisitor;
-    visitor->setFrameStamp(stamp);
-    visitor->setTraversalNumber(frame);
-    osg::ref_ptr<osgUtil::StateGraph> graph = new osgUtil::StateGraph;
-    osg::ref_ptr<osgUtil::RenderStage> stage = new osgUtil::RenderStage;
-    stage->setViewport(new osg::Viewport(0, 0, 64, 64));
-    visitor->setStateGraph(graph);
-    visitor->setRenderStage(stage);
-    visitor->pushViewport(stage->getViewport());
-    visitor->pushProjectionMatrix(new osg::RefMatrix(osg::Matrix::perspective(60, 1, 1, 1e5)));
-    visitor->pushModelViewMatrix(
-        new osg::RefMatrix(osg::Matrix::lookAt(eye, osg::Vec3d(), osg::Vec3d(0, 0, 1))),
-        osg::Transform::ABSOLUTE_RF);
-    scene.accept(*visitor);
-    visitor->popModelViewMatrix();
-    visitor->popProjectionMatrix();
-    visitor->popViewport();
-}
 
 } // namespace
 

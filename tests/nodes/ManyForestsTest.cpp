@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A host with more forests than one would count, and threads of its own.
+#include <tests/nodes/Culling.h>
 #include <tests/nodes/ForestFixtures.h>
-
-#include <osgUtil/CullVisitor>
 
 #include <gtest/gtest.h>
 
@@ -22,24 +21,7 @@ std::ptrdiff_t threadsOfTheProcess() {
 /// What a viewer does with its scene in one frame, but for drawing it.
 void showFrame(osg::Node& scene, unsigned frame) {
     update(scene, frame, frame / 25.0);
-    const osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
-    stamp->setFrameNumber(frame);
-    stamp->setSimulationTime(frame / 25.0);
-    osgUtil::CullVisitor cull;
-    const osg::ref_ptr<osgUtil::StateGraph> states = new osgUtil::StateGraph;
-    const osg::ref_ptr<osgUtil::RenderStage> stage = new osgUtil::RenderStage;
-    const osg::ref_ptr<osg::Viewport> viewport = new osg::Viewport(0, 0, 64, 64);
-    stage->setViewport(viewport);
-    cull.setFrameStamp(stamp);
-    cull.setTraversalNumber(frame);
-    cull.setStateGraph(states);
-    cull.setRenderStage(stage);
-    cull.pushViewport(viewport);
-    cull.pushProjectionMatrix(new osg::RefMatrix(osg::Matrix::perspective(60, 1, 1, 500)));
-    cull.pushModelViewMatrix(
-        new osg::RefMatrix(osg::Matrix::lookAt(osg::Vec3(5, -30, 5), osg::Vec3(5, 0, 3), osg::Z_AXIS)),
-        osg::Transform::ABSOLUTE_RF);
-    scene.accept(cull);
+    cull(scene, frame, osg::Vec3d(5, -30, 5));
 }
 
 } // namespace

@@ -21,7 +21,7 @@ constexpr double quarter = 1.5707963267948966;
 class WhereWind : public WindField {
 public:
     glm::vec3 velocity(const WindPlace& place, double) const override {
-        return {place.position.x, place.position.y, place.height()};
+        return {place.position.x, place.position.y, place.height};
     }
 };
 

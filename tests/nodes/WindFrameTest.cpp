@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// The same wind, wherever a host puts the forest.
+#include <tests/nodes/ForestFixtures.h>
+
+#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
+
+#include <osg/CoordinateSystemNode>
+#include <osg/MatrixTransform>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr float westerly = 12.0f; // m/s at 10 m
+
+/// From the given direction, as strong everywhere or by the logarithmic profile.
+WindFieldPtr toward(const osg::Vec3d& direction, bool logarithmic) {
+    WindSeries series;
+    series.times = {0.0};
+    series.velocities = {westerly * glm::vec3(direction.x(), direction.y(), direction.z())};
+    if (logarithmic)
+        series.profile = LogProfile{10.0f, 0.1f};
+    return TimeSeriesWind::create(series).value();
+}
+
+/// The local frame of a place on a globe: x east, y north, z up.
+osg::Matrixd onGlobe(double latitude, double longitude) {
+    osg::Matrixd frame;
+    osg::EllipsoidModel().computeLocalToWorldTransformFromLatLongHeight(
+        osg::DegreesToRadians(latitude), osg::DegreesToRadians(longitude), 20.0, frame);
+    return frame;
+}
+
+ForestDescription trees(const WindFieldPtr& wind) {
+    ForestDescription description = smallForest(3);
+    description.wind = wind;
+    return description;
+}
+
+/// Where the trees lean after two seconds at that place, in the axes of the forest.
+std::vector<glm::vec2> leansAt(const osg::Matrixd& place, Forest& forest) {
+    const osg::ref_ptr<osg::MatrixTransform> scene = new osg::MatrixTransform(place);
+    scene->addChild(&forest);
+    updateFrames(*scene, 1, 50);
+    std::vector<glm::vec2> leans;
+    for (std::size_t tree = 0; tree < forest.getNumTrees(); ++tree)
+        leans.push_back(forest.getSimulation().modal()->lean(tree));
+    return leans;
+}
+
+void expectAlike(const std::vector<glm::vec2>& found, const std::vector<glm::vec2>& expected,
+                 const char* where) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t tree = 0; tree < found.size(); ++tree) {
+        EXPECT_GT(expected[tree].x, 0.01f);
+        EXPECT_LT(glm::distance(found[tree], expected[tree]), 0.01f * glm::length(expected[tree])) << where;
+    }
+}
+
+struct Place {
+    const char* name;
+    osg::Matrixd matrix;
+};
+const Place places[] = {{"turned", osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS)},
+                        {"on its side", osg::Matrixd::rotate(osg::PI_2, osg::X_AXIS)},
+                        {"small", osg::Matrixd::scale(0.1, 0.1, 0.1)},
+                        {"Iceland", onGlobe(64.0, -22.6)},
+                        {"the equator", onGlobe(0.0, 30.0)}};
+
+} // namespace
+
+TEST(WindFrameTest, theWindOfADescriptionGoesWhereTheForestGoes) {
+    for (const bool logarithmic : {false, true}) {
+        const WindFieldPtr wind = toward(osg::X_AXIS, logarithmic);
+        const osg::ref_ptr<Forest> flat = new Forest(trees(wind));
+        const std::vector<glm::vec2> expected = leansAt(osg::Matrixd(), *flat);
+        for (const Place& place : places) {
+            const osg::ref_ptr<Forest> forest = new Forest(trees(wind));
+            expectAlike(leansAt(place.matrix, *forest), expected, place.name);
+        }
+    }
+}
+
+TEST(WindFrameTest, aGeocentricWindIsTheSameOnTheFlat) {
+    for (const bool logarithmic : {false, true}) {
+        const osg::ref_ptr<Forest> flat = new Forest(trees(toward(osg::X_AXIS, logarithmic)));
+        const std::vector<glm::vec2> expected = leansAt(osg::Matrixd(), *flat);
+        for (const auto& [latitude, longitude] : {std::pair(64.0, -22.6), {0.0, 30.0}, {-35.0, 149.0}}) {
+            const osg::Matrixd place = onGlobe(latitude, longitude);
+            const osg::Vec3d east = osg::Matrixd::transform3x3(osg::X_AXIS, place);
+            const osg::ref_ptr<Forest> forest = new Forest(trees(nullptr));
+            forest->setWind(toward(east, logarithmic), WindFrame::Geocentric);
+            expectAlike(leansAt(place, *forest), expected, "geocentric");
+        }
+    }
+}
+
+TEST(WindFrameTest, theWindOfASceneIsThatOfItsRoot) {
+    const osg::ref_ptr<Forest> flat = new Forest(trees(toward(osg::X_AXIS, true)));
+    const std::vector<glm::vec2> expected = leansAt(osg::Matrixd(), *flat);
+    const osg::ref_ptr<Forest> turned = new Forest(trees(nullptr));
+    turned->setWind(toward(osg::Y_AXIS, true));
+    EXPECT_EQ(turned->getWindFrame(), WindFrame::Scene);
+    expectAlike(leansAt(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS), *turned), expected, "turned");
+}
+
+TEST(WindFrameTest, aCopyHasTheWindInTheSameFrame) {
+    const osg::ref_ptr<Forest> forest = new Forest(trees(nullptr));
+    forest->setWind(toward(osg::X_AXIS, false), WindFrame::Geocentric);
+    const osg::ref_ptr<Forest> copy = new Forest(*forest);
+    EXPECT_EQ(copy->getWindFrame(), WindFrame::Geocentric);
+    EXPECT_EQ(copy->getSimulation().describe().windFrame, WindFrame::Geocentric);
+}
