@@ -15,8 +15,9 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file);
 /// radius, length, start x y z, axis x y z, parent (counts from 1; 0: the root), and 6 or 8 columns more; by
 /// blanks or commas, with a line of names above them or without.
 Result<ScanFile> readTreeQsm(std::string_view text, const std::string& file);
-/// Columns by name, whatever their order and case: ID, parentID (-1: the root), startX .. endZ, radius.
-Result<ScanFile> readSimpleForest(std::string_view text, const std::string& file);
+/// A table of SimpleForest, aRchi or rTwig: columns by name (ScanColumns), parted by commas, semicolons, tabs
+/// or blanks. The root's parent is -1, 0 where that is no cylinder's id, NA or nothing.
+Result<ScanFile> readScanTable(std::string_view text, const std::string& file);
 /// A line of names, x,y,z,radius,parent_id among them, then one line a tree: the values of all its segments,
 /// one after the other. A segment is the cylinder from its parent's x, y, z to its own; the first is a point.
 Result<ScanFile> readRayCloudTree(std::string_view text, const std::string& file);
