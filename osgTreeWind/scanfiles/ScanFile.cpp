@@ -48,6 +48,15 @@ Reader readerOf(const ScanRows& rows) {
     return rows.words().size() > 9 ? readTreeQsm : readSwc;
 }
 
+/// The first bytes of a file.
+std::string headOf(const std::string& path) {
+    std::string head(128, '\0');
+    std::ifstream input(path, std::ios::binary);
+    input.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(input.gcount()));
+    return head;
+}
+
 } // namespace
 
 Result<ScanFile> readScan(std::string_view text, const std::string& file) {
@@ -56,9 +65,10 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
         return fileProblem(file, "expected a scanned tree, found only blank lines and comments");
     const Reader reader = readerOf(rows);
     if (!reader) {
-        rows.fail(0, expectedFound("a scanned tree: TreeQSM's cylinders as text, a table of SimpleForest, "
-                                   "aRchi or rTwig, a tree file of RayCloudTools, or SWC",
-                                   rows.words().front()));
+        rows.fail(
+            0, expectedFound("a scanned tree: TreeQSM's cylinders as text or .mat, a table of SimpleForest, "
+                             "aRchi or rTwig, a tree file of RayCloudTools, or SWC",
+                             rows.words().front()));
         return rows.problem();
     }
     Result<ScanFile> scan = reader(text, file);
@@ -80,6 +90,8 @@ Result<ScanFile> readScanFile(const std::string& path) {
     std::ifstream input(path, std::ios::binary);
     if (!input)
         return fileProblem(path, "cannot be read");
+    if (!error && isMatlab(headOf(path)))
+        return readMatlab(path);
     const Result<std::string> text = readText(input, path);
     if (!text)
         return text.problems();

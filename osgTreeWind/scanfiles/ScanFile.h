@@ -18,7 +18,7 @@ struct ScanFile {
 };
 
 /// Reads trees that were fitted to laser scans, recognised by content: TreeQSM's cylinders as text (15 or 17
-/// columns), tables of SimpleForest, aRchi or rTwig,
+/// columns) or .mat (where the library was built with libmatio), tables of SimpleForest, aRchi or rTwig,
 /// RayCloudTools' tree files (a line a tree), SWC. Metres in all of them.
 /// A broken file gives one problem with its place, never a part of a tree.
 Result<ScanFile> readScanFile(const std::string& path);

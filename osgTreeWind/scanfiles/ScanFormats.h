@@ -25,4 +25,10 @@ Result<ScanFile> readRayCloudTree(std::string_view text, const std::string& file
 /// has the radius of that point.
 Result<ScanFile> readSwc(std::string_view text, const std::string& file);
 
+/// Whether a file that begins like this is MATLAB's .mat, of version 5 to 7 or 7.3.
+bool isMatlab(std::string_view head);
+/// A .mat with TreeQSM's structs, its trees sound. It is read by the program osgtreewind-matlab in a process
+/// of its own: a damaged file ends that one only.
+Result<ScanFile> readMatlab(const std::string& path);
+
 } // namespace osgTreeWind

@@ -257,7 +257,7 @@ TEST(BrokenScan, OfSwcIsOneProblemWithItsPlace) {
 
 TEST(BrokenScan, OfNoKnownFormatSaysWhatIsKnown) {
     expectProblems({{"\n# only this\n", "a: expected a scanned tree, found only blank lines and comments"},
-                    {"hello\n", "a:1:1: expected a scanned tree: TreeQSM's cylinders as text, a "
+                    {"hello\n", "a:1:1: expected a scanned tree: TreeQSM's cylinders as text or .mat, a "
                                 "table of SimpleForest, aRchi "
                                 "or rTwig, a tree file of RayCloudTools, or SWC, found 'hello'"}});
     const TemporaryFolder temporary;
