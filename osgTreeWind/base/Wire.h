@@ -32,8 +32,9 @@ public:
     bool pass(Diagnostic& problem);
 
 private:
-    static constexpr std::size_t mostBytes = std::size_t(1) << 34; // of one vector
-    static constexpr std::size_t step = 1 << 20; // values at once: no memory for what does not come
+    static constexpr std::size_t mostBytes = std::size_t(1) << 34;  // of one vector
+    static constexpr std::size_t mostAtOnce = std::size_t(1) << 29; // bytes of memory for what may not come
+    static constexpr std::size_t step = 1 << 20;                    // values
 
     Wire(int descriptor, bool sends) : _descriptor(descriptor), _sends(sends) {}
 
@@ -46,8 +47,8 @@ private:
 template <typename T>
 bool Wire::send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&)) {
     Wire wire(descriptor, true);
-    bool good = result.ok();
-    if (good)
+    unsigned char good = result.ok();
+    if (good == 1)
         return wire.pass(good) && pass(wire, result.value());
     Diagnostic problem = result.problems().front();
     return wire.pass(good) && wire.pass(problem);
@@ -56,12 +57,12 @@ bool Wire::send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&)) {
 template <typename T>
 std::optional<Result<T>> Wire::receive(int descriptor, bool (*pass)(Wire&, T&)) {
     Wire wire(descriptor, false);
-    bool good = false;
+    unsigned char good = 0;
     T value;
     Diagnostic problem;
-    if (!wire.pass(good) || !(good ? pass(wire, value) : wire.pass(problem)))
+    if (!wire.pass(good) || good > 1 || !(good == 1 ? pass(wire, value) : wire.pass(problem)))
         return std::nullopt;
-    return good ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
+    return good == 1 ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
 }
 
 template <typename T>
@@ -87,15 +88,15 @@ bool Wire::pass(std::vector<T>& values) {
         if (_sends)
             return passBytes(values.data(), size * sizeof(T));
         try {
-            values.reserve(size);
+            values.reserve(std::min(size, mostAtOnce / sizeof(T)));
+            while (values.size() < size) {
+                const std::size_t known = values.size(), some = std::min(step, size - known);
+                values.resize(known + some);
+                if (!passBytes(&values[known], some * sizeof(T)))
+                    return false;
+            }
         } catch (const std::bad_alloc&) {
             return false;
-        }
-        while (values.size() < size) {
-            const std::size_t known = values.size(), some = std::min(step, size - known);
-            values.resize(known + some);
-            if (!passBytes(&values[known], some * sizeof(T)))
-                return false;
         }
         return true;
     }
