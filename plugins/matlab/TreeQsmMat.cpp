@@ -30,11 +30,13 @@ public:
         if (count > variable->nbytes / sizeof(matvar_t*))
             return;
         for (std::size_t i = 0; i < count && good(); ++i) {
-            const std::string index = std::to_string(i + 1);
+            std::string element = name;
+            if (isCell || count > 1)
+                element.append(isCell ? "{" : "(").append(std::to_string(i + 1)).append(isCell ? "}" : ")");
             if (isCell)
-                find(Mat_VarGetCell(variable, static_cast<int>(i)), name + '{' + index + '}', depth + 1);
+                find(Mat_VarGetCell(variable, static_cast<int>(i)), element, depth + 1);
             else
-                findInStruct(variable, i, count > 1 ? name + '(' + index + ')' : name, depth);
+                findInStruct(variable, i, element, depth);
         }
     }
 

@@ -43,10 +43,10 @@ std::string bytesOf(const std::string& path) {
 
 class Matlab : public testing::TestWithParam<MatVersion> {
 protected:
-    TemporaryFolder folder;
+    TemporaryFolder _folder;
 
     std::string write(const std::vector<matvar_t*>& variables) const {
-        return writeMat(folder.path() + "/a.mat", GetParam(), variables);
+        return writeMat(_folder.path() + "/a.mat", GetParam(), variables);
     }
     std::string problemOf(const std::vector<matvar_t*>& variables) const {
         const std::string path = write(variables), problem = firstProblem(readScanFile(path));
@@ -151,7 +151,7 @@ TEST_P(Matlab, CutAnywhereItIsReadWholeOrNotAtAll) {
                           : write({qsmStruct("QSM", {arrays, arrays})}));
         const std::size_t step = whole.size() / 60 + 1;
         for (std::size_t length = 0; length < whole.size(); length += step) {
-            const auto scan = readScanFile(folder.write("cut.mat", whole.substr(0, length)));
+            const auto scan = readScanFile(_folder.write("cut.mat", whole.substr(0, length)));
             if (!scan) {
                 EXPECT_EQ(scan.problems().size(), 1u) << length;
                 EXPECT_FALSE(scan.problems().front().message.empty()) << length;
@@ -172,7 +172,7 @@ TEST_P(Matlab, ChangedBytesAreReadOrRefused) {
         std::string bytes = whole;
         for (unsigned changes = 1u << round % 5; changes > 0; --changes)
             bytes[random() % bytes.size()] = static_cast<char>(random());
-        const auto scan = readScanFile(folder.write("changed.mat", bytes));
+        const auto scan = readScanFile(_folder.write("changed.mat", bytes));
         if (scan) {
             for (const ScanCylinders& tree : scan.value().trees)
                 EXPECT_FALSE(problemOfScan(tree)) << round;
