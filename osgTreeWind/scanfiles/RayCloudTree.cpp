@@ -45,11 +45,11 @@ bool readLayout(const std::vector<std::string_view>& names, Layout& layout) {
 ScanPoint readSegment(ScanRows& rows, std::size_t at, const Section& section, int id) {
     ScanPoint point;
     for (int i = 0; i < 3; ++i)
-        point.place[i] = rows.number(at + static_cast<std::size_t>(i), "metres within 1e9", -1e9, 1e9);
+        point.place[i] = rows.number(at + static_cast<std::size_t>(i), scanMetres);
     if (id == 0) // a point, whose radius means nothing
-        rows.number(at + 3, "a number", -1e300, 1e300);
+        rows.number(at + 3, {"a number", -1e300, 1e300});
     else
-        point.radius = rows.number(at + 3, "a radius above 0 and of at most 10 m", 1e-9, 10.0);
+        point.radius = rows.number(at + 3, scanRadius);
     point.name = {id, -1, rows.line()};
     if (section.parent != none && id == 0)
         rows.whole(at + section.parent, "-1, for a first segment springs from no other", -1, -1);

@@ -4,11 +4,13 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/scanfiles/ScanColumns.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 #include <osgTreeWind/scanfiles/ScanRows.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace osgTreeWind {
 
@@ -18,6 +20,16 @@ bool has(const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
 }
 
+/// Whether these are the names of TreeQSM's columns, all and in its order.
+bool isOrderOfTreeQsm(const std::vector<std::string_view>& names) {
+    constexpr const char* order[] = {"radius", "length", "start", "start", "start",
+                                     "axis",   "axis",   "axis",  "parent"};
+    for (std::size_t i = 0; i < std::size(order); ++i)
+        if (i >= names.size() || !has(lower(std::string(names[i])), order[i]))
+            return false;
+    return names.size() == 15 || names.size() == 17;
+}
+
 using Reader = Result<ScanFile> (*)(std::string_view, const std::string&);
 
 /// The reader of the format that the first line is in; null for none.
@@ -25,8 +37,8 @@ Reader readerOf(const ScanRows& rows) {
     std::string line; // its words
     for (const std::string_view word : rows.words())
         line += lower(std::string(word)) + ' ';
-    if (has(line, "parentid") && has(line, "startx"))
-        return readSimpleForest;
+    if (ScanColumns::knows(line) && !isOrderOfTreeQsm(rows.words()))
+        return readScanTable;
     if (has(line, "x y z radius "))
         return readRayCloudTree;
     if (has(line, "radius") && has(line, "axis") && has(line, "parent"))
@@ -34,6 +46,15 @@ Reader readerOf(const ScanRows& rows) {
     if (!parseNumber(rows.words().front()))
         return nullptr;
     return rows.words().size() > 9 ? readTreeQsm : readSwc;
+}
+
+/// The first bytes of a file.
+std::string headOf(const std::string& path) {
+    std::string head(128, '\0');
+    std::ifstream input(path, std::ios::binary);
+    input.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(input.gcount()));
+    return head;
 }
 
 } // namespace
@@ -44,10 +65,10 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
         return fileProblem(file, "expected a scanned tree, found only blank lines and comments");
     const Reader reader = readerOf(rows);
     if (!reader) {
-        rows.fail(0,
-                  expectedFound("a scanned tree: TreeQSM's cylinders as text, a CSV of SimpleForest, a tree "
-                                "file of RayCloudTools, or SWC",
-                                rows.words().front()));
+        rows.fail(
+            0, expectedFound("a scanned tree: TreeQSM's cylinders as text or .mat, a table of SimpleForest, "
+                             "aRchi or rTwig, a tree file of RayCloudTools, or SWC",
+                             rows.words().front()));
         return rows.problem();
     }
     Result<ScanFile> scan = reader(text, file);
@@ -69,6 +90,8 @@ Result<ScanFile> readScanFile(const std::string& path) {
     std::ifstream input(path, std::ios::binary);
     if (!input)
         return fileProblem(path, "cannot be read");
+    if (!error && isMatlab(headOf(path)))
+        return readMatlab(path);
     const Result<std::string> text = readText(input, path);
     if (!text)
         return text.problems();

@@ -13,12 +13,13 @@ constexpr std::size_t maxScanCylinders = 1000000, maxScanBytes = 400000000;
 
 /// What a file of scanned trees holds.
 struct ScanFile {
-    std::string format;               ///< "TreeQSM", "SimpleForest", "RayCloudTools" or "SWC".
+    std::string format; ///< "TreeQSM", "SimpleForest", "aRchi", "rTwig", "table", "RayCloudTools" or "SWC".
     std::vector<ScanCylinders> trees; ///< At least one; each is sound (problemOfScan).
 };
 
 /// Reads trees that were fitted to laser scans, recognised by content: TreeQSM's cylinders as text (15 or 17
-/// columns), SimpleForest's CSV, RayCloudTools' tree files (a line a tree), SWC. Metres in all of them.
+/// columns) or .mat (where the library was built with libmatio), tables of SimpleForest, aRchi or rTwig,
+/// RayCloudTools' tree files (a line a tree), SWC. Metres in all of them.
 /// A broken file gives one problem with its place, never a part of a tree.
 Result<ScanFile> readScanFile(const std::string& path);
 

@@ -31,11 +31,11 @@ bool ScanRows::next() {
     return !_words.empty();
 }
 
-double ScanRows::number(std::size_t word, const char* what, double low, double high) {
+double ScanRows::number(std::size_t word, const ScanMeasure& measure) {
     const auto value = parseNumber(_words[word]);
-    if (value && *value >= low && *value <= high)
+    if (value && measure.contains(*value))
         return *value;
-    fail(word, expectedFound(what, _words[word]));
+    fail(word, expectedFound(measure.what, _words[word]));
     return 0.0;
 }
 

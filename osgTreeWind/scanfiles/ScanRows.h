@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/scanfiles/ScanMeasures.h>
 
 #include <string_view>
 
@@ -19,9 +20,9 @@ public:
     const std::vector<std::string_view>& words() const { return _words; } ///< Of this line.
     int line() const { return _line; }                                    ///< 1-based.
 
-    /// A word as a finite number within [low, high]; else a problem is kept and 0 given.
-    double number(std::size_t word, const char* what, double low, double high);
-    /// The same for a whole number.
+    /// A word as a finite number in its range; else a problem is kept and 0 given.
+    double number(std::size_t word, const ScanMeasure& measure);
+    /// The same for a whole number within [low, high].
     int whole(std::size_t word, const char* what, int low, int high);
 
     bool good() const { return _problem.message.empty(); }

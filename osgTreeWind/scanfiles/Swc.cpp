@@ -21,8 +21,8 @@ Result<ScanFile> readSwc(std::string_view text, const std::string& file) {
         ScanPoint point;
         point.name.id = rows.whole(0, "a whole number from 0 on", 0, most);
         for (int i = 0; i < 3; ++i)
-            point.place[i] = rows.number(2 + static_cast<std::size_t>(i), "metres within 1e9", -1e9, 1e9);
-        point.radius = rows.number(5, "a radius above 0 and of at most 10 m", 1e-9, 10.0);
+            point.place[i] = rows.number(2 + static_cast<std::size_t>(i), scanMetres);
+        point.radius = rows.number(5, scanRadius);
         point.name.parent = rows.whole(6, "the id of a point, or -1", -1, most);
         point.name.line = rows.line();
         points.push_back(point);

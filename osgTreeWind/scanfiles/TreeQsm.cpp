@@ -4,28 +4,24 @@
 #include <osgTreeWind/scanfiles/ScanLinks.h>
 #include <osgTreeWind/scanfiles/ScanRows.h>
 
-#include <glm/geometric.hpp>
-
 namespace osgTreeWind {
 
 namespace {
 
 /// The cylinder in the words of a line. @return the number of its parent.
 int readCylinder(ScanRows& rows, ScanCylinder& cylinder) {
-    const auto vector = [&](std::size_t first, const char* what, double most) {
+    const auto vector = [&](std::size_t first, const ScanMeasure& measure) {
         glm::dvec3 v(0.0);
         for (int i = 0; i < 3; ++i)
-            v[i] = rows.number(first + static_cast<std::size_t>(i), what, -most, most);
+            v[i] = rows.number(first + static_cast<std::size_t>(i), measure);
         return v;
     };
-    cylinder.radius = rows.number(0, "a radius above 0 and of at most 10 m", 1e-9, 10.0);
-    const double length = rows.number(1, "a length above 0 and of at most 200 m", 1e-9, 200.0);
-    cylinder.start = vector(2, "metres within 1e9", 1e9);
-    const glm::dvec3 axis = vector(5, "a part of a direction of length 1", 1.01);
-    if (const double size = glm::length(axis); size < 0.9 || size > 1.1)
-        rows.fail(5, "expected a direction of length 1, found one of " + numberText(size));
-    else
-        cylinder.end = cylinder.start + axis * (length / size);
+    cylinder.radius = rows.number(0, scanRadius);
+    const double length = rows.number(1, scanLength);
+    cylinder.start = vector(2, scanMetres);
+    const glm::dvec3 axis = vector(5, scanDirection);
+    if (const std::string wrong = endAlong(axis, length, cylinder); !wrong.empty())
+        rows.fail(5, wrong);
     cylinder.line = rows.line();
     return rows.whole(8, "the number of a cylinder as parent, or 0", 0, static_cast<int>(maxScanCylinders));
 }

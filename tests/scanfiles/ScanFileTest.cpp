@@ -30,6 +30,9 @@ struct FormatCase {
 const FormatCase formats[] = {{"treeqsm.txt", "TreeQSM", 1},
                               {"treeqsm_plain.txt", "TreeQSM", 1},
                               {"simpleforest.csv", "SimpleForest", 1},
+                              {"archi.csv", "aRchi", 1},
+                              {"rtwig.txt", "rTwig", 1},
+                              {"rtwig_treeqsm.csv", "rTwig", 1},
                               {"raycloud.txt", "RayCloudTools", 2},
                               {"sapling.swc", "SWC", 1}};
 
@@ -254,11 +257,10 @@ TEST(BrokenScan, OfSwcIsOneProblemWithItsPlace) {
 }
 
 TEST(BrokenScan, OfNoKnownFormatSaysWhatIsKnown) {
-    expectProblems(
-        {{"\n# only this\n", "a: expected a scanned tree, found only blank lines and comments"},
-         {"hello\n",
-          "a:1:1: expected a scanned tree: TreeQSM's cylinders as text, a CSV of SimpleForest, a tree file "
-          "of RayCloudTools, or SWC, found 'hello'"}});
+    expectProblems({{"\n# only this\n", "a: expected a scanned tree, found only blank lines and comments"},
+                    {"hello\n", "a:1:1: expected a scanned tree: TreeQSM's cylinders as text or .mat, a "
+                                "table of SimpleForest, aRchi "
+                                "or rTwig, a tree file of RayCloudTools, or SWC, found 'hello'"}});
     const TemporaryFolder temporary;
     const std::string empty = temporary.write("empty.txt", "");
     EXPECT_EQ(firstProblem(readScanFile(empty)), empty + ": the file is empty");

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Wire.h>
+
+#include <cerrno>
+
+#include <unistd.h>
+
+namespace osgTreeWind {
+
+bool Wire::pass(std::string& text) {
+    std::vector<char> letters(text.begin(), text.end());
+    const bool good = pass(letters);
+    text.assign(letters.begin(), letters.end());
+    return good;
+}
+
+bool Wire::pass(Diagnostic& problem) {
+    return pass(problem.file) && pass(problem.key) && pass(problem.message);
+}
+
+bool Wire::passBytes(void* bytes, std::size_t size) {
+    auto* at = static_cast<char*>(bytes);
+    while (size > 0) {
+        const ssize_t passed = _sends ? write(_descriptor, at, size) : read(_descriptor, at, size);
+        if (passed < 0 && errno == EINTR)
+            continue;
+        if (passed <= 0)
+            return false;
+        at += passed;
+        size -= static_cast<std::size_t>(passed);
+    }
+    return true;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/ReaderProgram.h>
+#include <osgTreeWind/scanfiles/ScanFormats.h>
+#include <osgTreeWind/scanfiles/ScanWire.h>
+
+namespace osgTreeWind {
+
+bool isMatlab(std::string_view head) {
+    if (head.size() < 128)
+        return false;
+    const std::string_view end = head.substr(124, 4); // the version, and which of its bytes comes first
+    return end == std::string_view("\0\1IM", 4) || end == std::string_view("\1\0MI", 4) ||
+           end == std::string_view("\0\2IM", 4) || end == std::string_view("\2\0MI", 4);
+}
+
+Result<ScanFile> readMatlab(const std::string& path) {
+    constexpr ReaderProgram reader{"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"};
+    std::optional<Result<ScanFile>> scan;
+    const auto problem = runReader(reader, path, "trees", [&](int answer) {
+        scan = ScanWire::receive(answer);
+        return scan.has_value();
+    });
+    if (problem)
+        return *problem;
+    for (std::size_t tree = 0; tree < scan->value().trees.size(); ++tree)
+        if (auto unsound = problemOfScan(scan->value().trees[tree])) {
+            const std::string of = "tree " + std::to_string(tree + 1);
+            return Diagnostic{path, 0, 0,
+                              unsound->line > 0 ? of + ", cylinder " + std::to_string(unsound->line) : of,
+                              unsound->message};
+        }
+    return std::move(*scan);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/ReaderLimits.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace osgTreeWind {
+
+void limitReader(const std::string& path, std::size_t memory, unsigned seconds) {
+    std::error_code unknown;
+    const auto found = std::filesystem::file_size(path, unknown);
+    const rlim_t bytes = unknown ? 0 : found;
+    rlim_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages; // what this program itself takes
+    const rlim_t most = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + memory + 256 * bytes;
+    const rlimit none{0, 0}, address{most, most};
+    setrlimit(RLIMIT_CORE, &none);
+    setrlimit(RLIMIT_AS, &address);
+    sigset_t all; // whatever those mask or ignore who start this
+    sigfillset(&all);
+    sigprocmask(SIG_UNBLOCK, &all, nullptr);
+    signal(SIGALRM, SIG_DFL);
+    alarm(seconds + static_cast<unsigned>(bytes >> 20));
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/matlab/MatFile.h>
+
+#include <cstdint>
+#include <fstream>
+
+namespace osgTreeWind {
+
+namespace {
+
+void (*failed)(const std::string& reason) = nullptr;
+
+void takeMessage(int level, char* message) {
+    if (level == MATIO_LOG_LEVEL_ERROR || level == (MATIO_LOG_LEVEL_CRITICAL))
+        failed(message ? message : "no memory is left for it");
+}
+
+/// Whether a file of version 5 ends where a variable ends, which libmatio does not tell from the end of a
+/// file that was cut.
+bool endsWithAVariable(const std::string& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const auto size = static_cast<std::uint64_t>(file.tellg());
+    unsigned char order[2] = {}, tag[8];
+    file.seekg(126);
+    file.read(reinterpret_cast<char*>(order), 2);
+    std::uint64_t at = 128;
+    while (at < size) {
+        file.seekg(static_cast<std::streamoff>(at));
+        if (!file.read(reinterpret_cast<char*>(tag), 8))
+            return false;
+        std::uint64_t length = 0;
+        for (int i = 0; i < 4; ++i)
+            length = length << 8 | tag[order[0] == 'I' ? 7 - i : 4 + i];
+        at += 8 + length;
+    }
+    return at == size;
+}
+
+template <typename T>
+std::vector<double> copied(const matvar_t& variable) {
+    const std::size_t count = elements(variable);
+    if (!variable.data || variable.isComplex || variable.nbytes / sizeof(T) < count)
+        return {};
+    const T* values = static_cast<const T*>(variable.data);
+    return {values, values + count};
+}
+
+} // namespace
+
+MatFile::MatFile(const std::string& path, void (*fail)(const std::string& reason)) {
+    failed = fail;
+    Mat_LogInitFunc("osgtreewind-matlab", takeMessage);
+    _file.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
+    if (!_file)
+        fail("it cannot be opened");
+    if (Mat_GetVersion(_file.get()) == MAT_FT_MAT5 && !endsWithAVariable(path))
+        fail("it ends in the middle of a variable");
+    while (matvar_t* next = Mat_VarReadNext(_file.get()))
+        _variables.emplace_back(next);
+}
+
+std::vector<matvar_t*> MatFile::variables() const {
+    std::vector<matvar_t*> variables;
+    for (const auto& variable : _variables)
+        variables.push_back(variable.get());
+    return variables;
+}
+
+matvar_t* MatFile::variable(const std::string& name) const {
+    for (const auto& variable : _variables)
+        if (variable->name && variable->name == name)
+            return variable.get();
+    return nullptr;
+}
+
+std::size_t elements(const matvar_t& variable) {
+    std::size_t count = variable.rank > 0 ? 1 : 0;
+    for (int i = 0; i < variable.rank; ++i)
+        if (__builtin_mul_overflow(count, variable.dims[i], &count))
+            return 0;
+    return count;
+}
+
+std::vector<double> numbers(const matvar_t& variable) {
+    switch (variable.class_type) {
+    case MAT_C_DOUBLE:
+        return copied<double>(variable);
+    case MAT_C_SINGLE:
+        return copied<float>(variable);
+    case MAT_C_INT8:
+        return copied<std::int8_t>(variable);
+    case MAT_C_UINT8:
+        return copied<std::uint8_t>(variable);
+    case MAT_C_INT16:
+        return copied<std::int16_t>(variable);
+    case MAT_C_UINT16:
+        return copied<std::uint16_t>(variable);
+    case MAT_C_INT32:
+        return copied<std::int32_t>(variable);
+    case MAT_C_UINT32:
+        return copied<std::uint32_t>(variable);
+    case MAT_C_INT64:
+        return copied<std::int64_t>(variable);
+    case MAT_C_UINT64:
+        return copied<std::uint64_t>(variable);
+    default:
+        return {};
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/ScanCylinder.h>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <matio.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// Files as MATLAB saves what TreeQSM made, written by libmatio.
+namespace osgTreeWind {
+
+/// A version of .mat, and whether its variables are packed.
+struct MatVersion {
+    const char* name;
+    mat_ft version;
+    matio_compression packed;
+};
+
+constexpr MatVersion matVersions[] = {{"v6", MAT_FT_MAT5, MAT_COMPRESSION_NONE},
+                                      {"v7", MAT_FT_MAT5, MAT_COMPRESSION_ZLIB},
+                                      {"v73", MAT_FT_MAT73, MAT_COMPRESSION_ZLIB}};
+
+inline void PrintTo(const MatVersion& version, std::ostream* out) {
+    *out << version.name;
+}
+
+template <typename T>
+matvar_t* matColumns(const std::string& name, std::vector<T> values, std::size_t columns = 1) {
+    std::size_t sizes[] = {values.size() / columns, columns};
+    const bool isDouble = std::is_same_v<T, double>, isFloat = std::is_same_v<T, float>;
+    return Mat_VarCreate(name.c_str(),
+                         isDouble  ? MAT_C_DOUBLE
+                         : isFloat ? MAT_C_SINGLE
+                                   : MAT_C_UINT32,
+                         isDouble  ? MAT_T_DOUBLE
+                         : isFloat ? MAT_T_SINGLE
+                                   : MAT_T_UINT32,
+                         2, sizes, values.data(), 0);
+}
+
+/// The arrays of TreeQSM's cylinders.
+struct QsmArrays {
+    std::vector<double> radius, length, start, axis; ///< Start and axis: all x, then all y, then all z.
+    std::vector<std::uint32_t> parent;
+
+    explicit QsmArrays(const ScanCylinders& tree) {
+        for (const ScanCylinder& cylinder : tree) {
+            radius.push_back(cylinder.radius);
+            length.push_back(glm::distance(cylinder.start, cylinder.end));
+            parent.push_back(static_cast<std::uint32_t>(cylinder.parent + 1));
+        }
+        for (int i = 0; i < 3; ++i)
+            for (const ScanCylinder& cylinder : tree) {
+                start.push_back(cylinder.start[i]);
+                axis.push_back(glm::normalize(cylinder.end - cylinder.start)[i]);
+            }
+    }
+
+    /// As variables, or fields of a struct.
+    std::vector<matvar_t*> variables(const std::vector<std::string>& names) const {
+        return {matColumns(names[0], radius), matColumns(names[1], length), matColumns(names[2], start, 3),
+                matColumns(names[3], axis, 3), matColumns(names[4], parent)};
+    }
+};
+
+inline const std::vector<std::string> qsmNames = {"radius", "length", "start", "axis", "parent"};
+
+/// `rows` structs with these fields, all of one after the other.
+inline matvar_t* matStruct(const std::string& name, const std::vector<std::string>& fields,
+                           const std::vector<matvar_t*>& values) {
+    std::vector<const char*> names;
+    for (const std::string& field : fields)
+        names.push_back(field.c_str());
+    names.push_back(nullptr);
+    std::size_t sizes[] = {1, values.size() / fields.size()};
+    matvar_t* made = Mat_VarCreateStruct2(name.c_str(), 2, sizes, names.data());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        Mat_VarSetStructFieldByIndex(made, i % fields.size(), i / fields.size(), values[i]);
+    return made;
+}
+
+inline matvar_t* matCell(const std::string& name, const std::vector<matvar_t*>& values) {
+    std::size_t sizes[] = {1, values.size()};
+    std::vector<matvar_t*> cells = values;
+    return Mat_VarCreate(name.c_str(), MAT_C_CELL, MAT_T_CELL, 2, sizes, cells.data(), 0);
+}
+
+/// QSM, with as many elements as there are trees.
+inline matvar_t* qsmStruct(const std::string& name, const std::vector<QsmArrays>& trees) {
+    std::vector<matvar_t*> values;
+    for (const QsmArrays& tree : trees) {
+        values.push_back(matStruct("cylinder", qsmNames, tree.variables(qsmNames)));
+        values.push_back(matStruct("treedata", {"TotalVolume"}, {matColumns("", std::vector<double>{4.1})}));
+    }
+    return matStruct(name, {"cylinder", "treedata"}, values);
+}
+
+/// Writes the variables, and frees them. @return the path.
+inline std::string writeMat(const std::string& path, const MatVersion& version,
+                            const std::vector<matvar_t*>& variables) {
+    mat_t* file = Mat_CreateVer(path.c_str(), nullptr, version.version);
+    EXPECT_NE(file, nullptr) << path;
+    for (matvar_t* variable : variables) {
+        EXPECT_EQ(Mat_VarWrite(file, variable, version.packed), 0);
+        Mat_VarFree(variable);
+    }
+    Mat_Close(file);
+    return path;
+}
+
+} // namespace osgTreeWind
