@@ -147,6 +147,8 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
         return problems;
     output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
            << '\n';
+    const ForestDescription usual;
+    writeFields(output, "", fieldsOfFile(), &forest, &usual);
     if (forest.trees.empty())
         output << "tree = []\n";
     output << wind.str();
