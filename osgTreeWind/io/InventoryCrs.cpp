@@ -109,7 +109,7 @@ Result<VectorPlace> placeOfRow(const TreeRows& rows, const InventoryColumns& col
     } else
         place = take(rows.place(way));
     place.position.z *= columns.z.unit;
-    if (columns.z.column && !rows.text(*columns.z.column).empty())
+    if (columns.z.column && rows.has(*columns.z.column))
         place.position.z = take(metresOfRow(rows, columns.z));
     for (int axis = 0; axis < 3; ++axis)
         if (problems.empty() && !worldCoordinates.contains(place.position[axis]))

@@ -125,7 +125,7 @@ private:
 
     /// Metres; 0 when the row does not say.
     float size(const Measure& measure) {
-        if (!measure.column || _rows->text(*measure.column).empty())
+        if (!measure.column || !_rows->has(*measure.column))
             return 0.0f;
         return static_cast<float>(logged(metresOfRow(*_rows, measure)));
     }

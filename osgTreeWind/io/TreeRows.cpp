@@ -31,6 +31,7 @@ public:
     bool hasPlaces() const override { return false; }
     void rewind() override { _next = 0; }
     Result<bool> next() override { return _next++ < _table.rows.size(); }
+    bool has(std::size_t column) const override { return !row().cells[column].empty(); }
     std::string text(std::size_t column) const override { return row().cells[column]; }
     Result<double> number(std::size_t column) const override { return _table.number(row(), column); }
     Result<VectorPlace> place(const CrsWay&) const override { return VectorPlace(); }
@@ -69,6 +70,7 @@ public:
                 return found;
         }
     }
+    bool has(std::size_t column) const override { return _file.number(column) || !text(column).empty(); }
     std::string text(std::size_t column) const override { return _file.text(column); }
     Result<double> number(std::size_t column) const override {
         const std::optional<double> stored = _file.number(column);
@@ -115,7 +117,7 @@ std::unique_ptr<TreeRows> openFeatures(const std::string& path, const std::strin
     if (!problems.empty())
         return {};
     for (const std::string& warning : file.value().warnings())
-        reading.forest.notes.push_back(path + ": " + warning);
+        reading.forest.notes.emplace_back(path).append(": ").append(warning);
     return std::make_unique<FeatureRows>(std::move(file.value()));
 }
 

@@ -32,8 +32,8 @@ public:
     virtual Result<bool> next() = 0;
 
     // Of the row:
+    virtual bool has(std::size_t column) const = 0;
     virtual std::string text(std::size_t column) const = 0;
-    /// The cell, which is not empty.
     virtual Result<double> number(std::size_t column) const = 0;
     virtual Result<VectorPlace> place(const CrsWay& way) const = 0;
     /// What is wrong with it. @param column its name; may be empty.

@@ -57,7 +57,8 @@ public:
         if (!crs)
             return fileProblem(_path, crs.problems().front().message);
         std::shared_ptr<void> data(
-            GDALCreate(GDALGetDriverByName("Memory"), "", 0, 0, 0, GDT_Unknown, nullptr), GDALClose);
+            GDALCreate(GDALGetDriverByName("Memory"), "", 0, 0, 0, GDT_Unknown, nullptr),
+            [](void* made) { GDALClose(made); });
         _layer = GDALDatasetCreateLayer(data.get(), "SolitaryVegetationObject", crs.value().reference(),
                                         wkbPoint25D, nullptr);
         field("id", OFTString);
@@ -152,7 +153,7 @@ bool isCityJson(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(file.gcount()));
-    static const std::regex type("\"type\"\\s*:\\s*\"CityJSON\"");
+    static const std::regex type(R"("type"\s*:\s*"CityJSON")");
     return head.find("\"CityJSON\"") != std::string::npos && std::regex_search(head, type);
 }
 

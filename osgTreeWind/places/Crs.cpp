@@ -29,7 +29,7 @@ std::string orEmpty(const char* text) {
 
 } // namespace
 
-Crs::Crs(void* reference) : _reference(reference, OSRRelease) {
+Crs::Crs(void* reference) : _reference(reference, [](void* held) { OSRRelease(held); }) {
     if (OSRIsCompound(reference))
         OSRStripVertical(reference);
 }
@@ -100,7 +100,7 @@ std::string Crs::text() const {
     char* written = nullptr;
     const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
     OSRExportToWktEx(reference(), &written, options);
-    const std::string text = orEmpty(written);
+    std::string text = orEmpty(written);
     CPLFree(written);
     return text;
 }

@@ -26,10 +26,9 @@ const char* const formats[] = {"GeoJSON",        "GeoJSONSeq", "TopoJSON", "ESRI
                                "FlatGeobuf",     "GML",        "LIBKML",   "KML",      "GPX",  "MapInfo File",
                                "ESRI Shapefile", "OSM",        "XLSX",     "ODS",      nullptr};
 
-/// Whether the extension of a path is one of GDAL's driver.
-bool hasExtensionOf(GDALDriverH driver, const std::string& path) {
+/// Whether an extension, ".shp", is one of GDAL's driver.
+bool isOf(GDALDriverH driver, const std::string& extension) {
     const char* known = GDALGetMetadataItem(driver, GDAL_DMD_EXTENSIONS, nullptr);
-    const std::string extension = lower(std::filesystem::path(path).extension().string());
     return known && extension.size() > 1 &&
            (' ' + std::string(known) + ' ').find(' ' + extension.substr(1) + ' ') != std::string::npos;
 }
@@ -86,12 +85,14 @@ VectorFile::~VectorFile() {
 }
 
 bool VectorFile::knows(const std::string& path) {
-    if (lower(std::filesystem::path(path).extension().string()) == ".csv")
+    const std::string extension = lower(std::filesystem::path(path).extension().string());
+    if (extension == ".csv")
         return false;
     registerGdal();
     const GdalErrors unheard;
-    for (const char* const* format = formats; *format; ++format)
-        if (const GDALDriverH driver = GDALGetDriverByName(*format); driver && hasExtensionOf(driver, path))
+    for (const char* const* format = formats; *format && extension != ".tab";
+         ++format) // also: parted by tabs
+        if (const GDALDriverH driver = GDALGetDriverByName(*format); driver && isOf(driver, extension))
             return true;
     return GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr) || isCityJson(path);
 }
@@ -113,7 +114,7 @@ Result<VectorFile> VectorFile::open(const std::string& path) {
         const OpenOptions options(reading->format);
         if (void* data = GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                     formats, options.list(), nullptr))
-            reading->data.reset(data, GDALClose);
+            reading->data.reset(data, [](void* opened) { GDALClose(opened); });
     }
     if (!reading->data || !errors.text().empty())
         return fileProblem(path, "cannot be read: " + errors.textOr("GDAL knows no such format"));
@@ -201,19 +202,19 @@ std::string VectorFile::feature() const {
            std::to_string(OGR_F_GetFID(_reading->feature.get()));
 }
 
+bool VectorFile::has(std::size_t column) const {
+    return OGR_F_IsFieldSetAndNotNull(_reading->feature.get(), static_cast<int>(column));
+}
+
 std::string VectorFile::text(std::size_t column) const {
-    const int index = static_cast<int>(column);
-    return OGR_F_IsFieldSetAndNotNull(_reading->feature.get(), index)
-               ? OGR_F_GetFieldAsString(_reading->feature.get(), index)
-               : "";
+    return has(column) ? OGR_F_GetFieldAsString(_reading->feature.get(), static_cast<int>(column)) : "";
 }
 
 std::optional<double> VectorFile::number(std::size_t column) const {
-    const int index = static_cast<int>(column);
     const OGRFeatureH feature = _reading->feature.get();
+    const int index = static_cast<int>(column);
     const OGRFieldType type = OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, index));
-    if ((type != OFTReal && type != OFTInteger && type != OFTInteger64) ||
-        !OGR_F_IsFieldSetAndNotNull(feature, index))
+    if (!has(column) || (type != OFTReal && type != OFTInteger && type != OFTInteger64))
         return std::nullopt;
     return OGR_F_GetFieldAsDouble(feature, index);
 }

@@ -57,6 +57,7 @@ public:
     // Of the feature:
     /// As it is called in messages: "feature 17".
     std::string feature() const;
+    bool has(std::size_t column) const;
     /// Empty where it has none.
     std::string text(std::size_t column) const;
     /// A number that is one in the file, too.

@@ -101,6 +101,7 @@ TEST(VectorFile, TablesOfTextAreNotItsOwn) {
     const TemporaryFolder folder;
     EXPECT_FALSE(VectorFile::knows(folder.write("a.csv", "x,y\n1,2\n")));
     EXPECT_FALSE(VectorFile::knows(folder.write("a.txt", "x,y\n1,2\n")));
+    EXPECT_FALSE(VectorFile::knows(folder.write("a.tab", "x\ty\n1\t2\n")));
     EXPECT_FALSE(VectorFile::knows(folder.write("a", "")));
 }
 
