@@ -17,10 +17,10 @@ Result<std::optional<Crs>> sourceOf(const std::string& text, const TreeRows& row
     Result<Crs> given = Crs();
     if (!text.empty())
         given = Crs::parse(text);
-    else if (rows.crs())
-        given = *rows.crs();
     else if (columns.areDegrees(rows))
         given = Crs::degrees();
+    else if (rows.crs())
+        given = *rows.crs();
     else
         return std::optional<Crs>();
     if (!given)

@@ -92,8 +92,14 @@ private:
         if (!found)
             _reading.log.add(found.problems().front());
         else if (_reading.forest.trees.size() == before)
-            _reading.log.add({_rows->file(), _rows->format() == "CSV" ? 1 : 0, 0, "",
-                              "an inventory without trees: no row below the header"});
+            noteNone();
+    }
+
+    void noteNone() {
+        const bool isTable = _rows->format() == "CSV";
+        _reading.log.add({_rows->file(), isTable ? 1 : 0, 0, "",
+                          std::string("an inventory without trees: no ") +
+                              (isTable ? "row below the header" : "feature is chosen")});
     }
 
     void readRow(Random& random) {

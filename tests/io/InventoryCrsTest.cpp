@@ -142,6 +142,17 @@ TEST(InventoryCrs, AxesOfAnAuthorityAreTurned) {
     expectAt(forest.trees[0], 1748000.0, 5427000.0);
 }
 
+/// The columns of a layer that stands on a map of its own.
+TEST(InventoryCrs, ColumnsCalledSoAreDegreesWhateverTheGeometryIsIn) {
+    const TemporaryFolder folder;
+    folder.write("a.geojson", geoJson(point("565000, 5934000", R"("lon": 9.0, "lat": 0.0)"),
+                                      "urn:ogc:def:crs:EPSG::25832"));
+    const ForestDescription forest =
+        inventoryOf(folder.path(), "file = \"a.geojson\"\ncolumns = { x = \"lon\", y = \"lat\" }\n");
+    EXPECT_EQ(forest.crs, "EPSG:32632");
+    expectAt(forest.trees[0], 500000.0, 0.0);
+}
+
 TEST(InventoryCrs, ItsOwnGoesBeforeTheFiles) {
     const TemporaryFolder folder;
     folder.write("a.geojson", geoJson(point("565000, 5934000"))); // GeoJSON that says degrees, and is not
