@@ -7,6 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include <cmath>
+
 namespace osgTreeWind {
 
 namespace {
@@ -41,9 +43,11 @@ Result<Crs> zoneOf(TreeRows& rows, const InventoryColumns& columns, const Crs& s
             low = glm::min(low, glm::dvec2(place.value().position));
             high = glm::max(high, glm::dvec2(place.value().position));
         }
-    glm::dvec2 middle = 0.5 * (low + high);
-    if (low.x <= high.x && !way.value().go(middle))
-        return Diagnostic{rows.file(), 0, 0, "", "its places are not on the map of " + source.name()};
+    glm::dvec2 middle = low.x <= high.x ? 0.5 * (low + high) : glm::dvec2(0.0);
+    if (!way.value().go(middle) || std::abs(middle.x) > 360.0 || std::abs(middle.y) > 90.0)
+        return Diagnostic{rows.file(), 0, 0, "",
+                          "its places are none of " + source.name() +
+                              "; expected crs to say of what they are"};
     return Crs::utmOf(middle);
 }
 

@@ -9,7 +9,6 @@
 #include <osgTreeWind/places/GdalErrors.h>
 #include <osgTreeWind/places/OpenOptions.h>
 
-#include <cpl_string.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
@@ -26,11 +25,18 @@ const char* const formats[] = {"GeoJSON",        "GeoJSONSeq", "TopoJSON", "ESRI
                                "FlatGeobuf",     "GML",        "LIBKML",   "KML",      "GPX",  "MapInfo File",
                                "ESRI Shapefile", "OSM",        "XLSX",     "ODS",      nullptr};
 
-/// Whether an extension, ".shp", is one of GDAL's driver.
-bool isOf(GDALDriverH driver, const std::string& extension) {
-    const char* known = GDALGetMetadataItem(driver, GDAL_DMD_EXTENSIONS, nullptr);
-    return known && extension.size() > 1 &&
-           (' ' + std::string(known) + ' ').find(' ' + extension.substr(1) + ' ') != std::string::npos;
+/// Whether files of a format are called so (".shp"). Tables parted by tabs are called ".tab", too.
+bool isOfFormat(const std::string& extension) {
+    if (extension.size() < 2 || extension == ".tab")
+        return false;
+    for (const char* const* format = formats; *format; ++format) {
+        const GDALDriverH driver = GDALGetDriverByName(*format);
+        const char* known = driver ? GDALGetMetadataItem(driver, GDAL_DMD_EXTENSIONS, nullptr) : nullptr;
+        if (known &&
+            (' ' + std::string(known) + ' ').find(' ' + extension.substr(1) + ' ') != std::string::npos)
+            return true;
+    }
+    return false;
 }
 
 /// The layer of an OpenStreetMap file in which trees are.
@@ -90,11 +96,8 @@ bool VectorFile::knows(const std::string& path) {
         return false;
     registerGdal();
     const GdalErrors unheard;
-    for (const char* const* format = formats; *format && extension != ".tab";
-         ++format) // also: parted by tabs
-        if (const GDALDriverH driver = GDALGetDriverByName(*format); driver && isOf(driver, extension))
-            return true;
-    return GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr) || isCityJson(path);
+    return isOfFormat(extension) || GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr) ||
+           isCityJson(path);
 }
 
 Result<VectorFile> VectorFile::open(const std::string& path) {

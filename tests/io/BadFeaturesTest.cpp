@@ -106,6 +106,8 @@ const BadFeatures badFeatures[] = {
      "inventory.units: expected no units of x and y"},
     {"LatitudeTooLarge", "a.geojson", geoJson(point("9, 95")), "",
      "feature 0: the place (9, 95) cannot be brought into the crs of the forest", "crs = \"EPSG:25832\""},
+    {"MetresTakenForDegrees", "a.geojson", geoJson(point("565000, 5934000")), "",
+     "inventory.file: its places are none of WGS 84; expected crs to say of what they are"},
     {"TooFarApart", "a.geojson", geoJson(point("9, 50") + "," + point("19, 50")), "",
      "more than 100 km from the origin"},
     // Features

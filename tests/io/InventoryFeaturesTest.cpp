@@ -3,10 +3,10 @@
 #include <tests/io/InventoryReading.h>
 #include <tests/places/Places.h>
 
-#include <osgTreeWind/base/CsvTable.h>
-
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+
+#include <filesystem>
 
 namespace osgTreeWind {
 
@@ -114,6 +114,20 @@ TEST(InventoryFeatures, OutlinesAreCrownsInMetres) {
                                  R"("w": 5)"),
                          utm));
     EXPECT_EQ(inventoryOf(folder.path(), column).trees[0].size.crownWidth, 5.0f) << "a column goes first";
+}
+
+TEST(InventoryFeatures, ShapesWithoutAProjectionAreInMetresAsTheyAre) {
+    REQUIRE_PROGRAM("ogr2ogr");
+    const TemporaryFolder folder;
+    folder.write("a.geojson", trees);
+    convert(folder, "a.geojson", "a.shp");
+    std::filesystem::remove(folder.path() + "/a.prj");
+    ForestDescription forest = inventoryOf(folder.path(), "file = \"a.shp\"\n" + columns);
+    expectThreeTrees(forest);
+    EXPECT_EQ(forest.crs, "");
+    forest = inventoryOf(folder.path(), "file = \"a.shp\"\ncrs = \"EPSG:25832\"\n" + columns);
+    expectThreeTrees(forest);
+    EXPECT_EQ(forest.crs, "EPSG:25832");
 }
 
 /// The campus as outlines without a .prj is the campus as a table.

@@ -35,6 +35,6 @@ inline bool hasProgram(const std::string& name) {
 /// Writes `file` of a folder in the format that the name of the new one asks for.
 inline void convert(const TemporaryFolder& folder, const std::string& file, const std::string& to,
                     const std::string& options = "") {
-    const std::string command = "cd " + folder.path() + " && ogr2ogr " + options + ' ' + to + ' ' + file;
+    const std::string command = "cd " + folder.path() + " && ogr2ogr -q " + options + ' ' + to + ' ' + file;
     ASSERT_EQ(std::system((command + " 2>&1").c_str()), 0) << command;
 }
