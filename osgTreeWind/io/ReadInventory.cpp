@@ -34,7 +34,8 @@ std::string mostFrequent(const Counts& rows) {
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     std::vector<std::string> names;
     for (std::size_t i = 0; i < std::min(sorted.size(), mostNamed); ++i)
-        names.push_back(printable(sorted[i].first) + " (" + std::to_string(sorted[i].second) + ')');
+        names.push_back((sorted[i].first.empty() ? "no name" : printable(sorted[i].first)) + " (" +
+                        std::to_string(sorted[i].second) + ')');
     if (sorted.size() > mostNamed)
         names.push_back("and " + std::to_string(sorted.size() - mostNamed) + " more names");
     return joined(names);

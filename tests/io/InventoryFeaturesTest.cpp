@@ -216,17 +216,17 @@ TEST(InventoryFeatures, CityJsonNeedsNoColumns) {
 
 TEST(InventoryFeatures, ThousandsOfUnknownNamesAreOneLine) {
     const TemporaryFolder folder;
-    std::string rows = "x,y,s\n";
+    std::string rows = "x,y,s\n1,2,\n3,4,\n";
     for (int i = 0; i < 3000; ++i)
         rows += "1,2,weed " + std::to_string(i) + "\n3,4,bush\n";
     folder.write("a.csv", rows);
     const ForestDescription forest =
         inventoryOf(folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", species = \"s\" }\n");
     ASSERT_EQ(forest.notes.size(), 1u);
-    EXPECT_NE(forest.notes[0].find("6000 trees stand as \"beech\": bush (3000), weed 0 (1), "),
+    EXPECT_NE(forest.notes[0].find("6002 trees stand as \"beech\": bush (3000), no name (2), weed 0 (1), "),
               std::string::npos)
         << forest.notes[0];
-    EXPECT_NE(forest.notes[0].find("and 2991 more names"), std::string::npos) << forest.notes[0];
+    EXPECT_NE(forest.notes[0].find("and 2992 more names"), std::string::npos) << forest.notes[0];
     EXPECT_LT(forest.notes[0].size(), 400u);
 }
 
