@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "TreeList.h"
 
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/places/Crs.h>
 
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
@@ -85,6 +87,14 @@ Json boundsOf(const ForestDescription& forest) {
     return {{"low", toJson(low)}, {"high", toJson(high)}};
 }
 
+/// The map that the trees stand on, and whether the file says so or their data did.
+Json crsOf(const ForestDescription& forest) {
+    const Result<Crs> crs = Crs::parseMap(forest.crs);
+    if (forest.crs.empty() || !crs)
+        return nullptr;
+    return {{"text", forest.crs}, {"name", crs.value().name()}, {"chosen", forest.crsChosen}};
+}
+
 Json windOf(const ForestDescription& forest) {
     const glm::vec3 above{0.0f, 0.0f, 10.0f};
     const glm::vec3 velocity = forest.wind ? forest.wind->velocity(above, 0.0) : glm::vec3(0.0f);
@@ -130,6 +140,7 @@ Json describe(const ForestDescription& forest) {
 
     Json info = toJson(all, forest.trees.size());
     info["species"] = species;
+    info["crs"] = crsOf(forest);
     info["origin"] = toJson(forest.origin);
     info["bounds"] = boundsOf(forest);
     info["wind"] = windOf(forest);
@@ -178,6 +189,12 @@ void printTable(const Json& info) {
     for (const Json& species : info["species"])
         if (species.contains("scans"))
             printScans(species);
+    const Json& crs = info["crs"];
+    std::cout << "crs     "
+              << (crs.is_null() ? std::string("none: metres")
+                                : crs["name"].get<std::string>() + " (" + crs["text"].get<std::string>() +
+                                      (crs["chosen"] ? "), chosen by its data" : ")"))
+              << '\n';
     std::cout << "origin  " << info["origin"] << "\nbounds  " << info["bounds"] << "\nwind    "
               << info["wind"] << "\nmotion  " << info["motion"] << "\nmemory  " << info["memory"] << '\n';
 }
@@ -187,9 +204,11 @@ void printTable(const Json& info) {
 void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
     CLI::App* command = app.add_subcommand("info", "Count what a forest is made of");
     auto file = std::make_shared<std::string>();
+    auto trees = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
     command->add_option("file", *file, "A .treewind file")->required();
     command->add_flag("--json", *json, "Print JSON");
+    command->add_option("--trees", *trees, "Write every tree as it stands: a CSV file");
     command->callback([=, &exitCode] {
         const auto forest = loadForest(*file);
         if (!forest) {
@@ -201,5 +220,9 @@ void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
             std::cout << info.dump(2) << '\n';
         else
             printTable(info);
+        if (!trees->empty() && !writeTrees(*forest, *trees)) {
+            std::cerr << *trees << ": cannot be written\n";
+            exitCode = Failed;
+        }
     });
 }

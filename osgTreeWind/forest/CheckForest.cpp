@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/places/Crs.h>
 #include <osgTreeWind/species/SpeciesFields.h>
 
 #include <glm/geometric.hpp>
@@ -60,6 +61,9 @@ void checkTree(TreePlacement tree, const ForestDescription& forest, const std::s
 
 Diagnostics check(const ForestDescription& forest) {
     Diagnostics problems;
+    if (!forest.crs.empty())
+        if (const auto crs = Crs::parseMap(forest.crs); !crs)
+            problems.push_back(crs.problems().front());
     checkFields(forest, "motion", problems);
     if (forest.noiseExponent && !noiseExponents.contains(static_cast<double>(*forest.noiseExponent)))
         add(problems, "motion.noise_exponent", "expected a finite number " + noiseExponents.text());

@@ -42,6 +42,9 @@ struct ForestDescription {
     std::vector<Species> species;
     std::vector<TreePlacement> trees;
     glm::dvec3 origin{0.0}; ///< World position of the scene's origin; geometry is relative to it.
+    /// What world coordinates are of: a map in metres, in any words that PROJ knows ("EPSG:25832"). Empty:
+    /// none.
+    std::string crs;
     MotionLaw law = MotionLaw::Modal;
     /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
     float gain = 1.0f;
@@ -52,6 +55,7 @@ struct ForestDescription {
     float season = midsummer; ///< Of the year (Season.h).
     DrawingOptions drawing;
 
+    bool crsChosen = false;         ///< `crs` is what an inventory asked for, the file does not say it.
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.
     std::string source; ///< Text of the .treewind file it was read from; empty for one made by hand.
     std::string folder; ///< Absolute folder against which paths in `source` resolve.

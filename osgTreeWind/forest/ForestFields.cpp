@@ -43,6 +43,16 @@ const Fields& fieldsOf<ForestDescription>() {
     return fields;
 }
 
+const Fields& fieldsOfFile() {
+    static const Fields fields = {
+        {"crs",
+         at<&ForestDescription::crs>,
+         {},
+         "coordinate reference system of the world: a map in metres, as PROJ calls it (`\"EPSG:25832\"`)"},
+    };
+    return fields;
+}
+
 template <>
 const Fields& fieldsOf<TreePlacement>() {
     using P = TreePlacement;

@@ -13,6 +13,8 @@ const Fields& fieldsOf<TreePlacement>();
 /// Of [motion], but for the noise.
 template <>
 const Fields& fieldsOf<ForestDescription>();
+/// Of a ForestDescription: what a file says of it in no table.
+const Fields& fieldsOfFile();
 
 /// Of ForestDescription::gain and noiseExponent.
 constexpr Range gains = within(0, 100), noiseExponents = within(0, 3);

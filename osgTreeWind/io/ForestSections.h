@@ -4,6 +4,7 @@
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/io/TableReader.h>
+#include <osgTreeWind/places/Crs.h>
 
 #include <fstream>
 #include <map>
@@ -22,6 +23,7 @@ struct ForestReading {
     std::uint32_t seed = 1;
     float leaves = 1.0f; ///< Of trees that do not say.
     ForestDescription forest;
+    std::optional<Crs> crs;          ///< That of the forest.
     std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
     std::set<std::string> treeNames;                  ///< Of all trees so far.
@@ -35,6 +37,8 @@ struct ForestReading {
     /// Where species are looked for that the document has not. If that of the host is broken, its problems
     /// are now those of the reading.
     const SpeciesCatalogue& builtIn();
+    /// Takes the crs that an inventory asks for.
+    void choose(const Crs& chosen);
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
     bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);
 

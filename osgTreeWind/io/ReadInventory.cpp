@@ -1,52 +1,69 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/MessageText.h>
+#include <osgTreeWind/io/InventoryColumns.h>
+#include <osgTreeWind/io/InventoryCrs.h>
 #include <osgTreeWind/model/Random.h>
 
 #include <glm/gtc/constants.hpp>
+
+#include <algorithm>
 
 namespace osgTreeWind {
 
 namespace {
 
-/// Of what a tree says.
-const Range& rangeOf(const std::string& key) {
-    return fieldAt(fieldsOf<TreePlacement>(), key).range;
+using Counts = std::map<std::string, std::size_t>;
+
+/// How many names a note tells before it only counts them.
+constexpr std::size_t mostNamed = 10;
+
+std::size_t sumOf(const Counts& rows) {
+    std::size_t sum = 0;
+    for (const auto& [name, count] : rows)
+        sum += count;
+    return sum;
 }
 
-/// A number that a column may hold.
-struct Measure {
-    const char* key;
-    Range range;                         ///< Metres.
-    std::optional<std::size_t> column{}; ///< Empty: the table does not have it.
-    double unit = 1.0;                   ///< Metres.
-};
+/// "a (7), b (2)", those with most rows first.
+std::string mostFrequent(const Counts& rows) {
+    std::vector<std::pair<std::string, std::size_t>> sorted(rows.begin(), rows.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min(sorted.size(), mostNamed); ++i)
+        names.push_back((sorted[i].first.empty() ? "no name" : printable(sorted[i].first)) + " (" +
+                        std::to_string(sorted[i].second) + ')');
+    if (sorted.size() > mostNamed)
+        names.push_back("and " + std::to_string(sorted.size() - mostNamed) + " more names");
+    return joined(names);
+}
 
-/// Turns the rows of one table into trees. Problems with a row name the table's file and line.
+/// Turns the rows of one inventory into trees. Problems with a row name the file and its line or feature.
 class InventoryReader {
 public:
     InventoryReader(TableReader& table, ForestReading& reading) : _table(table), _reading(reading) {}
 
     void read() {
-        char delimiter = ',';
-        _table.readChoice<char>("delimiter", delimiter, {{",", ','}, {";", ';'}, {"\t", '\t'}, {"|", '|'}});
         std::uint32_t seed = _reading.seed;
         _table.read("seed", seed);
         _table.read("open_grown", _openGrown);
         _leaves = _reading.leaves;
-        _table.read("leaves", _leaves, rangeOf("leaves"));
+        _table.read("leaves", _leaves, fieldAt(fieldsOf<TreePlacement>(), "leaves").range);
         readDefaultSpecies();
-        _complete &= readCsv(delimiter);
-        readColumns();
-        _table.table("units", [&](TableReader& units) { readUnits(units); });
-        if (!_complete || !_reading.roomFor(_csv.rows.size(), _table, "file"))
+        _rows = openTreeRows(_table, _reading);
+        _columns.read(_table, _rows.get());
+        if (_columns.species.empty() && !_default && _defaultName.empty() && _rows) {
+            _table.problem("columns", "expected a species column, or default_species beside columns");
+            _complete = false;
+        }
+        const auto way = wayOfInventory(_table, _rows.get(), _columns, _reading);
+        if (!way || !_complete || !_columns.complete())
             return;
-
-        Random random(seed);
-        for (const CsvTable::Row& row : _csv.rows)
-            readRow(row, random);
+        _way = *way;
+        readRows(seed);
         noteUnmatched();
         noteRepeated();
     }
@@ -63,109 +80,89 @@ private:
             _default = 0;
     }
 
-    bool readCsv(char delimiter) {
-        auto file = _reading.open(_table, "file");
-        if (!file)
-            return false;
-        auto csv = readCsvTable(file->stream, file->path, delimiter);
-        if (!csv.ok()) {
-            for (const Diagnostic& problem : csv.problems())
-                _reading.log.add(problem);
-            return false;
+    void readRows(std::uint32_t seed) {
+        Random random(seed);
+        const std::size_t before = _reading.forest.trees.size();
+        _rows->rewind();
+        Result<bool> found = _rows->next();
+        for (; found && found.value(); found = _rows->next()) {
+            if (!_reading.roomFor(1, _table, "file"))
+                return;
+            readRow(random);
         }
-        _csv = std::move(csv.value());
-        if (_csv.rows.empty())
-            _reading.log.add({_csv.file, 1, 0, "", "an inventory without trees: no row below the header"});
-        return !_csv.rows.empty();
+        if (!found)
+            _reading.log.add(found.problems().front());
+        else if (_reading.forest.trees.size() == before)
+            noteNone();
     }
 
-    void readColumns() {
-        if (!_table.has("columns")) {
-            _complete = _table.missing("columns");
-            return;
-        }
-        _table.table("columns", [&](TableReader& columns) {
-            for (Measure* measure : _measures)
-                measure->column = readColumn(columns, measure->key);
-            _id = readColumn(columns, "id");
-            _species = readColumn(columns, "species");
-            for (const Measure* needed : {&_x, &_y})
-                if (!needed->column)
-                    _complete = columns.missing(needed->key);
-        });
-        if (!_species && !_default && _defaultName.empty()) {
-            _table.problem("columns", "expected a species column, or default_species beside columns");
-            _complete = false;
-        }
+    void noteNone() {
+        const bool isTable = _rows->format() == "CSV";
+        _reading.log.add({_rows->file(), isTable ? 1 : 0, 0, "",
+                          std::string("an inventory without trees: no ") +
+                              (isTable ? "row below the header" : "feature is chosen")});
     }
 
-    std::optional<std::size_t> readColumn(TableReader& columns, const std::string& key) {
-        std::string name;
-        if (!columns.read(key, name))
-            return std::nullopt;
-        const auto index = _csv.column(name);
-        if (!index && !_csv.columns.empty()) {
-            columns.problem(key, "no column " + inQuotes(name) + " in " + _csv.file +
-                                     "; it has: " + joined(_csv.columns));
-            _complete = false;
-        }
-        return index;
-    }
-
-    void readUnits(TableReader& units) {
-        for (Measure* measure : _measures)
-            units.readChoice<double>(
-                measure->key, measure->unit,
-                {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"ft", 0.3048}, {"in", 0.0254}});
-    }
-
-    void readRow(const CsvTable::Row& row, Random& random) {
+    void readRow(Random& random) {
         TreePlacement tree;
-        tree.species = rowSpecies(row);
-        tree.position = {number(row, _x, true), number(row, _y, true), number(row, _z, false)};
-        tree.size.height = static_cast<float>(number(row, _height, false));
-        tree.size.trunkDiameter = static_cast<float>(number(row, _trunkDiameter, false));
-        tree.size.crownWidth = static_cast<float>(number(row, _crownWidth, false));
+        tree.species = rowSpecies();
+        const VectorPlace place = logged(placeOfRow(*_rows, _columns, _way));
+        tree.position = place.position;
+        tree.size.height = size(_columns.height);
+        tree.size.trunkDiameter = size(_columns.trunkDiameter);
+        if (tree.size.trunkDiameter == 0.0f)
+            tree.size.trunkDiameter = size(_columns.circumference) / glm::pi<float>();
+        tree.size.crownWidth = size(_columns.crownWidth);
+        if (tree.size.crownWidth == 0.0f && place.width)
+            tree.size.crownWidth = outlineWidth(*place.width);
         tree.openGrown = _openGrown;
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
-        tree.name = rowName(row);
+        tree.name = rowName();
         _reading.forest.trees.push_back(tree);
     }
 
-    /// Metres; 0 when the table does not say and need not.
-    double number(const CsvTable::Row& row, const Measure& measure, bool needed) {
-        if (!measure.column || (!needed && row.cells[*measure.column].empty()))
-            return 0.0;
-        const auto number = _csv.number(row, *measure.column);
-        if (!number.ok()) {
-            _reading.log.add(number.problems().front());
-            return 0.0;
-        }
-        const double metres = number.value() * measure.unit;
-        if (!measure.range.contains(metres))
-            _reading.log.add({_csv.file, row.line, 0, _csv.columns[*measure.column],
-                              "expected " + measure.range.text() + " metres, found " +
-                                  inQuotes(row.cells[*measure.column])});
-        return metres;
+    template <typename T>
+    T logged(const Result<T>& result) {
+        for (const Diagnostic& problem : result.problems())
+            _reading.log.add(problem);
+        return result.value();
     }
 
-    std::size_t rowSpecies(const CsvTable::Row& row) {
-        if (!_species)
+    /// Metres; 0 when the row does not say.
+    float size(const Measure& measure) {
+        if (!measure.column || !_rows->has(*measure.column))
+            return 0.0f;
+        return static_cast<float>(logged(metresOfRow(*_rows, measure)));
+    }
+
+    float outlineWidth(double width) {
+        if (!_columns.crownWidth.range.contains(width))
+            _reading.log.add(_rows->problem("", "expected the outline of a crown, " +
+                                                    _columns.crownWidth.range.text() +
+                                                    " metres wide, found " + numberText(width)));
+        return static_cast<float>(width);
+    }
+
+    std::size_t rowSpecies() {
+        if (_columns.species.empty())
             return *_default;
-        const std::string& name = row.cells[*_species];
+        std::string name;
+        std::size_t column = 0;
+        for (std::size_t i = 0; i < _columns.species.size() && name.empty(); ++i)
+            name = _rows->text(column = _columns.species[i]);
         if (const auto index = _reading.speciesOrBuiltIn(name))
             return *index;
         if (_unmatched[name]++ == 0 && !_default)
-            _reading.log.add({_csv.file, row.line, 0, _csv.columns[*_species],
-                              "no species " + inQuotes(name) + ", and no default_species"});
+            _reading.log.add(_rows->problem(_rows->columns()[column],
+                                            "no species " + inQuotes(name) + ", and no default_species"));
         return _default.value_or(0);
     }
 
     /// Empty where it has none of its own.
-    std::string rowName(const CsvTable::Row& row) {
-        std::string name = _id ? row.cells[*_id] : std::string();
+    std::string rowName() {
+        std::string name = _columns.id ? _rows->text(*_columns.id) : std::string();
         if (name.empty() || _reading.treeNames.insert(name).second)
             return name;
         ++_repeated[name];
@@ -175,51 +172,36 @@ private:
     void noteRepeated() {
         if (_repeated.empty())
             return;
-        constexpr std::size_t mostNamed = 10;
         std::vector<std::string> names;
-        std::size_t trees = 0;
-        for (const auto& [name, rows] : _repeated) {
-            trees += rows;
+        for (const auto& [name, rows] : _repeated)
             if (names.size() < mostNamed)
                 names.push_back(printable(name));
-        }
         if (_repeated.size() > mostNamed)
             names.emplace_back("...");
-        _reading.forest.notes.push_back(_csv.file + ": of trees with the same id the first one has it, " +
-                                        std::to_string(trees) + " go without: " + joined(names));
+        _reading.forest.notes.push_back(_rows->file() + ": of trees with the same id the first one has it, " +
+                                        std::to_string(sumOf(_repeated)) + " go without: " + joined(names));
     }
 
     void noteUnmatched() {
-        if (_unmatched.empty())
-            return;
-        std::size_t trees = 0;
-        std::vector<std::string> names;
-        for (const auto& [name, rows] : _unmatched) {
-            trees += rows;
-            names.push_back(printable(name) + " (" + std::to_string(rows) + ')');
-        }
-        _reading.forest.notes.push_back(_csv.file + ": " + std::to_string(trees) + " trees stand as " +
-                                        inQuotes(_reading.forest.species[_default.value_or(0)].name) + ": " +
-                                        joined(names));
+        if (!_unmatched.empty())
+            _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_unmatched)) +
+                                            " trees stand as " +
+                                            inQuotes(_reading.forest.species[_default.value_or(0)].name) +
+                                            ": " + mostFrequent(_unmatched));
     }
 
     TableReader& _table;
     ForestReading& _reading;
-    CsvTable _csv;
+    std::unique_ptr<TreeRows> _rows;
+    InventoryColumns _columns;
+    CrsWay _way;
     bool _complete = true;
     bool _openGrown = false;
     float _leaves = 1.0f;
-
-    Measure _x{"x", worldCoordinates}, _y{"y", worldCoordinates}, _z{"z", worldCoordinates};
-    Measure _height{"height", rangeOf("height")};
-    Measure _trunkDiameter{"trunk_diameter", rangeOf("trunk_diameter")};
-    Measure _crownWidth{"crown_width", rangeOf("crown_width")};
-    Measure* const _measures[6] = {&_x, &_y, &_z, &_height, &_trunkDiameter, &_crownWidth};
-    std::optional<std::size_t> _id, _species;
     std::string _defaultName;
     std::optional<std::size_t> _default;
-    std::map<std::string, std::size_t> _unmatched; ///< Name to number of rows.
-    std::map<std::string, std::size_t> _repeated;  ///< Id to number of rows that go without.
+    Counts _unmatched; ///< Names of species to numbers of rows.
+    Counts _repeated;  ///< Ids to numbers of rows that go without.
 };
 
 } // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/motion/ForestMemory.h>
@@ -51,6 +51,12 @@ const SpeciesCatalogue& ForestReading::builtIn() {
         catalogue = host.ok() ? &host.value() : &SpeciesCatalogue::builtIn();
     }
     return *catalogue;
+}
+
+void ForestReading::choose(const Crs& chosen) {
+    crs = chosen;
+    forest.crs = chosen.text();
+    forest.crsChosen = true;
 }
 
 bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
@@ -115,6 +121,17 @@ void readHead(TableReader& root, ForestReading& reading) {
         reading.folders.push_back((std::filesystem::path(reading.forest.folder) / folder).lexically_normal());
     if (const char* data = std::getenv("OSGTREEWIND_DATA"))
         reading.folders.emplace_back(data);
+}
+
+void readCrs(TableReader& root, ForestReading& reading) {
+    readFields(root, fieldsOfFile(), &reading.forest);
+    if (reading.forest.crs.empty())
+        return;
+    auto crs = Crs::parseMap(reading.forest.crs);
+    if (crs)
+        reading.crs = std::move(crs.value());
+    else
+        root.problem("crs", crs.problems().front().message);
 }
 
 void readSeason(TableReader& root, ForestReading& reading) {
@@ -196,6 +213,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
 
 void readRoot(TableReader& root, ForestReading& reading) {
     readHead(root, reading);
+    readCrs(root, reading);
     readSeason(root, reading);
     root.table("motion", [&](TableReader& table) { readMotion(table, reading); });
     root.table("drawing", [&](TableReader& table) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/TreeFields.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/Random.h>

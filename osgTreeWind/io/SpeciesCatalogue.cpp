@@ -2,9 +2,9 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TableReader.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 
 #include <glm/trigonometric.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/model/TreeFields.h>
@@ -23,6 +23,8 @@ namespace {
 class Refusals {
 public:
     explicit Refusals(const ForestDescription& forest) : _problems(check(forest)) {
+        if (!isToml(forest.crs))
+            add("crs", "expected UTF-8");
         if (forest.species.empty())
             add("species", "expected at least one");
         for (std::size_t i = 0; i < forest.species.size(); ++i)
@@ -147,6 +149,8 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
         return problems;
     output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
            << '\n';
+    const ForestDescription usual;
+    writeFields(output, "", fieldsOfFile(), &forest, &usual);
     if (forest.trees.empty())
         output << "tree = []\n";
     output << wind.str();

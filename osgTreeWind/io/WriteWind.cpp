@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/MessageText.h>
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/wind/FileWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>

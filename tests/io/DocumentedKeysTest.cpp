@@ -142,7 +142,7 @@ void addRows(std::vector<std::string>& rows, const Fields& fields,
         std::set<std::string> distinct;
         for (const auto& [table, usual] : tables) {
             const ManualCells cells(field, usual);
-            const std::string key = table + '.' + field.key;
+            const std::string key = (table.empty() ? "" : table + '.') + field.key;
             keys += (keys.empty() ? "`" : ", `") + key + '`';
             if (distinct.insert(cells.value).second)
                 values += (values.empty() ? "" : ", ") + cells.value;
@@ -170,6 +170,8 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     std::vector<std::string> rows;
     addRows<GustWind::Parameters>(rows, "wind");
     addRows<RetimedWind::Clock>(rows, "wind");
+    const ForestDescription forest;
+    addRows(rows, fieldsOfFile(), {{"", &forest}});
     addRows<ForestDescription>(rows, "motion");
     addRows<DrawingOptions>(rows, "drawing");
     addRows<Species>(rows, "species");

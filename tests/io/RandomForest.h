@@ -35,6 +35,7 @@ public:
             forest.noiseExponent = static_cast<float>(number(noiseExponents));
         forest.season = static_cast<float>(number(seasons));
         forest.origin = place(maybe() ? 1e7 : 0.0);
+        forest.crs = maybe() ? "EPSG:25832" : "";
         for (int i = 0, count = whole(1, 3); i < count; ++i)
             forest.species.push_back(species(std::to_string(i) + text()));
         for (int i = 0, count = whole(0, 4); i < count; ++i)

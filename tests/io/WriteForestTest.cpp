@@ -89,6 +89,7 @@ std::string differenceOf(const ForestDescription& a, const ForestDescription& b)
     found.fields("drawing", a.drawing, b.drawing);
     found.compare("noise", a.noiseExponent, b.noiseExponent);
     found.compare("season", a.season, b.season);
+    found.compare("crs", a.crs, b.crs);
     found.compare("origin", a.origin, b.origin);
     found.wind(a.wind, b.wind);
     if (a.wind)
@@ -214,6 +215,8 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
             [](auto& f) { f.species[0].tree.wood.radius = 5.0f; });
     refused("drawing.impostor: expected impostor below reduced, found 90 and 90",
             [](auto& f) { f.drawing.impostor = 90.0f; });
+    refused("crs: expected a projected system in metres, found WGS 84, which is on degrees",
+            [](auto& f) { f.crs = "EPSG:4326"; });
     refused("tree[0].species: no species 3", [](auto& f) { f.trees[0].species = 3; });
     refused("tree[0].position: more than 100 km from the origin", [](auto& f) { f.origin.x = 2e5; });
     refused("tree[1].id: the name \"7\" is taken already", [](auto& f) {

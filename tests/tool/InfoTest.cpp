@@ -118,3 +118,90 @@ TEST(Info, SaysWhatWasTakenOfScansAndWhatWasPruned) {
     EXPECT_NE(table.out.find("scan    sapling: sapling.swc, 8 cylinders, 0 pruned; "), std::string::npos)
         << table.out;
 }
+
+TEST(Info, SaysWhichMapTheForestIsOnAndWhoChoseIt) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "longitude,latitude\n9.0,0.0\n");
+    const std::string inventory =
+        "[inventory]\nfile = \"a.csv\"\ncolumns = { x = \"longitude\", y = \"latitude\" }\n";
+    const std::string chosen = folder.write("a.treewind", "version = 1\n" + inventory);
+    const std::string given = folder.write("b.treewind", "version = 1\ncrs = \"EPSG:25832\"\n" + inventory);
+    EXPECT_EQ(infoOf(chosen)["crs"],
+              nlohmann::json({{"text", "EPSG:32632"}, {"name", "WGS 84 / UTM zone 32N"}, {"chosen", true}}));
+    EXPECT_EQ(infoOf(given)["crs"],
+              nlohmann::json({{"text", "EPSG:25832"}, {"name", "ETRS89 / UTM zone 32N"}, {"chosen", false}}));
+    EXPECT_TRUE(infoOf(example("thesis.treewind"))["crs"].is_null());
+    const auto line = [](const std::string& file) {
+        const std::string out = runTool({"info", file}).out;
+        const std::size_t at = out.find("crs     ");
+        return out.substr(at, out.find('\n', at) - at);
+    };
+    EXPECT_EQ(line(chosen), "crs     WGS 84 / UTM zone 32N (EPSG:32632), chosen by its data");
+    EXPECT_EQ(line(given), "crs     ETRS89 / UTM zone 32N (EPSG:25832)");
+    EXPECT_EQ(line(example("thesis.treewind")), "crs     none: metres");
+}
+
+TEST(Info, ListsEveryTreeAsItStands) {
+    const TemporaryFolder folder;
+    folder.write("f.treewind", R"(version = 1
+[[tree]]
+id = "the \"old\" one, by the gate"
+species = "oak"
+position = [428759.1900000001, 4512931.77, 0.1]
+height = 12.3
+trunk_diameter = 0.4
+[[tree]]
+species = "Scots pine"
+position = [428760, 4512931, 0]
+crown_width = 5.5
+[[tree]]
+species = "oak"
+position = [428770, 4512931, 0]
+)");
+    const Outcome outcome = runTool({"info", "f.treewind", "--trees", "trees.csv"}, folder.path());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    std::istringstream lines(contentOf(folder.path() + "/trees.csv"));
+    std::string header, first, second, third, none;
+    std::getline(lines, header), std::getline(lines, first), std::getline(lines, second),
+        std::getline(lines, third);
+    EXPECT_EQ(header, "id,species,x,y,z,height,trunk_diameter,crown_width,given");
+    EXPECT_EQ(
+        first.find("\"the \"\"old\"\" one, by the gate\",oak,428759.1900000001,4512931.77,0.1,12.3,0.4,"), 0u)
+        << first;
+    EXPECT_NE(first.find(",height+trunk_diameter"), std::string::npos) << first;
+    EXPECT_EQ(second.find(",Scots pine,428760,4512931,0,"), 0u) << second;
+    EXPECT_NE(second.find(",5.5,crown_width"), std::string::npos) << second;
+    EXPECT_NE(third.find(",none"), std::string::npos) << third;
+    EXPECT_FALSE(std::getline(lines, none));
+    double x = 0, y = 0, z = 0, height = 0, trunk = 0, crown = 0;
+    ASSERT_EQ(std::sscanf(third.c_str(), ",oak,%lf,%lf,%lf,%lf,%lf,%lf", &x, &y, &z, &height, &trunk, &crown),
+              6);
+    EXPECT_GT(height, 5.0);
+    EXPECT_GT(trunk, 0.1);
+    EXPECT_GT(crown, 2.0);
+    EXPECT_EQ(runTool({"info", "f.treewind", "--trees", "no/trees.csv"}, folder.path()).exitCode, 1);
+}
+
+/// What is listed is an inventory of the same forest.
+TEST(Info, TreesListedAreReadBack) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runTool({"info", example("forest.treewind"), "--trees", "a.csv"}, folder.path()).exitCode, 0);
+    folder.write("a.treewind",
+                 "version = 1\n[inventory]\nfile = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", z = "
+                 "\"z\", species = \"species\", height = \"height\", trunk_diameter = "
+                 "\"trunk_diameter\", crown_width = \"crown_width\" }\ndefault_species = \"oak\"\n");
+    ASSERT_EQ(runTool({"info", "a.treewind", "--trees", "b.csv"}, folder.path()).exitCode, 0);
+    std::istringstream a(contentOf(folder.path() + "/a.csv")), b(contentOf(folder.path() + "/b.csv"));
+    std::string before, after;
+    const auto numbers = [](const std::string& row) { // without the name, which the file may call otherwise
+        const std::size_t from = row.find(',', row.find(',') + 1);
+        return row.substr(from, row.rfind(',') - from);
+    };
+    int rows = -1;
+    for (; std::getline(a, before) && std::getline(b, after); ++rows)
+        if (rows >= 0) {
+            EXPECT_EQ(numbers(before), numbers(after));
+            EXPECT_NE(after.find(",height+trunk_diameter+crown_width"), std::string::npos);
+        }
+    EXPECT_EQ(rows, 40);
+}

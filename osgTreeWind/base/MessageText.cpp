@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/io/MessageText.h>
+#include <osgTreeWind/base/MessageText.h>
 
 #include <algorithm>
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "TreeList.h"
+#include "Progress.h"
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/forest/PlacedForest.h>
+
+#include <charconv>
+#include <fstream>
+
+namespace {
+
+using namespace osgTreeWind;
+
+/// As a cell of CSV.
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+/// The shortest text that reads back as the same float.
+std::string cell(float number) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+} // namespace
+
+bool writeTrees(const ForestDescription& forest, const std::string& path) {
+    std::ofstream output(path, std::ios::binary);
+    output << "id,species,x,y,z,height,trunk_diameter,crown_width,given\n";
+    ForestDescription shapes = forest;
+    shapes.trees.clear();
+    const PlacedForest placed(std::move(shapes));
+    Progress progress("measure", forest.trees.size());
+    for (const TreePlacement& tree : forest.trees) {
+        output << cell(tree.name) << ',' << cell(forest.species[tree.species].name);
+        for (int axis = 0; axis < 3; ++axis)
+            output << ',' << numberText(tree.position[axis]);
+        const TreeSize stands = placed.measured(*placed.fitted(tree));
+        std::string given;
+        const auto write = [&](const char* name, float TreeSize::*size) {
+            const bool isGiven = tree.size.*size > 0.0f;
+            output << ',' << cell(isGiven ? tree.size.*size : stands.*size);
+            given += isGiven ? (given.empty() ? "" : "+") + std::string(name) : "";
+        };
+        write("height", &TreeSize::height);
+        write("trunk_diameter", &TreeSize::trunkDiameter);
+        write("crown_width", &TreeSize::crownWidth);
+        output << ',' << (given.empty() ? "none" : given) << '\n';
+        progress.advance();
+    }
+    return static_cast<bool>(output.flush());
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/InventoryColumns.h>
+
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/io/TableReader.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Of what a tree says.
+const Range& rangeOf(const std::string& key) {
+    return fieldAt(fieldsOf<TreePlacement>(), key).range;
+}
+
+/// How a format calls what `key` means.
+struct KnownColumn {
+    const char *format, *key, *name;
+};
+const KnownColumn knownColumns[] = {
+    {"CityJSON", "id", "id"},
+    {"CityJSON", "species", "species"},
+    {"CityJSON", "height", "height"},
+    {"CityJSON", "trunk_diameter", "trunkDiameter"},
+    {"CityJSON", "crown_width", "crownDiameter"},
+    {"OSM", "id", "osm_id"},
+    {"OSM", "id", "@id"},
+    {"OSM", "species", "species"},
+    {"OSM", "species", "taxon"},
+    {"OSM", "species", "genus"},
+    {"OSM", "height", "height"},
+    {"OSM", "circumference", "circumference"},
+    {"OSM", "crown_width", "diameter_crown"},
+};
+
+} // namespace
+
+const std::vector<std::pair<std::string, double>>& lengthUnits() {
+    static const std::vector<std::pair<std::string, double>> units = {
+        {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"us-ft", 1200.0 / 3937.0}, {"ft", 0.3048}, {"in", 0.0254}};
+    return units;
+}
+
+std::optional<double> metresOf(const std::string& text) {
+    const std::size_t end = text.find_last_of("0123456789.") + 1;
+    std::string unit = text.substr(end);
+    unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+    std::optional<double> number = parseNumber(std::string_view(text).substr(0, end));
+    if (unit.empty() || !number)
+        return number;
+    for (const auto& [name, metres] : lengthUnits())
+        if (unit == name)
+            return *number * metres;
+    return std::nullopt;
+}
+
+InventoryColumns::InventoryColumns()
+    : height{"height", rangeOf("height")}, trunkDiameter{"trunk_diameter", rangeOf("trunk_diameter")},
+      circumference{"circumference", rangeOf("trunk_diameter")}, crownWidth{"crown_width",
+                                                                            rangeOf("crown_width")} {
+    circumference.range.max *= glm::pi<double>();
+}
+
+void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
+    table.table("columns", [&](TableReader& columns) {
+        for (Measure* measure : {&x, &y, &z, &height, &trunkDiameter, &circumference, &crownWidth})
+            measure->column = find(columns, measure->key, rows);
+        id = find(columns, "id", rows);
+        if (const auto given = find(columns, "species", rows))
+            species = {*given};
+        if (rows && columns.has("x") != columns.has("y"))
+            _complete = columns.missing(columns.has("x") ? "y" : "x");
+        else if (rows && !columns.has("x") && !rows->hasPlaces())
+            _complete = columns.missing("x");
+    });
+    if (!table.has("columns") && rows && !rows->hasPlaces())
+        _complete = table.missing("columns");
+    table.table("units", [&](TableReader& units) { readUnits(units); });
+    if (rows)
+        takeKnown(*rows);
+}
+
+std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const std::string& key,
+                                                  const TreeRows* rows) {
+    std::string name;
+    if (!columns.read(key, name) || !rows)
+        return std::nullopt;
+    const auto column = rows->column(name);
+    if (!column) {
+        columns.problem(key, "no column " + inQuotes(name) + " in " + rows->file() +
+                                 "; it has: " + joined(rows->columns()));
+        _complete = false;
+    }
+    return column;
+}
+
+void InventoryColumns::takeKnown(const TreeRows& rows) {
+    const bool speciesGiven = !species.empty();
+    for (const KnownColumn& known : knownColumns) {
+        const auto column = rows.format() == known.format ? rows.column(known.name) : std::nullopt;
+        if (!column)
+            continue;
+        if (known.key == std::string("species")) {
+            if (!speciesGiven)
+                species.push_back(*column);
+        } else if (known.key == std::string("id")) {
+            id = id ? id : column;
+        } else
+            for (Measure* measure : {&height, &trunkDiameter, &circumference, &crownWidth})
+                if (measure->key == std::string(known.key) && !measure->column)
+                    measure->column = column;
+    }
+}
+
+void InventoryColumns::readUnits(TableReader& units) {
+    for (Measure* measure : {&x, &y, &z, &height, &trunkDiameter, &circumference, &crownWidth})
+        units.readChoice<double>(measure->key, measure->unit, lengthUnits());
+}
+
+bool InventoryColumns::areDegrees(const TreeRows& rows) const {
+    const auto isCalled = [&](const Measure& measure, const std::vector<std::string>& names) {
+        return measure.column &&
+               std::count(names.begin(), names.end(), lower(rows.columns()[*measure.column]));
+    };
+    return isCalled(x, {"longitude", "lon", "long", "lng"}) && isCalled(y, {"latitude", "lat"});
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/places/CityJson.h>
+
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/places/Crs.h>
+#include <osgTreeWind/places/GdalErrors.h>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <cpl_json.h>
+#include <gdal.h>
+#include <ogr_api.h>
+
+#include <fstream>
+#include <optional>
+#include <regex>
+
+// GDAL has no driver for the format; its reader of JSON spares the library one of its own.
+namespace osgTreeWind {
+
+namespace {
+
+using Type = CPLJSONObject::Type;
+
+bool isNumber(const CPLJSONObject& value) {
+    return value.GetType() == Type::Integer || value.GetType() == Type::Long ||
+           value.GetType() == Type::Double;
+}
+
+/// Three numbers; empty for anything else.
+std::optional<glm::dvec3> vectorOf(const CPLJSONObject& value) {
+    const CPLJSONArray array = value.ToArray();
+    if (!array.IsValid() || array.Size() < 3)
+        return std::nullopt;
+    glm::dvec3 vector;
+    for (int i = 0; i < 3; ++i) {
+        if (!isNumber(array[i]))
+            return std::nullopt;
+        vector[i] = array[i].ToDouble();
+    }
+    return vector;
+}
+
+class CityReader {
+public:
+    CityReader(const std::string& path, const CPLJSONObject& root)
+        : _path(path), _root(root), _vertices(root.GetArray("vertices")) {
+        _scale = vectorOf(root.GetObj("transform/scale")).value_or(glm::dvec3(1.0));
+        _translation = vectorOf(root.GetObj("transform/translate")).value_or(glm::dvec3(0.0));
+    }
+
+    Result<std::shared_ptr<void>> read() {
+        std::string system = _root.GetString("metadata/referenceSystem");
+        Result<Crs> crs = system.empty() ? Crs() : Crs::parse(system);
+        if (!crs)
+            return fileProblem(_path, crs.problems().front().message);
+        std::shared_ptr<void> data(
+            GDALCreate(GDALGetDriverByName("Memory"), "", 0, 0, 0, GDT_Unknown, nullptr),
+            [](void* made) { GDALClose(made); });
+        _layer = GDALDatasetCreateLayer(data.get(), "SolitaryVegetationObject", crs.value().reference(),
+                                        wkbPoint25D, nullptr);
+        field("id", OFTString);
+        for (const CPLJSONObject& object : _root.GetObj("CityObjects").GetChildren())
+            if (object.GetString("type") == "SolitaryVegetationObject")
+                add(object);
+        if (!_taken)
+            return fileProblem(_path, "its features cannot be kept");
+        return data;
+    }
+
+private:
+    int field(const std::string& name, OGRFieldType type) {
+        const int known = OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(_layer), name.c_str());
+        if (known >= 0)
+            return known;
+        const OGRFieldDefnH made = OGR_Fld_Create(name.c_str(), type);
+        OGR_L_CreateField(_layer, made, true);
+        OGR_Fld_Destroy(made);
+        return OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(_layer), name.c_str());
+    }
+
+    void add(const CPLJSONObject& object) {
+        const std::vector<CPLJSONObject> attributes = object.GetObj("attributes").GetChildren();
+        for (const CPLJSONObject& attribute : attributes)
+            field(attribute.GetName(), isNumber(attribute) ? OFTReal : OFTString);
+        const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(_layer));
+        for (const CPLJSONObject& attribute : attributes)
+            if (attribute.GetType() != Type::Null)
+                OGR_F_SetFieldString(feature, field(attribute.GetName(), OFTString),
+                                     attribute.ToString().c_str());
+        OGR_F_SetFieldString(feature, 0, object.GetName().c_str());
+        if (const auto foot = footOf(object.GetArray("geometry"))) {
+            const OGRGeometryH point = OGR_G_CreateGeometry(wkbPoint25D);
+            OGR_G_SetPoint(point, 0, foot->x, foot->y, foot->z);
+            OGR_F_SetGeometryDirectly(feature, point);
+        }
+        _taken &= OGR_L_CreateFeature(_layer, feature) == OGRERR_NONE;
+        OGR_F_Destroy(feature);
+    }
+
+    /// Where the first of its geometries stands: below the middle, or at the point of an instance.
+    std::optional<glm::dvec3> footOf(const CPLJSONArray& geometries) {
+        if (!geometries.IsValid() || geometries.Size() == 0)
+            return std::nullopt;
+        const CPLJSONObject geometry = geometries[0];
+        _low.reset();
+        if (!take(geometry.GetObj("boundaries")) || !_low)
+            return std::nullopt;
+        glm::dvec3 foot{0.5 * (_low->x + _high.x), 0.5 * (_low->y + _high.y), _low->z};
+        const CPLJSONArray matrix = geometry.GetArray("transformationMatrix");
+        if (matrix.IsValid() && matrix.Size() == 16)
+            foot += glm::dvec3(matrix[3].ToDouble(), matrix[7].ToDouble(), matrix[11].ToDouble());
+        return foot;
+    }
+
+    /// Widens the box by all vertices that nested boundaries name. False: one is none.
+    bool take(const CPLJSONObject& boundaries) {
+        if (boundaries.GetType() == Type::Array) {
+            const CPLJSONArray parts = boundaries.ToArray();
+            for (int i = 0; i < parts.Size(); ++i)
+                if (!take(parts[i]))
+                    return false;
+            return true;
+        }
+        const int index = boundaries.ToInteger(-1);
+        const auto stored = boundaries.GetType() == Type::Integer && index >= 0 && _vertices.IsValid() &&
+                                    index < _vertices.Size()
+                                ? vectorOf(_vertices[index])
+                                : std::nullopt;
+        if (!stored)
+            return false;
+        const glm::dvec3 vertex = *stored * _scale + _translation;
+        _high = _low ? glm::max(_high, vertex) : vertex;
+        _low = _low ? glm::min(*_low, vertex) : vertex;
+        return true;
+    }
+
+    const std::string& _path;
+    const CPLJSONObject& _root;
+    CPLJSONArray _vertices;
+    glm::dvec3 _scale, _translation, _high{0.0};
+    std::optional<glm::dvec3> _low;
+    OGRLayerH _layer = nullptr;
+    bool _taken = true;
+};
+
+} // namespace
+
+bool isCityJson(const std::string& path) {
+    std::string head(65536, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    static const std::regex type(R"("type"\s*:\s*"CityJSON")");
+    return head.find("\"CityJSON\"") != std::string::npos && std::regex_search(head, type);
+}
+
+Result<std::shared_ptr<void>> readCityJson(const std::string& path) {
+    const GdalErrors errors;
+    std::ifstream file(path, std::ios::binary);
+    const Result<std::string> text = readText(file, path);
+    if (!text)
+        return text.problems();
+    CPLJSONDocument document;
+    if (!document.LoadMemory(text.value()))
+        return fileProblem(path, "cannot be read: " + errors.textOr("not JSON"));
+    const CPLJSONObject root = document.GetRoot();
+    if (!root.GetObj("CityObjects").IsValid())
+        return fileProblem(path, "expected CityObjects in a CityJSON file");
+    return CityReader(path, root).read();
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/places/VectorFile.h>
+
+namespace osgTreeWind {
+
+/// Where an OGRGeometryH is, if it is a point or an outline; null is an error, too.
+Result<VectorPlace> placeOf(void* geometry, const CrsWay& way);
+
+} // namespace osgTreeWind

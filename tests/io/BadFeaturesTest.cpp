@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <tests/io/InventoryReading.h>
+#include <tests/places/Places.h>
+
+#include <filesystem>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// A file of features, or what is said of it, that is not to be read.
+struct BadFeatures {
+    const char* name;
+    std::string file, content; ///< A name without a content: it is made from good trees first.
+    std::string lines;         ///< Of [inventory].
+    std::string message;       ///< Part of what must be said.
+    std::string head = "";     ///< Of the document.
+};
+
+std::ostream& operator<<(std::ostream& out, const BadFeatures& bad) {
+    return out << bad.name;
+}
+
+const std::string utm = "urn:ogc:def:crs:EPSG::25832";
+const std::string good =
+    geoJson(point("565000, 5934000", R"("h": 5)") + "," + point("565009, 5934000", R"("h": 7)"), utm);
+
+std::string shape(const std::string& type, const std::string& coordinates) {
+    return geoJson(feature("{\"type\": \"" + type + "\", \"coordinates\": " + coordinates + "}"), utm);
+}
+std::string sized(const std::string& height) {
+    return geoJson(point("565000, 5934000", "\"h\": " + height), utm);
+}
+std::string city(const std::string& rest) {
+    return R"({"type": "CityJSON", "version": "1.1", "vertices": [[1,2,3]])" + rest + "}";
+}
+std::string cityTree(const std::string& geometry) {
+    return city(R"(, "CityObjects": {"t": {"type": "SolitaryVegetationObject", "geometry": )" + geometry +
+                "}}");
+}
+
+const std::string columnH = "columns = { height = \"h\" }\n";
+const std::string xy = "columns = { x = \"x\", y = \"y\" }\n";
+
+const BadFeatures badFeatures[] = {
+    // The file
+    {"GeoJsonCut", "a.geojson", good.substr(0, good.size() - 40), "", "a.geojson: cannot be read: "},
+    {"GeoJsonEmpty", "a.geojson", "", "", "a.geojson: cannot be read: "},
+    {"GeoJsonOfNothing", "a.geojson", "{}", "", "a.geojson: cannot be read: "},
+    {"GeoJsonIsBinary", "a.geojson", std::string("\0\1\2\3", 4), "", "a.geojson: cannot be read: "},
+    {"GeoPackageOfText", "a.gpkg", "not a database", "", "a.gpkg: cannot be read: "},
+    {"GeoPackageCut", "a.gpkg", "", "", "a.gpkg: "},
+    {"FlatGeobufCut", "a.fgb", "", "", "a.fgb: "},
+    {"ShapefileCut", "a.shp", "", "", "a.shp: "},
+    {"GmlCut", "a.gml",
+     "<?xml version=\"1.0\"?><ogr:FeatureCollection "
+     "xmlns:gml=\"http://www.opengis.net/gml\"><gml:featureMember><a><gml:Po",
+     "", "a.gml: "},
+    {"OsmCut", "a.osm",
+     "<?xml version=\"1.0\"?><osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"2\"><tag k=\"natural\" "
+     "v=\"tree\"/></node><no",
+     "", "cannot be read on: XML parsing of OSM"},
+    {"PbfOfText", "a.osm.pbf", "not a protocol buffer", "", "a.osm.pbf: cannot be read: "},
+    {"CityJsonCut", "a.json", R"({"type": "CityJSON", "vertices": [[1,2)", "", "a.json: cannot be read: "},
+    {"CityJsonWithoutObjects", "a.json", city(""), "", "expected CityObjects"},
+    {"CityJsonWithoutTrees", "a.json", city(R"(, "CityObjects": {})"), "", "an inventory without trees"},
+    {"CityJsonCrs", "a.json", city(R"(, "metadata": {"referenceSystem": "moon"}, "CityObjects": {})"), "",
+     "expected a coordinate reference system that PROJ knows"},
+    {"CityJsonVertexAbsent", "a.json", cityTree(R"([{"type": "MultiPoint", "boundaries": [7]}])"), "",
+     "feature 0: it has no geometry"},
+    {"CityJsonWithoutGeometry", "a.json", cityTree("[]"), "", "feature 0: it has no geometry"},
+    {"LayerEmpty", "a.geojson", geoJson(""), "", "a.geojson: an inventory without trees"},
+    // The layer
+    {"LayerUnknown", "a.geojson", good, "layer = \"bushes\"\n", "no layer \"bushes\"; it has: a"},
+    {"LayerOfATable", "a.csv", "x,y\n1,2\n", "layer = \"a\"\n" + xy,
+     "inventory.layer: expected only beside a file with layers"},
+    {"DelimiterOfFeatures", "a.geojson", good, "delimiter = \";\"\n",
+     "inventory.delimiter: expected only beside a CSV table"},
+    {"FilterOfATable", "a.csv", "x,y\n1,2\n", "filter = \"x > 0\"\n" + xy,
+     "inventory.filter: expected only beside a file with layers"},
+    {"FilterBroken", "a.geojson", good, "filter = \"h >\"\n",
+     "the filter cannot be used: SQL Expression Parsing Error"},
+    {"FilterOfAColumnAbsent", "a.geojson", good, "filter = \"tall > 3\"\n",
+     "the filter cannot be used: \"tall\" not recognised"},
+    {"FilterOfAGeoPackage", "b.gpkg", "", "filter = \"tall > 3\"\n", "tall"},
+    {"FilterLeavesNone", "a.geojson", good, "filter = \"h > 100\"\n", "an inventory without trees"},
+    // Columns
+    {"ColumnAbsent", "a.geojson", good, "columns = { height = \"tall\" }\n",
+     "inventory.columns.height: no column \"tall\" in "},
+    {"ColumnYAbsent", "a.geojson", good, "columns = { x = \"h\" }\n", "inventory.columns.y: missing"},
+    {"NoGeometry", "a.dbf", "", columnH, "inventory.columns.x: missing"},
+    // Systems
+    {"CrsUnknown", "a.geojson", good, "crs = \"EPSG:1\"\n",
+     "inventory.crs: expected a coordinate reference system that PROJ knows"},
+    {"CrsOfTheForestUnknown", "a.geojson", good, "",
+     "test.treewind:2:7: crs: expected a coordinate reference system", "crs = \"Mars 2000\""},
+    {"CrsOfTheForestOnDegrees", "a.geojson", good, "",
+     "crs: expected a projected system in metres, found WGS 84, which is on degrees", "crs = \"EPSG:4326\""},
+    {"CrsOfTheForestInFeet", "a.geojson", good, "",
+     "crs: expected a projected system in metres, found NAD83 / New York Long Island (ftUS) in US survey "
+     "foot",
+     "crs = \"EPSG:2263\""},
+    {"CrsNotAText", "a.geojson", good, "crs = 25832\n",
+     "inventory.crs: expected a text in quotes, found 25832"},
+    {"CrsAndUnits", "a.csv", "x,y\n9,50\n", "crs = \"EPSG:4326\"\nunits = { x = \"ft\" }\n" + xy,
+     "inventory.units: expected no units of x and y"},
+    {"LatitudeTooLarge", "a.geojson", geoJson(point("9, 95")), "",
+     "feature 0: the place (9, 95) cannot be brought into the crs of the forest", "crs = \"EPSG:25832\""},
+    {"MetresTakenForDegrees", "a.geojson", geoJson(point("565000, 5934000")), "",
+     "inventory.file: its places are none of WGS 84; expected crs to say of what they are"},
+    {"TooFarApart", "a.geojson", geoJson(point("9, 50") + "," + point("19, 50")), "",
+     "more than 100 km from the origin"},
+    // Features
+    {"GeometryNull", "a.geojson", geoJson(feature("null"), utm), "", "feature 0: it has no geometry"},
+    {"GeometryEmpty", "a.geojson", shape("Point", "[]"), "", "feature 0: it has no geometry"},
+    {"PolygonEmpty", "a.geojson", shape("Polygon", "[]"), "", "feature 0: it has no geometry"},
+    {"Line", "a.geojson", shape("LineString", "[[1,2],[3,4]]"), "",
+     "feature 0: expected a point or the outline of a crown, found LINESTRING"},
+    {"TwoPoints", "a.geojson", shape("MultiPoint", "[[1,2],[3,4]]"), "",
+     "feature 0: expected a point or the outline of a crown, found MULTIPOINT"},
+    {"CoordinateNaN", "a.geojson", shape("Point", "[NaN, 5]"), "", "feature 0"},
+    {"CoordinateInfinite", "a.geojson", shape("Point", "[1e400, 5]"), "", "feature 0"},
+    {"CoordinateHuge", "a.geojson", shape("Point", "[1e12, 5]"), "",
+     "feature 0: expected coordinates in [-100000000, 100000000] metres"},
+    {"OutlineNaN", "a.geojson", shape("Polygon", "[[[0,0],[9,0],[NaN,9],[0,0]]]"), "", "feature 0"},
+    {"OutlineFlat", "a.geojson", shape("Polygon", "[[[3,3],[3,3],[3,3],[3,3]]]"), "", "feature 0"},
+    {"OutlineWide", "a.geojson", shape("Polygon", "[[[0,0],[999,0],[999,999],[0,0]]]"), "",
+     "feature 0: expected the outline of a crown, in (0, 150] metres wide, found 999"},
+    {"HeightText", "a.geojson", sized("\"tall\""), columnH, "h: feature 0: expected a number, found 'tall'"},
+    {"HeightNegative", "a.geojson", sized("-3"), columnH,
+     "h: feature 0: expected in (0, 150] metres, found \"-3\""},
+    {"HeightOfFeet", "a.geojson", sized("999"), columnH + "units = { height = \"ft\" }\n",
+     "h: feature 0: expected in (0, 150] metres, found \"999\""},
+    {"GirthHuge", "a.geojson", sized("99"), "columns = { circumference = \"h\" }\n",
+     "h: feature 0: expected in (0, 62.8"},
+    {"OsmHeightOfWords", "a.geojson",
+     geoJson(point("9, 50", R"("@id": "n", "natural": "tree", "height": "12 elephants")")), "",
+     "height: feature 0: expected a number, found '12 elephants'"},
+};
+
+class BadFeaturesTest : public testing::TestWithParam<BadFeatures> {};
+
+/// `file`, which has no content: good trees in its format, and half of that where it is called "cut".
+void make(const TemporaryFolder& folder, const BadFeatures& bad) {
+    folder.write("good.geojson", good);
+    const std::string path = folder.path() + '/' + bad.file;
+    if (bad.file == "a.dbf") {
+        convert(folder, "good.geojson", "a.shp");
+        std::filesystem::remove(folder.path() + "/a.shp");
+        return;
+    }
+    convert(folder, "good.geojson", bad.file);
+    if (std::string(bad.name).find("Cut") != std::string::npos)
+        std::filesystem::resize_file(path, std::filesystem::file_size(path) * 2 / 3);
+}
+
+} // namespace
+
+TEST_P(BadFeaturesTest, GiveOneClearErrorAndNothingElse) {
+    const BadFeatures& bad = GetParam();
+    const TemporaryFolder folder;
+    if (bad.content.empty() && bad.file != "a.geojson") {
+        REQUIRE_PROGRAM("ogr2ogr");
+        make(folder, bad);
+    } else
+        folder.write(bad.file, bad.content);
+    testing::internal::CaptureStderr();
+    testing::internal::CaptureStdout();
+    const auto forest = readInventoryOf(folder.path(), "file = \"" + bad.file + "\"\n" + bad.lines, bad.head);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    ASSERT_FALSE(forest);
+    EXPECT_TRUE(forest.value().trees.empty());
+    EXPECT_EQ(forest.problems().size(), 1u);
+    const std::string text = forest.problems().front().text();
+    EXPECT_NE(text.find(bad.message), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadFeaturesTest, testing::ValuesIn(badFeatures),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+} // namespace osgTreeWind

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <tests/TestData.h>
+#include <tests/io/InventoryReading.h>
+#include <tests/places/Places.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// cs2cs, which knows nothing of us. @param places as "x y" lines.
+std::vector<glm::dvec2> cs2cs(const std::string& from, const std::string& to, const std::string& places) {
+    const TemporaryFolder folder;
+    folder.write("in", places);
+    const std::string command =
+        "cs2cs -f %.6f '" + from + "' '" + to + "' " + folder.path() + "/in > " + folder.path() + "/out";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::ifstream out(folder.path() + "/out");
+    std::vector<glm::dvec2> there;
+    glm::dvec3 place;
+    while (out >> place.x >> place.y >> place.z)
+        there.emplace_back(place.x, place.y);
+    return there;
+}
+
+void expectAllAt(const ForestDescription& forest, const std::vector<glm::dvec2>& places, double tolerance) {
+    ASSERT_EQ(forest.trees.size(), places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        expectAt(forest.trees[i], places[i].x, places[i].y, tolerance);
+}
+
+const std::string xy = "columns = { x = \"x\", y = \"y\" }\n";
+
+} // namespace
+
+TEST(InventoryCrs, CuestasTreesStandWhereCs2csPutsThem) {
+    REQUIRE_REAL_DATA(file, "place/cuesta_trees.geojson");
+    REQUIRE_PROGRAM("cs2cs");
+    const ForestDescription forest = inventoryOf(
+        "", "file = \"" + file + "\"\ncolumns = { id = \"tree_id\", species = \"scientific_name\" }\n");
+    std::ifstream text(file);
+    std::string places; // latitude first, as the authority has it
+    for (std::string line, key = "\"coordinates\": ["; std::getline(text, line);)
+        if (const std::size_t at = line.find(key); at != std::string::npos) {
+            const std::string x = line.substr(at + key.size(), line.find(',', at) - at - key.size());
+            places +=
+                line.substr(line.find(',', at) + 1, line.find(']', at) - line.find(',', at) - 1) + x + '\n';
+        }
+    ASSERT_EQ(forest.trees.size(), 99u);
+    EXPECT_EQ(forest.crs, "EPSG:32610");
+    EXPECT_TRUE(forest.crsChosen);
+    EXPECT_EQ(forest.trees[0].name, "46");
+    expectAllAt(forest, cs2cs("EPSG:4326", "EPSG:32610", places), 0.001);
+    // And on another map, of another datum.
+    const ForestDescription state = inventoryOf("", "file = \"" + file + "\"\n", "crs = \"EPSG:26943\"");
+    EXPECT_FALSE(state.crsChosen);
+    expectAllAt(state, cs2cs("EPSG:4326", "EPSG:26943", places), 0.1);
+}
+
+TEST(InventoryCrs, TablesOnDegreesSayThatOrAreCalledSo) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y\n9.0,0.0\n9.0,0.0001\n");
+    folder.write("b.csv", "Longitude,LAT\n9.0,0.0\n9.0,0.0001\n");
+    for (const std::string& lines :
+         {"file = \"a.csv\"\ncrs = \"EPSG:4326\"\n" + xy,
+          std::string("file = \"b.csv\"\ncolumns = { x = \"Longitude\", y = \"LAT\" }\n")}) {
+        const ForestDescription forest = inventoryOf(folder.path(), lines);
+        EXPECT_EQ(forest.crs, "EPSG:32632");
+        ASSERT_EQ(forest.trees.size(), 2u);
+        expectAt(forest.trees[0], 500000.0, 0.0);
+        expectAt(forest.trees[1], 500000.0, 11.053, 0.01);
+        EXPECT_EQ(forest.origin, glm::dvec3(500000, 6, 0)) << "the middle, as without a crs";
+    }
+}
+
+TEST(InventoryCrs, WithoutAnyMetresStayAsTheyAre) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y\n9.0,0.5\n");
+    const ForestDescription forest = inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy);
+    EXPECT_EQ(forest.crs, "");
+    EXPECT_FALSE(forest.crsChosen);
+    EXPECT_EQ(forest.trees[0].position, glm::dvec3(9.0, 0.5, 0.0));
+    const ForestDescription known =
+        inventoryOf(folder.path(), "file = \"a.csv\"\n" + xy, "crs = \"EPSG:25832\"");
+    EXPECT_EQ(known.trees[0].position, glm::dvec3(9.0, 0.5, 0.0));
+    EXPECT_EQ(known.crs, "EPSG:25832");
+}
+
+TEST(InventoryCrs, AMapInMetresBecomesTheForestsAndOtherInventoriesFollow) {
+    const TemporaryFolder folder;
+    folder.write("a.geojson", geoJson(point("565000.25, 5934000.5"), "urn:ogc:def:crs:EPSG::25832"));
+    std::istringstream input("version = 1\n[[inventory]]\nfile = \"a.geojson\"\n[[inventory]]\n"
+                             "file = \"b.csv\"\ncrs = \"EPSG:25831\"\n" +
+                             xy);
+    folder.write("b.csv", "x,y\n960000,5950000\n");
+    const auto forest = readForest(input, {"test.treewind", folder.path()});
+    ASSERT_TRUE(forest) << forest.problems().front().text();
+    EXPECT_EQ(forest.value().crs, "EPSG:25832");
+    EXPECT_TRUE(forest.value().crsChosen);
+    EXPECT_EQ(forest.value().trees[0].position, glm::dvec3(565000.25, 5934000.5, 0.0)) << "to the bit";
+    if (hasProgram("cs2cs")) {
+        const glm::dvec2 there = cs2cs("EPSG:25831", "EPSG:25832", "960000 5950000\n").front();
+        expectAt(forest.value().trees[1], there.x, there.y);
+    }
+}
+
+/// New York's state plane is in feet of the US survey.
+TEST(InventoryCrs, MapsInFeetAreBroughtIntoMetres) {
+    REQUIRE_PROGRAM("cs2cs");
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y\n985000,200000\n985100,200000\n");
+    const std::string lines = "file = \"a.csv\"\ncrs = \"EPSG:2263\"\n" + xy;
+    const std::string places = "985000 200000\n985100 200000\n";
+    const ForestDescription forest = inventoryOf(folder.path(), lines);
+    EXPECT_EQ(forest.crs, "EPSG:32618");
+    expectAllAt(forest, cs2cs("EPSG:2263", "EPSG:32618", places), 0.001);
+    EXPECT_NEAR(forest.trees[1].position.x - forest.trees[0].position.x, 30.48, 0.02);
+    expectAllAt(inventoryOf(folder.path(), lines, "crs = \"EPSG:6347\""),
+                cs2cs("EPSG:2263", "EPSG:6347", places), 0.001);
+}
+
+/// GML in EPSG:4326 has the latitude first, New Zealand's map the northing.
+TEST(InventoryCrs, AxesOfAnAuthorityAreTurned) {
+    const TemporaryFolder folder;
+    const auto gml = [](const std::string& crs, const std::string& place) {
+        return "<?xml version=\"1.0\"?>\n<ogr:FeatureCollection xmlns:ogr=\"http://ogr.maptools.org/\" "
+               "xmlns:gml=\"http://www.opengis.net/gml/3.2\" gml:id=\"a\"><ogr:featureMember><ogr:trees "
+               "gml:id=\"t.0\"><ogr:geometryProperty><gml:Point srsName=\"urn:ogc:def:crs:EPSG::" +
+               crs + "\" gml:id=\"g\"><gml:pos>" + place +
+               "</gml:pos></gml:Point></ogr:geometryProperty><ogr:h>7</ogr:h></ogr:trees></ogr:featureMember>"
+               "</ogr:FeatureCollection>\n";
+    };
+    folder.write("a.gml", gml("4326", "0.0001 9.0"));
+    ForestDescription forest = inventoryOf(folder.path(), "file = \"a.gml\"\ncolumns = { height = \"h\" }\n");
+    ASSERT_EQ(forest.trees.size(), 1u);
+    EXPECT_EQ(forest.crs, "EPSG:32632");
+    expectAt(forest.trees[0], 500000.0, 11.053, 0.01);
+    EXPECT_EQ(forest.trees[0].size.height, 7.0f);
+    folder.write("b.gml", gml("2193", "5427000 1748000"));
+    forest = inventoryOf(folder.path(), "file = \"b.gml\"\n");
+    ASSERT_EQ(forest.trees.size(), 1u);
+    EXPECT_EQ(forest.crs, "EPSG:2193");
+    expectAt(forest.trees[0], 1748000.0, 5427000.0);
+}
+
+/// The columns of a layer that stands on a map of its own.
+TEST(InventoryCrs, ColumnsCalledSoAreDegreesWhateverTheGeometryIsIn) {
+    const TemporaryFolder folder;
+    folder.write("a.geojson", geoJson(point("565000, 5934000", R"("lon": 9.0, "lat": 0.0)"),
+                                      "urn:ogc:def:crs:EPSG::25832"));
+    const ForestDescription forest =
+        inventoryOf(folder.path(), "file = \"a.geojson\"\ncolumns = { x = \"lon\", y = \"lat\" }\n");
+    EXPECT_EQ(forest.crs, "EPSG:32632");
+    expectAt(forest.trees[0], 500000.0, 0.0);
+}
+
+TEST(InventoryCrs, ItsOwnGoesBeforeTheFiles) {
+    const TemporaryFolder folder;
+    folder.write("a.geojson", geoJson(point("565000, 5934000"))); // GeoJSON that says degrees, and is not
+    const ForestDescription forest =
+        inventoryOf(folder.path(), "file = \"a.geojson\"\ncrs = \"EPSG:25832\"\n");
+    EXPECT_EQ(forest.crs, "EPSG:25832");
+    expectAt(forest.trees[0], 565000.0, 5934000.0);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tests/io/TemporaryFolder.h>
+
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace osgTreeWind {
+
+/// A forest of one [inventory] with these lines, of beeches unless they say more.
+inline Result<ForestDescription> readInventoryOf(const std::string& folder, const std::string& lines,
+                                                 const std::string& head = "") {
+    std::istringstream input("version = 1\n" + head + "\n[inventory]\ndefault_species = \"beech\"\n" + lines);
+    return readForest(input, {"test.treewind", folder});
+}
+
+/// The same, which has to go well.
+inline ForestDescription inventoryOf(const std::string& folder, const std::string& lines,
+                                     const std::string& head = "") {
+    const auto forest = readInventoryOf(folder, lines, head);
+    for (const Diagnostic& problem : forest.problems())
+        ADD_FAILURE() << problem.text();
+    return forest.value();
+}
+
+inline void expectAt(const TreePlacement& tree, double x, double y, double tolerance = 1e-3) {
+    EXPECT_NEAR(tree.position.x, x, tolerance);
+    EXPECT_NEAR(tree.position.y, y, tolerance);
+}
+
+} // namespace osgTreeWind

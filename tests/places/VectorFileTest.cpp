@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <tests/places/Places.h>
+
+#include <osgTreeWind/places/VectorFile.h>
+
+#include <filesystem>
+#include <thread>
+
+namespace osgTreeWind {
+
+namespace {
+
+VectorFile opened(const std::string& path, const std::string& layer = "") {
+    auto file = VectorFile::open(path);
+    EXPECT_TRUE(file) << file.problems().front().text();
+    const Diagnostics problems = file.value().chooseLayer(layer);
+    EXPECT_TRUE(problems.empty()) << problems.front().text();
+    return std::move(file.value());
+}
+
+/// What is left of a file, as "feature 0 (1, 2, 3) oak".
+std::string all(VectorFile& file) {
+    std::string text;
+    auto found = file.next();
+    for (; found && found.value(); found = file.next()) {
+        const auto place = file.place({});
+        text += file.feature();
+        if (place)
+            text += " (" + std::to_string(place.value().position.x) + ", " +
+                    std::to_string(place.value().position.y) + ", " +
+                    std::to_string(place.value().position.z) + ')';
+        else
+            text += ' ' + place.problems().front().message;
+        for (std::size_t i = 0; i < file.columns().size(); ++i)
+            text += ' ' + file.text(i);
+        text += '\n';
+    }
+    EXPECT_TRUE(found) << found.problems().front().text();
+    return text;
+}
+
+const std::string two = geoJson(point("9.5, 50.25, 3", R"("kind": "oak", "h": 1.5)") + "," +
+                                point("9.25, 50.5, 0", R"("kind": "elm", "h": null)"));
+
+} // namespace
+
+TEST(VectorFile, GivesFeaturesInTheirOrder) {
+    const TemporaryFolder folder;
+    VectorFile file = opened(folder.write("two.geojson", two));
+    EXPECT_EQ(file.columns(), (std::vector<std::string>{"kind", "h"}));
+    ASSERT_TRUE(file.crs());
+    EXPECT_TRUE(file.crs()->isDegrees());
+    EXPECT_TRUE(file.hasGeometry());
+    const std::string expected = "feature 0 (9.500000, 50.250000, 3.000000) oak 1.5\n"
+                                 "feature 1 (9.250000, 50.500000, 0.000000) elm \n";
+    EXPECT_EQ(all(file), expected);
+    file.rewind();
+    EXPECT_EQ(all(file), expected);
+    EXPECT_TRUE(file.filter("kind = 'elm'").empty());
+    EXPECT_EQ(all(file), "feature 1 (9.250000, 50.500000, 0.000000) elm \n");
+}
+
+TEST(VectorFile, NumbersAreNotRounded) {
+    const TemporaryFolder folder;
+    VectorFile file = opened(folder.write(
+        "a.geojson", geoJson(point("1, 2", "\"h\": 0.1234567890123456789, \"n\": 9007199254740993"))));
+    ASSERT_TRUE(file.next().value());
+    EXPECT_EQ(file.number(0), 0.1234567890123456789);
+    EXPECT_EQ(file.text(1), "9007199254740993");
+}
+
+/// Every format by its content where it has one, also under a name that says nothing.
+TEST(VectorFile, FormatsAreKnownByContentOrExtension) {
+    REQUIRE_PROGRAM("ogr2ogr");
+    const TemporaryFolder folder;
+    folder.write("two.geojson", two);
+    for (const char* name : {"a.gpkg", "a.fgb", "a.shp", "a.gml", "a.kml", "a.geojsonl", "a.tab", "a.sqlite",
+                             "a.xlsx", "a.ods"}) {
+        convert(folder, "two.geojson", name,
+                name == std::string("a.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // their order
+        const std::string path = folder.path() + '/' + name;
+        EXPECT_TRUE(VectorFile::knows(path)) << name;
+        VectorFile file = opened(path);
+        const auto kind = std::find(file.columns().begin(), file.columns().end(), "kind");
+        ASSERT_NE(kind, file.columns().end()) << name;
+        ASSERT_TRUE(file.next().value()) << name;
+        EXPECT_EQ(file.text(static_cast<std::size_t>(kind - file.columns().begin())), "oak") << name;
+        if (!file.hasGeometry())
+            continue;
+        const auto place = file.place({});
+        ASSERT_TRUE(place) << name << place.problems().front().text();
+        EXPECT_NEAR(place.value().position.x, 9.5, 1e-6) << name;
+        EXPECT_NEAR(place.value().position.y, 50.25, 1e-6) << name;
+    }
+    std::filesystem::copy_file(folder.path() + "/a.gpkg", folder.path() + "/trees");
+    EXPECT_TRUE(VectorFile::knows(folder.path() + "/trees"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() + "/a.gfs")) << "nothing is written beside files";
+}
+
+TEST(VectorFile, TablesOfTextAreNotItsOwn) {
+    const TemporaryFolder folder;
+    EXPECT_FALSE(VectorFile::knows(folder.write("a.csv", "x,y\n1,2\n")));
+    EXPECT_FALSE(VectorFile::knows(folder.write("a.txt", "x,y\n1,2\n")));
+    EXPECT_FALSE(VectorFile::knows(folder.write("a.tab", "x\ty\n1\t2\n")));
+    EXPECT_FALSE(VectorFile::knows(folder.write("a", "")));
+}
+
+TEST(VectorFile, ALayerIsNamedWhereThereAreSeveral) {
+    REQUIRE_PROGRAM("ogr2ogr");
+    const TemporaryFolder folder;
+    folder.write("two.geojson", two);
+    convert(folder, "two.geojson", "a.gpkg", "-nln trees");
+    convert(folder, "two.geojson", "a.gpkg", "-update -nln shrubs");
+    auto result = VectorFile::open(folder.path() + "/a.gpkg");
+    ASSERT_TRUE(result);
+    VectorFile& file = result.value();
+    EXPECT_EQ(file.layers(), (std::vector<std::string>{"trees", "shrubs"}));
+    EXPECT_EQ(file.chooseLayer("").front().message,
+              "expected layer to name one of its layers: trees, shrubs");
+    EXPECT_EQ(file.chooseLayer("tree").front().message, "no layer \"tree\"; it has: trees, shrubs");
+    ASSERT_TRUE(file.chooseLayer("shrubs").empty());
+    ASSERT_TRUE(file.next().value());
+    EXPECT_EQ(file.feature(), "layer \"shrubs\", feature 1");
+}
+
+TEST(VectorFile, AnOutlineIsItsMiddleAndWidth) {
+    const TemporaryFolder folder;
+    // An L of three squares of 2 m: centroid 5/3 from its corner, extents 4 and 4; and an oblong with a
+    // hole.
+    VectorFile file = opened(folder.write(
+        "a.geojson",
+        geoJson(
+            feature(
+                R"({"type": "Polygon", "coordinates": [[[10,20],[14,20],[14,22],[12,22],[12,24],[10,24],[10,20]]]})") +
+                "," +
+                feature(
+                    R"({"type": "MultiPolygon", "coordinates": [[[[0,0],[9,0],[9,3],[0,3],[0,0]],[[4,1],[5,1],[5,2],[4,2],[4,1]]]]})"),
+            "urn:ogc:def:crs:EPSG::25832")));
+    ASSERT_TRUE(file.next().value());
+    VectorPlace place = file.place({}).value();
+    EXPECT_NEAR(place.position.x, 10.0 + 5.0 / 3.0, 1e-9);
+    EXPECT_NEAR(place.position.y, 20.0 + 5.0 / 3.0, 1e-9);
+    EXPECT_EQ(place.width, 4.0);
+    ASSERT_TRUE(file.next().value());
+    place = file.place({}).value();
+    EXPECT_NEAR(place.position.x, 4.5, 1e-9);
+    EXPECT_EQ(place.width, 6.0);
+}
+
+TEST(VectorFile, ManyThreadsReadManyFiles) {
+    const TemporaryFolder folder;
+    std::string features;
+    for (int i = 0; i < 500; ++i)
+        features += (i ? "," : "") + point(std::to_string(i) + ", 1");
+    const std::string path = folder.write("a.geojson", geoJson(features));
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 8; ++i)
+        threads.emplace_back([&] {
+            VectorFile file = opened(path);
+            int count = 0;
+            while (file.next().value())
+                ++count;
+            EXPECT_EQ(count, 500);
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+}
+
+} // namespace osgTreeWind
