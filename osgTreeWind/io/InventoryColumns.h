@@ -36,7 +36,7 @@ public:
     Measure x{"x", worldCoordinates}, y{"y", worldCoordinates}, z{"z", worldCoordinates};
     Measure height, trunkDiameter, circumference, crownWidth;
     std::optional<std::size_t> id;
-    std::vector<std::size_t> species; ///< The first that is not empty counts.
+    std::vector<std::size_t> species; ///< The first whose name is known counts.
 
     InventoryColumns();
 

@@ -149,13 +149,14 @@ private:
         if (_columns.species.empty())
             return *_default;
         std::string name;
-        std::size_t column = 0;
-        for (std::size_t i = 0; i < _columns.species.size() && name.empty(); ++i)
-            name = _rows->text(column = _columns.species[i]);
-        if (const auto index = _reading.speciesOrBuiltIn(name))
-            return *index;
+        for (const std::size_t column : _columns.species) {
+            const std::string said = _rows->text(column);
+            if (const auto index = _reading.speciesOrBuiltIn(said))
+                return *index;
+            name = name.empty() ? said : name;
+        }
         if (_unmatched[name]++ == 0 && !_default)
-            _reading.log.add(_rows->problem(_rows->columns()[column],
+            _reading.log.add(_rows->problem(_rows->columns()[_columns.species.front()],
                                             "no species " + inQuotes(name) + ", and no default_species"));
         return _default.value_or(0);
     }

@@ -162,15 +162,18 @@ TEST(InventoryFeatures, OpenStreetMapNeedsNoColumns) {
     folder.write("a.osm", R"(<?xml version="1.0"?><osm version="0.6">
 <node id="11" version="1" lat="0.0" lon="9.0"><tag k="natural" v="tree"/><tag k="species" v="Quercus robur"/>
 <tag k="height" v="12 m"/><tag k="circumference" v="1.5707963"/><tag k="diameter_crown" v="20 ft"/></node>
-<node id="12" version="1" lat="0.0" lon="9.001"><tag k="natural" v="tree"/><tag k="genus" v="Fagus"/></node>
+<node id="12" version="1" lat="0.0" lon="9.001"><tag k="natural" v="tree"/><tag k="genus" v="Fagus"/>
+<tag k="species" v="Mystery nova"/></node>
 <node id="13" version="1" lat="0.0" lon="9.002"><tag k="natural" v="peak"/></node>
 <node id="14" version="1" lat="0.0" lon="9.003"/></osm>)");
-    folder.write("a.geojson",
-                 geoJson(point("9.0, 0.0", R"("@id": "node/11", "natural": "tree", "species": "Quercus robur",
+    folder.write(
+        "a.geojson",
+        geoJson(point("9.0, 0.0", R"("@id": "node/11", "natural": "tree", "species": "Quercus robur",
 "height": "12 m", "circumference": "1.5707963", "diameter_crown": "20 ft")") +
-                         "," +
-                         point("9.001, 0.0", R"("@id": "node/12", "natural": "tree", "genus": "Fagus")") +
-                         "," + point("9.002, 0.0", R"("@id": "node/13", "natural": "peak")")));
+                "," +
+                point("9.001, 0.0",
+                      R"("@id": "node/12", "natural": "tree", "species": "Mystery nova", "genus": "Fagus")") +
+                "," + point("9.002, 0.0", R"("@id": "node/13", "natural": "peak")")));
     for (const std::string name : {"a.osm", "a.geojson"}) {
         SCOPED_TRACE(name);
         const ForestDescription forest = inventoryOf(folder.path(), "file = \"" + name + "\"\n");
