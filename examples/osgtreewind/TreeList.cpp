@@ -43,14 +43,15 @@ bool writeTrees(const ForestDescription& forest, const std::string& path) {
             output << ',' << numberText(tree.position[axis]);
         const TreeSize stands = placed.measured(*placed.fitted(tree));
         std::string given;
-        const auto write = [&](const char* name, float TreeSize::*size) {
-            const bool isGiven = tree.size.*size > 0.0f;
-            output << ',' << cell(isGiven ? tree.size.*size : stands.*size);
-            given += isGiven ? (given.empty() ? "" : "+") + std::string(name) : "";
+        const auto write = [&](const char* name, float size, float standing, bool estimated) {
+            output << ',' << cell(size > 0.0f ? size : standing);
+            if (size > 0.0f && !estimated)
+                given += (given.empty() ? "" : "+") + std::string(name);
         };
-        write("height", &TreeSize::height);
-        write("trunk_diameter", &TreeSize::trunkDiameter);
-        write("crown_width", &TreeSize::crownWidth);
+        const EstimatedSizes& estimated = tree.estimated;
+        write("height", tree.size.height, stands.height, estimated.height);
+        write("trunk_diameter", tree.size.trunkDiameter, stands.trunkDiameter, estimated.trunkDiameter);
+        write("crown_width", tree.size.crownWidth, stands.crownWidth, estimated.crownWidth);
         output << ',' << (given.empty() ? "none" : given) << '\n';
         progress.advance();
     }

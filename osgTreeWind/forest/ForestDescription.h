@@ -27,14 +27,15 @@ enum class MotionLaw {
 
 /// One tree: which species, where, how large.
 struct TreePlacement {
-    std::size_t species = 0;  ///< Index into ForestDescription::species.
-    glm::dvec3 position{0.0}; ///< Foot of the trunk in world coordinates, metres (x east, y north, z up).
-    float heading = 0.0f;     ///< Turn about the vertical, radians, counter-clockwise from above.
-    TreeSize size;            ///< A crown not given follows the trunk, other sizes follow the model.
-    float leaves = 1.0f;      ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
-    std::uint32_t seed = 0;   ///< Picks one of the species' shapes, and the noise streams.
-    bool openGrown = false;   ///< Stands by itself: such a crown is wider than in a forest.
-    std::string name{};       ///< An inventory's id; empty: none. Where two have one, it is the first's.
+    std::size_t species = 0;    ///< Index into ForestDescription::species.
+    glm::dvec3 position{0.0};   ///< Foot of the trunk in world coordinates, metres (x east, y north, z up).
+    float heading = 0.0f;       ///< Turn about the vertical, radians, counter-clockwise from above.
+    TreeSize size;              ///< A crown not given follows the trunk, other sizes follow the model.
+    float leaves = 1.0f;        ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
+    std::uint32_t seed = 0;     ///< Picks one of the species' shapes, and the noise streams.
+    bool openGrown = false;     ///< Stands by itself: such a crown is wider than in a forest.
+    std::string name{};         ///< An inventory's id; empty: none. Where two have one, it is the first's.
+    EstimatedSizes estimated{}; ///< Of `size`.
 };
 
 /// A whole forest as plain values: what a .treewind file says.

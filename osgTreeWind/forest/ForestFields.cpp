@@ -54,6 +54,20 @@ const Fields& fieldsOfFile() {
 }
 
 template <>
+const Fields& fieldsOf<EstimatedSizes>() {
+    using P = EstimatedSizes;
+    static const Fields fields = {
+        {"height",
+         at<&P::height>,
+         {},
+         "nobody measured it: it followed from the species, as sizes do that an inventory has not"},
+        {"trunk_diameter", at<&P::trunkDiameter>, {}, "likewise"},
+        {"crown_width", at<&P::crownWidth>, {}, "likewise"},
+    };
+    return fields;
+}
+
+template <>
 const Fields& fieldsOf<TreePlacement>() {
     using P = TreePlacement;
     static const Fields fields = {
@@ -75,6 +89,7 @@ const Fields& fieldsOf<TreePlacement>() {
          {},
          "picks the shape and its motion; without it `seed` and its place in the file, from 0"},
         {"id", at<&P::name>, {}, "what it is called, any text; no two alike"},
+        {"estimated", at<&P::estimated>, {}, ""},
     };
     return fields;
 }

@@ -10,6 +10,8 @@ template <>
 const Fields& fieldsOf<DrawingOptions>();
 template <>
 const Fields& fieldsOf<TreePlacement>();
+template <>
+const Fields& fieldsOf<EstimatedSizes>();
 /// Of [motion], but for the noise.
 template <>
 const Fields& fieldsOf<ForestDescription>();

@@ -60,6 +60,7 @@ std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
     tree.model = _firstModels[tree.species] + placement.seed % shapeCount(species);
     const bool kept = before && before->model == tree.model && same(placement.size, measured(*before));
     tree.given = kept ? before->given : placement.size;
+    tree.estimated = kept ? before->estimated : placement.estimated;
     tree.openGrown = kept ? before->openGrown : placement.openGrown;
     tree.scale =
         kept ? before->scale : fitTree(modelOf(tree), withCrown(tree.given, species.crown, tree.openGrown));
@@ -93,6 +94,7 @@ ForestDescription PlacedForest::describe() const {
             continue;
         TreePlacement tree = placementOf(slot);
         tree.size = trees[slot].given;
+        tree.estimated = trees[slot].estimated;
         tree.openGrown = trees[slot].openGrown;
         if (std::abs(tree.heading) > glm::two_pi<float>())
             tree.heading = std::remainder(tree.heading, glm::two_pi<float>());

@@ -28,7 +28,8 @@ struct PlacedTree {
     std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
     bool alive = true;            ///< No: it was removed, and nothing else here counts.
     bool openGrown = false;
-    TreeSize given; ///< From which, with openGrown, `scale` follows.
+    EstimatedSizes estimated; ///< Of `given`.
+    TreeSize given;           ///< From which, with openGrown, `scale` follows.
 };
 
 /// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes.

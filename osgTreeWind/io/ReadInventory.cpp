@@ -6,6 +6,7 @@
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/InventoryCrs.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/species/SizeLaws.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -66,6 +67,7 @@ public:
         readRows(seed);
         noteUnmatched();
         noteRepeated();
+        noteEstimated();
     }
 
 private:
@@ -104,6 +106,7 @@ private:
     }
 
     void readRow(Random& random) {
+        ++_row;
         TreePlacement tree;
         tree.species = rowSpecies();
         const VectorPlace place = logged(placeOfRow(*_rows, _columns, _way));
@@ -119,7 +122,9 @@ private:
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
-        tree.name = rowName();
+        const std::string said = _columns.id ? _rows->text(*_columns.id) : std::string();
+        estimate(tree, said.empty() ? std::to_string(_row) : said);
+        tree.name = nameOf(said);
         _reading.forest.trees.push_back(tree);
     }
 
@@ -161,9 +166,20 @@ private:
         return _default.value_or(0);
     }
 
+    void estimate(TreePlacement& tree, const std::string& id) {
+        if (tree.species >= _reading.forest.species.size())
+            return;
+        const SizeEstimate estimate =
+            estimateSize(tree.size, _reading.forest.species[tree.species], tree.openGrown, id);
+        tree.size = estimate.size;
+        tree.estimated = estimate.estimated;
+        _heights += tree.estimated.height;
+        _diameters += tree.estimated.trunkDiameter;
+        _crowns += tree.estimated.crownWidth;
+    }
+
     /// Empty where it has none of its own.
-    std::string rowName() {
-        std::string name = _columns.id ? _rows->text(*_columns.id) : std::string();
+    std::string nameOf(const std::string& name) {
         if (name.empty() || _reading.treeNames.insert(name).second)
             return name;
         ++_repeated[name];
@@ -183,12 +199,22 @@ private:
                                         std::to_string(sumOf(_repeated)) + " go without: " + joined(names));
     }
 
+    void noteEstimated() {
+        std::vector<std::string> counts;
+        for (const auto& [size, trees] :
+             {std::pair("height", _heights), {"trunk diameter", _diameters}, {"crown width", _crowns}})
+            if (trees > 0)
+                counts.push_back(std::string(size) + " of " + std::to_string(trees));
+        if (!counts.empty())
+            _reading.forest.notes.push_back(
+                _rows->file() + ": not given, by the laws of the species: " + joined(counts) + " trees");
+    }
+
     void noteUnmatched() {
-        if (!_unmatched.empty())
-            _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_unmatched)) +
-                                            " trees stand as " +
-                                            inQuotes(_reading.forest.species[_default.value_or(0)].name) +
-                                            ": " + mostFrequent(_unmatched));
+        if (_default && !_unmatched.empty())
+            _reading.forest.notes.push_back(
+                _rows->file() + ": " + std::to_string(sumOf(_unmatched)) + " trees stand as " +
+                inQuotes(_reading.forest.species[*_default].name) + ": " + mostFrequent(_unmatched));
     }
 
     TableReader& _table;
@@ -201,8 +227,10 @@ private:
     float _leaves = 1.0f;
     std::string _defaultName;
     std::optional<std::size_t> _default;
-    Counts _unmatched; ///< Names of species to numbers of rows.
-    Counts _repeated;  ///< Ids to numbers of rows that go without.
+    std::size_t _row = 0;
+    std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< That were estimated.
+    Counts _unmatched;                                     ///< Names of species to numbers of rows.
+    Counts _repeated;                                      ///< Ids to numbers of rows that go without.
 };
 
 } // namespace

@@ -57,6 +57,8 @@ private:
             ofName(alias, _species, path + ".aliases", foldedName(alias));
         if (!isToml(species.source))
             add(path + ".source", "expected UTF-8");
+        if (!isToml(species.height.source))
+            add(path + ".height.source", "expected UTF-8");
         for (const std::string* picture : {&species.appearance.leafImage, &species.appearance.barkImage})
             if (!picture->empty())
                 ofFile(*picture, path + ".appearance");

@@ -13,6 +13,11 @@ struct TreeSize {
     float crownWidth = 0.0f;    ///< Mean of the east-west and north-south extents.
 };
 
+/// Which measures of a TreeSize nobody took: they follow from laws of its species.
+struct EstimatedSizes {
+    bool height = false, trunkDiameter = false, crownWidth = false;
+};
+
 /// How a shared model is stretched to one tree: a rest point p of the centre line becomes axes * p, radii are
 /// multiplied by `radius`, leaf clusters by `leaf`.
 struct TreeScale {

@@ -41,11 +41,20 @@ struct WoodParameters {
     WoodAllometry branchWood = WoodAllometry::Drawn; ///< How much wood is in branches.
 };
 
+/// Height from the diameter of the trunk at breast height: scale * diameter^power, metres. A scale of 0: not
+/// known. The spreads of this and of the crown are standard deviations of logarithms.
+struct HeightAllometry {
+    float scale = 0.0f, power = 0.6f, spread = 0.0f;             ///< In a forest.
+    float openScale = 0.0f, openPower = 0.6f, openSpread = 0.0f; ///< With room on all sides.
+    std::string source;                                          ///< Of its numbers, for people.
+};
+
 /// Width of a crown from the diameter of its trunk at breast height: base + perDiameter * diameter, metres.
 /// All 0: not known.
 struct CrownAllometry {
     float base = 0.0f, perDiameter = 0.0f;         ///< In a forest.
     float openBase = 0.0f, openPerDiameter = 0.0f; ///< With room on all sides.
+    float spread = 0.0f, openSpread = 0.0f;        ///< Of trees about that.
 };
 
 /// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.
@@ -77,6 +86,7 @@ struct Species {
     std::string source;               ///< Of its numbers, for people.
     TreeParameters tree;
     int shapes = 3; ///< Distinct models shared by all trees of the species.
+    HeightAllometry height;
     CrownAllometry crown;
     WoodParameters wood;
     BranchParameters branch;

@@ -4,6 +4,25 @@
 namespace osgTreeWind {
 
 template <>
+const Fields& fieldsOf<HeightAllometry>() {
+    using P = HeightAllometry;
+    static const Fields fields = {
+        {"scale", at<&P::scale>, within(0, 500),
+         "height in a forest: `scale` times the diameter in metres to the power of `power`; 0 is not known",
+         "m"},
+        {"power", at<&P::power>, within(0.1, 3), ""},
+        {"spread", at<&P::spread>, within(0, 2),
+         "standard deviation of the natural logarithm of measured heights about it"},
+        {"open_scale", at<&P::openScale>, within(0, 500), "likewise with room on all sides (`open_grown`)",
+         "m"},
+        {"open_power", at<&P::openPower>, within(0.1, 3), ""},
+        {"open_spread", at<&P::openSpread>, within(0, 2), ""},
+        {"source", at<&P::source>, {}, "where these numbers come from"},
+    };
+    return fields;
+}
+
+template <>
 const Fields& fieldsOf<CrownAllometry>() {
     using P = CrownAllometry;
     static const Fields fields = {
@@ -12,6 +31,9 @@ const Fields& fieldsOf<CrownAllometry>() {
         {"per_diameter", at<&P::perDiameter>, within(0, 100), ""},
         {"open_base", at<&P::openBase>, within(0, 50), "likewise with room on all sides (`open_grown`)", "m"},
         {"open_per_diameter", at<&P::openPerDiameter>, within(0, 100), ""},
+        {"spread", at<&P::spread>, within(0, 2),
+         "standard deviation of the natural logarithm of measured widths about it, in a forest"},
+        {"open_spread", at<&P::openSpread>, within(0, 2), "likewise with room on all sides"},
     };
     return fields;
 }
@@ -132,6 +154,7 @@ const Fields& fieldsOf<Species>() {
         {"source", at<&P::source>, {}, "where its numbers come from"},
         {"shapes", at<&P::shapes>, within(1, mostShapes),
          "different shapes its trees share; memory grows with them"},
+        {"height", at<&P::height>, {}, ""},
         {"crown", at<&P::crown>, {}, ""},
         {"wood", at<&P::wood>, {}, ""},
         {"branch", at<&P::branch>, {}, ""},

@@ -7,6 +7,8 @@
 namespace osgTreeWind {
 
 template <>
+const Fields& fieldsOf<HeightAllometry>();
+template <>
 const Fields& fieldsOf<CrownAllometry>();
 template <>
 const Fields& fieldsOf<WoodParameters>();

@@ -23,7 +23,7 @@ TEST(BuiltInInventory, NamesNoSpeciesHasAreBuiltInOrTheDefault) {
     for (const TreePlacement& tree : forest.value().trees)
         names.push_back(forest.value().species[tree.species].name);
     EXPECT_EQ(names, (std::vector<std::string>{"Norway spruce", "mine", "broadleaf", "beech", "broadleaf"}));
-    ASSERT_EQ(forest.value().notes.size(), 1u);
+    ASSERT_EQ(forest.value().notes.size(), 2u) << "and of sizes";
     EXPECT_NE(forest.value().notes[0].find("moon tree (2)"), std::string::npos);
     EXPECT_FLOAT_EQ(forest.value().gain, 2.5f);
 }

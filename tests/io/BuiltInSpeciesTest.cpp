@@ -39,7 +39,7 @@ private:
     std::uint64_t _value = 0xcbf29ce484222325u;
 };
 
-/// Of every field, bit by bit.
+/// Of every field that those tables had, bit by bit.
 std::uint64_t hashOf(const Species& species) {
     Hash hash;
     hash.add(species.name);
@@ -47,7 +47,9 @@ std::uint64_t hashOf(const Species& species) {
         hash.add(alias);
     hash.add(species.source);
     hash.add(species.tree.wood).add(*species.tree.grown).add(species.tree.leaves).add(species.shapes);
-    hash.add(species.crown).add(species.wood).add(species.branch).add(species.leaf);
+    const CrownAllometry& crown = species.crown;
+    hash.add(crown.base).add(crown.perDiameter).add(crown.openBase).add(crown.openPerDiameter);
+    hash.add(species.wood).add(species.branch).add(species.leaf);
     const Appearance& looks = species.appearance;
     hash.add(looks.bark).add(looks.leaves).add(looks.springLeaves).add(looks.autumnLeaves);
     return hash.add(looks.leafForm).add(looks.barkForm).value();

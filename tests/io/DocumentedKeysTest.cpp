@@ -50,10 +50,12 @@ std::set<std::string> knownKeys() {
     const TemporaryFolder folder;
     folder.write("a.csv", "t\n1\n");
     const std::string everySection =
-        "version = 1\n[motion]\n[drawing]\n[[tree]]\n[scatter]\nheight = 1\n[inventory]\nfile = "
+        "version = 1\n[motion]\n[drawing]\n[[tree]]\n[tree.estimated]\n[scatter]\nheight = "
+        "1\n[inventory]\nfile = "
         "\"a.csv\"\n[inventory.columns]\n"
         "[inventory.units]\n[[species]]\n[species.tree]\n[species.growth]\n[species.growth.boughs]\n"
-        "[species.growth.branches]\n[species.growth.twigs]\n[species.leaves]\n[species.crown]\n[species.wood]"
+        "[species.growth.branches]\n[species.growth.twigs]\n[species.leaves]\n[species.height]\n[species."
+        "crown]\n[species.wood]"
         "\n[species."
         "branch]\n"
         "[species.leaf]\n[species.appearance]\n[wind]\n";

@@ -61,9 +61,10 @@ public:
         text.replace(text.find("\"kn\""), 4, maybe() ? "\"km/h\"" : "\"m/s\"");
         for (const char* name : {"ash", "Bush"}) {
             text += std::string("[[species]]\nname = \"") + name + "\"\nshapes = 2\n[species.appearance]\n" +
-                    keys<Appearance>() + "[species.wood]\n" + keys<WoodParameters>() + "[species.crown]\n" +
-                    keys<CrownAllometry>() + "[species.branch]\n" + keys<BranchParameters>() +
-                    "[species.leaf]\n" + keys<LeafMotion>() + "[species.leaves]\n" +
+                    keys<Appearance>() + "[species.wood]\n" + keys<WoodParameters>() + "[species.height]\n" +
+                    keys<HeightAllometry>() + "[species.crown]\n" + keys<CrownAllometry>() +
+                    "[species.branch]\n" + keys<BranchParameters>() + "[species.leaf]\n" +
+                    keys<LeafMotion>() + "[species.leaves]\n" +
                     keys<LeafParameters>({"clusters", "clusters_per_branch"}) + "clusters = 5\n";
             if (maybe())
                 text += "[species.tree]\nlevels = 1\nrings_per_branch = 2\nradius = 0.001\n" +

@@ -182,6 +182,23 @@ position = [428770, 4512931, 0]
     EXPECT_EQ(runTool({"info", "f.treewind", "--trees", "no/trees.csv"}, folder.path()).exitCode, 1);
 }
 
+TEST(Info, EstimatedSizesAreNotCalledGiven) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "nr,x,y,d\na,1,2,0.3\nb,3,4,\n");
+    folder.write("f.treewind", "version = 1\n[inventory]\nfile = \"a.csv\"\ndefault_species = \"oak\"\n"
+                               "columns = { id = \"nr\", x = \"x\", y = \"y\", trunk_diameter = \"d\" }\n");
+    const Outcome outcome = runTool({"info", "f.treewind", "--trees", "trees.csv"}, folder.path());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    std::istringstream lines(contentOf(folder.path() + "/trees.csv"));
+    std::string header, first, second;
+    std::getline(lines, header), std::getline(lines, first), std::getline(lines, second);
+    EXPECT_EQ(first.find("a,oak,1,2,0,"), 0u) << first;
+    EXPECT_NE(first.find(",trunk_diameter"), std::string::npos) << first;
+    EXPECT_EQ(first.find("height+"), std::string::npos) << first;
+    EXPECT_EQ(first.find("+crown_width"), std::string::npos) << first;
+    EXPECT_EQ(second.substr(second.rfind(',')), ",none") << second;
+}
+
 /// What is listed is an inventory of the same forest.
 TEST(Info, TreesListedAreReadBack) {
     const TemporaryFolder folder;

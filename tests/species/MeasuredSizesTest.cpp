@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/species/SizeLaws.h>
+
+#include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+
+#include <tests/TestData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+struct Pair {
+    std::string species;
+    double height, diameter; // metres
+    bool openGrown;
+};
+
+struct Scatter {
+    std::size_t trees = 0;
+    double bias = 0.0, deviation = 0.0;
+};
+
+/// How logarithms of measured heights are off the laws: bias above 0 is laws that are too low.
+/// @param fallback for species that are not built in, nor their genus.
+Scatter scatterOf(const std::vector<Pair>& pairs, const Species& fallback) {
+    Scatter scatter;
+    double sum = 0.0, squares = 0.0;
+    for (const Pair& pair : pairs) {
+        Species species = findSpecies(pair.species).value_or(fallback);
+        species.height.spread = species.height.openSpread = 0.0f;
+        TreeSize size;
+        size.trunkDiameter = static_cast<float>(pair.diameter);
+        const double law = estimateSize(size, species, pair.openGrown, "").size.height;
+        const double off = std::log(pair.height / law);
+        sum += off, squares += off * off;
+    }
+    scatter.trees = pairs.size();
+    scatter.bias = sum / static_cast<double>(pairs.size());
+    scatter.deviation = std::sqrt(squares / static_cast<double>(pairs.size()) - scatter.bias * scatter.bias);
+    return scatter;
+}
+
+/// Rows with both sizes of trees of 5 cm and more.
+/// @param names of the columns of species, height and diameter.
+std::vector<Pair> pairsOf(const std::string& path, const std::vector<std::string>& names, double unit,
+                          const std::function<bool(const CsvTable&, const CsvTable::Row&)>& take,
+                          bool openGrown) {
+    std::ifstream file(path);
+    const auto read = readCsvTable(file, path, ',');
+    std::vector<Pair> pairs;
+    if (!read)
+        return pairs;
+    const CsvTable& table = read.value();
+    std::vector<std::size_t> columns;
+    for (const std::string& name : names)
+        columns.push_back(static_cast<std::size_t>(
+            std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin()));
+    for (const CsvTable::Row& row : table.rows) {
+        const auto height = table.number(row, columns[1]), diameter = table.number(row, columns[2]);
+        if (height && diameter && diameter.value() * unit >= 0.05 && take(table, row))
+            pairs.push_back({row.cells[columns[0]], height.value(), diameter.value() * unit, openGrown});
+    }
+    return pairs;
+}
+
+/// Prints what docs/validation.md says, and holds it.
+void expectScatter(const std::string& name, const std::vector<Pair>& pairs, double bias, double deviation,
+                   const char* fallback = "broadleaf") {
+    const Scatter found = scatterOf(pairs, *findSpecies(fallback));
+    std::printf("%s: %zu trees, bias %.3f, scatter %.3f\n", name.c_str(), found.trees, found.bias,
+                found.deviation);
+    EXPECT_NEAR(found.bias, bias, 0.005) << name << ": docs/validation.md";
+    EXPECT_NEAR(found.deviation, deviation, 0.005) << name << ": docs/validation.md";
+}
+
+bool any(const CsvTable&, const CsvTable::Row&) {
+    return true;
+}
+
+} // namespace
+
+TEST(MeasuredSizes, TreesOfACampusLieAboutTheLaws) {
+    REQUIRE_REAL_DATA(path, "utah_campus/utah_campus_trees.csv");
+    expectScatter("campus", pairsOf(path, {"AESciName", "H", "dbh"}, 1.0, any, true), 0.080, 0.154);
+}
+
+TEST(MeasuredSizes, TreesOfAForestLieAboutTheLaws) {
+    REQUIRE_REAL_DATA(path, "scbi/scbi_joined_xy_height_dbh.csv");
+    expectScatter("forest", pairsOf(path, {"species", "height.m", "dbh_cm"}, 0.01, any, false), -0.019,
+                  0.269);
+}
+
+TEST(MeasuredSizes, SwayingTreesLieAboutTheLaws) {
+    REQUIRE_REAL_DATA(path, "sway/SwayFrequencies_odd.csv");
+    for (const auto& [clade, environment, bias, deviation] : {std::tuple("Conifer", "Forest", -0.075, 0.198),
+                                                              {"Broadleaf", "Forest", 0.051, 0.305},
+                                                              {"Broadleaf", "Open", 0.158, 0.285}}) {
+        const auto take = [&, clade = clade, environment = environment](const CsvTable&,
+                                                                        const CsvTable::Row& row) {
+            return row.cells[0] == clade && row.cells[1] == environment;
+        };
+        const bool open = environment == std::string("Open");
+        expectScatter(std::string("sway, ") + clade + ' ' + environment,
+                      pairsOf(path, {"species", "height_m", "dbh_cm"}, 0.01, take, open), bias, deviation,
+                      clade == std::string("Conifer") ? "conifer" : "broadleaf");
+    }
+}

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/species/SizeLaws.h>
+
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+
+#include <tests/Folders.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <sstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int many = 10000;
+
+TreeSize sizeOf(float height, float trunkDiameter, float crownWidth = 0.0f) {
+    return {height, trunkDiameter, crownWidth};
+}
+
+struct Spread {
+    double mean = 0.0, deviation = 0.0, most = 0.0;
+};
+
+/// Of what `value` tells of the estimates of many trees that differ in their ids.
+Spread spreadOf(const TreeSize& given, const Species& species, bool openGrown,
+                const std::function<double(const TreeSize&)>& value) {
+    double sum = 0.0, squares = 0.0;
+    Spread spread;
+    for (int i = 0; i < many; ++i) {
+        const double x = value(estimateSize(given, species, openGrown, "T " + std::to_string(i)).size);
+        sum += x;
+        squares += x * x;
+        spread.most = std::max(spread.most, std::abs(x));
+    }
+    spread.mean = sum / many;
+    spread.deviation = std::sqrt((squares - sum * spread.mean) / (many - 1));
+    return spread;
+}
+
+/// That logarithms are off a law by 0 and `deviation`, within the error of sampling, and none by more than
+/// two.
+void expectSpread(const Spread& found, double deviation) {
+    EXPECT_NEAR(found.mean, 0.0, 4.0 * deviation / std::sqrt(many));
+    EXPECT_NEAR(found.deviation, deviation, 0.02 * deviation);
+    EXPECT_LE(found.most, 2.0 * deviation + 1e-6);
+    EXPECT_GT(found.most, 1.95 * deviation);
+}
+
+} // namespace
+
+TEST(SizeLaws, HeightsOfManyTreesHaveThePublishedMeanAndSpread) {
+    for (const char* name : {"oak", "Norway spruce"})
+        for (const bool open : {false, true}) {
+            SCOPED_TRACE(std::string(name) + (open ? " in the open" : " in a forest"));
+            const Species species = *findSpecies(name);
+            const HeightAllometry& law = species.height;
+            const double known = std::log((open ? law.openScale : law.scale) *
+                                          std::pow(0.4f, open ? law.openPower : law.power));
+            const auto off = [&](const TreeSize& size) { return std::log(size.height) - known; };
+            expectSpread(spreadOf(sizeOf(0.0f, 0.4f), species, open, off),
+                         static_cast<double>(open ? law.openSpread : law.spread));
+        }
+}
+
+TEST(SizeLaws, DiametersAreThoseAtWhichHeightsAreAsFarOffTheLaw) {
+    const Species oak = *findSpecies("oak");
+    const auto off = [&](const TreeSize& size) {
+        return std::log(15.0 / (oak.height.openScale * std::pow(size.trunkDiameter, oak.height.openPower)));
+    };
+    expectSpread(spreadOf(sizeOf(15.0f, 0.0f), oak, true, off), static_cast<double>(oak.height.openSpread));
+}
+
+TEST(SizeLaws, CrownsOfManyTreesHaveThePublishedSpread) {
+    const Species oak = *findSpecies("oak");
+    const auto off = [](const TreeSize& size) { return std::log(size.crownWidth / (0.95 + 21.9 * 0.4)); };
+    expectSpread(spreadOf(sizeOf(12.0f, 0.4f), oak, true, off), 0.26);
+}
+
+TEST(SizeLaws, ATreeOfTheMeanHeightHasTheMeanDiameter) {
+    Species oak = *findSpecies("oak");
+    oak.height.spread = 0.0f;
+    const float height = estimateSize(sizeOf(0.0f, 0.37f), oak, false, "a").size.height;
+    EXPECT_NEAR(estimateSize(sizeOf(height, 0.0f), oak, false, "b").size.trunkDiameter, 0.37f, 1e-6f);
+}
+
+TEST(SizeLaws, AnIdDrawsTheSameForever) {
+    EXPECT_DOUBLE_EQ(residual("T 7", "height"), 0.4089821988301634);
+    EXPECT_DOUBLE_EQ(residual("T 7", "crown_width"), 0.40668043177461799);
+    EXPECT_DOUBLE_EQ(residual("", "height"), -1.009512978524719);
+}
+
+TEST(SizeLaws, AHeightTellsNothingOfTheCrownNorOfTheNextTree) {
+    double ofCrown = 0.0, ofNext = 0.0;
+    for (int i = 0; i < many; ++i) {
+        const double height = residual(std::to_string(i), "height");
+        ofCrown += height * residual(std::to_string(i), "crown_width") / many;
+        ofNext += height * residual(std::to_string(i + 1), "height") / many;
+    }
+    EXPECT_NEAR(ofCrown, 0.0, 4.0 / std::sqrt(many));
+    EXPECT_NEAR(ofNext, 0.0, 4.0 / std::sqrt(many));
+}
+
+TEST(SizeLaws, WhatIsGivenStays) {
+    const Species oak = *findSpecies("oak");
+    const SizeEstimate tree = estimateSize(sizeOf(9.0f, 0.3f, 4.0f), oak, true, "a");
+    EXPECT_EQ(tree.size.height, 9.0f);
+    EXPECT_EQ(tree.size.trunkDiameter, 0.3f);
+    EXPECT_EQ(tree.size.crownWidth, 4.0f);
+    EXPECT_FALSE(tree.estimated.height || tree.estimated.trunkDiameter || tree.estimated.crownWidth);
+    const SizeEstimate tall = estimateSize(sizeOf(9.0f, 0.01f), oak, true, "a");
+    EXPECT_EQ(tall.size.height, 9.0f) << "even where no tree is so slender";
+    EXPECT_EQ(tall.size.trunkDiameter, 0.01f);
+}
+
+TEST(SizeLaws, EstimatesAreSaid) {
+    const Species oak = *findSpecies("oak");
+    const EstimatedSizes ofTrunk = estimateSize(sizeOf(0.0f, 0.3f), oak, true, "a").estimated;
+    EXPECT_TRUE(ofTrunk.height && ofTrunk.crownWidth && !ofTrunk.trunkDiameter);
+    const EstimatedSizes ofHeight = estimateSize(sizeOf(9.0f, 0.0f), oak, true, "a").estimated;
+    EXPECT_TRUE(!ofHeight.height && ofHeight.crownWidth && ofHeight.trunkDiameter);
+    const EstimatedSizes ofCrown = estimateSize(sizeOf(0.0f, 0.0f, 8.0f), oak, true, "a").estimated;
+    EXPECT_TRUE(ofCrown.height && !ofCrown.crownWidth && ofCrown.trunkDiameter);
+}
+
+TEST(SizeLaws, ACrownAloneTellsTheDiameter) {
+    Species oak = *findSpecies("oak");
+    oak.crown.openSpread = 0.0f;
+    const auto trunkUnder = [&](float crown) {
+        return estimateSize(sizeOf(0.0f, 0.0f, crown), oak, true, "a").size.trunkDiameter;
+    };
+    EXPECT_NEAR(trunkUnder(0.95f + 21.9f * 0.4f), 0.4f, 1e-5f);
+    EXPECT_NEAR(trunkUnder(0.5f), 0.0122f, 1e-3f) << "narrower than the law begins";
+    EXPECT_LT(trunkUnder(0.5f), trunkUnder(1.5f));
+}
+
+TEST(SizeLaws, WithNothingGivenTheTypicalTreeIsSpread) {
+    const Species oak = *findSpecies("oak");
+    const SizeEstimate tree = estimateSize({}, oak, false, "a");
+    EXPECT_TRUE(tree.estimated.height);
+    EXPECT_EQ(tree.size.trunkDiameter, 0.0f) << "in proportion";
+    EXPECT_EQ(tree.size.crownWidth, 0.0f);
+    const auto off = [&](const TreeSize& size) {
+        return std::log(size.height / static_cast<double>(oak.tree.grown->height));
+    };
+    expectSpread(spreadOf({}, oak, false, off), static_cast<double>(oak.height.spread));
+}
+
+TEST(SizeLaws, EstimatesAreNoPolesAndNoBarrels) {
+    Species species = *findSpecies("oak");
+    const auto slenderness = [&](const TreeSize& given) {
+        const TreeSize size = estimateSize(given, species, false, "a").size;
+        return size.height / size.trunkDiameter;
+    };
+    EXPECT_NEAR(slenderness(sizeOf(0.0f, 0.001f)), 150.0f, 0.01f);
+    EXPECT_NEAR(slenderness(sizeOf(0.01f, 0.0f)), 150.0f, 0.01f);
+    species.height.power = 0.1f;
+    EXPECT_NEAR(slenderness(sizeOf(0.0f, 9.0f)), 15.0f, 0.01f);
+    EXPECT_NEAR(slenderness(sizeOf(150.0f, 0.0f)), 15.0f, 0.01f);
+    EXPECT_EQ(estimateSize(sizeOf(0.0f, 20.0f), species, false, "a").size.height, 150.0f);
+}
+
+TEST(SizeLaws, WhatNoLawTellsIsNotGiven) {
+    const SizeEstimate tree = estimateSize(sizeOf(0.0f, 0.3f), Species(), false, "a");
+    EXPECT_EQ(tree.size.height, 0.0f);
+    EXPECT_EQ(tree.size.crownWidth, 0.0f);
+    EXPECT_FALSE(tree.estimated.height || tree.estimated.crownWidth);
+    EXPECT_EQ(estimateSize({}, Species(), false, "a").size.height, 0.0f);
+}
+
+TEST(SizeLaws, EveryBuiltInSpeciesHasOneWithItsSource) {
+    for (const Species& species : SpeciesCatalogue::builtIn().species()) {
+        SCOPED_TRACE(species.name);
+        const HeightAllometry& law = species.height;
+        EXPECT_NE(law.source.find("Urban Tree Database"), std::string::npos) << law.source;
+        EXPECT_GT(law.spread, 0.0f);
+        EXPECT_GT(law.openSpread, 0.0f);
+        for (const double diameter : {0.1, 0.3, 0.6}) { // of trees that were measured
+            const double open = law.openScale * std::pow(diameter, static_cast<double>(law.openPower));
+            const double forest = law.scale * std::pow(diameter, static_cast<double>(law.power));
+            EXPECT_GE(forest, open) << diameter;
+            EXPECT_GT(open, 15.0 * diameter);
+            EXPECT_LT(forest, 130.0 * diameter);
+        }
+    }
+}
+
+TEST(SizeLaws, AreInTheDocuments) {
+    std::ifstream file(OSGTREEWIND_SOURCE_DIR "/docs/species.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const Species& species : SpeciesCatalogue::builtIn().species()) {
+        const HeightAllometry& law = species.height;
+        std::ostringstream row;
+        row << "| " << species.name << " | " << law.scale << "·d^" << law.power << " | " << law.spread
+            << " | " << law.openScale << "·d^" << law.openPower << " | " << law.openSpread << " | "
+            << law.source << " |";
+        EXPECT_NE(text.find(row.str()), std::string::npos) << row.str();
+    }
+}
