@@ -28,7 +28,7 @@ double uniform(Random& random) {
 }
 
 float within(double size, double low, double high) {
-    return static_cast<float>(std::clamp(size, low, high));
+    return static_cast<float>(std::min(std::max(size, low), high));
 }
 
 class Estimator {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/io/InventoryReading.h>
 
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
 #include <map>
@@ -91,6 +92,22 @@ TEST(InventorySizes, AreWrittenAsWhatTheyAre) {
     EXPECT_TRUE(trees[0].estimated.height && !trees[0].estimated.trunkDiameter);
     EXPECT_FALSE(trees[1].estimated.height);
     EXPECT_TRUE(trees[1].estimated.crownWidth);
+}
+
+TEST(InventorySizes, StayEstimatedInAForestAsItIsNow) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,0.3\n");
+    PlacedForest placed(inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(columns)));
+    const TreePlacement turned = [&] {
+        TreePlacement tree = placed.placementOf(0);
+        tree.heading = 1.0f;
+        return tree;
+    }();
+    placed.put(0, *placed.fitted(turned, &placed.trees[0]), turned.name);
+    const auto trees = placed.describe().trees;
+    EXPECT_TRUE(trees[0].estimated.height && !trees[0].estimated.trunkDiameter);
+    EXPECT_EQ(trees[0].heading, 1.0f);
+    EXPECT_FALSE(trees[1].estimated.height);
 }
 
 TEST(InventorySizes, OfASpeciesWithoutLawsFollowItsShape) {

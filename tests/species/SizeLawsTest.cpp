@@ -173,6 +173,31 @@ TEST(SizeLaws, WhatNoLawTellsIsNotGiven) {
     EXPECT_EQ(estimateSize({}, Species(), false, "a").size.height, 0.0f);
 }
 
+TEST(SizeLaws, EstimatesAreInRangeUnderAnyLaw) {
+    Species species = *findSpecies("oak");
+    for (const float scale : {1e-38f, 1.0f, 500.0f})
+        for (const float power : {0.1f, 1.0f, 3.0f})
+            for (const float spread : {0.0f, 2.0f})
+                for (const float perDiameter : {0.0f, 1e-38f, 100.0f})
+                    for (const TreeSize& given :
+                         {sizeOf(0.0f, 0.0f), sizeOf(0.0f, 1e-6f), sizeOf(0.0f, 20.0f), sizeOf(1e-6f, 0.0f),
+                          sizeOf(150.0f, 0.0f), sizeOf(0.0f, 0.0f, 1e-6f), sizeOf(0.0f, 0.0f, 150.0f)}) {
+                        species.height.scale = scale;
+                        species.height.power = power;
+                        species.height.spread = species.crown.spread = spread;
+                        species.crown.perDiameter = perDiameter;
+                        const SizeEstimate tree = estimateSize(given, species, false, "a");
+                        const TreeSize& size = tree.size;
+                        EXPECT_TRUE(size.height >= 0.0f && size.height <= 150.0f) << size.height;
+                        EXPECT_TRUE(size.trunkDiameter >= 0.0f && size.trunkDiameter <= 20.0f)
+                            << size.trunkDiameter;
+                        EXPECT_TRUE(size.crownWidth >= 0.0f && size.crownWidth <= 150.0f) << size.crownWidth;
+                        EXPECT_EQ(tree.estimated.height, size.height != given.height);
+                        EXPECT_EQ(tree.estimated.trunkDiameter, size.trunkDiameter != given.trunkDiameter);
+                        EXPECT_EQ(tree.estimated.crownWidth, size.crownWidth != given.crownWidth);
+                    }
+}
+
 TEST(SizeLaws, EveryBuiltInSpeciesHasOneWithItsSource) {
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
         SCOPED_TRACE(species.name);
