@@ -7,12 +7,14 @@
 #include <string>
 #include <utility>
 
-/// Keeps what OSG says at NOTICE and above, for any thread.
+/// Keeps what OSG says at NOTICE and above, for any thread, but for how a forest gets on that takes over a
+/// second to grow: on a slow machine any does.
 class MessageCollector : public osg::NotifyHandler {
 public:
     void notify(osg::NotifySeverity severity, const char* message) override {
         const std::lock_guard<std::mutex> lock(_mutex);
-        if (severity <= osg::NOTICE)
+        const bool patience = std::string(message).rfind("osgTreeWind: growing a forest", 0) == 0;
+        if (severity <= osg::NOTICE && !patience)
             _messages += message;
     }
     /// Everything kept so far, which is then forgotten.

@@ -126,14 +126,14 @@ Range memberRange(const Field& field) {
     return {end(field.range.min), end(field.range.max), field.range.aboveMin};
 }
 
-void clampFields(const Fields& fields, void* struct_, const void* usual) {
+void clampFields(const Fields& fields, void* owner, const void* usual) {
     for (const Field& field : fields)
-        std::visit(Clamp{field, memberRange(field), field.of(usual)}, field.member(struct_));
+        std::visit(Clamp{field, memberRange(field), field.of(usual)}, field.member(owner));
 }
 
-void checkFields(const Fields& fields, const void* struct_, const std::string& path, Diagnostics& problems) {
+void checkFields(const Fields& fields, const void* owner, const std::string& path, Diagnostics& problems) {
     for (const Field& field : fields) {
-        const Member member = field.of(struct_);
+        const Member member = field.of(owner);
         const Range range = std::holds_alternative<double*>(member) ? field.range : memberRange(field);
         std::visit(Check{field, range, path, problems}, member);
     }

@@ -42,15 +42,15 @@ using Member =
 
 /// One thing that a struct says.
 struct Field {
-    const char* key;                 ///< In a file.
-    Member (*member)(void* struct_); ///< Where it is in a struct.
-    Range range;                     ///< Of a number, in `unit`.
-    std::string doc;                 ///< What it is, for the manual.
-    std::string unit{};              ///< As in the manual; of "degrees" the member is in radians.
+    const char* key;               ///< In a file.
+    Member (*member)(void* owner); ///< Where it is in a struct.
+    Range range;                   ///< Of a number, in `unit`.
+    std::string doc;               ///< What it is, for the manual.
+    std::string unit{};            ///< As in the manual; of "degrees" the member is in radians.
     std::vector<std::pair<std::string, int>> words{}; ///< Of an enum, with their values.
 
     bool degrees() const { return unit == "degrees"; }
-    Member of(const void* struct_) const { return member(const_cast<void*>(struct_)); }
+    Member of(const void* owner) const { return member(const_cast<void*>(owner)); }
 };
 
 /// Two fields whose values, each in range, do not go together.
@@ -65,8 +65,8 @@ Struct* ownerOf(T Struct::*);
 
 /// Field::member of a member, or of a member of a member.
 template <auto First, auto... Rest>
-Member at(void* struct_) {
-    auto& member = static_cast<decltype(ownerOf(First))>(struct_)->*First;
+Member at(void* owner) {
+    auto& member = static_cast<decltype(ownerOf(First))>(owner)->*First;
     using T = std::remove_reference_t<decltype(member)>;
     if constexpr (sizeof...(Rest) > 0)
         return at<Rest...>(&member);
@@ -90,7 +90,7 @@ const Field& fieldAt(const Fields& fields, const std::string& key);
 Range memberRange(const Field& field);
 
 /// Brings every number into its range; NaN becomes that of `usual`.
-void clampFields(const Fields& fields, void* struct_, const void* usual);
+void clampFields(const Fields& fields, void* owner, const void* usual);
 template <typename Struct>
 Struct clampedFields(Struct value, const Struct& usual = {}) {
     clampFields(fieldsOf<Struct>(), &value, &usual);
@@ -98,7 +98,7 @@ Struct clampedFields(Struct value, const Struct& usual = {}) {
 }
 
 /// Adds what is out of range, with `path` and the key: "species[0].wood.density".
-void checkFields(const Fields& fields, const void* struct_, const std::string& path, Diagnostics& problems);
+void checkFields(const Fields& fields, const void* owner, const std::string& path, Diagnostics& problems);
 template <typename Struct>
 void checkFields(const Struct& value, const std::string& path, Diagnostics& problems) {
     checkFields(fieldsOf<Struct>(), &value, path, problems);

@@ -88,12 +88,14 @@ std::optional<CrsWay> wayOfInventory(TableReader& table, TreeRows* rows, const I
 
 Result<double> metresOfRow(const TreeRows& rows, const Measure& measure) {
     const Result<double> number = rows.number(*measure.column);
+    if (!number)
+        return number;
     const double metres = number.value() * measure.unit;
-    if (number && !measure.range.contains(metres))
+    if (!measure.range.contains(metres))
         return rows.problem(rows.columns()[*measure.column], "expected " + measure.range.text() +
                                                                  " metres, found " +
                                                                  inQuotes(rows.text(*measure.column)));
-    return number ? Result<double>(metres) : number;
+    return metres;
 }
 
 Result<VectorPlace> placeOfRow(const TreeRows& rows, const InventoryColumns& columns, const CrsWay& way) {
@@ -101,7 +103,7 @@ Result<VectorPlace> placeOfRow(const TreeRows& rows, const InventoryColumns& col
     Diagnostics problems;
     const auto take = [&](const auto& result) {
         problems.insert(problems.end(), result.problems().begin(), result.problems().end());
-        return result.value();
+        return result ? result.value() : std::decay_t<decltype(result.value())>();
     };
     if (columns.hasXY()) {
         const double x = take(metresOfRow(rows, columns.x)), y = take(metresOfRow(rows, columns.y));

@@ -47,9 +47,9 @@ struct ReadMember {
 
 } // namespace
 
-void readFields(TableReader& table, const Fields& fields, void* struct_, const FileFinder& find) {
+void readFields(TableReader& table, const Fields& fields, void* owner, const FileFinder& find) {
     for (const Field& field : fields)
-        std::visit(ReadMember{table, field, find}, field.member(struct_));
+        std::visit(ReadMember{table, field, find}, field.member(owner));
 }
 
 void reportConflicts(TableReader& table, const std::vector<FieldConflict>& conflicts) {

@@ -11,7 +11,7 @@ using FileFinder = std::function<void(TableReader& table, const std::string& key
 
 /// Reads those keys of a table that are there into the members they stand for.
 /// @param find for texts in "file".
-void readFields(TableReader& table, const Fields& fields, void* struct_, const FileFinder& find = {});
+void readFields(TableReader& table, const Fields& fields, void* owner, const FileFinder& find = {});
 template <typename Struct>
 void readFields(TableReader& table, Struct& value, const FileFinder& find = {}) {
     readFields(table, fieldsOf<Struct>(), &value, find);

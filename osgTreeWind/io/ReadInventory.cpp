@@ -132,7 +132,7 @@ private:
     T logged(const Result<T>& result) {
         for (const Diagnostic& problem : result.problems())
             _reading.log.add(problem);
-        return result.value();
+        return result ? result.value() : T();
     }
 
     /// Metres; 0 when the row does not say.

@@ -93,15 +93,15 @@ std::string tomlText(const std::string& text) {
     return quoted + '"';
 }
 
-void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* struct_,
+void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* owner,
                  const void* usual) {
-    const auto differs = [&](const Field& field) { return !usual || !sameField(field, struct_, usual); };
+    const auto differs = [&](const Field& field) { return !usual || !sameField(field, owner, usual); };
     for (const Field& field : fields)
         if (differs(field))
-            if (const std::string text = std::visit(ValueText{field}, field.of(struct_)); !text.empty())
+            if (const std::string text = std::visit(ValueText{field}, field.of(owner)); !text.empty())
                 output << field.key << " = " << text << '\n';
     for (const Field& field : fields) {
-        const Member member = field.of(struct_);
+        const Member member = field.of(owner);
         const auto part = std::get_if<PartMember>(&member);
         if (!part || !differs(field))
             continue;

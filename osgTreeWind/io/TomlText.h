@@ -32,7 +32,7 @@ std::string tomlText(const std::vector<T>& values) {
 
 /// Writes the keys that are not as in `usual` (null: all), then tables of those parts that are not.
 /// @param table that the keys are in, as "species.growth".
-void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* struct_,
+void writeFields(std::ostream& output, const std::string& table, const Fields& fields, const void* owner,
                  const void* usual);
 template <typename Struct>
 void writeFields(std::ostream& output, const std::string& table, const Struct& value,

@@ -82,6 +82,7 @@ private:
         }
         for (const std::string& note : notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
+        node.value()->setName(osgDB::getSimpleFileName(where.file));
         return node.value().get();
     }
 

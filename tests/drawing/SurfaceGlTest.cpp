@@ -145,4 +145,5 @@ TEST_P(SurfaceGlTest, idsOfObjectsAreOneATree) {
     EXPECT_EQ(colours.size(), 5u) << "four trees and the background";
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, SurfaceGlTest, ::testing::Values(Way::Modal, Way::Branchwise));
+INSTANTIATE_TEST_SUITE_P(Ways, SurfaceGlTest, ::testing::Values(Way::Modal, Way::Branchwise),
+                         [](const auto& way) { return way.param == Way::Modal ? "modal" : "branchwise"; });

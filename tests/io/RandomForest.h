@@ -156,10 +156,10 @@ private:
         }
         void operator()(const PartMember& part) const { forest.fillAll(*part.fields, part.object); }
     };
-    void fillAll(const Fields& fields, void* struct_) {
+    void fillAll(const Fields& fields, void* owner) {
         for (const Field& field : fields)
             if (maybe(0.8))
-                std::visit(Fill{*this, field}, field.member(struct_));
+                std::visit(Fill{*this, field}, field.member(owner));
     }
     template <typename Struct>
     void fill(Struct& value) {

@@ -53,6 +53,7 @@ TEST_F(ReaderWriterTreewindTest, readsTheReferenceTree) {
     const Forest& read = *forest;
     EXPECT_TRUE(&typeid(read) == &typeid(Forest)) << "the plugin's library has a Forest of its own";
     EXPECT_EQ(forest->getNumTrees(), 1u);
+    EXPECT_EQ(forest->getName(), "thesis.treewind") << "for what is said of it";
     EXPECT_EQ(forest->getBranchwise()->getTree(0)->getNumBranches(), 122u);
     EXPECT_EQ(said(), "");
 }

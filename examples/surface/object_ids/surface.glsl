@@ -18,7 +18,7 @@ flat in float hostTree;
 void paintSurface(vec3 color, vec3 albedo, float coverage) {
     if (coverage < 0.5)
         discard;
-    uint id = uint(hostTree * 16777216.0);
+    uint id = 1u + uint(hostTree * 16777214.0); // 0 is where no tree is
     gl_FragColor = vec4(vec3(id >> 16, id >> 8 & 255u, id & 255u) / 255.0, 1.0);
 }
 
