@@ -120,6 +120,8 @@ private:
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
         tree.name = rowName();
+        if (!place.hasHeight)
+            _reading.onGround.push_back(_reading.forest.trees.size());
         _reading.forest.trees.push_back(tree);
     }
 
