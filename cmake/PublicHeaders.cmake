@@ -16,6 +16,7 @@ set(public_headers
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/PlacedForest.h
+    osgTreeWind/forest/StandOnGround.h
     osgTreeWind/forest/TreeId.h
     osgTreeWind/forest/TreeNames.h
     osgTreeWind/io/ForestFile.h
@@ -40,6 +41,8 @@ set(public_headers
     osgTreeWind/nodes/TreeUnit.h
     osgTreeWind/offscreen/FrameImage.h
     osgTreeWind/offscreen/OffscreenContext.h
+    osgTreeWind/places/FunctionGround.h
+    osgTreeWind/places/Ground.h
     osgTreeWind/species/Appearance.h
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h

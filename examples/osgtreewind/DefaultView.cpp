@@ -19,6 +19,11 @@ constexpr double eyeHeight = 1.6;
 struct Tree {
     osg::Vec3d foot;
     double height, reach; ///< Of the crown from the trunk.
+    bool isOnLevel;       ///< Its foot is taken to be as high as any place.
+
+    double topAbove(const osg::Vec3d& place) const {
+        return isOnLevel ? height : foot.z() + height - place.z();
+    }
 };
 
 /// Those nearest to the middle tree, nearest first.
@@ -30,7 +35,7 @@ std::vector<Tree> middleTrees(const Forest& forest) {
         if (tree.alive) {
             const osgTreeWind::TreeSize size = forest.getSimulation().forest().measured(tree);
             trees.push_back({osg::Vec3d(tree.position.x, tree.position.y, tree.position.z), size.height,
-                             0.5 * size.crownWidth});
+                             0.5 * size.crownWidth, !forest.getGround()});
         }
     const auto sortFrom = [&trees](const osg::Vec3d& place) {
         std::sort(trees.begin(), trees.end(), [&](const Tree& a, const Tree& b) {
@@ -53,7 +58,8 @@ public:
           _highest(std::tan(std::atan(0.72 * _tall) + std::atan(0.55 * _tall))) {}
 
     /// How well the picture is filled, above 0; 0 where a tree is in the way or cut off at its top.
-    double look(const std::vector<Tree>& trees, const osg::Vec2d& eye, const osg::Vec2d& ahead) const {
+    /// @param eye its z is that of the ground.
+    double look(const std::vector<Tree>& trees, const osg::Vec3d& eye, const osg::Vec2d& ahead) const {
         std::array<double, columns> skyline{};
         const osg::Vec2d right(ahead.y(), -ahead.x());
         double cutOff = 0.0;
@@ -69,7 +75,7 @@ public:
             if (high < -1.0 || low > 1.0)
                 continue;
             const double top =
-                (tree.height - eyeHeight) / (std::max(depth - 0.5 * tree.reach, 0.5) * _highest);
+                (tree.topAbove(eye) - eyeHeight) / (std::max(depth - 0.5 * tree.reach, 0.5) * _highest);
             if (top > 1.0)
                 return 0.0;
             if (low < -1.0 || high > 1.0) // at the edge of the picture
@@ -115,6 +121,14 @@ osg::Vec2d toward(double azimuth) {
 
 } // namespace
 
+double groundHeight(const Forest& forest, const osg::Vec2d& place, double level) {
+    const osg::Vec3d origin = forest.getOrigin();
+    const osgTreeWind::GroundPtr& ground = forest.getDescription().ground;
+    const auto height =
+        ground ? ground->height({place.x() + origin.x(), place.y() + origin.y()}) : std::nullopt;
+    return height ? *height - origin.z() : level;
+}
+
 osg::Vec3d defaultEye(const osg::Vec3d& centre, double radius, const Lens& lens) {
     const double halfAngle = osg::DegreesToRadians(0.5 * lens.fieldOfView) * std::min(1.0, lens.aspect);
     const double rise = radius < 15.0 ? 0.05 : radius < 100.0 ? 0.16 : 0.28;
@@ -139,10 +153,11 @@ ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens) {
             const osg::Vec2d way = toward(2.0 * osg::PI * direction / directions);
             const osg::Vec2d place =
                 osg::Vec2d(subject.foot.x(), subject.foot.y()) - way * (onlooker.distanceOf(subject) + 0.5);
+            const osg::Vec3d stand(place, groundHeight(forest, place, subject.foot.z()));
             for (const double aside : {0.0, -0.35, 0.35}) { // of the angle of view
                 const osg::Vec2d look = onlooker.turned(way, aside);
                 const double sunny = 1.0 - 0.2 * (way * sunward); // the sun behind the eye
-                const double seen = sunny * onlooker.look(trees, place, look);
+                const double seen = sunny * onlooker.look(trees, stand, look);
                 if (seen > best + 1e-6) {
                     best = seen;
                     eye = place;
@@ -157,13 +172,14 @@ ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens) {
         };
         return distance(a) < distance(b);
     });
+    const osg::Vec3d stand(eye, groundHeight(forest, eye, nearest->foot.z()));
     double top = 0.0;
     for (const Tree& tree : trees) {
         const osg::Vec2d way(tree.foot.x() - eye.x(), tree.foot.y() - eye.y());
         if (way * ahead > 0.8 * way.length())
-            top = std::max(top, (tree.height - eyeHeight) / (way * ahead));
+            top = std::max(top, (tree.topAbove(stand) - eyeHeight) / (way * ahead));
     }
-    const osg::Vec3d from(eye.x(), eye.y(), nearest->foot.z() + eyeHeight);
+    const osg::Vec3d from = stand + osg::Vec3d(0.0, 0.0, eyeHeight);
     return {from, from + osg::Vec3d(ahead.x(), ahead.y(), onlooker.pitch(top)) * 10.0};
 }
 
@@ -191,6 +207,7 @@ ForestView viewOfOneTree(const Forest& forest, const Lens& lens) {
             away = way;
         }
     }
-    const osg::Vec3d eye = tree.foot + osg::Vec3d(away.x() * distance, away.y() * distance, eyeHeight);
+    osg::Vec3d eye = tree.foot + osg::Vec3d(away.x() * distance, away.y() * distance, eyeHeight);
+    eye.z() = std::max(eye.z(), groundHeight(forest, {eye.x(), eye.y()}, tree.foot.z()) + eyeHeight);
     return {eye, tree.foot + osg::Vec3d(0.0, 0.0, 0.5 * tree.height)};
 }

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/nodes/Forest.h>
 
+#include <osg/Vec2d>
 #include <osg/Vec3d>
 
 /// Where a camera is and looks, and how: vertical field of view in degrees, width over height.
@@ -12,6 +13,9 @@ struct ForestView {
 struct Lens {
     double fieldOfView = 40.0, aspect = 16.0 / 9.0;
 };
+
+/// Of the ground at a place, in the forest's frame. @param level where there is none.
+double groundHeight(const osgTreeWind::Forest& forest, const osg::Vec2d& place, double level);
 
 /// From where a whole forest is seen: from the south-west, from above its crowns if it is wide.
 /// @param radius metres.

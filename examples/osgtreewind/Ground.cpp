@@ -14,7 +14,7 @@ namespace {
 
 constexpr int texels = 256; // of the ground's texture, each way
 
-const char* vertexText = R"(#version 330 compatibility
+const char* vertexText = R"(
 out vec2 place;
 out vec3 eyePosition;
 out vec3 light;
@@ -22,7 +22,11 @@ void main() {
     place = gl_Vertex.xy;
     vec4 eye = gl_ModelViewMatrix * gl_Vertex;
     eyePosition = eye.xyz;
+#ifdef RELIEF
+    vec3 up = normalize(gl_NormalMatrix * gl_Normal);
+#else
     vec3 up = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
+#endif
     light = 1.2 * gl_LightSource[0].ambient.rgb +
             max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0) * gl_LightSource[0].diffuse.rgb;
     gl_Position = gl_ProjectionMatrix * eye;
@@ -120,6 +124,20 @@ osg::ref_ptr<osg::Texture2D> groundTexture() {
     return texture;
 }
 
+/// @param define a line of the vertex shader.
+osg::ref_ptr<osg::StateSet> grass(const std::string& define) {
+    const std::string version = "#version 330 compatibility\n";
+    osg::ref_ptr<osg::Program> program = new osg::Program;
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + define + vertexText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
+                                       version + osgTreeWind::shaderText("scene.glsl") + fragmentText));
+    osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
+    state->setAttributeAndModes(program);
+    state->setTextureAttribute(0, groundTexture());
+    state->addUniform(new osg::Uniform("groundTexture", 0));
+    return state;
+}
+
 } // namespace
 
 float groundRadius(const osg::BoundingSphere& bound) {
@@ -141,14 +159,13 @@ osg::ref_ptr<osg::Geometry> createGround(const osg::BoundingSphere& bound) {
     ground->setUseVertexBufferObjects(true);
     ground->setVertexArray(rim);
     ground->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, static_cast<int>(rim->size())));
-    osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, vertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, "#version 330 compatibility\n" +
-                                                                  osgTreeWind::shaderText("scene.glsl") +
-                                                                  fragmentText));
-    osg::StateSet* state = ground->getOrCreateStateSet();
-    state->setAttributeAndModes(program);
-    state->setTextureAttribute(0, groundTexture());
-    state->addUniform(new osg::Uniform("groundTexture", 0));
+    ground->setStateSet(grass(""));
     return ground;
+}
+
+osg::ref_ptr<osg::Node> createRelief(const osgTreeWind::Forest& forest) {
+    osg::ref_ptr<osg::Group> relief = new osg::Group;
+    relief->addChild(forest.getGround());
+    relief->setStateSet(grass("#define RELIEF\n"));
+    return relief;
 }

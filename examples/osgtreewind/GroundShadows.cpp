@@ -13,7 +13,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <cmath>
 #include <map>
+#include <string>
 
 namespace {
 
@@ -21,11 +23,17 @@ using namespace osgTreeWind;
 
 constexpr int pixels = 128, samples = 2; // of a silhouette, each way
 
-const char* vertexText = R"(#version 330 compatibility
+const char* vertexText = R"(
 out vec3 spot;
 void main() {
     spot = gl_MultiTexCoord0.xyz;
+#ifdef RELIEF
+    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    eye.xyz *= 1.0 - 0.004 - min(0.3 / length(eye.xyz), 0.5); // before the ground, however fine that is
+    gl_Position = gl_ProjectionMatrix * eye;
+#else
     gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+#endif
 })";
 
 const char* fragmentText = R"(#version 330 compatibility
@@ -115,7 +123,7 @@ struct ShadowPicture {
     }
 };
 
-osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures) {
+osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, bool isRelief) {
     osg::ref_ptr<osg::Texture2DArray> texture = new osg::Texture2DArray;
     texture->setTextureSize(pixels, pixels, static_cast<int>(pictures.size()));
     texture->setInternalFormat(GL_R8);
@@ -125,15 +133,57 @@ osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures) 
     for (std::size_t i = 0; i < pictures.size(); ++i)
         texture->setImage(static_cast<unsigned>(i), pictures[i].image);
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, vertexText));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, std::string("#version 330 compatibility\n") +
+                                                                (isRelief ? "#define RELIEF\n" : "") +
+                                                                vertexText));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragmentText));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, texture);
     state->addUniform(new osg::Uniform("silhouettes", 0));
     state->setMode(GL_BLEND, osg::StateAttribute::ON);
-    state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+    state->setAttributeAndModes(
+        new osg::Depth(isRelief ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0.0, 1.0, false));
     return state;
+}
+
+/// Where light that would meet level ground about a foot meets the forest's own.
+class Landing {
+public:
+    Landing(const Forest& forest, const glm::vec2& away, float slope)
+        : _ground(forest.getDescription().ground), _origin(forest.getDescription().origin),
+          _run(slope * away) {}
+
+    bool isRelief() const { return _ground != nullptr; }
+    /// @param farthest that the ground may lie above or below, metres.
+    osg::Vec3 operator()(const glm::vec2& level, float height, float farthest) const {
+        constexpr int steps = 8;
+        float drop = 0.0f;
+        for (int i = 0; _ground && i < steps; ++i) {
+            const glm::vec2 at = level + drop * _run;
+            const auto ground = _ground->height(glm::dvec2(_origin) + glm::dvec2(at));
+            const float below = ground ? height - static_cast<float>(*ground - _origin.z) : drop;
+            drop = glm::clamp(drop + 0.7f * (below - drop), -farthest, farthest);
+        }
+        const glm::vec2 at = level + drop * _run;
+        return {at.x, at.y, height - drop};
+    }
+
+private:
+    osgTreeWind::GroundPtr _ground;
+    glm::dvec3 _origin;
+    glm::vec2 _run; ///< For a metre down.
+};
+
+/// The triangles of a square of n by n, corners in [0, 1].
+std::vector<glm::vec2> squares(int n) {
+    std::vector<glm::vec2> corners;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x)
+            for (const glm::vec2& spot : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 0),
+                                          glm::vec2(1, 1), glm::vec2(0, 1)})
+                corners.push_back((glm::vec2(x, y) + spot) / static_cast<float>(n));
+    return corners;
 }
 
 } // namespace
@@ -146,6 +196,10 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     const auto turned = [](const glm::vec2& v, float by) {
         return glm::vec2(glm::cos(by) * v.x - glm::sin(by) * v.y, glm::sin(by) * v.x + glm::cos(by) * v.y);
     };
+    const Landing landing(forest, away, glm::length(level) / sun.z());
+    const auto trees = static_cast<float>(simulation.trees().size());
+    const std::vector<glm::vec2> spotsOfOne =
+        squares(landing.isRelief() ? static_cast<int>(glm::clamp(std::sqrt(2e5f / trees), 1.0f, 6.0f)) : 1);
     std::map<std::uint32_t, std::size_t> pictureOf; // of a model, from its first tree
     std::vector<ShadowPicture> pictures;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, spots = new osg::Vec3Array;
@@ -159,11 +213,11 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
                                   fall);
         }
         const ShadowPicture& picture = pictures[found->second];
-        for (const glm::vec2& spot : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 0),
-                                      glm::vec2(1, 1), glm::vec2(0, 1)}) {
+        for (const glm::vec2& spot : spotsOfOne) {
             const glm::vec2 place = tree.scale.axes.x * glm::mix(picture.low, picture.high, spot);
             const glm::vec2 at = glm::vec2(tree.position) + place.x * across + place.y * away;
-            corners->push_back({at.x, at.y, tree.position.z + 0.02f});
+            corners->push_back(
+                landing(at, tree.position.z + 0.02f, tree.scale.axes.x * (picture.high.y - picture.low.y)));
             spots->push_back({spot.x, spot.y, static_cast<float>(found->second)});
         }
     }
@@ -173,6 +227,6 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     shadows->setVertexArray(corners);
     shadows->setTexCoordArray(0, spots);
     shadows->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    shadows->setStateSet(stateOf(pictures));
+    shadows->setStateSet(stateOf(pictures, landing.isRelief()));
     return shadows;
 }

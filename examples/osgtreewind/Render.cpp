@@ -69,7 +69,12 @@ ForestView viewOf(const RenderOptions& options, const Forest& forest, const Lens
     if (options.eye.empty() && options.center.empty() && options.view == "portrait")
         return viewOfOneTree(forest, lens);
     const osg::Vec3d center = options.center.empty() ? osg::Vec3d(bound.center()) : given(options.center);
-    return {options.eye.empty() ? defaultEye(center, bound.radius(), lens) : given(options.eye), center};
+    if (!options.eye.empty())
+        return {given(options.eye), center};
+    osg::Vec3d eye = defaultEye(center, bound.radius(), lens);
+    if (forest.getGround()) // above the hills between
+        eye.z() = std::max(eye.z(), groundHeight(forest, {eye.x(), eye.y()}, eye.z()) + 0.1 * bound.radius());
+    return {eye, center};
 }
 
 void placeCamera(osg::Camera& camera, const ForestView& view, const Lens& lens) {

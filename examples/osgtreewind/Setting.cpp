@@ -101,7 +101,9 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, Shadows shadows) {
     haze->setDensity(1.6f / groundRadius(forest.getBound()));
     state->setAttributeAndModes(haze);
 
-    osg::ref_ptr<osg::Geometry> ground = createGround(forest.getBound()), sky = createSky();
+    const osg::ref_ptr<osg::Node> ground =
+        forest.getGround() ? createRelief(forest) : osg::ref_ptr<osg::Node>(createGround(forest.getBound()));
+    const osg::ref_ptr<osg::Geometry> sky = createSky();
     ground->getStateSet()->setRenderBinDetails(-2,
                                                "RenderBin"); // first, then the shadows over it, then all else
     ground->getStateSet()->setDefine("FOG_MODE", "2");

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/forest/DrawingOptions.h>
 #include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/places/Ground.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/species/Species.h>
 #include <osgTreeWind/wind/WindField.h>
@@ -46,6 +47,7 @@ struct ForestDescription {
     /// What world coordinates are of: a map in metres, in any words that PROJ knows ("EPSG:25832"). Empty:
     /// none.
     std::string crs;
+    GroundPtr ground; ///< Null: none. Trees stand where they are put (StandOnGround.h puts them on it).
     MotionLaw law = MotionLaw::Modal;
     /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
     float gain = 1.0f;

@@ -27,6 +27,7 @@ struct ForestReading {
     std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
     std::set<std::string> treeNames;                  ///< Of all trees so far.
+    std::vector<std::size_t> onGround;                ///< Trees whose height the document does not give.
     const SpeciesCatalogue* catalogue = nullptr;      ///< Null until it is asked for.
 
     /// Index of the species with this name or alias, whatever its case.
@@ -37,7 +38,7 @@ struct ForestReading {
     /// Where species are looked for that the document has not. If that of the host is broken, its problems
     /// are now those of the reading.
     const SpeciesCatalogue& builtIn();
-    /// Takes the crs that an inventory asks for.
+    /// Takes the crs that an inventory or the ground asks for.
     void choose(const Crs& chosen);
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
     bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);
@@ -60,11 +61,14 @@ void readSpecies(TableReader& table, ForestReading& reading);   ///< One [[speci
 void readTree(TableReader& table, ForestReading& reading);      ///< One [[tree]].
 void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatter]].
 void readInventory(TableReader& table, ForestReading& reading); ///< One [[inventory]].
+void readGround(TableReader& table, ForestReading& reading);    ///< [ground], and puts the trees on it.
 void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; needs the forest's origin.
 
 /// `wind.frame`.
 const std::vector<std::pair<std::string, WindFrame>>& windFrames();
 
+/// [ground], if there is one. @return what keeps it from being written; empty when all is well.
+std::string writeGround(std::ostream& output, const ForestDescription& forest);
 /// [wind], if there is one. @return what keeps it from being written; empty when all is well.
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 

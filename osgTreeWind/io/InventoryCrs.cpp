@@ -115,8 +115,10 @@ Result<VectorPlace> placeOfRow(const TreeRows& rows, const InventoryColumns& col
     } else
         place = take(rows.place(way));
     place.position.z *= columns.z.unit;
-    if (columns.z.column && rows.has(*columns.z.column))
+    if (columns.z.column && rows.has(*columns.z.column)) {
         place.position.z = take(metresOfRow(rows, columns.z));
+        place.hasHeight = true;
+    }
     for (int axis = 0; axis < 3; ++axis)
         if (problems.empty() && !worldCoordinates.contains(place.position[axis]))
             problems.push_back(rows.problem("", "expected coordinates " + worldCoordinates.text() +

@@ -125,6 +125,8 @@ private:
         const std::string said = _columns.id ? _rows->text(*_columns.id) : std::string();
         estimate(tree, said.empty() ? std::to_string(_row) : said);
         tree.name = nameOf(said);
+        if (!place.hasHeight)
+            _reading.onGround.push_back(_reading.forest.trees.size());
         _reading.forest.trees.push_back(tree);
     }
 

@@ -237,6 +237,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("species"))
         dropUnusedDefault(reading.forest);
 
+    root.table("ground", [&](TableReader& table) { readGround(table, reading); });
     if (reading.log.problems.empty())
         if (const std::string problem = problemOfMemory(reading.forest, false); !problem.empty())
             root.problem("", problem);

@@ -147,6 +147,9 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
     std::ostringstream wind;
     if (const std::string problem = writeWind(wind, forest); !problem.empty())
         problems.push_back(keyProblem("wind", problem));
+    std::ostringstream ground;
+    if (const std::string problem = writeGround(ground, forest); !problem.empty())
+        problems.push_back(keyProblem("ground", problem));
     if (!problems.empty())
         return problems;
     output << "version = 1\nseason = " << tomlText(forest.season) << "\norigin = " << tomlText(forest.origin)
@@ -155,7 +158,7 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
     writeFields(output, "", fieldsOfFile(), &forest, &usual);
     if (forest.trees.empty())
         output << "tree = []\n";
-    output << wind.str();
+    output << ground.str() << wind.str();
     writeMotion(output, forest);
     writeTable(output, "drawing", forest.drawing);
     for (const Species& species : forest.species)

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/ground/GroundDrawing.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -88,6 +89,13 @@ std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t sl
                          tree.scale.radius * rest.tipRadius, toOsg(base), toOsg(tip), now(base), now(tip)});
     }
     return units;
+}
+
+osg::ref_ptr<osg::Node> groundOf(const ForestDescription& description, const osg::BoundingSphere& trees) {
+    const glm::dvec2 centre(trees.center().x(), trees.center().y());
+    return createGroundDrawing(description.ground, description.origin,
+                               glm::dvec2(description.origin) + centre,
+                               std::max(static_cast<double>(trees.radius()), 0.0));
 }
 
 osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& simulation) {
@@ -192,6 +200,7 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<For
     _simulation = std::move(simulation);
     _drawing = std::move(drawing);
     insertChild(0, _drawing);
+    _ground = groundOf(getDescription(), _drawing->getBound());
     _treeCount =
         static_cast<std::size_t>(std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
                                                [](const PlacedTree& tree) { return tree.alive; }));

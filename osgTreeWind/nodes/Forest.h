@@ -80,6 +80,8 @@ public:
     /// The place of the node's own origin in the world's frame: geometry is relative to it, so that it keeps
     /// its precision far from the world's origin.
     osg::Vec3d getOrigin() const;
+    /// The ground, for a host to draw beside the trees; null: none. Another one after setDescription().
+    osg::Node* getGround() const { return _ground.get(); }
 
     // Trees that come and go, in update or between frames, at a cost that does not depend on how many there
     // are (ForestSimulation says more). Under the law `modal` only: elsewhere it is a problem.
@@ -88,17 +90,14 @@ public:
     Result<TreeId> addTree(const TreePlacement& placement);
     /// @return the problems; empty when it is done.
     Diagnostics removeTree(TreeId tree);
-    /// Moves it, or makes it one of another size or species, in full sway.
-    /// @return the problems; empty when it is done.
+    /// Moves it, or makes it one of another size or species, in full sway. @return as removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
-    /// By the name it has in an inventory; noTree for none.
+    /// By the name it has; noTree for none.
     TreeId findTree(const std::string& name) const;
-    /// Trees there are now.
     std::size_t getNumTrees() const { return _treeCount; }
     /// Their ids, those of the description first and in its order as long as none was removed.
     std::vector<TreeId> getTrees() const;
-    /// What would put that tree up again: species, place in the world's frame, all of its sizes, name.
-    /// Nothing for a tree that is not there.
+    /// What would put it up again, with all of its sizes; nothing for a tree that is not there.
     std::optional<TreePlacement> getPlacement(TreeId tree) const;
     /// Its branch units in access order, the numbers that branch() takes, and where they are now; nothing for
     /// a tree that is not there. nearestUnit() finds one by its place. In update or between frames.
@@ -108,8 +107,8 @@ public:
     /// frame of its tree at rest, in metres. The same one for the same branch; null where there is none. It
     /// stays where it was when its tree is removed. In update or between frames.
     BranchTransform* branch(TreeId tree, unsigned unit);
-    /// Lets a branch go that was asked for, also of a tree that was removed: what hangs on it leaves the
-    /// scene. In update or between frames. @return false where it was not asked for.
+    /// Lets a branch go, also of a tree that was removed: what hangs on it leaves the scene. In update or
+    /// between frames. @return false where it was not asked for.
     bool unfollow(TreeId tree, unsigned unit);
 
     /// Whether a child is a part of the forest; all others are yours.
@@ -140,6 +139,7 @@ private:
     Executor _executor;
     std::shared_ptr<ForestSimulation> _simulation;
     osg::ref_ptr<ForestDrawing> _drawing;
+    osg::ref_ptr<osg::Node> _ground;
     std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};

@@ -16,6 +16,7 @@ namespace osgTreeWind {
 /// Where a feature is.
 struct VectorPlace {
     glm::dvec3 position{0.0};      ///< Of a point, z as it has it; of an outline its centroid, z 0.
+    bool hasHeight = false;        ///< Whether z is its own.
     std::optional<double> width{}; ///< Of an outline: mean of its extents along x and y.
 };
 

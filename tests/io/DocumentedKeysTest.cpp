@@ -50,7 +50,7 @@ std::set<std::string> knownKeys() {
     const TemporaryFolder folder;
     folder.write("a.csv", "t\n1\n");
     const std::string everySection =
-        "version = 1\n[motion]\n[drawing]\n[[tree]]\n[tree.estimated]\n[scatter]\nheight = "
+        "version = 1\n[ground]\n[motion]\n[drawing]\n[[tree]]\n[tree.estimated]\n[scatter]\nheight = "
         "1\n[inventory]\nfile = "
         "\"a.csv\"\n[inventory.columns]\n"
         "[inventory.units]\n[[species]]\n[species.tree]\n[species.growth]\n[species.growth.boughs]\n"

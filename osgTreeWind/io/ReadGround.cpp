@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/forest/StandOnGround.h>
+#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/places/RasterGround.h>
+
+#include <filesystem>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// The files of `file`: one, or an array of tiles. Empty, and problems, where there is none.
+std::vector<std::string> findFiles(TableReader& table, ForestReading& reading) {
+    std::vector<std::string> names(1), paths;
+    if (table.hasArray("file") ? !table.read("file", names) : !table.require("file", names.front()))
+        return {};
+    if (names.empty())
+        table.problem("file", "expected at least one file");
+    for (const std::string& name : names)
+        if (const auto file = reading.open(table, "file", name))
+            paths.push_back(file->path);
+    return paths.size() == names.size() ? paths : std::vector<std::string>();
+}
+
+} // namespace
+
+void readGround(TableReader& table, ForestReading& reading) {
+    bool none = false;
+    const bool isRead = table.read("none", none);
+    const bool isBeside = none && (table.has("file") || table.has("crs"));
+    if (isBeside)
+        table.problem("none", "expected neither file nor crs beside it");
+    if (isBeside || (table.has("none") && !isRead))
+        return table.ignoreRest();
+    if (none)
+        return;
+    RasterGround::Source source;
+    table.read("crs", source.crs);
+    source.files = findFiles(table, reading);
+    if (source.files.empty())
+        return;
+    const auto ground = RasterGround::open(source, reading.crs);
+    if (!ground) {
+        const Diagnostic& problem = ground.problems().front();
+        return problem.file.empty() ? table.problem(problem.key, problem.message) : reading.log.add(problem);
+    }
+    reading.forest.ground = ground.value();
+    if (ground.value()->map() && !reading.crs)
+        reading.choose(*ground.value()->map());
+    if (reading.log.problems.empty())
+        for (const Diagnostic& problem : standOnGround(reading.forest, reading.onGround))
+            table.problem("file", problem.message);
+}
+
+std::string writeGround(std::ostream& output, const ForestDescription& forest) {
+    if (!forest.ground)
+        return {};
+    const auto rasters = dynamic_cast<const RasterGround*>(forest.ground.get());
+    if (!rasters)
+        return "a ground that no file can say: expected one from files, not a callable";
+    std::vector<std::string> files;
+    for (const std::string& file : rasters->source().files) {
+        std::error_code error;
+        if (!isToml(file) || !std::filesystem::is_regular_file(file, error))
+            return "no file " + inQuotes(file);
+        files.push_back(std::filesystem::absolute(file).string());
+    }
+    output << "\n[ground]\nfile = " << tomlText(files) << '\n';
+    if (const std::string& crs = rasters->source().crs; !crs.empty())
+        output << "crs = " << tomlText(crs) << '\n';
+    return {};
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/places/Ground.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+Ground::~Ground() = default;
+
+std::optional<double> footHeight(const Ground& ground, const glm::dvec2& place, double radius) {
+    constexpr int samples = 8;
+    std::optional<double> lowest = ground.height(place);
+    for (int i = 0; lowest && i < samples; ++i) {
+        const double angle = glm::two_pi<double>() * i / samples;
+        const auto rim = ground.height(place + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+        lowest = std::min(*lowest, rim.value_or(*lowest));
+    }
+    return lowest;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include <tests/io/InventoryReading.h>
+#include <tests/places/RasterFile.h>
+
+#include <filesystem>
+
+namespace osgTreeWind {
+
+namespace {
+
+using Make = void (*)(const std::string& path);
+
+/// A ground, or what is said of it, that is not to be read.
+struct BadGround {
+    const char* name;
+    Make make;           ///< Writes the raster; null: there is none.
+    std::string message; ///< Part of what must be said.
+    std::string lines = "file = \"a.tif\"\n";
+    std::string tree = "position = [2, 2]\n";
+    std::string head = "";
+};
+
+std::ostream& operator<<(std::ostream& out, const BadGround& bad) {
+    return out << bad.name;
+}
+
+void good(const std::string& path) {
+    RasterFile{}.write(path);
+}
+void ofCrs(const std::string& path) {
+    RasterFile file;
+    file.crs = "EPSG:25832";
+    file.write(path);
+}
+void text(const std::string& path, const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+}
+/// A large one, then what `spoil` leaves of its bytes.
+void spoilt(const std::string& path, bool tiles, std::size_t (*spoil)(std::string&)) {
+    RasterFile file;
+    file.columns = file.rows = 300;
+    file.value = [](int column, int row) { return column * 7919 % 1009 + row; };
+    file.write(path, "GTiff", tiles);
+    std::ifstream input(path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(input), {}};
+    bytes.resize(spoil(bytes));
+    text(path, bytes);
+}
+void withHole(const std::string& path) {
+    RasterFile file;
+    file.nodata = 111.0;
+    file.write(path);
+}
+void ofBands(const std::string& path) {
+    RasterFile file;
+    file.bands = 3;
+    file.write(path);
+}
+template <int Unit>
+void ofUnit(const std::string& path) {
+    RasterFile file;
+    file.unit = Unit == 0 ? "fathom" : "degree Celsius";
+    file.write(path);
+}
+void ofPalette(const std::string& path) {
+    RasterFile file;
+    file.type = GDT_Byte;
+    file.isPalette = true;
+    file.write(path);
+}
+void complex(const std::string& path) {
+    RasterFile file;
+    file.type = GDT_CFloat32;
+    file.write(path);
+}
+void undeclared(const std::string& path) {
+    RasterFile file;
+    file.value = [](int column, int) { return column == 3 ? -32768.0 : 5.0; };
+    file.write(path);
+}
+void infinite(const std::string& path) {
+    RasterFile file;
+    file.value = [](int, int) { return std::numeric_limits<double>::infinity(); };
+    file.write(path);
+}
+void scaledAway(const std::string& path) {
+    RasterFile file;
+    file.scale = 1e30;
+    file.write(path);
+}
+void flat(const std::string& path) {
+    RasterFile file;
+    file.transform = {0, 0, 0, 4, 0, 0};
+    file.write(path);
+}
+void metresAsDegrees(const std::string& path) {
+    RasterFile file;
+    file.crs = "EPSG:4326";
+    file.transform = {565000, 1, 0, 5934000, 0, -1};
+    file.write(path);
+}
+void elsewhere(const std::string& path) {
+    RasterFile file;
+    file.crs = "EPSG:4326";
+    file.transform = {9, 0.1, 0, 50, 0, -0.1};
+    file.write(path);
+}
+void unlocated(const std::string& path) {
+    text(path, "P5\n2 2\n255\nabcd");
+}
+void vrt(const std::string& path, const std::string& source, const std::string& size = "\"4\"") {
+    text(path,
+         "<VRTDataset rasterXSize=" + size + " rasterYSize=" + size +
+             "><GeoTransform>0,1,0,4,0,-1</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\">" +
+             source + "</VRTRasterBand></VRTDataset>");
+}
+
+const std::string cannot = "a.tif: cannot be read";
+
+const BadGround badGrounds[] = {
+    // The file
+    {"Absent", nullptr, "test.treewind:6:8: ground.file: no file \"a.tif\" in "},
+    {"Empty", [](const std::string& path) { text(path, ""); }, cannot},
+    {"OfText", [](const std::string& path) { text(path, "heights, all of them\n"); }, cannot},
+    {"OfZeros", [](const std::string& path) { text(path, std::string(5000, '\0')); }, cannot},
+    {"HeadCut",
+     [](const std::string& path) { spoilt(path, false, [](std::string&) -> std::size_t { return 6; }); },
+     cannot},
+    {"CellsCut",
+     [](const std::string& path) {
+         spoilt(path, false, [](std::string& bytes) { return bytes.size() / 2; });
+     },
+     cannot},
+    {"TilesBroken",
+     [](const std::string& path) {
+         spoilt(path, true, [](std::string& bytes) {
+             std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 3), bytes.end(), 'x');
+             return bytes.size();
+         });
+     },
+     cannot},
+    {"GridOfTextCut",
+     [](const std::string& path) {
+         text(path, "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4");
+     },
+     cannot},
+    {"GridOfWords",
+     [](const std::string& path) {
+         text(path, "ncols many\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n");
+     },
+     cannot},
+    {"VrtOfNothing", [](const std::string& path) { text(path, "<VRTDataset"); }, cannot},
+    {"VrtOfAFileAbsent",
+     [](const std::string& path) {
+         vrt(path, "<SimpleSource><SourceFilename relativeToVRT=\"1\">no.tif</SourceFilename>"
+                   "<SourceBand>1</SourceBand></SimpleSource>");
+     },
+     "a.tif: cannot be read"},
+    {"VrtHuge", [](const std::string& path) { vrt(path, "", "\"2000000000\""); },
+     "a.tif: expected at most 400000000 cells, found 2000000000 x 2000000000"},
+    {"VrtOfNegativeSize", [](const std::string& path) { vrt(path, "", "\"-4\""); }, cannot},
+    // What is in it
+    {"Bands", ofBands, "a.tif: expected one band of heights, found 3"},
+    {"Palette", ofPalette, "a.tif: expected heights, found colours of a palette"},
+    {"Complex", complex, "a.tif: expected heights, found complex numbers"},
+    {"Fathoms", ofUnit<0>, "a.tif: expected heights in metres or feet, found the unit \"fathom\""},
+    {"Temperatures", ofUnit<1>, "a.tif: expected heights in metres or feet, found the unit"},
+    {"NodataUndeclared", undeclared,
+     "a.tif: expected heights in [-12000, 30000] metres, found -32768 in column 3, row 0"},
+    {"Infinite", infinite, "a.tif: expected heights in [-12000, 30000] metres, found inf"},
+    {"ScaledAway", scaledAway, "a.tif: expected heights in [-12000, 30000] metres"},
+    {"Unlocated", unlocated, "a.tif: it does not say where it lies: expected a geotransform"},
+    {"CellsWithoutExtent", flat, "a.tif: its cells have no extent"},
+    // Where it is
+    {"WithoutCrs", good,
+     "a.tif: it has no coordinate reference system; expected ground.crs to say of what it is",
+     "file = \"a.tif\"\n", "position = [2, 2]\n", "crs = \"EPSG:25832\""},
+    {"CrsUnknown", good,
+     "test.treewind:7:7: ground.crs: expected a coordinate reference system that PROJ knows",
+     "file = \"a.tif\"\ncrs = \"EPSG:1\"\n"},
+    {"CrsNotAText", good, "ground.crs: expected a text in quotes, found 25832",
+     "file = \"a.tif\"\ncrs = 25832\n"},
+    {"MetresAsDegrees", metresAsDegrees,
+     "a.tif: its places are none of WGS 84; expected ground.crs to say of what they are"},
+    {"SecondWithoutCrs", ofCrs,
+     "a.tif: expected no coordinate reference system, as the file before it has none",
+     "file = [\"good.tif\", \"a.tif\"]\n"},
+    // Trees
+    {"TreeBeyondTheEdge", good,
+     "test.treewind:7:8: ground.file: no ground below 1 of 1 trees, first tree[0] (id \"ash\") at (4.5, 2): "
+     "there is "
+     "a hole, or it is beyond the edge",
+     "file = \"a.tif\"\n", "position = [4.5, 2]\nid = \"ash\"\n"},
+    {"TreeOverAHole", withHole, "no ground below 1 of 1 trees, first tree[0] at (1.5, 2.5)",
+     "file = \"a.tif\"\n", "position = [1.5, 2.5]\n"},
+    {"TreesElsewhere", elsewhere, "no ground below 1 of 1 trees, first tree[0] at (2, 2)"},
+    // The section
+    {"NoFile", nullptr, "ground.file: missing", ""},
+    {"NoFiles", nullptr, "ground.file: expected at least one file", "file = []\n"},
+    {"FileNotAText", nullptr, "ground.file: expected a text in quotes, found 7", "file = 7\n"},
+    {"NoneAndAFile", good, "ground.none: expected neither file nor crs beside it",
+     "none = true\nfile = \"a.tif\"\n"},
+    {"NoneNotABoolean", nullptr, "ground.none: expected true or false", "none = 1\n"},
+    {"KeyUnknown", good, "ground.fiel: unknown key", "file = \"a.tif\"\nfiel = 1\n"},
+};
+
+class BadGroundTest : public testing::TestWithParam<BadGround> {};
+
+} // namespace
+
+TEST_P(BadGroundTest, GivesOneClearErrorAndNothingElse) {
+    const BadGround& bad = GetParam();
+    const TemporaryFolder folder;
+    good(folder.path() + "/good.tif");
+    if (bad.make)
+        bad.make(folder.path() + "/a.tif");
+    testing::internal::CaptureStderr();
+    testing::internal::CaptureStdout();
+    std::istringstream input("version = 1\n" + bad.head + "\n[[tree]]\n" + bad.tree + "[ground]\n" +
+                             bad.lines);
+    const auto forest = readForest(input, {"test.treewind", folder.path()});
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+    ASSERT_FALSE(forest);
+    EXPECT_EQ(forest.problems().size(), 1u);
+    const std::string text = forest.problems().front().text();
+    EXPECT_NE(text.find(bad.message), std::string::npos) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadGroundTest, testing::ValuesIn(badGrounds),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+} // namespace osgTreeWind
