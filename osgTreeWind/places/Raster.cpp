@@ -14,12 +14,39 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace osgTreeWind {
 
 namespace {
 
 constexpr double mostCells = 4e8;
+
+/// Formats that are read by libraries which break on damaged files.
+bool isFragile(const std::string& format) {
+    const std::string name = lower(format);
+    return name.rfind("hdf", 0) == 0 || name.rfind("netcdf", 0) == 0 || name == "bag" || name == "gmt" ||
+           name == "kea";
+}
+
+/// All others, for GDAL.
+std::vector<const char*> soundFormats() {
+    std::vector<const char*> formats;
+    for (int i = 0; i < GDALGetDriverCount(); ++i)
+        if (const char* const name = GDALGetDriverShortName(GDALGetDriver(i)); !isFragile(name))
+            formats.push_back(name);
+    formats.push_back(nullptr);
+    return formats;
+}
+
+/// Why GDAL does not open a file.
+std::string problemOfFormat(const std::string& path, const GdalErrors& errors) {
+    const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+    if (driver && isFragile(GDALGetDriverShortName(driver)))
+        return std::string("expected another format than ") + GDALGetDriverShortName(driver) +
+               ", which a damaged file may break; gdal_translate makes a GeoTIFF of it";
+    return "cannot be read: " + errors.textOr("GDAL knows no such format");
+}
 constexpr Range heightRange = within(-12000, 30000); // metres: what is none stands out
 
 /// Metres; nothing for a unit that is not known.
@@ -160,11 +187,11 @@ Result<Raster> Raster::open(const std::string& path) {
     Raster raster;
     raster._path = path;
     const std::unique_ptr<void, decltype(&GDALClose)> data(
-        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr, nullptr,
-                   nullptr),
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                   soundFormats().data(), nullptr, nullptr),
         &GDALClose);
     if (!data || !errors.text().empty())
-        return fileProblem(path, "cannot be read: " + errors.textOr("GDAL knows no such format"));
+        return fileProblem(path, problemOfFormat(path, errors));
     Reading reading{raster, data.get(), nullptr, 1.0, 0.0, errors};
     Diagnostics problems = reading.readHead();
     if (problems.empty())

@@ -62,6 +62,17 @@ TEST(Raster, ACellWithoutAHeightIsAHoleWhereverItCounts) {
     }
 }
 
+TEST(Raster, FormatsThatBreakOnDamagedFilesAreRefusedByName) {
+    const TemporaryFolder folder;
+    if (!GDALGetDriverByName("netCDF"))
+        GTEST_SKIP() << "this GDAL writes no NetCDF";
+    const auto raster = Raster::open(RasterFile{}.write(folder.path() + "/a.nc", "netCDF"));
+    ASSERT_FALSE(raster);
+    EXPECT_NE(raster.problems().front().message.find("expected another format than netCDF"),
+              std::string::npos)
+        << raster.problems().front().text();
+}
+
 TEST(Raster, OneCellWideHoldsAcross) {
     RasterFile file;
     file.columns = 1;

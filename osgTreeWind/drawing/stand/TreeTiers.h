@@ -24,7 +24,8 @@ constexpr int impostorTiers = tierCount - branchTiers;
 
 /// The nearest picture to a tree with this share of its leaves, [0, 1].
 inline Tier impostorTier(float leaves) {
-    return static_cast<Tier>(static_cast<int>(Tier::BareImpostor) - static_cast<int>(std::lround(4.0f * leaves)));
+    return static_cast<Tier>(static_cast<int>(Tier::BareImpostor) -
+                             static_cast<int>(std::lround(4.0f * leaves)));
 }
 /// The share that it shows.
 inline float leavesOn(Tier impostor) {
