@@ -64,6 +64,7 @@ TEST(Raster, ACellWithoutAHeightIsAHoleWhereverItCounts) {
 
 TEST(Raster, FormatsThatBreakOnDamagedFilesAreRefusedByName) {
     const TemporaryFolder folder;
+    GDALAllRegister();
     if (!GDALGetDriverByName("netCDF"))
         GTEST_SKIP() << "this GDAL writes no NetCDF";
     const auto raster = Raster::open(RasterFile{}.write(folder.path() + "/a.nc", "netCDF"));
