@@ -7,8 +7,6 @@
 
 #include <glm/common.hpp>
 
-#include <cmath>
-
 namespace osgTreeWind {
 
 namespace {
@@ -32,10 +30,6 @@ Result<std::optional<Crs>> sourceOf(const std::string& text, const TreeRows& row
 
 /// The UTM zone of the middle of all places; what is wrong with rows is told when they become trees.
 Result<Crs> zoneOf(TreeRows& rows, const InventoryColumns& columns, const Crs& source) {
-    const Result<Crs> degrees = Crs::degrees();
-    const auto way = degrees ? CrsWay::between(source, degrees.value()) : degrees.problems();
-    if (!way)
-        return way.problems();
     glm::dvec2 low(1e300), high(-1e300);
     rows.rewind();
     for (auto found = rows.next(); found && found.value(); found = rows.next())
@@ -43,12 +37,7 @@ Result<Crs> zoneOf(TreeRows& rows, const InventoryColumns& columns, const Crs& s
             low = glm::min(low, glm::dvec2(place.value().position));
             high = glm::max(high, glm::dvec2(place.value().position));
         }
-    glm::dvec2 middle = low.x <= high.x ? 0.5 * (low + high) : glm::dvec2(0.0);
-    if (!way.value().go(middle) || std::abs(middle.x) > 360.0 || std::abs(middle.y) > 90.0)
-        return Diagnostic{rows.file(), 0, 0, "",
-                          "its places are none of " + source.name() +
-                              "; expected crs to say of what they are"};
-    return Crs::utmOf(middle);
+    return utmZoneOf(low.x <= high.x ? 0.5 * (low + high) : glm::dvec2(0.0), source, "crs");
 }
 
 } // namespace

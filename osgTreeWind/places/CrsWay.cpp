@@ -31,4 +31,15 @@ bool CrsWay::go(glm::dvec2& place) const {
            std::isfinite(place.y);
 }
 
+Result<Crs> utmZoneOf(glm::dvec2 place, const Crs& of, const std::string& key) {
+    const Result<Crs> degrees = Crs::degrees();
+    const auto way = degrees ? CrsWay::between(of, degrees.value()) : degrees.problems();
+    if (!way)
+        return way.problems();
+    if (!way.value().go(place) || std::abs(place.x) > 360.0 || std::abs(place.y) > 90.0)
+        return keyProblem({}, "its places are none of " + of.name() + "; expected " + key +
+                                  " to say of what they are");
+    return Crs::utmOf(place);
+}
+
 } // namespace osgTreeWind

@@ -22,4 +22,8 @@ private:
     std::shared_ptr<void> _transformation;
 };
 
+/// The UTM zone of a place of some system. @param key that may say another system, for the message where the
+/// place is none of this one.
+Result<Crs> utmZoneOf(glm::dvec2 place, const Crs& of, const std::string& key);
+
 } // namespace osgTreeWind

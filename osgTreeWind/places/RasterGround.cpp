@@ -60,18 +60,12 @@ Diagnostics RasterGround::chooseMap(const Raster& raster, const Crs& crs) {
         _map = crs;
         return {};
     }
-    const Result<Crs> degrees = Crs::degrees();
-    const auto way = degrees ? CrsWay::between(crs, degrees.value()) : degrees.problems();
-    if (!way)
-        return way.problems();
-    glm::dvec2 middle = raster.placeOf(0.5 * glm::dvec2(raster.columns(), raster.rows()));
-    if (!way.value().go(middle) || std::abs(middle.x) > 360.0 || std::abs(middle.y) > 90.0)
-        return {fileProblem(raster.path(), "its places are none of " + crs.name() +
-                                               "; expected ground.crs to say of what they are")};
-    const Result<Crs> zone = Crs::utmOf(middle);
-    if (zone)
-        _map = zone.value();
-    return zone.problems();
+    const glm::dvec2 middle = raster.placeOf(0.5 * glm::dvec2(raster.columns(), raster.rows()));
+    const Result<Crs> zone = utmZoneOf(middle, crs, "ground.crs");
+    if (!zone)
+        return {fileProblem(raster.path(), zone.problems().front().message)};
+    _map = zone.value();
+    return {};
 }
 
 /// Grows the area over a tile: over points along its outline, as a map bends them.
