@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Forests that share the threads of the process, or a host's.
+#include <tests/ThreadsOfTheProcess.h>
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
@@ -11,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <filesystem>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -42,11 +42,6 @@ std::vector<glm::vec2> leansOf(const ForestSimulation& simulation) {
     for (std::size_t slot = 0; slot < simulation.trees().size(); ++slot)
         leans.push_back(simulation.modal()->lean(slot));
     return leans;
-}
-
-std::ptrdiff_t threadsOfTheProcess() {
-    return std::distance(std::filesystem::directory_iterator("/proc/self/task"),
-                         std::filesystem::directory_iterator());
 }
 
 /// One after another in the calling thread, but for a second one that takes every other job.

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: MIT
 // A host with more forests than one would count, and threads of its own.
+#include <tests/ThreadsOfTheProcess.h>
 #include <tests/nodes/Culling.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <filesystem>
 #include <thread>
 
 using namespace osgTreeWind;
 
 namespace {
-
-std::ptrdiff_t threadsOfTheProcess() {
-    return std::distance(std::filesystem::directory_iterator("/proc/self/task"),
-                         std::filesystem::directory_iterator());
-}
 
 /// What a viewer does with its scene in one frame, but for drawing it.
 void showFrame(osg::Node& scene, unsigned frame) {
