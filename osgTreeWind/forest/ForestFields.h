@@ -10,6 +10,10 @@ template <>
 const Fields& fieldsOf<DrawingOptions>();
 template <>
 const Fields& fieldsOf<TreePlacement>();
+/// Of what a tree says.
+inline const Range& treeRange(const std::string& key) {
+    return fieldAt(fieldsOf<TreePlacement>(), key).range;
+}
 template <>
 const Fields& fieldsOf<EstimatedSizes>();
 /// Of [motion], but for the noise.

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/RoomFor.h>
 #include <osgTreeWind/species/GrowthLaws.h>
+#include <osgTreeWind/species/ShapeCount.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -13,10 +14,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-std::uint32_t shapeCount(const Species& species) {
-    return static_cast<std::uint32_t>(std::clamp(species.shapes, 1, mostShapes));
-}
 
 bool same(const TreeSize& a, const TreeSize& b) {
     return a.height == b.height && a.trunkDiameter == b.trunkDiameter && a.crownWidth == b.crownWidth;

@@ -4,8 +4,8 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/species/ShapeCount.h>
 
-#include <algorithm>
 #include <map>
 
 namespace osgTreeWind {
@@ -20,12 +20,11 @@ public:
     double radius(const TreePlacement& tree) {
         if (tree.size.trunkDiameter > 0.0f)
             return 0.5 * static_cast<double>(tree.size.trunkDiameter);
-        const std::uint32_t shapes =
-            static_cast<std::uint32_t>(std::clamp(_species[tree.species].shapes, 1, mostShapes));
-        const auto [found, isNew] = _natural.try_emplace({tree.species, tree.seed % shapes});
+        const Species& species = _species[tree.species];
+        const auto [found, isNew] = _natural.try_emplace({tree.species, tree.seed % shapeCount(species)});
         TreeSize& natural = found->second;
         if (isNew)
-            natural = measureTree(makeTreeModel(_species[tree.species].tree, found->first.second));
+            natural = measureTree(makeTreeModel(species.tree, found->first.second));
         const float scale = tree.size.height > 0.0f ? tree.size.height / natural.height : 1.0f;
         return 0.5 * static_cast<double>(natural.trunkDiameter * scale);
     }

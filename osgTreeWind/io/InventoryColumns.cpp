@@ -15,11 +15,6 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Of what a tree says.
-const Range& rangeOf(const std::string& key) {
-    return fieldAt(fieldsOf<TreePlacement>(), key).range;
-}
-
 /// How a format calls what `key` means.
 struct KnownColumn {
     const char *format, *key, *name;
@@ -62,9 +57,9 @@ std::optional<double> metresOf(const std::string& text) {
 }
 
 InventoryColumns::InventoryColumns()
-    : height{"height", rangeOf("height")}, trunkDiameter{"trunk_diameter", rangeOf("trunk_diameter")},
-      circumference{"circumference", rangeOf("trunk_diameter")}, crownWidth{"crown_width",
-                                                                            rangeOf("crown_width")} {
+    : height{"height", treeRange("height")}, trunkDiameter{"trunk_diameter", treeRange("trunk_diameter")},
+      circumference{"circumference", treeRange("trunk_diameter")}, crownWidth{"crown_width",
+                                                                              treeRange("crown_width")} {
     circumference.range.max *= glm::pi<double>();
 }
 

@@ -62,9 +62,8 @@ std::string writeGround(std::ostream& output, const ForestDescription& forest) {
         return "a ground that no file can say: expected one from files, not a callable";
     std::vector<std::string> files;
     for (const std::string& file : rasters->source().files) {
-        std::error_code error;
-        if (!isToml(file) || !std::filesystem::is_regular_file(file, error))
-            return "no file " + inQuotes(file);
+        if (std::string problem = problemOfFile(file); !problem.empty())
+            return problem;
         files.push_back(std::filesystem::absolute(file).string());
     }
     output << "\n[ground]\nfile = " << tomlText(files) << '\n';

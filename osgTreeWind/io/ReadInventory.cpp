@@ -52,7 +52,7 @@ public:
         _table.read("seed", seed);
         _table.read("open_grown", _openGrown);
         _leaves = _reading.leaves;
-        _table.read("leaves", _leaves, fieldAt(fieldsOf<TreePlacement>(), "leaves").range);
+        _table.read("leaves", _leaves, treeRange("leaves"));
         readDefaultSpecies();
         _rows = openTreeRows(_table, _reading);
         _columns.read(_table, _rows.get());

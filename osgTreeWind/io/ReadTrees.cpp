@@ -18,9 +18,9 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Uniform in [low, high], 53 bits: fine enough for world coordinates.
+/// Uniform in [low, high].
 double uniform(Random& random, double low, double high) {
-    return low + (high - low) * (static_cast<double>(random.next() >> 11) * 0x1p-53);
+    return low + (high - low) * random.uniformDouble();
 }
 
 std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& reading, const std::string& key,
@@ -42,11 +42,6 @@ std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& readin
                                    : "did you mean " + near + '?'));
     }
     return found;
-}
-
-/// Of what a tree says.
-const Range& rangeOf(const std::string& key) {
-    return fieldAt(fieldsOf<TreePlacement>(), key).range;
 }
 
 /// A number, or an array [min, max] from which each tree draws its own.
@@ -173,7 +168,7 @@ bool readMixture(TableReader& table, ForestReading& reading, Scatter& scatter) {
 /// A size in metres, or as a ratio to the height; not both.
 void readEither(TableReader& table, const Scatter& scatter, const std::string& key,
                 std::optional<Span>& metres, const std::string& ratioKey, std::optional<Span>& ratio) {
-    metres = readSpan(table, key, rangeOf(key));
+    metres = readSpan(table, key, treeRange(key));
     ratio = readSpan(table, ratioKey, above(0, 10));
     if (table.has(key) && ratio)
         table.problem(ratioKey, "give either this or " + key);
@@ -219,12 +214,12 @@ void readScatter(TableReader& table, ForestReading& reading) {
         complete = false;
     }
     complete &= readMixture(table, reading, scatter);
-    scatter.height = readSpan(table, "height", rangeOf("height"));
+    scatter.height = readSpan(table, "height", treeRange("height"));
     readEither(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
     readEither(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
     table.read("open_grown", scatter.openGrown);
     scatter.leaves = reading.leaves;
-    table.read("leaves", scatter.leaves, rangeOf("leaves"));
+    table.read("leaves", scatter.leaves, treeRange("leaves"));
     table.read("seed", scatter.seed);
     if (!complete || !reading.roomFor(static_cast<std::uint64_t>(scatter.count), table, "count"))
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TomlText.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/TableReader.h>
 
 #include <glm/trigonometric.hpp>
@@ -117,6 +118,11 @@ bool isToml(const std::string& text) {
     ReadLog log;
     TableReader::readDocument("text = " + tomlText(text), log, [](TableReader& root) { root.ignoreRest(); });
     return log.problems.empty();
+}
+
+std::string problemOfFile(const std::string& file) {
+    std::error_code error;
+    return isToml(file) && std::filesystem::is_regular_file(file, error) ? "" : "no file " + inQuotes(file);
 }
 
 } // namespace osgTreeWind

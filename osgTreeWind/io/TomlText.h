@@ -50,5 +50,7 @@ void writeTable(std::ostream& output, const std::string& table, const Struct& va
 
 /// Whether it can be written: it is UTF-8.
 bool isToml(const std::string& text);
+/// Why a document cannot name a file; empty where it can.
+std::string problemOfFile(const std::string& file);
 
 } // namespace osgTreeWind

@@ -66,9 +66,8 @@ private:
             ofScans(species, path + ".scan");
     }
     void ofFile(const std::string& file, const std::string& key) {
-        std::error_code error;
-        if (!isToml(file) || !std::filesystem::is_regular_file(file, error))
-            add(key, "no file " + inQuotes(file));
+        if (const std::string problem = problemOfFile(file); !problem.empty())
+            add(key, problem);
     }
     /// All trees of each file have to be there, and be all there is.
     void ofScans(const Species& species, const std::string& key) {

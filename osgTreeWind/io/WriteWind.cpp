@@ -73,9 +73,8 @@ private:
     std::string ofFiles(const FileWind::Source& source) {
         std::vector<std::string> files;
         for (const std::string& file : source.files) {
-            std::error_code error;
-            if (!isToml(file) || !std::filesystem::is_regular_file(file, error))
-                return "no file " + inQuotes(file);
+            if (std::string problem = problemOfFile(file); !problem.empty())
+                return problem;
             files.push_back(std::filesystem::absolute(file).string());
         }
         if (source.series)

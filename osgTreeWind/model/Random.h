@@ -19,6 +19,8 @@ public:
     }
     /// Uniform in [0, 1), 24 bits: exact in a float.
     float uniform() { return static_cast<float>(next() >> 40) * (1.0f / 16777216.0f); }
+    /// Uniform in [0, 1), 53 bits: fine enough for coordinates of a map.
+    double uniformDouble() { return static_cast<double>(next() >> 11) * 0x1p-53; }
     /// Uniform in [-1, 1).
     float symmetric() { return 2.0f * uniform() - 1.0f; }
 

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/species/ShapeCount.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ ForestMemory forestMemory(const ForestDescription& description) {
         const Species& species = description.species[i];
         const TreeCounts counts = countLargest(species.tree, species.shapes);
         const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
-        const auto shapes = static_cast<std::uint64_t>(std::clamp(species.shapes, 1, mostShapes));
+        const auto shapes = std::uint64_t(shapeCount(species));
         memory.simulation +=
             shapes * shapeBytes(counts) +
             trees[i] *

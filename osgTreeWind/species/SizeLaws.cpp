@@ -22,11 +22,6 @@ std::uint64_t hashOf(const std::string& text) {
     return hash;
 }
 
-/// Uniform in [0, 1), 53 bits.
-double uniform(Random& random) {
-    return static_cast<double>(random.next() >> 11) * 0x1p-53;
-}
-
 float within(double size, double low, double high) {
     return static_cast<float>(std::min(std::max(size, low), high));
 }
@@ -124,8 +119,8 @@ double residual(const std::string& id, const std::string& quantity) {
     constexpr double widened = 1.3779021241184815; // with this, cut at 2, it has a standard deviation of 1
     Random random(hashOf(quantity + ' ' + id));
     for (;;) {
-        const double z = 4.0 * uniform(random) - 2.0;
-        if (uniform(random) < std::exp(-0.5 * z * z / (widened * widened)))
+        const double z = 4.0 * random.uniformDouble() - 2.0;
+        if (random.uniformDouble() < std::exp(-0.5 * z * z / (widened * widened)))
             return z;
     }
 }
