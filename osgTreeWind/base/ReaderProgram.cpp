@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -48,7 +49,7 @@ struct Running {
 };
 
 /// Starts it without the descriptors and the screen of this process. @return errno.
-int start(const std::string& program, const std::string& path, const std::string& wanted, Running& running) {
+int start(std::vector<std::string> command, Running& running) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
         return errno;
@@ -59,9 +60,11 @@ int start(const std::string& program, const std::string& path, const std::string
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-    std::string arguments[] = {program, path, wanted};
-    char* argv[] = {arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
-    const int error = posix_spawn(&running.process, program.c_str(), &actions, nullptr, argv, environ);
+    std::vector<char*> argv;
+    for (std::string& argument : command)
+        argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const int error = posix_spawn(&running.process, argv[0], &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[1]);
     return error;
@@ -86,10 +89,13 @@ std::string endOf(pid_t process) {
 } // namespace
 
 std::optional<Diagnostic> runReader(const ReaderProgram& reader, const std::string& path,
-                                    const std::string& wanted, const std::function<bool(int)>& receive) {
+                                    const std::vector<std::string>& wanted,
+                                    const std::function<bool(int)>& receive) {
     const std::string program = placeOf(reader);
     Running running;
-    const int error = start(program, path, wanted, running);
+    std::vector<std::string> command = {program, path};
+    command.insert(command.end(), wanted.begin(), wanted.end());
+    const int error = start(std::move(command), running);
     const bool received = error == 0 && receive(running.output);
     if (running.output >= 0)
         close(running.output); // whoever still writes is ended by that

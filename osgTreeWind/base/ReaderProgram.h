@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -19,9 +20,11 @@ struct ReaderProgram {
 };
 
 /// Runs it for a file. Any thread may.
+/// @param wanted its arguments after the file.
 /// @param receive takes the answer from a file descriptor; false where it ends too early or makes no sense.
 /// @return why there is no answer.
 std::optional<Diagnostic> runReader(const ReaderProgram& reader, const std::string& path,
-                                    const std::string& wanted, const std::function<bool(int)>& receive);
+                                    const std::vector<std::string>& wanted,
+                                    const std::function<bool(int)>& receive);
 
 } // namespace osgTreeWind

@@ -16,7 +16,7 @@ bool isMatlab(std::string_view head) {
 Result<ScanFile> readMatlab(const std::string& path) {
     constexpr ReaderProgram reader{"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"};
     std::optional<Result<ScanFile>> scan;
-    const auto problem = runReader(reader, path, "trees", [&](int answer) {
+    const auto problem = runReader(reader, path, {"trees"}, [&](int answer) {
         scan = ScanWire::receive(answer);
         return scan.has_value();
     });

@@ -78,12 +78,13 @@ public:
           _time(grid.times.empty() ? Interpolation{} : interpolationAtTime(time, grid.times)),
           _height(heightStrides(grid)) {}
 
-    glm::vec3 at(const glm::vec3& position) const {
-        const glm::dvec3 index = (glm::dvec3(position) - _grid.origin) / _grid.cell;
+    glm::vec3 at(const WindPlace& place) const {
+        const double z = _grid.aboveGround ? place.height : place.position.z;
+        const glm::dvec3 at(place.position.x, place.position.y, z), index = (at - _grid.origin) / _grid.cell;
         const Interpolation x = interpolationAtIndex(index.x, _nx), y = interpolationAtIndex(index.y, _ny);
         if (_grid.heights.empty())
             return between(x, y, [&](std::size_t) { return interpolationAtIndex(index.z, _nz); });
-        return between(x, y, [&](std::size_t step) { return layersAround(position.z, step, x, y); });
+        return between(x, y, [&](std::size_t step) { return layersAround(z, step, x, y); });
     }
 
 private:
@@ -202,13 +203,13 @@ Result<WindFieldPtr> GridWind::fromForestWind(int width, int length, std::vector
 }
 
 glm::vec3 GridWind::velocity(const WindPlace& place, double time) const {
-    return Sampler(_grid, time).at(place.position);
+    return Sampler(_grid, time).at(place);
 }
 
 void GridWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const Sampler sampler(_grid, time);
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = sampler.at(places[i].position);
+        out[i] = sampler.at(places[i]);
 }
 
 } // namespace osgTreeWind

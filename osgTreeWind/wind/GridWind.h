@@ -27,6 +27,8 @@ public:
         /// replace origin.z and cell.z. One for each layer, each point or each point and time, ordered as
         /// values are, increasing upward; empty for even layers.
         std::vector<float> heights;
+        /// Heights count from the ground below each place, not from the origin.
+        bool aboveGround = false;
         /// Velocities u, v, w (m/s toward east, north, up) point by point: east fastest, then north, then up,
         /// then time.
         std::vector<float> values;

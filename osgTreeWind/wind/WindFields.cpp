@@ -27,6 +27,7 @@ const Fields& fieldsOf<GridWind::Grid>() {
         {"cell", at<&P::cell>, gridCells, "distances between points", "m"},
         {"times", at<&P::times>, {}, "when each layer of values holds", "s"},
         {"heights", at<&P::heights>, {}, "heights of layers that are not even", "m"},
+        {"above_ground", at<&P::aboveGround>, {}, "heights count from the ground below each place"},
         {"values", at<&P::values>, windSpeeds, "u, v, w of each point", "m/s"},
     };
     return fields;

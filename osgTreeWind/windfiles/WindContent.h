@@ -13,13 +13,18 @@
 
 namespace osgTreeWind {
 
-/// What a file of wind data was understood to say, in the file's own coordinates and metres.
+/// What a file of wind data was understood to say, in the file's own coordinates.
 struct WindSummary {
-    std::string format;             ///< "TurbSim full field", say.
-    std::string unit;               ///< Of the speeds in the file; empty when it does not say.
-    std::string direction;          ///< "from, clockwise from grid north" or what the components mean.
-    std::string coordinates;        ///< Name or PROJ text of the reference system; empty when not said.
-    std::string start;              ///< Date and time of time 0 as in the file; empty when it does not say.
+    std::string format;      ///< "TurbSim full field", say.
+    std::string unit;        ///< Of the speeds in the file; empty when it does not say.
+    std::string direction;   ///< "from, clockwise from grid north" or what the components mean.
+    std::string coordinates; ///< Name or PROJ text of the reference system; empty when not said.
+    /// The same as PROJ reads it, where points are x east and y north of a map in metres, or longitude and
+    /// latitude in degrees; empty when not said.
+    std::string crs;
+    /// Date and time of time 0, as ISO 8601 in UTC where the file's calendar is the usual one; empty when it
+    /// does not say.
+    std::string start;
     std::vector<std::string> notes; ///< What else is worth knowing, one sentence each.
 
     glm::ivec3 points{1};      ///< Points east, north and up; 1, 1, 1 for a record at one point.
@@ -30,8 +35,8 @@ struct WindSummary {
     double fastest = 0.0;
 };
 
-/// What the reader of one format hands over: velocities in the file's unit, NaN where it has no data, and the
-/// textual part of the summary.
+/// What the reader of one format hands over: velocities in the file's unit along the axes of its own map (on
+/// degrees: toward east and true north), NaN where it has no data, and the textual part of the summary.
 struct WindContent {
     WindSummary summary;
     std::variant<GridWind::Grid, WindSeries> data;

@@ -104,9 +104,9 @@ Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, co
 
 /// One file, velocities in m/s.
 Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options) {
-    WindSeriesColumns columns = options.columns;
-    columns.speedUnit = "m/s"; // converted with all other formats
-    Result<WindContent> read = readWindContent(path, columns, options.asStored);
+    WindRequest request{options.columns, options.asStored, {}};
+    request.columns.speedUnit = "m/s"; // converted with all other formats
+    Result<WindContent> read = readWindContent(path, request);
     if (!read)
         return read;
     const std::string& inFile = read.value().summary.unit;
@@ -171,7 +171,7 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
 }
 
 Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns) {
-    Result<WindContent> read = readWindContent(path, columns, false);
+    Result<WindContent> read = readWindContent(path, {columns, false, {}});
     if (!read)
         return read.problems();
     auto* series = std::get_if<WindSeries>(&read.value().data);

@@ -15,8 +15,7 @@ namespace {
 /// What a reader is given.
 struct Given {
     WindInput& input;
-    const WindSeriesColumns& columns;
-    bool asStored;
+    const WindRequest& request;
 };
 
 /// One format of wind data.
@@ -43,7 +42,7 @@ Result<WindContent> readAll(const Given& given) {
 
 template <Result<WindContent> (*Read)(std::string_view, const std::string&, const WindSeriesColumns&)>
 Result<WindContent> readTable(const Given& given) {
-    return Read(given.input.bytes(), given.input.path(), given.columns);
+    return Read(given.input.bytes(), given.input.path(), given.request.columns);
 }
 
 const Format formats[] = {
@@ -58,7 +57,7 @@ const Format formats[] = {
      readTable<readToa5>},
     {"NetCDF", nullptr,
      [](std::string_view head) { return startsWith(head, "CDF") || startsWith(head, "\x89HDF"); },
-     [](const Given& given) { return readNetCdf(given.input.path(), given.asStored); }},
+     [](const Given& given) { return readNetCdf(given.input.path(), given.request); }},
     {"QES sensor XML", ".xml", [](std::string_view head) { return holds(head, "<timeSeries"); },
      readAll<readQesSensor>},
     {".csv", ".csv", nullptr, readTable<readWindCsv>}};
@@ -87,14 +86,13 @@ std::string namesOfFormats() {
 
 } // namespace
 
-Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns,
-                                    bool asStored) {
+Result<WindContent> readWindContent(const std::string& path, const WindRequest& request) {
     WindInput input(path);
     const Result<std::string> head = input.head();
     if (!head)
         return head.problems();
-    if (const Format* format = formatOf(path, head.value(), columns))
-        return format->read({input, columns, asStored});
+    if (const Format* format = formatOf(path, head.value(), request.columns))
+        return format->read({input, request});
     return fileProblem(path, "no known format of wind data; expected " + namesOfFormats());
 }
 

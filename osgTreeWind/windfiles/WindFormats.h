@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/windfiles/WindContent.h>
-#include <osgTreeWind/windfiles/WindSeriesColumns.h>
+#include <osgTreeWind/windfiles/WindRequest.h>
 
 #include <string>
 #include <string_view>
@@ -14,8 +14,8 @@
 namespace osgTreeWind {
 
 /// The one door: the file in whichever of the formats below it is, by its first kilobyte, then by extension.
-/// @param columns, asStored as in WindFileOptions, but that `columns.speedUnit` is that of a CSV.
-Result<WindContent> readWindContent(const std::string& path, const WindSeriesColumns& columns, bool asStored);
+/// What of a format can be left unread beyond the area, may be.
+Result<WindContent> readWindContent(const std::string& path, const WindRequest& request);
 
 /// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
 struct EsriGrid {
@@ -52,9 +52,8 @@ Result<WindContent> readQesSensor(std::string_view bytes, const std::string& fil
 /// CSV, and what WindSeriesRows says of it. While it names no column, the usual names.
 Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                 const WindSeriesColumns& columns);
-/// NetCDF, read by the program osgtreewind-netcdf in a process of its own: a damaged file ends that one only.
-/// An error where it is not installed.
-/// @param asStored as in WindFileOptions.
-Result<WindContent> readNetCdf(const std::string& path, bool asStored = false);
+/// NetCDF, read by the program osgtreewind-weather in a process of its own: a damaged file ends that one
+/// only. An error where it is not installed.
+Result<WindContent> readNetCdf(const std::string& path, const WindRequest& request);
 
 } // namespace osgTreeWind

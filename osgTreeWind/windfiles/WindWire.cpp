@@ -10,10 +10,14 @@ namespace {
 bool pass(Wire& wire, WindContent& content) {
     WindSummary& summary = content.summary;
     auto& grid = std::get<GridWind::Grid>(content.data);
-    return wire.pass(summary.format) && wire.pass(summary.unit) && wire.pass(summary.direction) &&
-           wire.pass(summary.coordinates) && wire.pass(summary.start) && wire.pass(summary.notes) &&
-           wire.pass(grid.points) && wire.pass(grid.origin) && wire.pass(grid.cell) &&
-           wire.pass(grid.times) && wire.pass(grid.heights) && wire.pass(grid.values);
+    unsigned char aboveGround = grid.aboveGround ? 1 : 0;
+    const bool good = wire.pass(summary.format) && wire.pass(summary.unit) && wire.pass(summary.direction) &&
+                      wire.pass(summary.coordinates) && wire.pass(summary.crs) && wire.pass(summary.start) &&
+                      wire.pass(summary.notes) && wire.pass(grid.points) && wire.pass(grid.origin) &&
+                      wire.pass(grid.cell) && wire.pass(grid.times) && wire.pass(grid.heights) &&
+                      wire.pass(aboveGround) && wire.pass(grid.values);
+    grid.aboveGround = aboveGround != 0;
+    return good;
 }
 
 } // namespace

@@ -264,6 +264,7 @@ private:
                 grid.heights.push_back(0.1f + static_cast<float>(i));
             if (static_cast<int>(grid.heights.size()) < grid.points.z)
                 grid.heights.clear();
+            grid.aboveGround = maybe(0.5);
             grid.values = speeds(3 * points * std::max(1, steps));
             return GridWind::create(grid).value();
         }

@@ -108,6 +108,17 @@ TEST(GridWind, LayersMayBeUneven) {
     expectFiniteEverywhere(*wind);
 }
 
+TEST(GridWind, HeightsMayCountFromTheGroundOfEachPlace) {
+    GridWind::Grid grid;
+    grid.points = {1, 1, 2};
+    grid.heights = {10, 100};
+    grid.aboveGround = true;
+    grid.values = {10, 0, 0, 20, 0, 0};
+    const auto wind = GridWind::create(grid).value();
+    EXPECT_FLOAT_EQ(wind->velocity({glm::vec3(0, 0, 855), 800.0f}, 0).x, 15.0f);
+    EXPECT_FLOAT_EQ(wind->velocity({glm::vec3(0, 0, 55), 0.0f}, 0).x, 15.0f);
+}
+
 TEST(GridWind, LayersMayFollowTheGroundAndChangeWithTime) {
     GridWind::Grid grid;
     grid.points = {2, 1, 2};

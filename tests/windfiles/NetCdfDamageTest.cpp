@@ -104,10 +104,10 @@ TEST(NetCdfDamage, ReadersOfManyThreadsDoNotMeet) {
 TEST(NetCdfDamage, WithoutItsReaderItSaysWhatIsMissing) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.nc", "CDF\1"), reader = folder.path() + "/none";
-    const EnvironmentVariable missing("OSGTREEWIND_NETCDF", reader.c_str());
+    const EnvironmentVariable missing("OSGTREEWIND_WEATHER", reader.c_str());
     EXPECT_EQ(firstProblem(readAt(path)),
               path + ": NetCDF needs GDAL, and the program " + reader + ": No such file or directory");
-    const EnvironmentVariable silent("OSGTREEWIND_NETCDF", "/bin/true");
+    const EnvironmentVariable silent("OSGTREEWIND_WEATHER", "/bin/true");
     EXPECT_EQ(firstProblem(readAt(path)),
               path + ": the NetCDF file is damaged: its reader ended with status 0");
 }

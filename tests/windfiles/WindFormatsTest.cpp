@@ -18,7 +18,7 @@ namespace osgTreeWind {
 namespace {
 
 std::string formatOf(const std::string& path) {
-    const Result<WindContent> content = readWindContent(path, {}, false);
+    const Result<WindContent> content = readWindContent(path, {});
     return content ? content.value().summary.format : firstProblem(content);
 }
 

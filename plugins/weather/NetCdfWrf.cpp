@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/netcdf/NetCdfFile.h>
+#include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
 
@@ -196,7 +196,8 @@ void notePlace(const std::string& map, const std::optional<Place>& place, bool a
 
 } // namespace
 
-Result<WindContent> readNetCdfWrf(NetCdfFile& file, bool asStored) {
+Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request) {
+    const bool asStored = request.asStored;
     const Arrays arrays = arraysOf(file);
     if (!file.good())
         return file.problem();

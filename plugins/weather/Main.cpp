@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// osgtreewind-netcdf FILE grid|stored: reads NetCDF for the library, which runs it, so that a damaged file,
-// on which libhdf5 frees wild memory, ends this process and not the one that has a forest.
+// osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]: reads NetCDF for the library, which runs it, so
+// that a damaged file, on which libhdf5 frees wild memory, ends this process and not the one that has a
+// forest.
 #include <plugins/ReaderLimits.h>
-#include <plugins/netcdf/NetCdfFile.h>
+#include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/windfiles/WindWire.h>
 
 #include <cpl_error.h>
 
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -18,7 +20,7 @@ namespace osgTreeWind {
 
 namespace {
 
-Result<WindContent> read(const std::string& path, bool asStored) {
+Result<WindContent> read(const std::string& path, const WindRequest& request) {
     try {
         CPLPushErrorHandler(CPLQuietErrorHandler);
         NetCdfFile file(path);
@@ -26,10 +28,20 @@ Result<WindContent> read(const std::string& path, bool asStored) {
             return file.problem();
         const NetCdfFile::Array u = file.array("U");
         const bool staggered = u && u->dimensions.size() == 4 && u->dimensions[3].name == "west_east_stag";
-        return staggered ? readNetCdfWrf(file, asStored) : readNetCdfCf(file, asStored);
+        return staggered ? readNetCdfWrf(file, request) : readNetCdfCf(file, request);
     } catch (const std::exception& error) { // what the libraries below throw stops here
         return fileProblem(path, std::string("cannot be read: ") + error.what());
     }
+}
+
+WindRequest requestOf(char** arguments, bool hasArea) {
+    WindRequest request;
+    request.asStored = std::string(arguments[0]) == "stored";
+    if (hasArea)
+        request.area = {arguments[1],
+                        {std::atof(arguments[2]), std::atof(arguments[3])},
+                        {std::atof(arguments[4]), std::atof(arguments[5])}};
+    return request;
 }
 
 } // namespace
@@ -38,13 +50,13 @@ Result<WindContent> read(const std::string& path, bool asStored) {
 
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
-    if (argc != 3) {
+    if (argc != 3 && argc != 8) {
         std::cerr
-            << "usage: osgtreewind-netcdf FILE grid|stored\n"
+            << "usage: osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]\n"
                "What osgTreeWind reads NetCDF with; its answer is not for people. See `osgtreewind wind`.\n";
         return 2;
     }
     limitReader(argv[1], std::size_t(1) << 30, 60);
-    Result<WindContent> content = read(argv[1], std::string(argv[2]) == "stored");
+    Result<WindContent> content = read(argv[1], requestOf(argv + 2, argc == 8));
     _exit(WindWire::send(STDOUT_FILENO, content) ? 0 : 1); // at once: what was damaged is not tidied up
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <plugins/netcdf/Projection.h>
+#include <plugins/weather/Projection.h>
 
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/windfiles/WindContent.h>
+#include <osgTreeWind/windfiles/WindRequest.h>
 
 #include <gdal.h>
 
@@ -82,10 +83,10 @@ private:
 
 /// Wind by CF names, or in arrays called u and v: on axes in metres. What counts from true north is turned to
 /// the y axis of the file's projection, unless wanted as stored.
-Result<WindContent> readNetCdfCf(NetCdfFile& file, bool asStored);
+Result<WindContent> readNetCdfCf(NetCdfFile& file, const WindRequest& request);
 /// Output of the Weather Research and Forecasting model: destaggered, heights (PH + PHB) / 9.81, in metres of
 /// the model's projection. Where the model's grid moves its winds are put in their places, unless wanted as
 /// stored.
-Result<WindContent> readNetCdfWrf(NetCdfFile& file, bool asStored);
+Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request);
 
 } // namespace osgTreeWind

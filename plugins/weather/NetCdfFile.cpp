@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/netcdf/NetCdfFile.h>
+#include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>

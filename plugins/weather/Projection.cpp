@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/netcdf/Projection.h>
+#include <plugins/weather/Projection.h>
 
 #include <cpl_conv.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/netcdf/NetCdfFile.h>
+#include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
@@ -281,8 +281,8 @@ private:
 
 } // namespace
 
-Result<WindContent> readNetCdfCf(NetCdfFile& file, bool asStored) {
-    return CfReader(file, asStored).read();
+Result<WindContent> readNetCdfCf(NetCdfFile& file, const WindRequest& request) {
+    return CfReader(file, request.asStored).read();
 }
 
 } // namespace osgTreeWind

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/ReaderProgram.h>
+#include <osgTreeWind/windfiles/WindFormats.h>
+#include <osgTreeWind/windfiles/WindWire.h>
+
+namespace osgTreeWind {
+
+Result<WindContent> readNetCdf(const std::string& path, const WindRequest& request) {
+    constexpr ReaderProgram reader{"osgtreewind-weather", "OSGTREEWIND_WEATHER", "NetCDF", "GDAL"};
+    std::vector<std::string> wanted = {request.asStored ? "stored" : "grid"};
+    if (const auto& area = request.area)
+        wanted.insert(wanted.end(), {area->crs, numberText(area->low.x), numberText(area->low.y),
+                                     numberText(area->high.x), numberText(area->high.y)});
+    std::optional<Result<WindContent>> content;
+    const auto problem = runReader(reader, path, wanted, [&](int answer) {
+        content = WindWire::receive(answer);
+        return content.has_value();
+    });
+    return problem ? Result<WindContent>(*problem) : std::move(*content);
+}
+
+} // namespace osgTreeWind

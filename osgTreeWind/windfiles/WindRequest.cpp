@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/windfiles/WindRequest.h>
+
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/places/CrsWay.h>
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+Result<WindArea> areaOn(const std::string& crs, const WindArea& area) {
+    WindArea there{crs, area.low, area.high};
+    if (crs.empty() || area.crs.empty() || crs == area.crs)
+        return there;
+    const Result<Crs> from = Crs::parse(area.crs), to = Crs::parse(crs);
+    if (!from || !to)
+        return (from ? to : from).problems();
+    const Result<CrsWay> way = CrsWay::between(from.value(), to.value());
+    if (!way)
+        return way.problems();
+    glm::dvec2 middle = 0.5 * (area.low + area.high);
+    const auto nowhere = [&] {
+        return keyProblem("crs", "the file's map, " + to.value().name() +
+                                     ", does not hold the places where wind is "
+                                     "wanted, on " +
+                                     from.value().name());
+    };
+    if (!way.value().go(middle))
+        return nowhere();
+    there.low = there.high = middle;
+    constexpr int steps = 8; // straight lines bend on another map
+    for (int y = 0; y <= steps; ++y)
+        for (int x = 0; x <= steps; ++x) {
+            glm::dvec2 place = glm::mix(area.low, area.high, glm::dvec2(x, y) / double(steps));
+            if (!way.value().go(place))
+                return nowhere();
+            if (to.value().isDegrees())
+                place.x += 360.0 * std::round((middle.x - place.x) / 360.0);
+            there.low = glm::min(there.low, place);
+            there.high = glm::max(there.high, place);
+        }
+    return there;
+}
+
+} // namespace osgTreeWind
