@@ -35,7 +35,8 @@ ForestDescription madeForest(const std::vector<std::string>& species, std::size_
     for (std::size_t i = 0; i < trees; ++i) {
         TreePlacement tree;
         tree.species = random.next() % species.size();
-        tree.position = {4.0 * static_cast<double>(i % perRow), 4.0 * static_cast<double>(i / perRow), 0.0};
+        const std::size_t row = i / perRow, column = i % perRow;
+        tree.position = {4.0 * static_cast<double>(column), 4.0 * static_cast<double>(row), 0.0};
         tree.heading = 6.28f * random.uniform();
         tree.seed = static_cast<std::uint32_t>(i);
         tree.size.height = low * std::pow(high / low, random.uniform());
