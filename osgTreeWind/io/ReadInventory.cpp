@@ -51,6 +51,7 @@ public:
         std::uint32_t seed = _reading.seed;
         _table.read("seed", seed);
         _table.read("open_grown", _openGrown);
+        _table.read("skip", _skip);
         _leaves = _reading.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
         readDefaultSpecies();
@@ -65,6 +66,7 @@ public:
             return;
         _way = *way;
         readRows(seed);
+        noteSkipped();
         noteUnmatched();
         noteRepeated();
         noteEstimated();
@@ -84,7 +86,6 @@ private:
 
     void readRows(std::uint32_t seed) {
         Random random(seed);
-        const std::size_t before = _reading.forest.trees.size();
         _rows->rewind();
         Result<bool> found = _rows->next();
         for (; found && found.value(); found = _rows->next()) {
@@ -94,7 +95,7 @@ private:
         }
         if (!found)
             _reading.log.add(found.problems().front());
-        else if (_reading.forest.trees.size() == before)
+        else if (_row == _skipped)
             noteNone();
     }
 
@@ -102,14 +103,15 @@ private:
         const bool isTable = _rows->format() == "CSV";
         _reading.log.add({_rows->file(), isTable ? 1 : 0, 0, "",
                           std::string("an inventory without trees: no ") +
-                              (isTable ? "row below the header" : "feature is chosen")});
+                              (_skipped > 0 ? "row is one; the first: " + _firstSkipped.text()
+                               : isTable    ? "row below the header"
+                                            : "feature is chosen")});
     }
 
     void readRow(Random& random) {
         ++_row;
         TreePlacement tree;
-        tree.species = rowSpecies();
-        const VectorPlace place = logged(placeOfRow(*_rows, _columns, _way));
+        const VectorPlace place = taken(placeOfRow(*_rows, _columns, _way));
         tree.position = place.position;
         tree.size.height = size(_columns.height);
         tree.size.trunkDiameter = size(_columns.trunkDiameter);
@@ -118,6 +120,9 @@ private:
         tree.size.crownWidth = size(_columns.crownWidth);
         if (tree.size.crownWidth == 0.0f && place.width)
             tree.size.crownWidth = outlineWidth(*place.width);
+        if (!isTree())
+            return;
+        tree.species = rowSpecies();
         tree.openGrown = _openGrown;
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
@@ -131,24 +136,36 @@ private:
     }
 
     template <typename T>
-    T logged(const Result<T>& result) {
-        for (const Diagnostic& problem : result.problems())
-            _reading.log.add(problem);
+    T taken(const Result<T>& result) {
+        _problems.insert(_problems.end(), result.problems().begin(), result.problems().end());
         return result ? result.value() : T();
+    }
+
+    /// Settles what is wrong with a row: false where it is none of a tree, as the log or a note says.
+    bool isTree() {
+        if (_problems.empty())
+            return true;
+        if (_skip && _skipped++ == 0)
+            _firstSkipped = _problems.front();
+        for (const Diagnostic& problem : _problems)
+            if (!_skip)
+                _reading.log.add(problem);
+        _problems.clear();
+        return false;
     }
 
     /// Metres; 0 when the row does not say.
     float size(const Measure& measure) {
         if (!measure.column || !_rows->has(*measure.column))
             return 0.0f;
-        return static_cast<float>(logged(metresOfRow(*_rows, measure)));
+        return static_cast<float>(taken(metresOfRow(*_rows, measure)));
     }
 
     float outlineWidth(double width) {
         if (!_columns.crownWidth.range.contains(width))
-            _reading.log.add(_rows->problem("", "expected the outline of a crown, " +
-                                                    _columns.crownWidth.range.text() +
-                                                    " metres wide, found " + numberText(width)));
+            _problems.push_back(_rows->problem("", "expected the outline of a crown, " +
+                                                       _columns.crownWidth.range.text() +
+                                                       " metres wide, found " + numberText(width)));
         return static_cast<float>(width);
     }
 
@@ -201,6 +218,13 @@ private:
                                         std::to_string(sumOf(_repeated)) + " go without: " + joined(names));
     }
 
+    void noteSkipped() {
+        if (_skipped > 0 && _skipped < _row)
+            _reading.forest.notes.push_back(
+                _rows->file() + ": " + std::to_string(_skipped) + " of " + std::to_string(_row) +
+                " rows are no trees and left out, the first: " + _firstSkipped.text());
+    }
+
     void noteEstimated() {
         std::vector<std::string> counts;
         for (const auto& [size, trees] :
@@ -225,11 +249,13 @@ private:
     InventoryColumns _columns;
     CrsWay _way;
     bool _complete = true;
-    bool _openGrown = false;
+    bool _openGrown = false, _skip = false;
     float _leaves = 1.0f;
     std::string _defaultName;
     std::optional<std::size_t> _default;
-    std::size_t _row = 0;
+    Diagnostics _problems; ///< With the row.
+    Diagnostic _firstSkipped;
+    std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< That were estimated.
     Counts _unmatched;                                     ///< Names of species to numbers of rows.
     Counts _repeated;                                      ///< Ids to numbers of rows that go without.

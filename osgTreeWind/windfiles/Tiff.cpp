@@ -21,12 +21,12 @@ namespace {
 
 /// The unit that a band has, or that the metadata of it or of its file name.
 std::string unitOf(GDALDatasetH data, GDALRasterBandH band) {
-    if (const std::string unit = GDALGetRasterUnitType(band); !unit.empty())
+    if (std::string unit = GDALGetRasterUnitType(band); !unit.empty())
         return unit;
     for (const GDALMajorObjectH owner : {band, data})
         for (char** item = GDALGetMetadata(owner, nullptr); item && *item; ++item) {
             char* name = nullptr;
-            const std::string value = CPLParseNameValue(*item, &name);
+            std::string value = CPLParseNameValue(*item, &name);
             const bool isUnit = name && lower(name).find("unit") != std::string::npos;
             CPLFree(name);
             if (isUnit)

@@ -96,7 +96,9 @@ Result<WindContent> readPair(const std::string& path, const char* format,
     WindCells cells[2];
     const char* const ends[] = {"_vel", "_ang"};
     for (int i = 0; i < 2; ++i) {
-        Result<WindCells> read = readCells(begin + ends[i] + extension);
+        std::string each = begin;
+        each += ends[i] + extension;
+        Result<WindCells> read = readCells(each);
         if (!read)
             return read.problems();
         cells[i] = std::move(read.value());

@@ -145,4 +145,33 @@ TEST(InventorySizes, NoSpeciesAtAllIsAnErrorToo) {
     EXPECT_FALSE(readForest(input, {"test.treewind", folder.path()}).ok());
 }
 
+TEST(InventorySkip, LeavesOutRowsThatAreNoTreesAndSaysSo) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,h\n1,1,9\n2,2,999\n3,,9\n4,4,-1\n5,5,tall\n6,6,8\n");
+    const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n";
+    const auto strict = readInventoryOf(folder.path(), lines);
+    ASSERT_FALSE(strict);
+    EXPECT_EQ(strict.problems().size(), 4u);
+
+    const ForestDescription forest = inventoryOf(folder.path(), lines + "skip = true\n");
+    ASSERT_EQ(forest.trees.size(), 2u);
+    EXPECT_EQ(forest.trees[1].position.x, 6.0);
+    EXPECT_EQ(forest.trees[1].size.height, 8.0f);
+    ASSERT_FALSE(forest.notes.empty());
+    EXPECT_NE(forest.notes.front().find("a.csv: 4 of 6 rows are no trees and left out, the first: "),
+              std::string::npos)
+        << forest.notes.front();
+    EXPECT_NE(forest.notes.front().find("a.csv:3: "), std::string::npos) << forest.notes.front();
+}
+
+TEST(InventorySkip, NoTreesAtAllAreStillAProblem) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,h\n2,2,999\n");
+    const auto forest = readInventoryOf(
+        folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\nskip = true\n");
+    ASSERT_FALSE(forest);
+    EXPECT_NE(forest.problems().front().text().find("an inventory without trees: no row is one; the first: "),
+              std::string::npos);
+}
+
 } // namespace osgTreeWind
