@@ -141,6 +141,9 @@ WindFieldPtr readGrid(TableReader& table, ForestReading& reading) {
     std::vector<double> heights;
     complete &= table.read("heights", heights) || !table.has("heights");
     grid.heights.assign(heights.begin(), heights.end());
+    complete &=
+        table.read("roughness", grid.roughness, fieldAt(fieldsOf<GridWind::Grid>(), "roughness").range) ||
+        !table.has("roughness");
     complete &= table.read("above_ground", grid.aboveGround) || !table.has("above_ground");
     complete &= readValues(table, reading, grid.values);
     if (!complete)

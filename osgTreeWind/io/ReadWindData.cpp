@@ -111,6 +111,8 @@ WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
     const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);
     options.origin = reading.forest.origin - offset;
     options.crs = reading.forest.crs;
+    table.read("roughness", options.roughness, fieldAt(fieldsOf<LogProfile>(), "roughness").range);
+    table.read("height", options.height, fieldAt(fieldsOf<LogProfile>(), "height").range);
     chooseArea(reading.forest, options);
     std::vector<std::string> paths;
     std::vector<double> times;
@@ -126,9 +128,10 @@ WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
     for (const std::string& note : wind.value().summary.notes)
         reading.forest.notes.push_back(paths.front() + ": " + note);
     noteTreesOutside(wind.value(), offset, paths.front(), reading.forest);
-    return std::make_shared<FileWind>(wind.value().field, FileWind::Source{paths, table.has("files"), times,
-                                                                           offset, reading.forest.origin,
-                                                                           options.crs, options.speedUnit});
+    return std::make_shared<FileWind>(wind.value().field,
+                                      FileWind::Source{paths, table.has("files"), times, offset,
+                                                       reading.forest.origin, options.crs, options.roughness,
+                                                       options.height, options.speedUnit});
 }
 
 } // namespace osgTreeWind

@@ -19,6 +19,8 @@ public:
         glm::dvec3 offset{0.0};        ///< From the files' coordinates to those of the world, metres.
         glm::dvec3 origin{0.0};        ///< Of the forest it was read for, in the world.
         std::string crs;               ///< Of that forest.
+        double roughness = 0.0;        ///< Below the data, metres; 0: none is taken.
+        double height = 0.0;           ///< Of data that do not say theirs.
         std::string speedUnit = "m/s"; ///< Of speeds where a file does not say.
     };
 

@@ -6,6 +6,7 @@
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/SampleTimes.h>
 
 #include <algorithm>
@@ -69,6 +70,19 @@ void checkHeights(const GridWind::Grid& grid, Diagnostics& problems) {
     }
 }
 
+void checkRoughness(const GridWind::Grid& grid, Diagnostics& problems) {
+    if (grid.roughness == 0.0)
+        return;
+    const double lowest =
+        grid.heights.empty() ? grid.origin.z : *std::min_element(grid.heights.begin(), grid.heights.end());
+    if (!grid.aboveGround)
+        problems.push_back(keyProblem("roughness", "expected heights above the ground beside it"));
+    else if (!LogProfile{lowest, grid.roughness}.valid())
+        problems.push_back(keyProblem("roughness", "expected above 0 and below the lowest height, " +
+                                                       numberText(lowest) + " m, found " +
+                                                       numberText(grid.roughness)));
+}
+
 /// The grid between two of its times.
 class Sampler {
 public:
@@ -82,23 +96,36 @@ public:
         const double z = _grid.aboveGround ? place.height : place.position.z;
         const glm::dvec3 at(place.position.x, place.position.y, z), index = (at - _grid.origin) / _grid.cell;
         const Interpolation x = interpolationAtIndex(index.x, _nx), y = interpolationAtIndex(index.y, _ny);
+        const auto growth = [&](std::size_t step) {
+            return _grid.roughness > 0.0 ? profileFactor(z, heightOf(0, step, x, y)) : 1.0;
+        };
         if (_grid.heights.empty())
-            return between(x, y, [&](std::size_t) { return interpolationAtIndex(index.z, _nz); });
-        return between(x, y, [&](std::size_t step) { return layersAround(z, step, x, y); });
+            return between(x, y, growth, [&](std::size_t) { return interpolationAtIndex(index.z, _nz); });
+        return between(x, y, growth, [&](std::size_t step) { return layersAround(z, step, x, y); });
     }
 
 private:
-    /// @param layers the layers around the place at a step of time.
-    template <typename Layers>
-    glm::vec3 between(const Interpolation& x, const Interpolation& y, const Layers& layers) const {
-        glm::dvec3 result = inStep(_time.lower, x, y, layers(_time.lower));
+    /// @param growth of the wind beyond its layers, and @param layers those around the place, at a step of
+    /// time.
+    template <typename Growth, typename Layers>
+    glm::vec3 between(const Interpolation& x, const Interpolation& y, const Growth& growth,
+                      const Layers& layers) const {
+        const auto at = [&](std::size_t step) { return growth(step) * inStep(step, x, y, layers(step)); };
+        glm::dvec3 result = at(_time.lower);
         if (_time.fraction > 0.0)
-            result = _time.mix(result, inStep(_time.upper, x, y, layers(_time.upper)));
+            result = _time.mix(result, at(_time.upper));
         return clampedVelocity(result);
+    }
+
+    /// Of a wind that is known from a height upward.
+    double profileFactor(double z, double lowest) const {
+        return _nz == 1 || z < lowest ? LogProfile{lowest, _grid.roughness}.factor(z) : 1.0;
     }
 
     double heightOf(std::size_t layer, std::size_t step, const Interpolation& x,
                     const Interpolation& y) const {
+        if (_grid.heights.empty())
+            return _grid.origin.z + static_cast<double>(layer) * _grid.cell.z;
         const float* heights = _grid.heights.data() + step * _height.step + layer * _height.layer;
         if (_height.point == 0)
             return *heights;
@@ -173,6 +200,8 @@ Diagnostics GridWind::check(const Grid& grid) {
     checkValues(grid.values, 3.0 * n.x * n.y * n.z * static_cast<double>(steps), shape, problems);
     if (problems.empty() && !grid.heights.empty())
         checkHeights(grid, problems);
+    if (problems.empty())
+        checkRoughness(grid, problems);
     return problems;
 }
 

@@ -29,6 +29,9 @@ public:
         std::vector<float> heights;
         /// Heights count from the ground below each place, not from the origin.
         bool aboveGround = false;
+        /// Roughness length of the ground, metres, where heights count from it: wind below the lowest layer,
+        /// and of a single layer also above it, follows the logarithmic profile. 0: the layer holds.
+        double roughness = 0.0;
         /// Velocities u, v, w (m/s toward east, north, up) point by point: east fastest, then north, then up,
         /// then time.
         std::vector<float> values;

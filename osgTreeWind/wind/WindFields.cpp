@@ -28,6 +28,7 @@ const Fields& fieldsOf<GridWind::Grid>() {
         {"times", at<&P::times>, {}, "when each layer of values holds", "s"},
         {"heights", at<&P::heights>, {}, "heights of layers that are not even", "m"},
         {"above_ground", at<&P::aboveGround>, {}, "heights count from the ground below each place"},
+        {"roughness", at<&P::roughness>, within(0, 100), "of the ground", "m"},
         {"values", at<&P::values>, windSpeeds, "u, v, w of each point", "m/s"},
     };
     return fields;

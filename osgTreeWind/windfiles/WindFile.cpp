@@ -133,6 +133,25 @@ Result<std::shared_ptr<const CrsMesh>> wayTo(const std::string& fileCrs, const W
     return std::make_shared<const CrsMesh>(mesh.value());
 }
 
+/// Makes the wind of one layer one of a height above the ground, and grow with it, where that is wanted.
+Diagnostics takeProfile(const WindFileOptions& options, GridWind::Grid& grid) {
+    const bool isLayer = !grid.aboveGround && grid.points.z == 1;
+    if (options.roughness == 0.0 && options.height == 0.0)
+        return {};
+    if (!isLayer && options.height > 0.0)
+        return {keyProblem("height", "expected none: the data say at which heights they hold")};
+    if (!isLayer && !grid.aboveGround)
+        return {keyProblem("roughness", "expected none: heights of the data do not count from the ground")};
+    if (!(options.roughness > 0.0) || (isLayer && !(options.height > 0.0)))
+        return {keyProblem(isLayer ? "height" : "roughness",
+                           "expected the height above the ground at which the data hold, and a roughness")};
+    if (isLayer)
+        grid.heights = {static_cast<float>(options.height)};
+    grid.aboveGround = true;
+    grid.roughness = options.roughness;
+    return {};
+}
+
 /// The wind of a grid in the scene.
 Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options, const std::string& path) {
     auto& grid = std::get<GridWind::Grid>(content.data);
@@ -145,6 +164,8 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
         const double middle = grid.origin.x + 0.5 * grid.cell.x * (grid.points.x - 1);
         grid.origin.x += 360.0 * std::round((itsOrigin.x - middle) / 360.0);
     }
+    if (Diagnostics problems = takeProfile(options, grid); !problems.empty())
+        return problems;
     WindFile file;
     summarize(grid, content.summary);
     file.covers = [mesh, origin, extent = Extent(content.summary)](const glm::dvec2& place) {
@@ -168,9 +189,11 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
 }
 
 /// The wind of a record at one point.
-Result<WindFile> recordFile(WindContent&& content, const std::string& path) {
+Result<WindFile> recordFile(WindContent&& content, const WindFileOptions& options, const std::string& path) {
     auto& series = std::get<WindSeries>(content.data);
     content.summary.times = series.times;
+    if (options.roughness > 0.0)
+        series.profile = LogProfile{options.height, options.roughness};
     const auto field = named(TimeSeriesWind::create(std::move(series)), path);
     if (!field)
         return field.problems();
@@ -212,7 +235,7 @@ Result<WindFile> fileOf(Result<WindContent>&& read, const std::string& path, con
     if (content.summary.unit.empty())
         notes.push_back("the file names no unit of speed; taken as " + options.speedUnit);
     if (std::holds_alternative<WindSeries>(content.data))
-        return recordFile(std::move(content), path);
+        return recordFile(std::move(content), options, path);
     return gridFile(std::move(content), options, path);
 }
 

@@ -28,6 +28,12 @@ struct WindFileOptions {
     glm::dvec2 low{-50000.0}, high{50000.0};
     /// Unit of speeds where the file does not say: "m/s", "km/h", "kn", "mph" or "ft/s".
     std::string speedUnit = "m/s";
+    /// Roughness length of the ground, metres, below the lowest height of the data: wind beneath follows the
+    /// logarithmic profile to the foot of each tree, and that of a single height also above it. 0: it holds.
+    double roughness = 0.0;
+    /// With `roughness`, metres above the ground at which data hold that do not say: a single layer, or a
+    /// record.
+    double height = 0.0;
     /// Of a CSV or TOA5 table; while it names none, the columns are called time, u, v, w or time, speed,
     /// direction in a CSV and TIMESTAMP, Ux, Uy, Uz in a TOA5. The unit is `speedUnit` above.
     WindSeriesColumns columns;

@@ -265,6 +265,8 @@ private:
             if (static_cast<int>(grid.heights.size()) < grid.points.z)
                 grid.heights.clear();
             grid.aboveGround = maybe(0.5);
+            if (grid.aboveGround && !grid.heights.empty() && maybe(0.5))
+                grid.roughness = 0.05;
             grid.values = speeds(3 * points * std::max(1, steps));
             return GridWind::create(grid).value();
         }

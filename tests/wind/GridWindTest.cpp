@@ -119,6 +119,28 @@ TEST(GridWind, HeightsMayCountFromTheGroundOfEachPlace) {
     EXPECT_FLOAT_EQ(wind->velocity({glm::vec3(0, 0, 55), 0.0f}, 0).x, 15.0f);
 }
 
+TEST(GridWind, FollowsTheLogarithmicProfileBelowItsLayers) {
+    GridWind::Grid grid;
+    grid.points = {1, 1, 2};
+    grid.heights = {10, 100};
+    grid.aboveGround = true;
+    grid.roughness = 0.1;
+    grid.values = {10, 0, 0, 20, 0, 0};
+    const auto wind = GridWind::create(grid).value();
+    const auto at = [&](float height) {
+        return wind->velocity({glm::vec3(0, 0, 500), 500.0f - height}, 0).x;
+    };
+    EXPECT_FLOAT_EQ(at(1.0f), 5.0f) << "ln 10 is half of ln 100";
+    EXPECT_EQ(at(0.05f), 0.0f);
+    EXPECT_FLOAT_EQ(at(10.0f), 10.0f);
+    EXPECT_FLOAT_EQ(at(55.0f), 15.0f) << "between layers it is linear";
+    EXPECT_FLOAT_EQ(at(500.0f), 20.0f);
+    grid.points.z = 1;
+    grid.heights = {10};
+    grid.values = {10, 0, 0};
+    EXPECT_FLOAT_EQ(GridWind::create(grid).value()->velocity({0, 0, 100}, 0).x, 15.0f);
+}
+
 TEST(GridWind, LayersMayFollowTheGroundAndChangeWithTime) {
     GridWind::Grid grid;
     grid.points = {2, 1, 2};
@@ -209,6 +231,15 @@ INSTANTIATE_TEST_SUITE_P(
                     g.heights = {2, 1};
                 },
                 "heights: expected finite metres, increasing upward, found 1 at index 1"},
+        BadGrid{"RoughnessWithoutGround", [](Grid& g) { g.roughness = 0.1; },
+                "roughness: expected heights above the ground beside it"},
+        BadGrid{"RoughnessTooLarge",
+                [](Grid& g) {
+                    g.heights = {1, 2};
+                    g.aboveGround = true;
+                    g.roughness = 1.0;
+                },
+                "roughness: expected above 0 and below the lowest height, 1 m, found 1"},
         BadGrid{"HeightsNan",
                 [](Grid& g) {
                     g.heights = {0, notANumber};

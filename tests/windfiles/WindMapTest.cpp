@@ -99,6 +99,24 @@ TEST(WindMap, LongitudesMayBeAWholeTurnAway) {
     EXPECT_TRUE(file.value().covers({0, 0}));
 }
 
+TEST(WindMap, GrowsWithHeightWhereARoughnessIsGiven) {
+    const TemporaryFolder folder;
+    WindFileOptions options;
+    options.crs = "EPSG:32632";
+    options.origin = {brought({11.9, 47.0}, "EPSG:4326", "EPSG:32632"), 800.0};
+    const std::string path = westerlyOnDegrees(folder);
+    options.roughness = 0.1;
+    EXPECT_NE(firstProblem(readWindFile(path, options)).find("height: expected the height above the ground"),
+              std::string::npos);
+    options.height = 10.0;
+    const auto file = readWindFile(path, options);
+    ASSERT_TRUE(file) << firstProblem(file);
+    EXPECT_TRUE(file.value().summary.aboveGround);
+    EXPECT_NEAR(glm::length(file.value().field->velocity({glm::vec3(0, 0, 41), 40.0f}, 0)), 5.0f, 1e-3f);
+    options.roughness = 0.0;
+    EXPECT_NE(firstProblem(readWindFile(path, options)).find("and a roughness"), std::string::npos);
+}
+
 TEST(WindMap, FarFromItsDataTheEdgeHolds) {
     const TemporaryFolder folder;
     const auto file = readOn(westerlyOnDegrees(folder), "+proj=ortho +lat_0=-47 +lon_0=-168", {0, 0});
