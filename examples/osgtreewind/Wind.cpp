@@ -154,7 +154,7 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
     auto arguments = std::make_shared<WindArguments>();
     command
         ->add_option("file", arguments->files,
-                     "ESRI ASCII pair, VTK, NetCDF, TurbSim, TOA5, QES XML or CSV; several of one time each "
+                     "ESRI ASCII pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several of one time each "
                      "with --times")
         ->required();
     command->add_option("--times", arguments->times, "t1,t2,...: seconds at which several files hold")
