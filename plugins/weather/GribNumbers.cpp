@@ -79,6 +79,7 @@ void* GribNumbers::open(const GribField& field) {
                     GDALClose(data);
             });
         _begin = field.begin;
+        _warning = errors.warnings().empty() ? "" : ": " + errors.warnings().front();
     }
     if (_data && errors.text().empty() && field.band <= GDALGetRasterCount(_data.get()))
         return _data.get();
@@ -93,7 +94,7 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
     if (!field.grid.even)
         return problem(field, "its grid is " + field.grid.kind +
                                   ", whose points are not even on longitudes and latitudes or on a map; "
-                                  "expected a regular grid, as weather services and `cdo remapbil` make it");
+                                  "`cdo remapbil` makes an even grid of it");
     void* const data = open(field);
     if (!data)
         return problem(field, _reason);
@@ -108,7 +109,7 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
     const bool isPlaced = GDALGetGeoTransform(data, at.data()) == CE_None && reference &&
                           std::all_of(at.begin(), at.end(), [](double each) { return std::isfinite(each); });
     if (!isPlaced || at[1] == 0.0 || at[5] == 0.0 || at[2] != 0.0 || at[4] != 0.0)
-        return problem(field, "GDAL cannot place its grid, " + field.grid.kind);
+        return problem(field, "GDAL cannot place its grid, " + field.grid.kind + _warning);
     GribPlace place{Crs(OSRClone(reference)), {}, axisOf(at[0], at[1], columns), axisOf(at[3], at[5], rows)};
     OSRSetAxisMappingStrategy(place.crs.reference(), OAMS_TRADITIONAL_GIS_ORDER);
     place.name = nameOf(place.crs);

@@ -37,7 +37,7 @@ private:
     void* open(const GribField& field);
     Diagnostic problem(const GribField& field, const std::string& message) const;
 
-    std::string _path, _reason;
+    std::string _path, _reason, _warning;
     std::size_t _begin = 0;
     std::shared_ptr<void> _data;
 };

@@ -122,7 +122,8 @@ private:
         if (_problem)
             return;
         constexpr double mostPoints = 1u << 27; // of a field, which GDAL reads as a whole
-        if (static_cast<double>(first().grid.columns) * static_cast<double>(first().grid.rows) > mostPoints)
+        const GribGrid& grid = first().grid;
+        if (grid.even && static_cast<double>(grid.columns) * static_cast<double>(grid.rows) > mostPoints)
             return fail(fileProblem(_path, "expected at most " + numberText(mostPoints) + " points, found " +
                                                sizeOf(first())));
         const Result<GribPlace> place = _numbers.place(first());
