@@ -40,7 +40,7 @@ bool isSame(const GribLevel& a, const GribLevel& b) {
 
 class Chooser {
 public:
-    Chooser(const std::vector<GribField>& fields, const std::string& file) : _file(file) {
+    Chooser(const std::vector<GribField>& fields, std::string file) : _file(std::move(file)) {
         for (const GribField& field : fields)
             if (const Meaning meaning = GribMeaning::of(field); meaning.quantity != Quantity::None) {
                 if (field.momentary)

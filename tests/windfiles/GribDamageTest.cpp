@@ -61,14 +61,12 @@ TEST(GribDamage, CutAtAndWithinEverySection) {
         const std::string u = messageOf(field), whole = u + messageOf(northOf(field));
         ASSERT_TRUE(readGribBytes(whole));
         for (const std::size_t section : sectionsOf(u, edition))
-            for (const std::size_t more : {2u, 6u}) {
-                const std::string problem = problemOfGrib(whole.substr(0, u.size() + section + more));
-                if (section + more >= 8)
-                    EXPECT_TRUE(has(problem, "message 2, at byte " + std::to_string(u.size()) + ": "))
-                        << problem;
-                else
-                    EXPECT_FALSE(problem.empty()) << "edition " << edition << " cut at " << section + more;
-            }
+            for (const std::size_t more : {2u, 6u})
+                if (const std::size_t length = section + more; length < u.size()) {
+                    const std::string problem = problemOfGrib(whole.substr(0, u.size() + length));
+                    const std::string place = "message 2, at byte " + std::to_string(u.size()) + ": ";
+                    EXPECT_TRUE(has(problem, length < 4 ? "found only U" : place)) << length << problem;
+                }
     }
 }
 

@@ -40,6 +40,10 @@ TEST_P(GribEditions, PointsOnDegreesFromTheNorth) {
     expectSpot(file.value(), {10.25, 49.75, 10}, 0, {6.5, -3.25, 0});
 }
 
+TEST_P(GribEditions, TheSmallFileIsThisOne) {
+    EXPECT_EQ(fileBytes(smallNetCdf("small.grib" + std::to_string(GetParam()))), degreesOf(GetParam()));
+}
+
 TEST_P(GribEditions, ItsMapIsReadBack) {
     const auto file = readGribBytes(degreesOf(GetParam()));
     ASSERT_TRUE(file) << firstProblem(file);

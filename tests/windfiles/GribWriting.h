@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -25,7 +26,7 @@ inline std::string withSign(double value, std::size_t count) {
 }
 
 /// Points from the north-west, rows southward, on longitudes and latitudes; or on Lambert's map around 25 N,
-/// 95 W on a sphere of 6371.229 km (edition 1: 6367.47 km), from the south-west, rows northward.
+/// 95 W on a sphere of 6371.229 km (edition 1: NCEP's 6371.2 km), from the south-west, rows northward.
 struct Grid {
     bool lambert = false;
     int columns = 4, rows = 3;
