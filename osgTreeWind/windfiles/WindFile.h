@@ -37,7 +37,7 @@ struct WindFile {
 
 /// Reads wind data, recognised by content, then by extension: ESRI ASCII pairs of speed and direction-from
 /// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK grids of even spacing, VTK XML ImageData,
-/// TurbSim .bts, Campbell TOA5, QES-Winds sensor XML, CSV, and NetCDF.
+/// TurbSim .bts, Campbell TOA5, QES-Winds sensor XML, CSV, NetCDF and GRIB.
 ///
 /// Time steps are interpolated. Places without data are calm, and velocities that count from true north are
 /// turned to the y axis of a NetCDF file's projection, unless wanted as stored; notes say both. A broken file
