@@ -113,12 +113,12 @@ private:
         text(_left - 8, y(fps) + 4, "end", label.str());
     }
     void line(const Series& series) {
-        _out << "<polyline fill=\"none\" stroke-width=\"2\" stroke=\"" << series.colour << "\" points=\"";
+        _out << R"(<polyline fill="none" stroke-width="2" stroke=")" << series.colour << R"(" points=")";
         for (const Point& point : series.points)
             _out << _trees[point.trees] << ',' << y(point.fps) << ' ';
         _out << "\"/>\n";
         for (const Point& point : series.points)
-            _out << "<circle r=\"3.5\" fill=\"" << series.colour << "\" cx=\"" << _trees[point.trees]
+            _out << R"(<circle r="3.5" fill=")" << series.colour << R"(" cx=")" << _trees[point.trees]
                  << "\" cy=\"" << y(point.fps) << "\"/>\n";
     }
 
@@ -170,8 +170,8 @@ std::string benchChart(const BenchConditions& conditions, const std::vector<Benc
     for (const Series& series : measured) {
         if (series.points.empty())
             continue;
-        out << "<line x1=\"815\" x2=\"840\" y1=\"" << y - 4 << "\" y2=\"" << y - 4
-            << "\" stroke-width=\"2\" stroke=\"" << series.colour
+        out << R"(<line x1="815" x2="840" y1=")" << y - 4 << R"(" y2=")" << y - 4
+            << R"(" stroke-width="2" stroke=")" << series.colour
             << "\"/>\n<circle r=\"3.5\" cx=\"827.5\" cy=\"" << y - 4 << "\" fill=\"" << series.colour
             << "\"/>\n<text x=\"848\" y=\"" << y << "\">" << series.name << "</text>\n";
         y += 24;

@@ -2,6 +2,7 @@
 #include "BenchForests.h"
 
 #include "BenchClock.h"
+#include "BenchRows.h"
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
@@ -31,11 +32,10 @@ ForestDescription madeForest(const std::vector<std::string>& species, std::size_
         forest.species.back().shapes = 3;
     }
     Random random(8);
-    const auto perRow = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(trees))));
     for (std::size_t i = 0; i < trees; ++i) {
         TreePlacement tree;
         tree.species = random.next() % species.size();
-        tree.position = {4.0 * static_cast<double>(i % perRow), 4.0 * static_cast<double>(i / perRow), 0.0};
+        tree.position = placeInRows(i, trees, 4.0);
         tree.heading = 6.28f * random.uniform();
         tree.seed = static_cast<std::uint32_t>(i);
         tree.size.height = low * std::pow(high / low, random.uniform());

@@ -2,6 +2,7 @@
 #include "BenchStage.h"
 
 #include "BenchRig.h"
+#include "BenchRows.h"
 
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
 #include <osgTreeWind/model/Random.h>
@@ -28,10 +29,9 @@ ForestDescription benchForest(const BenchStage& stage, int trees) {
     description.species = {reference};
     description.law = stage.law();
     description.drawing.tiers = stage.way != BenchStage::INSTANCES_IN_FULL;
-    const int perRow = static_cast<int>(std::ceil(std::sqrt(trees)));
     for (int i = 0; i < trees; ++i) {
         TreePlacement tree;
-        tree.position = {spacing * (i % perRow), spacing * (i / perRow), 0.0};
+        tree.position = placeInRows(static_cast<std::size_t>(i), static_cast<std::size_t>(trees), spacing);
         tree.seed = static_cast<std::uint32_t>(i);
         description.trees.push_back(tree);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "BenchTrees.h"
 
+#include "BenchRows.h"
+
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
@@ -30,10 +32,8 @@ ForestDescription referenceTrees(MotionLaw law, std::size_t count) {
     forest.species.emplace_back();
     forest.species.front().shapes = 1;
     forest.trees.resize(count);
-    const auto perRow = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
     for (std::size_t i = 0; i < count; ++i) {
-        forest.trees[i].position = {6.0 * static_cast<double>(i % perRow),
-                                    6.0 * static_cast<double>(i / perRow), 0.0};
+        forest.trees[i].position = placeInRows(i, count, 6.0);
         forest.trees[i].heading = static_cast<float>(i);
     }
     return forest;

@@ -31,7 +31,8 @@ osg::ref_ptr<Forest> row(const Species& species, int trees, bool tiers) {
     const double apart = 1.25 * static_cast<double>(measureTree(makeTreeModel(species.tree)).crownWidth);
     for (int i = 0; i < trees; ++i) {
         TreePlacement tree;
-        const double place = apart * ((i + 1) / 2) * (i % 2 ? 1.0 : -1.0);
+        const int pair = (i + 1) / 2;
+        const double place = apart * pair * (i % 2 ? 1.0 : -1.0);
         tree.position = {0.74 * place, 0.67 * place, 0.0};
         tree.seed = static_cast<std::uint32_t>(i);
         forest.trees.push_back(tree);

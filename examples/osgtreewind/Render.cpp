@@ -142,7 +142,7 @@ ExitCode writeFrames(OffscreenViewer& drawing, const RenderOptions& options) {
     return Succeeded;
 }
 
-ExitCode render(RenderOptions options) {
+ExitCode render(const RenderOptions& options) {
     if (options.backend != offscreenBackendName())
         return runOtherBackend(options.backend);
     if (const ExitCode problem = checkOutput(options); problem != Succeeded)
@@ -158,7 +158,7 @@ ExitCode render(RenderOptions options) {
         std::cerr << options.file << ": " << made.problems().front().text() << '\n';
         return BadInput;
     }
-    const osg::ref_ptr<Forest> forest = made.value();
+    const osg::ref_ptr<Forest>& forest = made.value();
     osg::ref_ptr<osg::Group> scene = createSetting(*forest, shadowsOf(options.shadows));
 
     OffscreenViewer drawing(options.width, options.height, samplesAcross(options));

@@ -2,6 +2,8 @@
 #include "Arrows.h"
 #include "Command.h"
 
+#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <glm/geometric.hpp>
@@ -22,13 +24,19 @@ struct WindArguments {
     std::vector<std::string> files;
     std::vector<double> times;
     std::string unit = "m/s";
+    std::string crs;
     std::vector<double> at;
+    std::string time = "0";
     std::string picture;
     bool json = false;
 };
 
 Json toJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
+}
+
+const char* heightsOf(const WindSummary& summary) {
+    return summary.aboveGround ? "above the ground" : "above the zero of the file";
 }
 
 Json toJson(const WindSummary& summary) {
@@ -41,6 +49,8 @@ Json toJson(const WindSummary& summary) {
             {"points", {summary.points.x, summary.points.y, summary.points.z}},
             {"extent", {{"low", toJson(summary.low)}, {"high", toJson(summary.high)}}},
             {"coordinates", summary.coordinates},
+            {"crs", summary.crs},
+            {"heights", heightsOf(summary)},
             {"unit", summary.unit},
             {"direction", summary.direction},
             {"times", times},
@@ -66,7 +76,8 @@ void print(const WindSummary& summary) {
     row("format") << summary.format << '\n';
     row("points") << summary.points.x << " east, " << summary.points.y << " north, " << summary.points.z
                   << " up\n";
-    row("extent") << text(summary.low, 9) << " to " << text(summary.high, 9) << " m\n";
+    row("extent") << text(summary.low, 9) << " to " << text(summary.high, 9) << '\n';
+    row("heights") << heightsOf(summary) << ", m\n";
     if (!summary.coordinates.empty())
         row("coordinates") << summary.coordinates << '\n';
     row("unit") << (summary.unit.empty() ? "not in the file" : summary.unit) << '\n';
@@ -89,7 +100,10 @@ std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& o
     WindFileOptions options;
     options.speedUnit = arguments.unit;
     options.origin = origin;
-    options.asStored = true;
+    options.crs = arguments.crs;
+    options.low = glm::dvec2(-1000.0);
+    options.high = glm::dvec2(1000.0);
+    options.asStored = arguments.crs.empty();
     const bool alone = arguments.files.size() == 1 && arguments.times.empty();
     Result<WindFile> wind = alone ? readWindFile(arguments.files.front(), options)
                                   : readWindFiles(arguments.files, arguments.times, options);
@@ -99,23 +113,42 @@ std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& o
     return {};
 }
 
-void printVelocity(const WindFile& wind, const WindArguments& arguments) {
+/// Seconds of a wind's own time; nothing where its file does not say when that is.
+std::optional<double> secondsOf(const std::string& time, const WindSummary& summary) {
+    if (const auto seconds = parseNumber(time))
+        return seconds;
+    const auto asked = parseIsoTime(time), start = parseIsoTime(summary.start);
+    return asked && start ? std::optional<double>(*asked - *start) : std::nullopt;
+}
+
+ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
     const std::vector<double>& at = arguments.at;
-    const double time = at.size() > 3 ? at[3] : 0.0;
-    const glm::dvec3 velocity = wind.field->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, time);
+    const auto time = secondsOf(arguments.time, wind.summary);
+    if (!time) {
+        std::cerr << "--time: expected seconds, or a date and time of a file that says its own; found "
+                  << arguments.time << '\n';
+        return BadInput;
+    }
+    const glm::dvec3 velocity = wind.field->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, *time);
+    if (!wind.covers(glm::dvec2(0.0)))
+        std::cerr << arguments.files.front()
+                  << ": note: the place lies outside its grid; the wind at its edge holds\n";
     if (arguments.json) {
         std::cout << Json{{"at", {at[0], at[1], at[2]}},
-                          {"time", time},
+                          {"crs", arguments.crs.empty() ? wind.summary.crs : arguments.crs},
+                          {"heights", heightsOf(wind.summary)},
+                          {"time", *time},
                           {"velocity", toJson(velocity)},
                           {"speed", glm::length(velocity)},
                           {"notes", wind.summary.notes}}
                          .dump(2)
                   << '\n';
-        return;
+        return Succeeded;
     }
     std::cout << text(velocity, 6) << " m/s toward east, north, up\n";
     for (const std::string& note : wind.summary.notes)
         std::cerr << arguments.files.front() << ": note: " << note << '\n';
+    return Succeeded;
 }
 
 ExitCode drawPicture(const WindArguments& arguments, const WindSummary& summary) {
@@ -137,9 +170,10 @@ ExitCode run(const WindArguments& arguments) {
     const auto wind = load(arguments, origin);
     if (!wind)
         return BadInput;
-    if (!arguments.at.empty())
-        printVelocity(*wind, arguments);
-    else if (arguments.json)
+    if (!arguments.at.empty()) {
+        if (const ExitCode problem = printVelocity(*wind, arguments); problem != Succeeded)
+            return problem;
+    } else if (arguments.json)
         std::cout << toJson(wind->summary).dump(2) << '\n';
     else
         print(wind->summary);
@@ -155,17 +189,31 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
     command
         ->add_option(
             "file", arguments->files,
-            "ESRI ASCII pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several of one time each "
+            "ESRI ASCII or GeoTIFF pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several of one "
+            "time each "
             "with --times")
         ->required();
     command->add_option("--times", arguments->times, "t1,t2,...: seconds at which several files hold")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command->add_option("--at", arguments->at, "x,y,z[,t] in the file's coordinates, metres and seconds")
-        ->delimiter(',')
-        ->expected(3, 4)
-        ->check(within(-1e15, 1e15))
-        ->allow_extra_args(false);
+    CLI::Option* at =
+        command
+            ->add_option(
+                "--at", arguments->at,
+                "x,y,z: the wind there. In the file's own coordinates, or on --crs; z in metres above what "
+                "the file's heights are above")
+            ->delimiter(',')
+            ->expected(3)
+            ->check(within(-1e15, 1e15))
+            ->allow_extra_args(false);
+    command
+        ->add_option("--time", arguments->time,
+                     "Seconds since the file's first time, or a date and time: 2017-10-26T15:00Z")
+        ->needs(at);
+    command
+        ->add_option("--crs", arguments->crs,
+                     "Map of --at, in metres: EPSG:32611, say; velocities are turned to it")
+        ->needs(at);
     command->add_option("--unit", arguments->unit,
                         "Of speeds where the file does not say: m/s, km/h, kn, mph, ft/s");
     command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");

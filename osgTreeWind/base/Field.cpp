@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace osgTreeWind {
 
@@ -82,6 +81,12 @@ struct Check {
     void operator()(const T*) const {}
 };
 
+/// Tells -0 from 0; NaN is NaN.
+template <typename T>
+bool sameNumber(T a, T b) {
+    return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
+}
+
 /// Compares with the same member of another struct.
 struct Same {
     Member other;
@@ -89,9 +94,10 @@ struct Same {
     template <typename T>
     bool operator()(const T* value) const {
         const T& b = **std::get_if<T*>(&other);
-        if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, glm::vec3> ||
-                      std::is_same_v<T, glm::dvec3>)
-            return std::memcmp(value, &b, sizeof b) == 0; // tells -0 from 0
+        if constexpr (std::is_floating_point_v<T>)
+            return sameNumber(*value, b);
+        else if constexpr (std::is_same_v<T, glm::vec3> || std::is_same_v<T, glm::dvec3>)
+            return sameNumber(value->x, b.x) && sameNumber(value->y, b.y) && sameNumber(value->z, b.z);
         else
             return *value == b;
     }

@@ -76,7 +76,7 @@ std::optional<CrsWay> wayOfInventory(TableReader& table, TreeRows* rows, const I
 }
 
 Result<double> metresOfRow(const TreeRows& rows, const Measure& measure) {
-    const Result<double> number = rows.number(*measure.column);
+    Result<double> number = rows.number(*measure.column);
     if (!number)
         return number;
     const double metres = number.value() * measure.unit;

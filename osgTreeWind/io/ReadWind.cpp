@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NumberList.h>
 #include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/wind/FileWind.h>
+#include <osgTreeWind/io/ReadWindData.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/RetimedWind.h>
@@ -13,7 +14,6 @@
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/windfiles/WindFile.h>
-#include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,29 +25,13 @@ namespace {
 
 constexpr Range directions = within(-360, 360);
 
-/// Passes on what is wrong with a field made from this table: at the key it names, else at the table.
+/// The field made from this table; null where it has none, and the log says why.
 template <typename Field>
 WindFieldPtr checked(const Result<Field>& field, TableReader& table, ForestReading& reading) {
     if (field.ok())
         return field.value();
-    for (const Diagnostic& problem : field.problems()) {
-        if (problem.file.empty())
-            table.problem(table.has(problem.key) ? problem.key : "", problem.message);
-        else
-            reading.log.add(problem);
-    }
+    reportWind(field.problems(), table, reading);
     return nullptr;
-}
-
-/// Name of a unit of speed, "m/s" when the key is not there. @return the unit in m/s, if it is one.
-std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name) {
-    name = "m/s";
-    table.read(key, name);
-    const auto unit = speedUnit(name);
-    if (unit.ok())
-        return unit.value();
-    table.problem(key, unit.problems().front().message);
-    return std::nullopt;
 }
 
 /// `velocity`, or `speed` with a direction; in `unit`.
@@ -254,85 +238,18 @@ WindFieldPtr readSeries(TableReader& table, ForestReading& reading) {
     return complete ? checked(TimeSeriesWind::create(std::move(series)), table, reading) : nullptr;
 }
 
-/// The paths of `file`, or of all `files` with their `times`. False after a problem.
-bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::string>& paths,
-                   std::vector<double>& times) {
-    std::string name;
-    std::vector<std::string> names;
-    const bool one = table.read("file", name), several = table.read("files", names),
-               timed = table.read("times", times);
-    const auto refuse = [&](const char* key, const char* why) {
-        table.problem(key, why);
-        return false;
-    };
-    if (table.has("file") && table.has("files"))
-        return refuse("files", "give either this or file");
-    if (table.has("times") && !table.has("files"))
-        return refuse("times", "expected only beside files");
-    if (!table.has("file") && !table.has("files"))
-        return table.missing("file");
-    if (!one && !(several && (timed || !table.has("times"))))
-        return false; // not what they should be, as the log says
-    for (const std::string& each : one ? std::vector<std::string>{name} : names) {
-        const auto file = reading.open(table, one ? "file" : "files", each);
-        if (!file)
-            return false;
-        paths.push_back(file->path);
-    }
-    return true;
-}
-
-/// A note where trees stand beside the points of a file's grid.
-void noteTreesOutside(const WindSummary& wind, const glm::dvec3& offset, const std::string& path,
-                      ForestDescription& forest) {
-    const glm::dvec3 low = wind.low + offset, high = wind.high + offset;
-    const auto outside = [&](const TreePlacement& tree) {
-        for (int axis = 0; axis < 2; ++axis)
-            if (wind.points[axis] > 1 &&
-                (tree.position[axis] < low[axis] || tree.position[axis] > high[axis]))
-                return true;
-        return false;
-    };
-    const auto count = std::count_if(forest.trees.begin(), forest.trees.end(), outside);
-    if (count == 0)
-        return;
-    const auto rounded = [](double metres) { return numberText(std::round(100.0 * metres) / 100.0); };
-    std::string extent;
-    for (int axis = 0; axis < 2; ++axis)
-        if (wind.points[axis] > 1)
-            extent +=
-                std::string(axis == 0 ? ", x " : ", y ") + rounded(low[axis]) + " to " + rounded(high[axis]);
-    forest.notes.push_back(std::to_string(count) + " of " + std::to_string(forest.trees.size()) +
-                           " trees stand outside the grid of " + path + extent +
-                           "; the wind at its edges holds there");
-}
-
-/// Any file of wind data, or several of one time each; positions in it are world coordinates, moved by
-/// `offset`.
-WindFieldPtr readDataFile(TableReader& table, ForestReading& reading) {
-    WindFileOptions options;
-    const bool known = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
-    std::vector<double> numbers = {0, 0, 0};
-    table.readNumbers("offset", numbers, 3, 3, worldCoordinates);
-    const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);
-    options.origin = reading.forest.origin - offset;
-    std::vector<std::string> paths;
-    std::vector<double> times;
-    if (!readDataPaths(table, reading, paths, times) || !known)
-        return nullptr;
-    const Result<WindFile> wind =
-        table.has("files") ? readWindFiles(paths, times, options) : readWindFile(paths.front(), options);
-    if (wind) {
-        for (const std::string& note : wind.value().summary.notes)
-            reading.forest.notes.push_back(paths.front() + ": " + note);
-        noteTreesOutside(wind.value().summary, offset, paths.front(), reading.forest);
-    }
-    const WindFieldPtr field =
-        checked(wind ? Result<WindFieldPtr>(wind.value().field) : wind.problems(), table, reading);
-    if (!field)
-        return nullptr;
-    return std::make_shared<FileWind>(field, FileWind::Source{paths, table.has("files"), times, offset,
-                                                              reading.forest.origin, options.speedUnit});
+/// `date`, the moment of the wind that is time 0, in place of `start`.
+void takeDate(const std::string& text, TableReader& table, const ForestReading& reading,
+              RetimedWind::Clock& clock) {
+    const std::optional<double> date = parseIsoTime(text);
+    if (table.has("start"))
+        table.problem("date", "give either this or start");
+    else if (!date)
+        table.problem("date", expectedFound("a date and time, as 2017-10-26T15:00:00Z", text));
+    else if (!reading.windDate)
+        table.problem("date", "expected a wind from files that say their dates");
+    else
+        clock.start = *date - *reading.windDate;
 }
 
 WindFieldPtr readCalm(TableReader&, ForestReading&) {
@@ -356,10 +273,10 @@ void readWind(TableReader& table, ForestReading& reading) {
                                       {"grid", readGrid},
                                       {"forest_wind", readForestWind},
                                       {"series", readSeries},
-                                      {"file", readDataFile}});
+                                      {"file", readWindData}});
     const bool ofOther = table.has("kind") || table.has("columns") || table.has("points");
     if (!ofOther && (table.has("file") || table.has("files")))
-        kind = readDataFile;
+        kind = readWindData;
     if (!kind) {
         table.missing("kind");
         return table.ignoreRest();
@@ -368,6 +285,9 @@ void readWind(TableReader& table, ForestReading& reading) {
     readFields(table, clock);
     table.readChoice("frame", reading.forest.windFrame, windFrames());
     reading.forest.wind = kind(table, reading);
+    std::string date;
+    if (table.readScalar("date", date) && (reading.forest.wind || kind == readCalm))
+        takeDate(date, table, reading, clock);
     if (reading.forest.wind && (clock.start != 0.0 || clock.scale != 1.0))
         reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, clock);
 }

@@ -31,7 +31,7 @@ std::filesystem::path fileOfHost() {
     std::istringstream rest(folders ? folders : "");
     std::error_code error;
     for (std::string folder; std::getline(rest, folder, separator);)
-        if (const auto path = std::filesystem::path(folder) / fileName;
+        if (auto path = std::filesystem::path(folder) / fileName;
             !folder.empty() && std::filesystem::is_regular_file(path, error))
             return path;
     return {};

@@ -206,11 +206,13 @@ bool TableReader::readScalar(const std::string& key, std::string& field) {
         return false;
     if (const auto text = node->value_exact<std::string>()) {
         field = *text;
-    } else if (const auto date = node->value_exact<toml::date>()) {
-        char iso[16];
-        std::snprintf(iso, sizeof iso, "%04u-%02u-%02u", date->year % 10000u, date->month % 100u,
-                      date->day % 100u);
-        field = iso;
+    } else if (node->is_date() || node->is_date_time()) {
+        std::ostringstream iso;
+        if (const auto date = node->value_exact<toml::date>())
+            iso << *date;
+        else
+            iso << *node->value_exact<toml::date_time>();
+        field = iso.str();
     } else if (double number = 0.0; readNumber(*node, key, number, {})) {
         field = numberText(number);
     } else {

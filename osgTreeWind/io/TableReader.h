@@ -40,8 +40,9 @@ public:
     bool read(const std::string& key, std::uint32_t& field); ///< Any 32-bit number.
     bool read(const std::string& key, float& field, const Range& range = {});
     bool read(const std::string& key, double& field, const Range& range = {});
-    bool read(const std::string& key, std::string& field);       ///< Not empty.
-    bool readScalar(const std::string& key, std::string& field); ///< A text, a number or a date, as text.
+    bool read(const std::string& key, std::string& field); ///< Not empty.
+    bool readScalar(const std::string& key,
+                    std::string& field); ///< A text, a number, a date or a date and time; as text.
     bool read(const std::string& key, glm::vec3& field, const Range& range = {});           ///< Array of 3.
     bool read(const std::string& key, std::vector<double>& field, const Range& range = {}); ///< Array.
     bool read(const std::string& key, std::vector<std::string>& field); ///< Array, none of them empty.

@@ -85,6 +85,8 @@ private:
             key("times", tomlText(source.times));
         key("offset", tomlText(source.offset));
         key("speed_unit", tomlText(source.speedUnit));
+        if (source.crs != _forest.crs)
+            return "it was read for a forest with another crs";
         return source.origin == _forest.origin ? "" : "it was read for a forest with another origin";
     }
 

@@ -130,7 +130,8 @@ private:
         const GrownBranches& kind = branches(level);
         const float start = level == 1 ? std::min(_p.crownBase / _p.trunk, 0.99f) : kind.start;
         const float size = level == 1 ? 1.0f : axis.length / _longest[static_cast<std::size_t>(level - 1)];
-        const int count = static_cast<int>(static_cast<float>(kind.count) * std::min(size, 1.0f) + 0.5f);
+        const auto count =
+            static_cast<int>(std::lround(static_cast<float>(kind.count) * std::min(size, 1.0f)));
         const std::vector<int> strata = shuffled(count);
         std::vector<Axis> children;
         float sum = 0.0f;
@@ -179,9 +180,9 @@ private:
     /// Where the i-th of so many branches springs, 0 to 1; boughs may stand in whorls.
     float alongCrown(int i, int count, int level) {
         const int whorl = level == 1 ? _p.whorl : 1;
-        const int whorls = std::max((count + whorl - 1) / whorl, 1);
+        const int whorls = std::max((count + whorl - 1) / whorl, 1), below = i / whorl;
         const float scatter = whorl > 1 ? 0.4f : 1.0f;
-        return (static_cast<float>(i / whorl) + 0.5f + 0.5f * scatter * _random.symmetric()) /
+        return (static_cast<float>(below) + 0.5f + 0.5f * scatter * _random.symmetric()) /
                static_cast<float>(whorls);
     }
 

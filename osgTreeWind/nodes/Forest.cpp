@@ -195,10 +195,10 @@ void Forest::grow(ForestDescription description) {
     show(simulation, drawing);
 }
 
-void Forest::show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<ForestDrawing> drawing) {
+void Forest::show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_ptr<ForestDrawing>& drawing) {
     removeChild(_drawing);
     _simulation = std::move(simulation);
-    _drawing = std::move(drawing);
+    _drawing = drawing;
     insertChild(0, _drawing);
     _ground = groundOf(getDescription(), _drawing->getBound());
     _treeCount =

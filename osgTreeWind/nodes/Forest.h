@@ -130,7 +130,7 @@ protected:
 
 private:
     void grow(ForestDescription description);
-    void show(std::shared_ptr<ForestSimulation> simulation, osg::ref_ptr<ForestDrawing> drawing);
+    void show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_ptr<ForestDrawing>& drawing);
     void update(osg::NodeVisitor& visitor);
     bool isHidden(const osg::NodePath& path, unsigned frame) const;
     void stand(const osg::NodePath& path);

@@ -18,6 +18,7 @@ public:
         std::vector<double> times;     ///< Of each of the files, seconds; empty: as they say.
         glm::dvec3 offset{0.0};        ///< From the files' coordinates to those of the world, metres.
         glm::dvec3 origin{0.0};        ///< Of the forest it was read for, in the world.
+        std::string crs;               ///< Of that forest.
         std::string speedUnit = "m/s"; ///< Of speeds where a file does not say.
     };
 

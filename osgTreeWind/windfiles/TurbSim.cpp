@@ -110,7 +110,7 @@ Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file)
     content.summary.notes = {"drifts along x at " + numberText(h.hubSpeed) + " m/s, the mean at hub height " +
                              numberText(h.hubHeight) + " m"};
     if (h.id == 8)
-        content.summary.notes.push_back("made to repeat; held after the last time");
+        content.summary.notes.emplace_back("made to repeat; held after the last time");
     if (h.tower > 0)
         content.summary.notes.push_back(std::to_string(h.tower) +
                                         " tower points below the grid are not used");

@@ -30,6 +30,7 @@ struct WindSummary {
     glm::ivec3 points{1};      ///< Points east, north and up; 1, 1, 1 for a record at one point.
     glm::dvec3 low{0.0};       ///< South-western lowest point; all 0 for a record at one point.
     glm::dvec3 high{0.0};      ///< North-eastern highest point.
+    bool aboveGround = false;  ///< Heights count from the ground below each place.
     std::vector<double> times; ///< Seconds; empty for a wind that does not change.
     double slowest = 0.0;      ///< m/s, over all points and times.
     double fastest = 0.0;

@@ -3,6 +3,8 @@
 
 #include <osgTreeWind/base/Problem.h>
 
+#include <osgTreeWind/places/CrsMesh.h>
+#include <osgTreeWind/wind/MappedWind.h>
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindLimits.h>
@@ -63,6 +65,7 @@ Diagnostics settle(WindContent& content, double unit, const std::string& path) {
 
 void summarize(const GridWind::Grid& grid, WindSummary& summary) {
     summary.points = grid.points;
+    summary.aboveGround = grid.aboveGround;
     summary.low = grid.origin;
     summary.high = grid.origin + grid.cell * glm::dvec3(grid.points - 1);
     summary.times = grid.times;
@@ -86,25 +89,100 @@ Result<WindFieldPtr> named(const Result<Field>& field, const std::string& path) 
     return named(field.problems(), path);
 }
 
-Result<WindFieldPtr> fieldOf(WindContent&& content, const glm::dvec3& origin, const std::string& path) {
-    if (auto* series = std::get_if<WindSeries>(&content.data))
-        return named(TimeSeriesWind::create(std::move(*series)), path);
+/// Where the points of a grid are, as a place is compared with them.
+struct Extent {
+    glm::dvec2 low, high;
+
+    explicit Extent(const WindSummary& summary) : low(summary.low), high(summary.high) {
+        constexpr double everywhere = 1e300;
+        for (int axis = 0; axis < 2; ++axis)
+            if (summary.points[axis] == 1) {
+                low[axis] = -everywhere;
+                high[axis] = everywhere;
+            }
+    }
+    bool holds(const glm::dvec2& place) const {
+        return place.x >= low.x && place.x <= high.x && place.y >= low.y && place.y <= high.y;
+    }
+};
+
+/// Puts the scene's origin at 0 of a grid. @param there the place of the origin on the grid's map.
+void moveTo(const glm::dvec2& there, double height, GridWind::Grid& grid) {
+    grid.origin -= glm::dvec3(there, 0.0);
+    if (grid.aboveGround)
+        return;
+    grid.origin.z -= height;
+    for (float& each : grid.heights)
+        each -= static_cast<float>(height);
+}
+
+/// The way from the map that is wanted to the file's; null where they are one, or either is not said.
+Result<std::shared_ptr<const CrsMesh>> wayTo(const std::string& fileCrs, const WindFileOptions& options) {
+    if (fileCrs.empty() || options.crs.empty())
+        return std::shared_ptr<const CrsMesh>();
+    const Result<Crs> here = Crs::parse(options.crs), there = Crs::parse(fileCrs);
+    if (!here || !there)
+        return (here ? there : here).problems();
+    const Result<CrsWay> way = CrsWay::between(here.value(), there.value());
+    if (way && !way.value().transformation())
+        return std::shared_ptr<const CrsMesh>();
+    const glm::dvec2 origin(options.origin);
+    const auto mesh = CrsMesh::over(here.value(), there.value(), origin + options.low, origin + options.high);
+    if (!mesh)
+        return mesh.problems();
+    return std::make_shared<const CrsMesh>(mesh.value());
+}
+
+/// The wind of a grid in the scene.
+Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options, const std::string& path) {
     auto& grid = std::get<GridWind::Grid>(content.data);
-    grid.origin -= origin;
-    for (float& height : grid.heights)
-        height -= static_cast<float>(origin.z);
+    const auto way = wayTo(content.summary.crs, options);
+    if (!way)
+        return fileProblem(path, way.problems().front().message);
+    const std::shared_ptr<const CrsMesh>& mesh = way.value();
+    const glm::dvec2 origin(options.origin), itsOrigin = mesh ? mesh->there(origin) : origin;
+    if (mesh && Crs::parse(content.summary.crs).value().isDegrees()) {
+        const double middle = grid.origin.x + 0.5 * grid.cell.x * (grid.points.x - 1);
+        grid.origin.x += 360.0 * std::round((itsOrigin.x - middle) / 360.0);
+    }
+    WindFile file;
+    summarize(grid, content.summary);
+    file.covers = [mesh, origin, extent = Extent(content.summary)](const glm::dvec2& place) {
+        return extent.holds(mesh ? mesh->there(origin + place) : origin + place);
+    };
+    file.summary = std::move(content.summary);
+    moveTo(itsOrigin, options.origin.z, grid);
     Result<WindFieldPtr> field = named(GridWind::create(std::move(grid)), path);
-    if (!field || !(content.travelSpeed > 0.0))
-        return field;
-    RetimedWind::Clock clock;
-    clock.plane = -origin.x;
-    clock.speed = content.travelSpeed;
-    return WindFieldPtr(std::make_shared<RetimedWind>(field.value(), clock));
+    if (!field)
+        return field.problems();
+    file.field = field.value();
+    if (content.travelSpeed > 0.0) {
+        RetimedWind::Clock clock;
+        clock.plane = -itsOrigin.x;
+        clock.speed = content.travelSpeed;
+        file.field = std::make_shared<RetimedWind>(file.field, clock);
+    }
+    if (mesh)
+        file.field = std::make_shared<MappedWind>(file.field, mesh, origin, itsOrigin);
+    return file;
+}
+
+/// The wind of a record at one point.
+Result<WindFile> recordFile(WindContent&& content, const std::string& path) {
+    auto& series = std::get<WindSeries>(content.data);
+    content.summary.times = series.times;
+    const auto field = named(TimeSeriesWind::create(std::move(series)), path);
+    if (!field)
+        return field.problems();
+    return WindFile{std::move(content.summary), field.value(), [](const glm::dvec2&) { return true; }};
 }
 
 /// One file, velocities in m/s.
 Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options) {
     WindRequest request{options.columns, options.asStored, {}};
+    if (!options.crs.empty())
+        request.area = {options.crs, glm::dvec2(options.origin) + options.low,
+                        glm::dvec2(options.origin) + options.high};
     request.columns.speedUnit = "m/s"; // converted with all other formats
     Result<WindContent> read = readWindContent(path, request);
     if (!read)
@@ -115,6 +193,10 @@ Result<WindContent> readSettled(const std::string& path, const WindFileOptions& 
         return fileProblem(path, unit.problems().front().message);
     if (Diagnostics problems = settle(read.value(), unit.value(), path); !problems.empty())
         return problems;
+    const std::string& crs = read.value().summary.crs;
+    if (options.crs.empty() && !options.asStored && !crs.empty() && Crs::parse(crs).value().isDegrees())
+        return fileProblem(path, "its places are on degrees, " + read.value().summary.coordinates +
+                                     "; expected crs, a map in metres to bring them to");
     return read;
 }
 
@@ -129,23 +211,19 @@ Result<WindFile> fileOf(Result<WindContent>&& read, const std::string& path, con
                         " velocities have no data and are taken as calm");
     if (content.summary.unit.empty())
         notes.push_back("the file names no unit of speed; taken as " + options.speedUnit);
-    if (const auto* grid = std::get_if<GridWind::Grid>(&content.data))
-        summarize(*grid, content.summary);
-    else
-        content.summary.times = std::get<WindSeries>(content.data).times;
-    WindFile file;
-    file.summary = std::move(content.summary);
-    Result<WindFieldPtr> field = fieldOf(std::move(content), options.origin, path);
-    if (!field)
-        return field.problems();
-    file.field = field.value();
-    return file;
+    if (std::holds_alternative<WindSeries>(content.data))
+        return recordFile(std::move(content), path);
+    return gridFile(std::move(content), options, path);
 }
 
 /// A problem with the options, if there is one.
 Diagnostics check(const WindFileOptions& options) {
-    const Result<double> unit = speedUnit(options.speedUnit);
-    return unit ? Diagnostics() : Diagnostics{keyProblem("speedUnit", unit.problems().front().message)};
+    if (const Result<double> unit = speedUnit(options.speedUnit); !unit)
+        return {keyProblem("speedUnit", unit.problems().front().message)};
+    if (options.crs.empty())
+        return {};
+    const Result<Crs> crs = Crs::parseMap(options.crs);
+    return crs ? Diagnostics() : crs.problems();
 }
 
 } // namespace

@@ -7,8 +7,10 @@
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,11 @@ struct WindFileOptions {
     /// The place in the file's coordinates, metres, that becomes (0, 0, 0) of the scene. Scenes count in
     /// 32-bit floats, so give map coordinates an origin near the forest.
     glm::dvec3 origin{0.0};
+    /// The map on which `origin` and the scene are, in metres, by any text that PROJ knows: a file that says
+    /// to be on another, or on degrees, is brought to it, places and velocities. Empty: the file's own.
+    std::string crs;
+    /// With `crs`, where wind is wanted, metres from `origin`: what lies well beyond need not be read.
+    glm::dvec2 low{-50000.0}, high{50000.0};
     /// Unit of speeds where the file does not say: "m/s", "km/h", "kn", "mph" or "ft/s".
     std::string speedUnit = "m/s";
     /// Of a CSV or TOA5 table; while it names none, the columns are called time, u, v, w or time, speed,
@@ -33,11 +40,17 @@ struct WindFileOptions {
 struct WindFile {
     WindSummary summary;
     WindFieldPtr field; ///< In the scene; never null.
+    /// Whether the file has points around a place of the scene, so that its wind there is not that of its
+    /// edge; of a record at one point it has all.
+    std::function<bool(const glm::dvec2& place)> covers;
 };
 
 /// Reads wind data, recognised by content, then by extension: ESRI ASCII pairs of speed and direction-from
 /// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK grids of even spacing, VTK XML ImageData,
 /// TurbSim .bts, Campbell TOA5, QES-Winds sensor XML, CSV, NetCDF and GRIB.
+///
+/// With a `crs` a file on another map is re-projected. Without, one on degrees is an error, unless it is
+/// wanted as stored: its places are degrees then.
 ///
 /// Time steps are interpolated. Places without data are calm, and velocities that count from true north are
 /// turned to the y axis of a NetCDF file's projection, unless wanted as stored; notes say both. A broken file

@@ -50,6 +50,12 @@ const Format formats[] = {
     {"ESRI ASCII", ".asc",
      [](std::string_view head) { return lower(std::string(head.substr(0, 5))) == "ncols"; },
      [](const Given& given) { return readEsriPair(given.input.path()); }},
+    {"GeoTIFF", nullptr,
+     [](std::string_view head) {
+         using namespace std::string_view_literals;
+         return startsWith(head, "II*\0"sv) || startsWith(head, "MM\0*"sv) || startsWith(head, "II+\0"sv);
+     },
+     [](const Given& given) { return readTiffPair(given.input.path()); }},
     {"VTK", nullptr, [](std::string_view head) { return startsWith(head, "# vtk DataFile"); },
      readAll<readVtkLegacy>},
     {"VTK", nullptr, [](std::string_view head) { return holds(head, "<VTKFile"); }, readAll<readVtkXml>},

@@ -17,19 +17,25 @@ namespace osgTreeWind {
 /// What of a format can be left unread beyond the area, may be.
 Result<WindContent> readWindContent(const std::string& path, const WindRequest& request);
 
-/// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
-struct EsriGrid {
+/// Speeds, or directions, in square cells of a map.
+struct WindCells {
     glm::ivec2 cells{0};
     glm::dvec2 south{0.0}; ///< Centre of the south-western cell.
     double cellSize = 1.0;
     std::vector<float> values; ///< South row first; NaN where there are no data.
+    std::string crs;           ///< As WindSummary::crs.
+    std::string unit;          ///< As the file says it; empty: it does not.
 };
-Result<EsriGrid> readEsriGrid(std::string_view text, const std::string& file);
+/// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
+Result<WindCells> readEsriGrid(std::string_view text, const std::string& file);
 /// Speed and direction-from on the same cells as one wind.
-Result<WindContent> windOfEsriGrids(const EsriGrid& speed, const EsriGrid& direction,
-                                    const std::string& file);
-/// Both files of a pair, either given, with the coordinates that a .prj beside it names.
+Result<WindContent> windOfCells(const WindCells& speed, const WindCells& direction, const std::string& file);
+/// Both files of a pair NAME_vel and NAME_ang, either given; the map is that of a .prj beside each.
 Result<WindContent> readEsriPair(const std::string& path);
+/// A GeoTIFF of one band, north up.
+Result<WindCells> readTiff(const std::string& path);
+/// The same pair as GeoTIFF.
+Result<WindContent> readTiffPair(const std::string& path);
 
 /// Legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or STRUCTURED_GRID
 /// of evenly spaced points. Its TimeValue becomes the one time of the grid.

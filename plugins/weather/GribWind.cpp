@@ -5,7 +5,7 @@
 #include <plugins/weather/GribHeights.h>
 #include <plugins/weather/GribNumbers.h>
 #include <plugins/weather/GribTime.h>
-#include <plugins/weather/TrueNorth.h>
+#include <plugins/weather/GribTurn.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
@@ -279,23 +279,10 @@ private:
                                     : "components toward x (east), y (north) and up";
         if (_problem || !fromTrueNorth || _crs.isDegrees())
             return;
-        std::vector<glm::dvec2> points;
-        for (int y = 0; y < _grid.points.y; ++y)
-            for (int x = 0; x < _grid.points.x; ++x)
-                points.emplace_back(_x.first + _x.step * x, _y.first + _y.step * y);
-        const std::vector<glm::dvec2> norths = trueNorth(_crs, points);
-        if (norths.empty())
-            return fail({_path, 0, 0, textOf(first()), "its map does not hold its points"});
-        _content.summary.notes.push_back(
-            "the file counts from true north; " +
-            std::string(_request.asStored ? "in a forest its velocities" : "velocities here") +
-            " are turned to the grid's y axis, by " + rangeOfNorths(norths));
-        for (std::size_t i = 0; !_request.asStored && i < _grid.values.size(); i += 3) {
-            const glm::dvec2 north = norths[i / 3 % norths.size()];
-            const double u = _grid.values[i], v = _grid.values[i + 1];
-            _grid.values[i] = static_cast<float>(u * north.y + v * north.x);
-            _grid.values[i + 1] = static_cast<float>(v * north.y - u * north.x);
-        }
+        if (const auto note = turnFromTrueNorth(_grid, _crs, _request.asStored))
+            _content.summary.notes.push_back(*note);
+        else
+            fail({_path, 0, 0, textOf(first()), "its map does not hold its points"});
     }
 
     std::string _path;

@@ -4,8 +4,8 @@
 using namespace osgTreeWind;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const Result<EsriGrid> grid = readEsriGrid(viewOf(data, size), "fuzz");
+    const Result<WindCells> grid = readEsriGrid(viewOf(data, size), "fuzz");
     if (grid)
-        expectWhole(windOfEsriGrids(grid.value(), grid.value(), "fuzz"));
+        expectWhole(windOfCells(grid.value(), grid.value(), "fuzz"));
     return 0;
 }

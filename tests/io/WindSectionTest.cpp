@@ -2,11 +2,13 @@
 #include <tests/Folders.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/TemporaryFolder.h>
+#include <tests/places/RasterFile.h>
 
 #include <osgTreeWind/io/ForestFile.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace osgTreeWind {
@@ -30,6 +32,41 @@ TEST(WindSection, FileIsReadInWorldCoordinates) {
     const auto forest = readWith("kind = \"file\"\nfile = \"vectors.vtk\"\n", "origin = [110, 200, 0]\n");
     EXPECT_EQ(windOf(forest, {0, 0, 5}), glm::vec3(2, 0, 0));
     EXPECT_EQ(windOf(forest, {10, 20, 10}), glm::vec3(3, 0.5f, 0.25f));
+}
+
+/// A westerly on degrees, 10 m/s from the west at 11.9 E, 47 N, in zone 32: 2.12 degrees of convergence.
+TEST(WindSection, WindOnAnotherMapIsBroughtToTheForests) {
+    const TemporaryFolder folder;
+    RasterFile pair;
+    pair.transform = {11.5, 0.25, 0, 47.5, 0, -0.25};
+    pair.crs = "EPSG:4326";
+    pair.value = [](int, int) { return 270.0; };
+    (void)pair.write(folder.path() + "/w_ang.tif");
+    pair.value = [](int column, int) { return 10.0 + column; };
+    (void)pair.write(folder.path() + "/w_vel.tif");
+    std::istringstream document("version = 1\ncrs = \"EPSG:32632\"\norigin = [720431, 5209254, 800]\n"
+                                "[[tree]]\nposition = [720431, 5209254]\n"
+                                "[[tree]]\nposition = [760000, 5209254]\n[wind]\nfile = \"w_vel.tif\"\n");
+    const auto forest = readForest(document, {"f.treewind", folder.path()});
+    const glm::vec3 wind = windOf(forest, {0, 0, 10});
+    EXPECT_NEAR(wind.x, 11.1f * std::cos(0.03702f), 0.02f); // between the centres 11.625 and 11.875, 12.125
+    EXPECT_NEAR(wind.y / wind.x, std::tan(0.03702f), 2e-4f);
+    ASSERT_FALSE(forest.value().notes.empty());
+    EXPECT_NE(forest.value().notes.back().find("1 of 2 trees stand outside the grid of"), std::string::npos)
+        << forest.value().notes.back();
+}
+
+TEST(WindSection, DateIsForFilesThatSayTheirs) {
+    for (const auto& [wind, part] :
+         {std::pair("kind = \"uniform\"\nvelocity = [1, 0, 0]\ndate = 2017-10-26T15:00:00Z\n",
+                    "wind.date: expected a wind from files that say their dates"),
+          {"kind = \"calm\"\ndate = \"2017-10-26T15:00Z\"\n",
+           "wind.date: expected a wind from files that say their dates"},
+          {"kind = \"calm\"\ndate = 2017-10-26T15:00:00Z\nstart = 5\n",
+           "wind.date: give either this or start"},
+          {"kind = \"calm\"\ndate = \"noon\"\n",
+           "wind.date: expected a date and time, as 2017-10-26T15:00:00Z, found 'noon'"}})
+        EXPECT_NE(firstProblem(readWith(wind)).find(part), std::string::npos) << firstProblem(readWith(wind));
 }
 
 TEST(WindSection, OffsetMovesTheFile) {

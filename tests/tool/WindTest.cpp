@@ -54,8 +54,9 @@ TEST_F(WindTool, JoinsSeveralFilesAtTheirTimes) {
 
 TEST_F(WindTool, TellsTheWindAtAPlaceAndTime) {
     for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"1_vel.asc", "2_vel.asc", "--times", "0,3600", "--at", "5,5,10,900"},
-          {"--times", "0,3600", "--at", "5,5,10,900", "1_vel.asc", "2_vel.asc"}}) {
+         {std::vector<std::string>{"1_vel.asc", "2_vel.asc", "--times", "0,3600", "--at", "5,5,10", "--time",
+                                   "900"},
+          {"--times", "0,3600", "--at", "5,5,10", "--time", "900", "1_vel.asc", "2_vel.asc"}}) {
         const Outcome outcome = wind(words);
         EXPECT_EQ(outcome.exitCode, 0);
         EXPECT_EQ(outcome.out.rfind("5, ", 0), 0u) << outcome.out;
@@ -75,7 +76,10 @@ TEST_F(WindTool, RefusesWhatDoesNotGoTogether) {
           {{"1_vel.asc", "absent.asc", "--times", "0,1"}, "absent.asc: cannot be read"},
           {{"1_vel.asc", "--at", "nan,5,10"}, "--at"},
           {{"1_vel.asc", "--at", "5,inf,10"}, "--at"},
-          {{"1_vel.asc", "--at", "5,5,10,nan"}, "--at"},
+          {{"1_vel.asc", "--at", "5,5,10", "--time", "nan"}, "--time: expected seconds"},
+          {{"1_vel.asc", "--at", "5,5,10", "--time", "2017-10-26T15:00Z"}, "found 2017-10-26T15:00Z"},
+          {{"1_vel.asc", "--time", "5"}, "--time requires --at"},
+          {{"1_vel.asc", "--at", "5,5,10", "--crs", "EPSG:4326"}, "crs: expected a projected system"},
           {{}, "file is required"}}) {
         const Outcome outcome = wind(words);
         EXPECT_EQ(outcome.exitCode, 2) << message;

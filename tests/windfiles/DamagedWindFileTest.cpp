@@ -187,7 +187,7 @@ TEST(DamagedWindFile, MismatchedPairIsRefused) {
     folder.write("a_vel.asc", bytesOf(caseOf("pair_vel.asc")));
     folder.write("a_ang.asc", replaced(bytesOf(caseOf("pair_ang.asc")), "XLLCENTER 105", "XLLCENTER 115"));
     EXPECT_EQ(firstProblem(readWindFile(folder.path() + "/a_vel.asc")),
-              folder.path() + "/a_vel.asc: expected the same header in both grids of the pair");
+              folder.path() + "/a_vel.asc: expected the same cells in both files of the pair");
 }
 
 TEST(DamagedWindFile, LonelyHalfOfAPairNamesTheOther) {

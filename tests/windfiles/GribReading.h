@@ -10,8 +10,8 @@
 
 namespace osgTreeWind {
 
-/// Bytes as a file, read whole.
-inline Result<WindFile> readGribBytes(const std::string& bytes, bool asStored = false) {
+/// Bytes as a file, read whole, on its own map or degrees.
+inline Result<WindFile> readGribBytes(const std::string& bytes, bool asStored = true) {
     const TemporaryFolder folder;
     return readAt(folder.write("wind.grib", bytes), glm::dvec3(0.0), asStored);
 }

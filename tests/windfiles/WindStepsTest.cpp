@@ -143,12 +143,14 @@ TEST(WindSteps, WhatIsNotLikeTheFirstFileIsNamed) {
     const Hours hours;
     const std::string a = hours.pair("a", "4 1", "270 180"), b = hours.pair("b", "4 1", "270 180", "3"),
                       c = hours.pair("c", "4 1", "270 180", "0", "11"), d = hours.pair("d", "4 1", "270 180");
-    hours.write("d_vel.prj", "PROJCS[\"UTM 12\"]");
+    hours.write("d_vel.prj", "EPSG:32612");
     EXPECT_EQ(problemOfBoth(a, b), b + ": expected the first point of " + a + ", 5, 5, 0, found '8, 5, 0'");
     EXPECT_EQ(problemOfBoth(a, c),
               c + ": expected the first point of " + a + ", 5, 5, 0, found '5.5, 5.5, 0'");
-    EXPECT_EQ(problemOfBoth(a, d), d + ": expected the coordinates of " + a + ", none, found 'UTM 12'");
-    EXPECT_EQ(problemOfBoth(d, a), a + ": expected the coordinates of " + d + ", UTM 12, found nothing");
+    EXPECT_EQ(problemOfBoth(a, d),
+              d + ": expected the coordinates of " + a + ", none, found 'WGS 84 / UTM zone 12N'");
+    EXPECT_EQ(problemOfBoth(d, a),
+              a + ": expected the coordinates of " + d + ", WGS 84 / UTM zone 12N, found nothing");
     EXPECT_EQ(problemOfBoth(a, data + "vectors.vtk"), data +
                                                           "vectors.vtk: expected the points east, north and "
                                                           "up of " +

@@ -13,8 +13,8 @@ namespace osgTreeWind {
 class SharedStateSet : public osg::StateSet {
 public:
     SharedStateSet() = default;
-    explicit SharedStateSet(const osg::StateSet& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY)
-        : osg::StateSet(other, copyop) {}
+    explicit SharedStateSet(const osg::StateSet& other) : osg::StateSet(other) {}
+    SharedStateSet(const SharedStateSet& other) : SharedStateSet(static_cast<const osg::StateSet&>(other)) {}
     void releaseGLObjects(osg::State*) const override {}
     void releaseShared(osg::State* state) const { osg::StateSet::releaseGLObjects(state); }
 };

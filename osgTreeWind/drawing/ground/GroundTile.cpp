@@ -25,7 +25,7 @@ GroundTile::GroundTile(const GroundTile& other, const osg::CopyOp& copyop)
 
 GroundTile::~GroundTile() = default;
 
-osg::ref_ptr<GroundTile> GroundTile::ofAll(Part part, double finestSpacing) {
+osg::ref_ptr<GroundTile> GroundTile::ofAll(const Part& part, double finestSpacing) {
     const glm::dvec2 extent = part->high - part->low;
     double spacing = finestSpacing;
     int levels = 0;

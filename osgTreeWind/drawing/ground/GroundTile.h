@@ -20,7 +20,7 @@ public:
     /// @param levels of halves below it. @param box what holds it, in the forest's frame.
     GroundTile(Part part, const glm::dvec2& corner, double spacing, int levels, const osg::BoundingBox& box);
     /// One for all of the part, which has its mesh; null where there is no ground.
-    static osg::ref_ptr<GroundTile> ofAll(Part part, double finestSpacing);
+    static osg::ref_ptr<GroundTile> ofAll(const Part& part, double finestSpacing);
 
     const char* libraryName() const override { return "osgTreeWind"; }
     const char* className() const override { return "GroundTile"; }

@@ -30,7 +30,7 @@ unsigned char* texels(osg::Image& image, int level) {
 }
 
 unsigned char byte(float value) {
-    return static_cast<unsigned char>(glm::clamp(value, 0.0f, 255.0f) + 0.5f);
+    return static_cast<unsigned char>(std::lround(glm::clamp(value, 0.0f, 255.0f)));
 }
 
 void halve(osg::Image& image, int level) {

@@ -149,10 +149,9 @@ private:
         for (const BarkPiece& piece : _bark)
             cover(piece.end, piece.radius);
         for (const LeafPiece& piece : _leaves)
-            for (int corner = 0; corner < 4; ++corner)
-                cover(piece.corner + static_cast<float>(corner % 2) * piece.across +
-                          static_cast<float>(corner / 2) * piece.along,
-                      0.0f);
+            for (const float across : {0.0f, 1.0f})
+                for (const float along : {0.0f, 1.0f})
+                    cover(piece.corner + across * piece.across + along * piece.along, 0.0f);
     }
     void cover(const glm::vec3& p, float reach) {
         const float away = glm::length(glm::vec2(p));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 
+#include <osgTreeWind/drawing/looks/ByteOf.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -122,8 +124,7 @@ osg::ref_ptr<osg::Image> paintBark(BarkForm form) {
         for (int x = 0; x < width; ++x) {
             const glm::vec3 bark = barkAt(form, (glm::vec2(x, y) + 0.5f) / glm::vec2(width, height));
             for (int channel = 0; channel < 3; ++channel)
-                image->data(x, y)[channel] =
-                    static_cast<unsigned char>(255.0f * glm::clamp(bark[channel], 0.0f, 1.0f) + 0.5f);
+                image->data(x, y)[channel] = byteOf(bark[channel]);
         }
     return image;
 }

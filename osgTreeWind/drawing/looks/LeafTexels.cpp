@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafTexels.h>
 
+#include <osgTreeWind/drawing/looks/ByteOf.h>
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -70,8 +72,7 @@ osg::ref_ptr<osg::Image> makeLeafImage(LeafTexels level) {
             texel.b *= scales[0];
             texel.a = glm::max(texel.a * scales[1], texel.b);
             for (int channel = 0; channel < 4; ++channel)
-                bytes.push_back(
-                    static_cast<unsigned char>(255.0f * glm::clamp(texel[channel], 0.0f, 1.0f) + 0.5f));
+                bytes.push_back(byteOf(texel[channel]));
         }
     }
     auto* data = new unsigned char[bytes.size()];

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/SprayCanvas.h>
 
+#include <osgTreeWind/drawing/looks/ByteOf.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
 namespace {
 
 // In leaf, twigs are dark and brownish between the leaves.
 constexpr float twigBrightness = 0.4f, twigHue = 0.75f;
-
-std::uint8_t byte(float value) {
-    return static_cast<std::uint8_t>(255.0f * glm::clamp(value, 0.0f, 1.0f) + 0.5f);
-}
 
 } // namespace
 
@@ -29,7 +28,7 @@ void SprayCanvas::fill(const std::vector<glm::vec2>& polygon, Paint paint) {
         low = glm::min(low, p.y);
         high = glm::max(high, p.y);
     }
-    const auto sample = [](float x) { return glm::clamp(static_cast<int>(x * size + 0.5f), 0, size); };
+    const auto sample = [](float x) { return glm::clamp(static_cast<int>(std::lround(x * size)), 0, size); };
     const int end = sample(high);
     for (int row = sample(low); row < end; ++row) {
         const float y = (static_cast<float>(row) + 0.5f) / size;
@@ -56,8 +55,8 @@ void SprayCanvas::drawTwigs(const std::vector<TwigPiece>& twigs) {
         fill({piece.foot - foot, piece.foot + foot, piece.end + end, piece.end - end},
              [&](std::size_t i, const glm::vec2&) {
                  _parts[i] = twig;
-                 _brightness[i] = byte(twigBrightness);
-                 _hue[i] = byte(twigHue);
+                 _brightness[i] = byteOf(twigBrightness);
+                 _hue[i] = byteOf(twigHue);
              });
     }
 }
@@ -84,7 +83,7 @@ void SprayCanvas::addLeaf(const LeafOutline& outline, const LeafBlade& blade) {
         polygon.push_back(blade.foot + blade.length * (p.x * side + p.y * along));
     for (std::size_t i = outline.size(); i-- > 0;)
         polygon.push_back(blade.foot + blade.length * (outline[i].y * along - outline[i].x * side));
-    const std::uint8_t hue = byte(blade.hue);
+    const std::uint8_t hue = byteOf(blade.hue);
     fill(polygon, [&](std::size_t i, const glm::vec2& p) {
         const float u = glm::dot(p - blade.foot, along) / blade.length,
                     v = glm::dot(p - blade.foot, side) / blade.length;
@@ -92,7 +91,7 @@ void SprayCanvas::addLeaf(const LeafOutline& outline, const LeafBlade& blade) {
         const float half = v < 0.0f ? 1.06f : 0.94f;
         const float rib = glm::abs(v) < 0.02f && blade.length > 0.06f ? 1.15f : 1.0f;
         _parts[i] = static_cast<std::uint8_t>(_parts[i] | leaf);
-        _brightness[i] = byte(blade.brightness * half * rib * (0.84f + 0.24f * u));
+        _brightness[i] = byteOf(blade.brightness * half * rib * (0.84f + 0.24f * u));
         _hue[i] = hue;
     });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 
+#include <osgTreeWind/drawing/looks/ByteOf.h>
 #include <osgTreeWind/drawing/looks/LeafTexels.h>
 
 #include <osg/Notify>
@@ -94,8 +95,7 @@ osg::ref_ptr<osg::Image> readBarkPicture(const std::string& path) {
         const float light = brightness(pixels.colors[i], pixels, barkBrightness);
         const glm::vec3 texel{light, light, hue(pixels.colors[i], pixels)};
         for (int channel = 0; channel < 3; ++channel)
-            image->data()[3 * i + static_cast<std::size_t>(channel)] =
-                static_cast<unsigned char>(255.0f * texel[channel] + 0.5f);
+            image->data()[3 * i + static_cast<std::size_t>(channel)] = byteOf(texel[channel]);
     }
     return image;
 }

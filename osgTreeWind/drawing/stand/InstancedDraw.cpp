@@ -8,6 +8,15 @@
 
 namespace osgTreeWind {
 
+namespace {
+
+/// A place in the buffer that is bound, as OpenGL is told it.
+const char* inBuffer(GLsizeiptr offset) {
+    return reinterpret_cast<const char*>(offset); // NOLINT(performance-no-int-to-ptr): OpenGL asks for it
+}
+
+} // namespace
+
 InstancedDraw::InstancedDraw() {
     setSupportsDisplayList(false);
     setCullingActive(false);
@@ -40,8 +49,7 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     _geometry->drawVertexArraysImplementation(renderInfo);
     osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
     state.bindVertexBufferObject(instances);
-    const auto* offset =
-        reinterpret_cast<const char*>(instances->getOffset(_trees->values->getBufferIndex()));
+    const char* offset = inBuffer(instances->getOffset(_trees->values->getBufferIndex()));
     for (unsigned i = 0; i < 3; ++i) {
         gl.glEnableVertexAttribArray(treePlaceLocation + i);
         gl.glVertexAttribPointer(treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
@@ -56,7 +64,7 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
             const void* indices = elements->getDataPointer();
             if (buffer) {
                 state.bindElementBufferObject(buffer);
-                indices = reinterpret_cast<const void*>(buffer->getOffset(elements->getBufferIndex()));
+                indices = inBuffer(buffer->getOffset(elements->getBufferIndex()));
             }
             gl.glDrawElementsInstanced(elements->getMode(), static_cast<GLsizei>(elements->getNumIndices()),
                                        elements->getDataType(), indices, count);

@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 StandDrawing::StandDrawing() : StandDrawing(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
-StandDrawing::StandDrawing(std::shared_ptr<ForestSimulation> simulation)
+StandDrawing::StandDrawing(const std::shared_ptr<ForestSimulation>& simulation)
     : StandDrawing(simulation, StandResources(*simulation)) {}
 
 StandDrawing::StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)

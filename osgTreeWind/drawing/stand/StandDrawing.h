@@ -17,7 +17,7 @@ class OSGTREEWIND_EXPORT StandDrawing : public ForestDrawing {
 public:
     /// No trees.
     StandDrawing();
-    explicit StandDrawing(std::shared_ptr<ForestSimulation> simulation);
+    explicit StandDrawing(const std::shared_ptr<ForestSimulation>& simulation);
     /// Of the same trees, which the original's forest moves; branches that are followed are not copied.
     StandDrawing(const StandDrawing& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, StandDrawing)

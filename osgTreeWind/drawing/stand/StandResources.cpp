@@ -39,7 +39,7 @@ void StandResources::followSeason(const ForestSimulation& simulation) {
     for (const PlacedTree& tree : simulation.trees())
         if (tree.alive)
             wanted.emplace(tree.model, impostorTier(tree.leaves));
-    paintImpostors(simulation, std::move(wanted));
+    paintImpostors(simulation, wanted);
 }
 
 void StandResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
@@ -47,7 +47,7 @@ void StandResources::paintImpostor(const ForestSimulation& simulation, const Pla
 }
 
 void StandResources::paintImpostors(const ForestSimulation& simulation,
-                                    std::set<std::pair<std::size_t, Tier>> wanted) {
+                                    const std::set<std::pair<std::size_t, Tier>>& wanted) {
     const DrawingOptions& drawing = simulation.description().drawing;
     std::vector<std::pair<std::size_t, Tier>> missing;
     for (const auto& [model, tier] : wanted)

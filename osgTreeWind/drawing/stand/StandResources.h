@@ -34,7 +34,8 @@ struct StandResources {
 
 private:
     /// Those of them that are not painted yet. @param wanted models and tiers.
-    void paintImpostors(const ForestSimulation& simulation, std::set<std::pair<std::size_t, Tier>> wanted);
+    void paintImpostors(const ForestSimulation& simulation,
+                        const std::set<std::pair<std::size_t, Tier>>& wanted);
 };
 
 } // namespace osgTreeWind

@@ -19,7 +19,8 @@ TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) : _tree(s
         _vertices.push_back(toOsg(turnHeading(point, sine, cosine) + tree.position));
     };
     for (const SkinVertex& vertex : model.skin.vertices)
-        add(posedSkinPoint(vertex, tree.scale, motion.poses[static_cast<std::size_t>(vertex.unit + 0.5f)]));
+        add(posedSkinPoint(vertex, tree.scale,
+                           motion.poses[static_cast<std::size_t>(std::lround(vertex.unit))]));
     _indices.assign(model.skin.indices.begin(), model.skin.indices.end());
     _barkTriangles = static_cast<unsigned>(_indices.size() / 3);
     _trianglesPerUnit = static_cast<unsigned>(model.skin.indicesPerUnit / 3);

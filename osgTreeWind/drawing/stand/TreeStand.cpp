@@ -21,12 +21,12 @@ constexpr unsigned framesNear = 60; // for which a tree is followed closely afte
 
 TreeStand::TreeStand() : TreeStand(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
-TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation)
+TreeStand::TreeStand(const std::shared_ptr<ForestSimulation>& simulation)
     : TreeStand(simulation, StandResources(*simulation)) {}
 
-TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)
-    : _simulation(std::move(simulation)), _resources(resources), _tiers(_simulation->description().drawing),
-      _flutter(_simulation->description().species.size()) {
+TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, StandResources resources)
+    : _simulation(std::move(simulation)), _resources(std::move(resources)),
+      _tiers(_simulation->description().drawing), _flutter(_simulation->description().species.size()) {
     setName("trees");
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);

@@ -24,9 +24,9 @@ class TreeStand : public osg::Drawable {
 public:
     /// No trees.
     TreeStand();
-    explicit TreeStand(std::shared_ptr<ForestSimulation> simulation);
+    explicit TreeStand(const std::shared_ptr<ForestSimulation>& simulation);
     /// Drawn from the same models and state as another one of the same models and species.
-    TreeStand(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources);
+    TreeStand(std::shared_ptr<ForestSimulation> simulation, StandResources resources);
     /// Of the same trees, which the original's forest moves.
     TreeStand(const TreeStand& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     osg::Object* cloneType() const override { return new TreeStand; }

@@ -8,12 +8,12 @@ namespace osgTreeWind {
 namespace {
 
 #ifdef __AVX__
-constexpr int laneCount = 8;
+inline constexpr int laneCount = 8;
 #else
-constexpr int laneCount = 4;
+inline constexpr int laneCount = 4;
 #endif
-typedef float real __attribute__((vector_size(4 * laneCount)));
-typedef int wholeLanes __attribute__((vector_size(4 * laneCount)));
+using real [[gnu::vector_size(4 * laneCount)]] = float;
+using wholeLanes [[gnu::vector_size(4 * laneCount)]] = int;
 
 inline real every(float x) {
     return x - real{};

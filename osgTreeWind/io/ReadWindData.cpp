@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ReadWindData.h>
+
+#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/wind/FileWind.h>
+#include <osgTreeWind/windfiles/WindFile.h>
+#include <osgTreeWind/windfiles/WindUnits.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name) {
+    name = "m/s";
+    table.read(key, name);
+    const auto unit = speedUnit(name);
+    if (unit.ok())
+        return unit.value();
+    table.problem(key, unit.problems().front().message);
+    return std::nullopt;
+}
+
+void reportWind(const Diagnostics& problems, TableReader& table, ForestReading& reading) {
+    for (const Diagnostic& problem : problems) {
+        if (problem.file.empty())
+            table.problem(table.has(problem.key) ? problem.key : "", problem.message);
+        else
+            reading.log.add(problem);
+    }
+}
+
+namespace {
+
+/// The paths of `file`, or of all `files` with their `times`. False after a problem.
+bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::string>& paths,
+                   std::vector<double>& times) {
+    std::string name;
+    std::vector<std::string> names;
+    const bool one = table.read("file", name), several = table.read("files", names),
+               timed = table.read("times", times);
+    const auto refuse = [&](const char* key, const char* why) {
+        table.problem(key, why);
+        return false;
+    };
+    if (table.has("file") && table.has("files"))
+        return refuse("files", "give either this or file");
+    if (table.has("times") && !table.has("files"))
+        return refuse("times", "expected only beside files");
+    if (!table.has("file") && !table.has("files"))
+        return table.missing("file");
+    if (!one && !(several && (timed || !table.has("times"))))
+        return false; // not what they should be, as the log says
+    for (const std::string& each : one ? std::vector<std::string>{name} : names) {
+        const auto file = reading.open(table, one ? "file" : "files", each);
+        if (!file)
+            return false;
+        paths.push_back(file->path);
+    }
+    return true;
+}
+
+/// A note where trees stand beside the points of a file's grid.
+void noteTreesOutside(const WindFile& file, const glm::dvec3& offset, const std::string& path,
+                      ForestDescription& forest) {
+    const auto count =
+        std::count_if(forest.trees.begin(), forest.trees.end(), [&](const TreePlacement& tree) {
+            return !file.covers(glm::dvec2(tree.position - forest.origin));
+        });
+    if (count == 0)
+        return;
+    const WindSummary& wind = file.summary;
+    const glm::dvec3 low = wind.low + offset, high = wind.high + offset;
+    const auto rounded = [](double metres) { return numberText(std::round(100.0 * metres) / 100.0); };
+    std::string extent;
+    for (int axis = 0; axis < 2; ++axis)
+        if (wind.points[axis] > 1)
+            extent +=
+                std::string(axis == 0 ? ", x " : ", y ") + rounded(low[axis]) + " to " + rounded(high[axis]);
+    forest.notes.push_back(std::to_string(count) + " of " + std::to_string(forest.trees.size()) +
+                           " trees stand outside the grid of " + path + extent +
+                           "; the wind at its edges holds there");
+}
+
+/// Wind is wanted where trees stand, and a kilometre around.
+void chooseArea(const ForestDescription& forest, WindFileOptions& options) {
+    constexpr double around = 1000.0;
+    const auto placeOf = [&](const TreePlacement& tree) { return glm::dvec2(tree.position - forest.origin); };
+    const glm::dvec2 first = forest.trees.empty() ? glm::dvec2(0.0) : placeOf(forest.trees.front());
+    glm::dvec2 low = first, high = first;
+    for (const TreePlacement& tree : forest.trees) {
+        const glm::dvec2 place = placeOf(tree);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    options.low = low - around;
+    options.high = high + around;
+}
+
+} // namespace
+
+WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
+    WindFileOptions options;
+    const bool known = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
+    std::vector<double> numbers = {0, 0, 0};
+    table.readNumbers("offset", numbers, 3, 3, worldCoordinates);
+    const glm::dvec3 offset(numbers[0], numbers[1], numbers[2]);
+    options.origin = reading.forest.origin - offset;
+    options.crs = reading.forest.crs;
+    chooseArea(reading.forest, options);
+    std::vector<std::string> paths;
+    std::vector<double> times;
+    if (!readDataPaths(table, reading, paths, times) || !known)
+        return nullptr;
+    const Result<WindFile> wind =
+        table.has("files") ? readWindFiles(paths, times, options) : readWindFile(paths.front(), options);
+    if (!wind) {
+        reportWind(wind.problems(), table, reading);
+        return nullptr;
+    }
+    reading.windDate = parseIsoTime(wind.value().summary.start);
+    for (const std::string& note : wind.value().summary.notes)
+        reading.forest.notes.push_back(paths.front() + ": " + note);
+    noteTreesOutside(wind.value(), offset, paths.front(), reading.forest);
+    return std::make_shared<FileWind>(wind.value().field, FileWind::Source{paths, table.has("files"), times,
+                                                                           offset, reading.forest.origin,
+                                                                           options.crs, options.speedUnit});
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/WindDirection.h>
+#include <osgTreeWind/wind/WindLimits.h>
+#include <osgTreeWind/windfiles/WindFormats.h>
+#include <osgTreeWind/windfiles/WindInput.h>
+#include <osgTreeWind/windfiles/WindUnits.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/places/Crs.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float noData = std::numeric_limits<float>::quiet_NaN();
+
+/// An ESRI ASCII grid, with what a .prj beside it says of its map.
+Result<WindCells> readAscii(const std::string& path) {
+    const Result<std::string> text = readBytes(path);
+    if (!text)
+        return text.problems();
+    Result<WindCells> cells = readEsriGrid(text.value(), path);
+    const std::string beside = fs::path(path).replace_extension(".prj").string();
+    if (const Result<std::string> map = readBytes(beside); cells && map) {
+        const Result<Crs> crs = Crs::parse(map.value());
+        if (!crs)
+            return fileProblem(beside, crs.problems().front().message);
+        cells.value().crs = crs.value().text();
+    }
+    return cells;
+}
+
+/// What both files of a pair have to say alike; empty where they do.
+std::string difference(const WindCells& speed, const WindCells& direction) {
+    const glm::dvec2 apart = glm::abs(speed.south - direction.south);
+    const double tolerance = 1e-3 * speed.cellSize;
+    if (speed.cells != direction.cells || std::max(apart.x, apart.y) > tolerance ||
+        std::abs(speed.cellSize - direction.cellSize) * speed.cells.x > tolerance)
+        return "expected the same cells in both files of the pair";
+    const bool sameMap = speed.crs.empty() || direction.crs.empty() || speed.crs == direction.crs;
+    return sameMap ? "" : "expected the same map in both files of the pair";
+}
+
+} // namespace
+
+Result<WindContent> windOfCells(const WindCells& speed, const WindCells& direction, const std::string& file) {
+    if (const std::string problem = difference(speed, direction); !problem.empty())
+        return fileProblem(file, problem);
+    WindContent content;
+    content.summary.direction = "from, degrees clockwise from grid north";
+    content.summary.unit = usualSpeedUnit(speed.unit);
+    content.summary.crs = speed.crs.empty() ? direction.crs : speed.crs;
+    if (!content.summary.crs.empty())
+        content.summary.coordinates = Crs::parse(content.summary.crs).value().name();
+    GridWind::Grid grid;
+    grid.points = {speed.cells, 1};
+    grid.origin = {speed.south, 0.0};
+    grid.cell = {speed.cellSize, speed.cellSize, 1.0};
+    grid.values.reserve(3 * speed.values.size());
+    for (std::size_t i = 0; i < speed.values.size(); ++i) {
+        const double s = speed.values[i], d = direction.values[i];
+        const bool known = !std::isnan(s) && !std::isnan(d);
+        if (known && (s < 0.0 || std::abs(d) > maxDirection))
+            return fileProblem(file,
+                               "expected a speed not below 0 and a direction of -360 to 360 degrees, found " +
+                                   numberText(s) + " and " + numberText(d) + " in row " +
+                                   std::to_string(speed.cells.y - static_cast<int>(i) / speed.cells.x) +
+                                   ", column " + std::to_string(static_cast<int>(i) % speed.cells.x + 1));
+        const glm::vec3 v = known ? windVelocity({s, d}, DirectionSense::From) : glm::vec3(noData);
+        grid.values.insert(grid.values.end(), {v.x, v.y, v.z});
+    }
+    content.data = std::move(grid);
+    return content;
+}
+
+/// Both files of a pair, either given.
+Result<WindContent> readPair(const std::string& path, const char* format,
+                             Result<WindCells> (*readCells)(const std::string&)) {
+    const fs::path given(path);
+    const std::string stem = given.stem().string(), extension = given.extension().string();
+    const std::string end = stem.size() > 4 ? stem.substr(stem.size() - 4) : "";
+    if (end != "_vel" && end != "_ang")
+        return fileProblem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
+                                     ", a pair of speed and direction");
+    const std::string begin = (given.parent_path() / stem.substr(0, stem.size() - 4)).string();
+    WindCells cells[2];
+    const char* const ends[] = {"_vel", "_ang"};
+    for (int i = 0; i < 2; ++i) {
+        Result<WindCells> read = readCells(begin + ends[i] + extension);
+        if (!read)
+            return read.problems();
+        cells[i] = std::move(read.value());
+    }
+    Result<WindContent> content = windOfCells(cells[0], cells[1], path);
+    if (content)
+        content.value().summary.format = format;
+    return content;
+}
+
+Result<WindContent> readEsriPair(const std::string& path) {
+    return readPair(path, "ESRI ASCII speed and direction", readAscii);
+}
+
+Result<WindContent> readTiffPair(const std::string& path) {
+    return readPair(path, "GeoTIFF speed and direction", readTiff);
+}
+
+} // namespace osgTreeWind
