@@ -114,4 +114,14 @@ Problem readGrid1(const GribBytes& section, GribField& field) {
     return {};
 }
 
+void readPacking1(const GribBytes& section, GribField& field) {
+    constexpr int spherical = 0x80, secondOrder = 0x40, moreFlags = 0x10;
+    const int flags = section.whole(4);
+    field.packing = flags & spherical     ? "as spherical harmonics"
+                    : flags & secondOrder ? "by second order"
+                    : flags & moreFlags   ? "in a way of its centre's own"
+                                          : "simply";
+    field.unpackable = !(flags & (spherical | secondOrder | moreFlags));
+}
+
 } // namespace osgTreeWind::GribEditions

@@ -128,4 +128,12 @@ Problem readProduct2(const GribBytes& section, GribField& field) {
     return {};
 }
 
+void readPacking2(const GribBytes& section, GribField& field) {
+    constexpr int png = 41, ownPng = 40010, ccsds = 42;
+    const int number = section.whole(10, 2), bits = section.whole(20);
+    const bool isPng = number == png || number == ownPng;
+    field.packing = number == ccsds ? "by CCSDS" : isPng ? "as PNG" : "by template " + std::to_string(number);
+    field.unpackable = !isPng || bits <= 1 || bits == 2 || bits == 4 || bits % 8 == 0; // as PNG has them
+}
+
 } // namespace osgTreeWind::GribEditions

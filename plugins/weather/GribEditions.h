@@ -16,6 +16,8 @@ using Problem = std::optional<std::string>;
 Problem readProduct1(const GribBytes& section, GribField& field);
 /// Section 2 of edition 1: the grid.
 Problem readGrid1(const GribBytes& section, GribField& field);
+/// Section 4 of edition 1: how numbers are packed.
+void readPacking1(const GribBytes& section, GribField& field);
 
 /// Section 1 of edition 2: centre and reference time.
 Problem readOrigin2(const GribBytes& section, GribField& field);
@@ -23,5 +25,7 @@ Problem readOrigin2(const GribBytes& section, GribField& field);
 Problem readGrid2(const GribBytes& section, GribField& field);
 /// Section 4 of edition 2: parameter, level and time, after readOrigin2().
 Problem readProduct2(const GribBytes& section, GribField& field);
+/// Section 5 of edition 2: how numbers are packed.
+void readPacking2(const GribBytes& section, GribField& field);
 
 } // namespace osgTreeWind::GribEditions

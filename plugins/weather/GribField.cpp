@@ -90,6 +90,7 @@ private:
             return cut(3);
         if (!take(3, section))
             return cut(4);
+        GribEditions::readPacking1(section, _field);
         _fields.push_back(_field);
         return {};
     }
@@ -113,7 +114,9 @@ private:
             } else if (number == 4) {
                 problem = GribEditions::readProduct2(section, _field);
                 hasProduct = true;
-            } else if (number == 7) {
+            } else if (number == 5)
+                GribEditions::readPacking2(section, _field);
+            else if (number == 7) {
                 if (!hasOrigin || !hasGrid || !hasProduct)
                     return "numbers without sections 1, 3 and 4";
                 _fields.push_back(_field);

@@ -49,6 +49,8 @@ struct GribField {
     double reference = 0.0; ///< Seconds since 1970, when its forecast began.
     double valid = 0.0;     ///< Seconds since 1970, when it holds.
     GribGrid grid;
+    std::string packing;    ///< How its numbers are packed, for people: "CCSDS".
+    bool unpackable = true; ///< GDAL unpacks them, or says that it cannot; it does not make some up.
 };
 
 /// The fields of a file of GRIB, both editions, in its order; what is between messages is skipped. A message

@@ -40,6 +40,9 @@ EvenAxis axisOf(double corner, double step, int count) {
     return {corner + 0.5 * step, step, static_cast<std::size_t>(count), 0.0};
 }
 
+constexpr const char* otherPacking =
+    "; `grib_set -r -s packingType=grid_simple` of ecCodes packs them otherwise";
+
 std::string nameOf(const Crs& crs) {
     const GdalErrors errors;
     char* text = nullptr;
@@ -84,7 +87,12 @@ void* GribNumbers::open(const GribField& field) {
     if (_data && errors.text().empty() && field.band <= GDALGetRasterCount(_data.get()))
         return _data.get();
     _data.reset();
-    _reason = "cannot be read: " + errors.textOr("GDAL does not know what is in it");
+    _reason = "its numbers, packed " + field.packing +
+              ", cannot be read: " + errors.textOr("GDAL does not know what is in it");
+    if (_reason.back() == '.')
+        _reason.pop_back();
+    if (field.packing == "by CCSDS")
+        _reason += otherPacking;
     for (std::size_t at; (at = _reason.find("/vsisubfile/")) != std::string::npos;)
         _reason.erase(at, _reason.find(',', at) + 1 - at);
     return nullptr;
@@ -120,6 +128,9 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
 
 Result<std::vector<float>> GribNumbers::read(const GribField& field, const AxisPart& x, const AxisPart& y,
                                              const std::vector<std::string>& units) {
+    if (!field.unpackable)
+        return problem(field, "its numbers are packed " + field.packing + ", which GDAL does not unpack" +
+                                  otherPacking);
     void* const data = open(field);
     if (!data)
         return problem(field, _reason);

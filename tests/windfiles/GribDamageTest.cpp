@@ -192,6 +192,24 @@ TEST(GribDamage, WhatGdalCannotUnpackIsNamedWithItsField) {
     EXPECT_FALSE(has(problem, "/vsi")) << problem;
 }
 
+/// GDAL would give numbers of its own for them.
+TEST(GribDamage, PackingThatGdalMistakesIsRefused) {
+    std::string first, second;
+    for (const std::string& message : {messageOf(edition1()), messageOf(northOf(edition1()))}) {
+        first += message;
+        first[first.size() - message.size() + sectionsOf(message, 1)[3] + 3] |= 0x40;
+    }
+    for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+        second += message;
+        const std::size_t section = second.size() - message.size() + sectionsOf(message, 2)[4];
+        second[section + 10] = 41;
+        second[section + 19] = 13; // bits
+    }
+    EXPECT_TRUE(
+        has(problemOfGrib(first), "its numbers are packed by second order, which GDAL does not unpack"));
+    EXPECT_TRUE(has(problemOfGrib(second), "its numbers are packed as PNG, which GDAL does not unpack"));
+}
+
 TEST(GribDamage, TwoHundredDamagedFilesAreReadOrRefusedWithAReason) {
     std::mt19937 random(16);
     for (int round = 0; round < 200; ++round) {
