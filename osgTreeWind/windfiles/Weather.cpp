@@ -6,8 +6,10 @@
 
 namespace osgTreeWind {
 
-Result<WindContent> readNetCdf(const std::string& path, const WindRequest& request) {
-    constexpr ReaderProgram reader{"osgtreewind-weather", "OSGTREEWIND_WEATHER", "NetCDF", "GDAL"};
+namespace {
+
+Result<WindContent> readWeather(const char* format, const std::string& path, const WindRequest& request) {
+    const ReaderProgram reader{"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, "GDAL"};
     std::vector<std::string> wanted = {request.asStored ? "stored" : "grid"};
     if (const auto& area = request.area)
         wanted.insert(wanted.end(), {area->crs, numberText(area->low.x), numberText(area->low.y),
@@ -18,6 +20,16 @@ Result<WindContent> readNetCdf(const std::string& path, const WindRequest& reque
         return content.has_value();
     });
     return problem ? Result<WindContent>(*problem) : std::move(*content);
+}
+
+} // namespace
+
+Result<WindContent> readNetCdf(const std::string& path, const WindRequest& request) {
+    return readWeather("NetCDF", path, request);
+}
+
+Result<WindContent> readGrib(const std::string& path, const WindRequest& request) {
+    return readWeather("GRIB", path, request);
 }
 
 } // namespace osgTreeWind

@@ -53,7 +53,7 @@ struct WindFile {
 
 /// Reads wind data, recognised by content, then by extension: ESRI ASCII pairs of speed and direction-from
 /// (NAME_vel.asc and NAME_ang.asc, either given), legacy VTK grids of even spacing, VTK XML ImageData,
-/// TurbSim .bts, Campbell TOA5, QES-Winds sensor XML, CSV, and NetCDF.
+/// TurbSim .bts, Campbell TOA5, QES-Winds sensor XML, CSV, NetCDF and GRIB.
 ///
 /// With a `crs` a file on another map is re-projected. Without, one on degrees is an error, unless it is
 /// wanted as stored: its places are degrees then.

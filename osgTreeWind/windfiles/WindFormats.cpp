@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/windfiles/GribHead.h>
 #include <osgTreeWind/windfiles/WindInput.h>
 
 #include <algorithm>
@@ -64,6 +65,8 @@ const Format formats[] = {
     {"NetCDF", nullptr,
      [](std::string_view head) { return startsWith(head, "CDF") || startsWith(head, "\x89HDF"); },
      [](const Given& given) { return readNetCdf(given.input.path(), given.request); }},
+    {"GRIB", nullptr, beginsGrib,
+     [](const Given& given) { return readGrib(given.input.path(), given.request); }},
     {"QES sensor XML", ".xml", [](std::string_view head) { return holds(head, "<timeSeries"); },
      readAll<readQesSensor>},
     {".csv", ".csv", nullptr, readTable<readWindCsv>}};

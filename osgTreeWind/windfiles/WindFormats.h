@@ -61,5 +61,7 @@ Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
 /// NetCDF, read by the program osgtreewind-weather in a process of its own: a damaged file ends that one
 /// only. An error where it is not installed.
 Result<WindContent> readNetCdf(const std::string& path, const WindRequest& request);
+/// GRIB, edition 1 or 2, read by the same program.
+Result<WindContent> readGrib(const std::string& path, const WindRequest& request);
 
 } // namespace osgTreeWind

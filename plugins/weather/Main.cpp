@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]: reads NetCDF for the library, which runs it, so
-// that a damaged file, on which libhdf5 frees wild memory, ends this process and not the one that has a
-// forest.
+// osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]: reads NetCDF and GRIB for the library, which runs
+// it, so that a damaged file, on which libhdf5 frees wild memory, ends this process and not the one that has
+// a forest.
 #include <plugins/ReaderLimits.h>
+#include <plugins/weather/GribWind.h>
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/windfiles/GribHead.h>
+#include <osgTreeWind/windfiles/WindInput.h>
 #include <osgTreeWind/windfiles/WindWire.h>
 
 #include <cpl_error.h>
@@ -23,6 +26,10 @@ namespace {
 Result<WindContent> read(const std::string& path, const WindRequest& request) {
     try {
         CPLPushErrorHandler(CPLQuietErrorHandler);
+        const Result<std::string> head = WindInput(path).head();
+        if (head && beginsGrib(head.value()) && head.value().rfind("CDF", 0) != 0 &&
+            head.value().rfind("\x89HDF", 0) != 0)
+            return readGribWind(path, request);
         NetCdfFile file(path);
         if (!file.good())
             return file.problem();
@@ -51,12 +58,14 @@ WindRequest requestOf(char** arguments, bool hasArea) {
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
     if (argc != 3 && argc != 8) {
-        std::cerr
-            << "usage: osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]\n"
-               "What osgTreeWind reads NetCDF with; its answer is not for people. See `osgtreewind wind`.\n";
+        std::cerr << "usage: osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]\n"
+                     "What osgTreeWind reads NetCDF and GRIB with; its answer is not for people. See "
+                     "`osgtreewind wind`.\n";
         return 2;
     }
     limitReader(argv[1], std::size_t(1) << 30, 60);
+    const int answer = dup(STDOUT_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO); // what a library prints is no part of the answer
     Result<WindContent> content = read(argv[1], requestOf(argv + 2, argc == 8));
-    _exit(WindWire::send(STDOUT_FILENO, content) ? 0 : 1); // at once: what was damaged is not tidied up
+    _exit(WindWire::send(answer, content) ? 0 : 1); // at once: what was damaged is not tidied up
 }

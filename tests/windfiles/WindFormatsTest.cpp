@@ -37,10 +37,12 @@ TEST_P(WindFormats, AreKnownByTheirBeginningWhateverTheName) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Small, WindFormats,
-                         testing::Values("vectors.vtk", "zlib.vti", "toa5.dat", "sensor.xml"),
+                         testing::Values("vectors.vtk", "zlib.vti", "toa5.dat", "sensor.xml", "small.grib1",
+                                         "small.grib2"),
                          [](const auto& info) {
-                             const std::string name = info.param;
-                             return name.substr(0, name.find('.'));
+                             std::string name = info.param;
+                             name[name.find('.')] = '_';
+                             return name;
                          });
 
 TEST(WindFormats, OnlyTheFirstKilobyteTells) {

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/weather/GribWind.h>
+
+#include <plugins/weather/GribChoice.h>
+#include <plugins/weather/GribHeights.h>
+#include <plugins/weather/GribNumbers.h>
+#include <plugins/weather/GribTime.h>
+#include <plugins/weather/GribTurn.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/wind/WindDirection.h>
+#include <osgTreeWind/wind/WindLimits.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// The bytes of a file, without a copy.
+class MappedFile {
+public:
+    explicit MappedFile(const std::string& path) {
+        const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+        struct stat about {};
+        if (file >= 0 && fstat(file, &about) == 0 && about.st_size > 0) {
+            _size = static_cast<std::size_t>(about.st_size);
+            _bytes = mmap(nullptr, _size, PROT_READ, MAP_PRIVATE, file, 0);
+        }
+        if (file >= 0)
+            close(file);
+    }
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+    ~MappedFile() {
+        if (good())
+            munmap(_bytes, _size);
+    }
+
+    bool good() const { return _bytes != MAP_FAILED; }
+    std::string_view bytes() const { return {static_cast<const char*>(_bytes), _size}; }
+
+private:
+    void* _bytes = MAP_FAILED;
+    std::size_t _size = 0;
+};
+
+using Numbers = std::vector<float>;
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+
+// As GDAL writes them; "[-]" where it does not know a parameter whose number says it.
+const std::vector<std::string> speeds = {"[m/s]", "[-]"};
+const std::vector<std::string> directions = {"[deg true]", "[deg]", "[degree true]", "[degrees]", "[-]"};
+const std::vector<std::string> heights = {"[gpm]", "[m]", "[-]"};
+const std::vector<std::string> geopotentials = {"[m^2/s^2]", "[(m^2)/(s^2)]", "[m^2/(s^2)]", "[-]"};
+
+class GribReader {
+public:
+    GribReader(std::string path, double bytes, GribChoice choice, const WindRequest& request)
+        : _path(std::move(path)), _bytes(bytes), _choice(std::move(choice)), _request(request),
+          _numbers(_path) {}
+
+    Result<WindContent> read() {
+        checkGrids();
+        place();
+        readHeights();
+        readVelocities();
+        turn();
+        if (_problem)
+            return *_problem;
+        WindSummary& summary = _content.summary;
+        summary.format = "GRIB" + std::to_string(first().parameter.edition);
+        summary.unit = "m/s";
+        summary.start = GribTime::text(_choice.times.front());
+        for (const double time : _choice.times)
+            if (_choice.times.size() > 1)
+                _grid.times.push_back(time - _choice.times.front());
+        summary.notes.insert(summary.notes.begin(), _choice.notes.begin(), _choice.notes.end());
+        _content.data = std::move(_grid);
+        return std::move(_content);
+    }
+
+private:
+    const GribField& first() const { return *_choice.east.front(); }
+    std::size_t layers() const { return _choice.levels.size(); }
+    std::size_t steps() const { return _choice.times.size(); }
+
+    void fail(const Diagnostic& problem) {
+        if (!_problem)
+            _problem = problem;
+    }
+
+    void checkGrids() {
+        for (const GribField* field : _choice.all())
+            if (field->grid.definition != first().grid.definition)
+                fail(fileProblem(_path, textOf(first()) + " and " + textOf(*field) +
+                                            " lie on different grids, " + sizeOf(first()) + " and " +
+                                            sizeOf(*field)));
+        for (const auto* component : {&_choice.east, &_choice.north})
+            for (const GribField* field : *component)
+                if (field->grid.relativeToGrid != first().grid.relativeToGrid)
+                    fail(fileProblem(_path, textOf(first()) + " and " + textOf(*field) +
+                                                " count from different norths: one from true north, one from "
+                                                "the grid's"));
+    }
+
+    static std::string sizeOf(const GribField& field) {
+        return field.grid.kind + " of " + std::to_string(field.grid.columns) + " x " +
+               std::to_string(field.grid.rows);
+    }
+
+    void place() {
+        if (_problem)
+            return;
+        constexpr double mostPoints = 1u << 27; // of a field, which GDAL reads as a whole
+        const GribGrid& grid = first().grid;
+        if (grid.even && static_cast<double>(grid.columns) * static_cast<double>(grid.rows) > mostPoints)
+            return fail(fileProblem(_path, "expected at most " + numberText(mostPoints) + " points, found " +
+                                               sizeOf(first())));
+        const Result<GribPlace> place = _numbers.place(first());
+        if (!place)
+            return fail(place.problems().front());
+        _crs = place.value().crs;
+        _content.summary.crs = _crs.text();
+        _content.summary.coordinates = place.value().name;
+        _x = wholeOf(place.value().x);
+        _y = wholeOf(place.value().y);
+        if (_request.area) {
+            const Result<WindArea> area = areaOn(_content.summary.crs, *_request.area);
+            if (!area)
+                return fail({_path, 0, 0, area.problems().front().key, area.problems().front().message});
+            _x = partAround(place.value().x, area.value().low.x, area.value().high.x);
+            _y = partAround(place.value().y, area.value().low.y, area.value().high.y);
+        }
+        checkSize();
+        _grid.points = {static_cast<int>(_x.indices.size()), static_cast<int>(_y.indices.size()),
+                        static_cast<int>(layers())};
+        _grid.origin = {_x.first, _y.first, 0.0};
+        _grid.cell = {_x.step, _y.step, 1.0};
+    }
+
+    /// Before memory is asked for, of which the program has so much.
+    void checkSize() {
+        const double points = static_cast<double>(_x.indices.size()) *
+                              static_cast<double>(_y.indices.size()) * static_cast<double>(layers()) *
+                              static_cast<double>(steps()),
+                     most = (1u << 25) + 4.0 * _bytes;
+        if (points > most)
+            fail(fileProblem(_path, "expected at most " + numberText(most) + " velocities, found " +
+                                        numberText(points) + " (" + std::to_string(_x.indices.size()) +
+                                        " x " + std::to_string(_y.indices.size()) + " points, " +
+                                        std::to_string(layers()) + " levels, " + std::to_string(steps()) +
+                                        " times)"));
+    }
+
+    std::size_t perLayer() const { return _x.indices.size() * _y.indices.size(); }
+
+    Numbers numbersOf(const GribField& field, const std::vector<std::string>& units) {
+        if (_problem)
+            return {};
+        Result<Numbers> numbers = _numbers.read(field, _x, _y, units);
+        if (!numbers) {
+            fail(numbers.problems().front());
+            return {};
+        }
+        return std::move(numbers.value());
+    }
+
+    Numbers heightsOf(const GribField& field) {
+        const double metres = GribMeaning::of(field).metres;
+        Numbers numbers = numbersOf(field, metres == 1.0 ? heights : geopotentials);
+        for (float& number : numbers)
+            number = static_cast<float>(number * metres);
+        return numbers;
+    }
+
+    void readHeights() {
+        if (_problem)
+            return;
+        const GribLevelKind kind = _choice.levels.front().kind;
+        _grid.aboveGround = kind == GribLevelKind::AboveGround || _choice.ground;
+        const bool isKnown = kind == GribLevelKind::AboveGround || kind == GribLevelKind::AboveSea;
+        if (isKnown && !_choice.ground)
+            for (const GribLevel& level : _choice.levels)
+                _grid.heights.push_back(static_cast<float>(level.value));
+        else if (isKnown || !_choice.height.empty())
+            readHeightsOfPoints();
+    }
+
+    void readHeightsOfPoints() {
+        _hasHeightsOfPoints = true;
+        if (!_choice.height.empty() && layers() > 1)
+            _downward =
+                meanOf(heightsOf(*_choice.height[0])) > meanOf(heightsOf(*_choice.height[layers() - 1]));
+        const Numbers ground = _choice.ground ? heightsOf(*_choice.ground) : Numbers(perLayer(), 0.0f);
+        const std::size_t times = _choice.height.empty() ? 1 : steps();
+        _grid.heights.reserve(times * layers() * perLayer());
+        for (std::size_t step = 0; step < times && !_problem; ++step)
+            for (std::size_t layer = 0; layer < layers() && !_problem; ++layer) {
+                const Numbers above =
+                    _choice.height.empty()
+                        ? Numbers(perLayer(), static_cast<float>(_choice.levels[layer].value))
+                        : heightsOf(*_choice.height[indexOf(step, layer)]);
+                for (std::size_t i = 0; i < above.size() && !_problem; ++i)
+                    _grid.heights.push_back(above[i] - ground[i]);
+            }
+    }
+
+    static double meanOf(const Numbers& numbers) {
+        double sum = 0.0, count = 0.0;
+        for (const float number : numbers)
+            if (std::isfinite(number)) {
+                sum += number;
+                ++count;
+            }
+        return count > 0.0 ? sum / count : 0.0;
+    }
+
+    /// Of a layer counted upward.
+    std::size_t indexOf(std::size_t step, std::size_t layer) const {
+        return _choice.indexOf(step, _downward ? layers() - 1 - layer : layer);
+    }
+
+    void readVelocities() {
+        if (_problem)
+            return;
+        _grid.values.reserve(3 * steps() * layers() * perLayer());
+        for (std::size_t step = 0; step < steps(); ++step)
+            for (std::size_t layer = 0; layer < layers() && !_problem; ++layer)
+                readLayer(indexOf(step, layer));
+        if (!_problem && _hasHeightsOfPoints)
+            spreadHeights();
+    }
+
+    void readLayer(std::size_t index) {
+        const GribField &east = *_choice.east[index], &north = *_choice.north[index];
+        const Numbers a = numbersOf(east, speeds), b = numbersOf(north, _choice.polar ? directions : speeds),
+                      w = _choice.up.empty() ? Numbers(a.size(), 0.0f)
+                                             : numbersOf(*_choice.up[index], speeds);
+        for (std::size_t i = 0; i < a.size() && !_problem; ++i) {
+            glm::vec3 velocity(a[i], b[i], w[i]);
+            if (_choice.polar && (a[i] < 0.0f || std::abs(b[i]) > maxDirection))
+                fail({_path, 0, 0, textOf(north),
+                      "expected speeds not below 0 and directions of -360 to 360, found " + numberText(a[i]) +
+                          " and " + numberText(b[i])});
+            else if (std::isnan(a[i]) || std::isnan(b[i]) || std::isnan(w[i]))
+                velocity = glm::vec3(none);
+            else if (_choice.polar)
+                velocity = windVelocity({a[i], b[i]}, DirectionSense::From);
+            _grid.values.insert(_grid.values.end(), {velocity.x, velocity.y, velocity.z});
+        }
+    }
+
+    /// One height for each velocity, so that both can be settled together.
+    void spreadHeights() {
+        const std::size_t once = layers() * perLayer();
+        for (std::size_t step = 1; step < steps() && _grid.heights.size() < steps() * once; ++step)
+            _grid.heights.insert(_grid.heights.end(), _grid.heights.begin(),
+                                 _grid.heights.begin() + static_cast<std::ptrdiff_t>(once));
+        settleHeights(_grid);
+    }
+
+    /// From true north to the y axis of the map, or a note of what that would be. Directions always count
+    /// from true north.
+    void turn() {
+        const bool fromTrueNorth = _choice.polar || !first().grid.relativeToGrid || _crs.isDegrees();
+        std::string& direction = _content.summary.direction;
+        direction = _choice.polar   ? "from, degrees clockwise from true north"
+                    : fromTrueNorth ? "components toward true east, true north and up"
+                                    : "components toward x (east), y (north) and up";
+        if (_problem || !fromTrueNorth || _crs.isDegrees())
+            return;
+        if (const auto note = turnFromTrueNorth(_grid, _crs, _request.asStored))
+            _content.summary.notes.push_back(*note);
+        else
+            fail({_path, 0, 0, textOf(first()), "its map does not hold its points"});
+    }
+
+    std::string _path;
+    double _bytes;
+    GribChoice _choice;
+    const WindRequest& _request;
+    GribNumbers _numbers;
+    Crs _crs;
+    AxisPart _x, _y;
+    bool _downward = false, _hasHeightsOfPoints = false;
+    GridWind::Grid _grid;
+    WindContent _content;
+    std::optional<Diagnostic> _problem;
+};
+
+} // namespace
+
+Result<WindContent> readGribWind(const std::string& path, const WindRequest& request) {
+    const MappedFile file(path);
+    if (!file.good())
+        return fileProblem(path, "cannot be read");
+    const auto fields = readGribFields(file.bytes(), path);
+    if (!fields)
+        return fields.problems();
+    const Result<GribChoice> choice = chooseGribWind(fields.value(), path);
+    if (!choice)
+        return choice.problems();
+    return GribReader(path, static_cast<double>(file.bytes().size()), choice.value(), request).read();
+}
+
+} // namespace osgTreeWind

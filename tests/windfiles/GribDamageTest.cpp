@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Damaged and contradictory GRIB: one clear reason each, and this process lives on.
+#include <tests/EnvironmentVariable.h>
+#include <tests/windfiles/GribReading.h>
+
+#include <random>
+
+namespace osgTreeWind {
+
+namespace {
+
+std::string messageOf(const grib::Field& field) {
+    return grib::message(field);
+}
+
+grib::Field northOf(grib::Field field) {
+    return grib::with(std::move(field), field.edition == 1 ? 34 : 3, northward);
+}
+
+grib::Field edition1() {
+    grib::Field field;
+    field.edition = 1;
+    field.number = 33;
+    field.type = 105;
+    return field;
+}
+
+/// Where each section of a message begins.
+std::vector<std::size_t> sectionsOf(const std::string& message, int edition) {
+    const auto number = [&](std::size_t at, std::size_t count) {
+        std::size_t value = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            value = value << 8 | static_cast<unsigned char>(message[at + i]);
+        return value;
+    };
+    std::vector<std::size_t> places = {0};
+    for (std::size_t at = edition == 1 ? 8 : 16; at + 4 < message.size();
+         at += number(at, edition == 1 ? 3 : 4))
+        places.push_back(at);
+    places.push_back(message.size() - 4);
+    return places;
+}
+
+/// The problem of a file with these fields.
+std::string problemOf(const std::vector<grib::Field>& fields) {
+    std::string bytes;
+    for (const grib::Field& field : fields)
+        bytes += messageOf(field);
+    return problemOfGrib(bytes);
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST(GribDamage, CutAtAndWithinEverySection) {
+    for (const int edition : {1, 2}) {
+        grib::Field field = edition == 1 ? edition1() : grib::Field();
+        const std::string u = messageOf(field), whole = u + messageOf(northOf(field));
+        ASSERT_TRUE(readGribBytes(whole));
+        for (const std::size_t section : sectionsOf(u, edition))
+            for (const std::size_t more : {2u, 6u})
+                if (const std::size_t length = section + more; length < u.size()) {
+                    const std::string problem = problemOfGrib(whole.substr(0, u.size() + length));
+                    const std::string place = "message 2, at byte " + std::to_string(u.size()) + ": ";
+                    EXPECT_TRUE(has(problem, length < 4 ? "found only U" : place)) << length << problem;
+                }
+    }
+}
+
+TEST(GribDamage, SectionsThatContradictTheirMessage) {
+    const std::string u = messageOf({}), v = messageOf(northOf({}));
+    const std::vector<std::size_t> sections = sectionsOf(u, 2);
+    for (std::size_t i = 1; i + 1 < sections.size(); ++i) {
+        std::string bytes = u + v;
+        bytes[sections[i] + 1] = '\x7f'; // its length
+        EXPECT_TRUE(has(problemOfGrib(bytes), "is longer than what is left of the message")) << i;
+        bytes = u + v;
+        bytes[sections[i] + 4] = '\x09'; // its number
+        EXPECT_TRUE(has(problemOfGrib(bytes), "expected a section 1 to 7, found 9")) << i;
+    }
+    std::string bytes = u + v;
+    bytes[u.size() - 1] = '8';
+    EXPECT_EQ(problemOfGrib(bytes), "message 1, at byte 0: it does not end where it says, after " +
+                                        std::to_string(u.size()) + " bytes");
+    bytes = u + v;
+    bytes[sections[1] + 14] = 13; // its month
+    EXPECT_EQ(problemOfGrib(bytes), "message 1, at byte 0: section 1 has a date that does not exist");
+}
+
+TEST(GribDamage, WhatIsMissingIsNamed) {
+    grib::Field u, high, later;
+    high.level = 80.0;
+    later.lead = 3;
+    EXPECT_EQ(problemOf({u}), "expected fields of wind: U and V, or its speed and direction; found only U");
+    EXPECT_EQ(problemOf({u, northOf(u), high}), "V at 80 m above ground at 2017-06-03T18:00:00Z is missing");
+    EXPECT_EQ(problemOf({u, northOf(u), northOf(later)}),
+              "U at 10 m above ground at 2017-06-03T21:00:00Z is missing");
+    EXPECT_EQ(problemOf({u, u, northOf(u)}),
+              "U at 10 m above ground at 2017-06-03T18:00:00Z is there twice, as with "
+              "the members of an ensemble; expected one of each");
+    grib::Field temperature;
+    temperature.category = 0;
+    EXPECT_EQ(problemOf({temperature}),
+              "expected fields of wind: U and V, or its speed and direction; found none");
+    grib::Field surface;
+    surface.type = 1;
+    EXPECT_TRUE(has(problemOf({u, northOf(surface)}),
+                    "U and V are at different kinds of levels: U at 10 m above ground"));
+}
+
+TEST(GribDamage, LevelsWithoutHeightsAreNamed) {
+    grib::Field low, high, height;
+    low.type = high.type = height.type = 100;
+    low.level = 100000;
+    high.level = height.level = 90000;
+    const std::vector<grib::Field> wind = {low, northOf(low), high, northOf(high)};
+    EXPECT_EQ(problemOf(wind),
+              "expected the geopotential heights of the 2 levels of wind at isobaric levels");
+    height.category = 3;
+    height.number = 5;
+    std::vector<grib::Field> some = wind;
+    some.push_back(height);
+    EXPECT_EQ(problemOf(some), "geopotential height at 1000 hPa at 2017-06-03T18:00:00Z is missing");
+    std::vector<grib::Field> other = wind;
+    for (grib::Field field : wind) {
+        field.type = 7; // tropopause
+        other.push_back(field);
+    }
+    EXPECT_EQ(problemOf(other),
+              "expected wind at heights above ground, or geopotential heights of its levels; "
+              "found wind at isobaric levels, levels of other kinds");
+}
+
+TEST(GribDamage, DifferentGridsAreNeverReadAsOne) {
+    grib::Field u, moved, small, turned;
+    moved.grid.longitude = 10.5;
+    small.grid.rows = 2;
+    u.grid.relativeToGrid = false;
+    turned.grid.relativeToGrid = true;
+    EXPECT_EQ(problemOf({u, northOf(moved)}),
+              "U at 10 m above ground at 2017-06-03T18:00:00Z and V at 10 m above ground at "
+              "2017-06-03T18:00:00Z lie on "
+              "different grids, latitude and longitude of 4 x 3 and latitude and longitude of 4 x 3");
+    EXPECT_TRUE(has(problemOf({u, northOf(small)}), "4 x 3 and latitude and longitude of 4 x 2"));
+    EXPECT_TRUE(has(problemOf({u, northOf(turned)}),
+                    "count from different norths: one from true north, one from the grid's"));
+}
+
+TEST(GribDamage, GridsThatAreNotEvenAreRefusedByName) {
+    for (const auto& [number, name] : {std::pair{1, "rotated latitude and longitude"},
+                                       {40, "Gaussian"},
+                                       {50, "spherical harmonics"},
+                                       {101, "unstructured"},
+                                       {999, "template 999"}}) {
+        std::string bytes;
+        for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+            bytes += message;
+            const std::size_t grid = bytes.size() - message.size() + sectionsOf(message, 2)[2];
+            bytes[grid + 12] = static_cast<char>(number >> 8);
+            bytes[grid + 13] = static_cast<char>(number & 0xff);
+        }
+        EXPECT_TRUE(
+            has(problemOfGrib(bytes), std::string("its grid is ") + name + ", whose points are not even"))
+            << number;
+    }
+}
+
+TEST(GribDamage, HugeGridsAreRefusedBeforeMemoryIsAskedFor) {
+    std::string bytes;
+    for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+        bytes += message;
+        const std::size_t grid = bytes.size() - message.size() + sectionsOf(message, 2)[2];
+        bytes[grid + 30] = bytes[grid + 34] = '\x01'; // millions of columns and rows
+    }
+    EXPECT_TRUE(
+        has(problemOfGrib(bytes),
+            "expected at most 134217728 points, found latitude and longitude of 16777220 x 16777219"));
+}
+
+TEST(GribDamage, WhatGdalCannotUnpackIsNamedWithItsField) {
+    std::string bytes;
+    for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+        bytes += message;
+        bytes[bytes.size() - message.size() + sectionsOf(message, 2)[4] + 10] =
+            '\x77'; // template of section 5
+    }
+    const std::string problem = problemOfGrib(bytes);
+    EXPECT_TRUE(has(problem, "U at 10 m above ground at 2017-06-03T18:00:00Z: ")) << problem;
+    EXPECT_FALSE(has(problem, "/vsi")) << problem;
+}
+
+/// GDAL would give numbers of its own for them.
+TEST(GribDamage, PackingThatGdalMistakesIsRefused) {
+    std::string first, second;
+    for (const std::string& message : {messageOf(edition1()), messageOf(northOf(edition1()))}) {
+        first += message;
+        first[first.size() - message.size() + sectionsOf(message, 1)[3] + 3] |= 0x40;
+    }
+    for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+        second += message;
+        const std::size_t section = second.size() - message.size() + sectionsOf(message, 2)[4];
+        second[section + 10] = 41;
+        second[section + 19] = 13; // bits
+    }
+    EXPECT_TRUE(
+        has(problemOfGrib(first), "its numbers are packed by second order, which GDAL does not unpack"));
+    EXPECT_TRUE(has(problemOfGrib(second), "its numbers are packed as PNG, which GDAL does not unpack"));
+}
+
+TEST(GribDamage, TwoHundredDamagedFilesAreReadOrRefusedWithAReason) {
+    std::mt19937 random(16);
+    for (int round = 0; round < 200; ++round) {
+        grib::Field field = round % 2 ? grib::Field() : edition1();
+        std::string bytes = messageOf(field) + messageOf(northOf(field));
+        for (unsigned changes = 1u << round % 5; changes > 0; --changes)
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        const auto file = readGribBytes(bytes);
+        if (file)
+            continue;
+        ASSERT_EQ(file.problems().size(), 1u);
+        const std::string reason = firstProblem(file);
+        EXPECT_NE(reason.substr(reason.size() - 2), ": ") << reason;
+    }
+}
+
+TEST(GribDamage, WithoutItsReaderItSaysWhatIsMissing) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a", messageOf({})), reader = folder.path() + "/none";
+    const EnvironmentVariable missing("OSGTREEWIND_WEATHER", reader.c_str());
+    EXPECT_EQ(firstProblem(readAt(path)),
+              path + ": GRIB needs GDAL, and the program " + reader + ": No such file or directory");
+    const EnvironmentVariable silent("OSGTREEWIND_WEATHER", "/bin/true");
+    EXPECT_EQ(firstProblem(readAt(path)),
+              path + ": the GRIB file is damaged: its reader ended with status 0");
+}
+
+} // namespace osgTreeWind

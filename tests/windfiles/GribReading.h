@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tests/base/FirstProblem.h>
+#include <tests/io/TemporaryFolder.h>
+#include <tests/windfiles/GribWriting.h>
+#include <tests/windfiles/NetCdfReading.h>
+
+#include <osgTreeWind/windfiles/WindFormats.h>
+
+namespace osgTreeWind {
+
+/// Bytes as a file, read whole, on its own map or degrees.
+inline Result<WindFile> readGribBytes(const std::string& bytes, bool asStored = true) {
+    const TemporaryFolder folder;
+    return readAt(folder.write("wind.grib", bytes), glm::dvec3(0.0), asStored);
+}
+
+/// Why bytes are no wind, without the name of the file.
+inline std::string problemOfGrib(const std::string& bytes) {
+    const Result<WindFile> file = readGribBytes(bytes);
+    const std::string text = firstProblem(file);
+    EXPECT_EQ(file.problems().size(), file ? 0u : 1u) << text;
+    const std::string name = "wind.grib: ";
+    return text.find(name) == std::string::npos ? text : text.substr(text.find(name) + name.size());
+}
+
+/// U grows by 1 to the east and by 10 to the south from 1; V is -U / 2.
+inline double eastward(int column, int row) {
+    return 1.0 + column + 10.0 * row;
+}
+inline double northward(int column, int row) {
+    return -0.5 * eastward(column, row);
+}
+
+} // namespace osgTreeWind
