@@ -33,9 +33,7 @@ Result<WindContent> read(const std::string& path, const WindRequest& request) {
         NetCdfFile file(path);
         if (!file.good())
             return file.problem();
-        const NetCdfFile::Array u = file.array("U");
-        const bool staggered = u && u->dimensions.size() == 4 && u->dimensions[3].name == "west_east_stag";
-        return staggered ? readNetCdfWrf(file, request) : readNetCdfCf(file, request);
+        return isWrf(file) ? readNetCdfWrf(file, request) : readNetCdfCf(file, request);
     } catch (const std::exception& error) { // what the libraries below throw stops here
         return fileProblem(path, std::string("cannot be read: ") + error.what());
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/weather/NetCdfFile.h>
+#include <plugins/weather/CfTime.h>
+#include <plugins/weather/NetCdfLevels.h>
+#include <plugins/weather/NetCdfPlace.h>
+#include <plugins/weather/TrueNorth.h>
 
-#include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <osgTreeWind/base/Number.h>
@@ -19,44 +21,16 @@ namespace {
 
 using Array = NetCdfFile::Array;
 
-/// The array with one of these standard names, else with one of these names of its own.
-Array named(const NetCdfFile& file, const std::vector<std::string>& standard,
-            const std::vector<std::string>& own) {
-    const auto among = [](const std::vector<std::string>& names, const std::string& name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    if (Array found = file.find([&](const NetCdfArray& array) {
-            return array.dimensions.size() >= 2 && among(standard, array.text("standard_name"));
-        }))
-        return found;
-    return file.find([&](const NetCdfArray& array) {
-        return array.dimensions.size() >= 2 && among(own, lower(array.name));
-    });
-}
-
-/// The array whose name begins like this.
-Array beginning(const NetCdfFile& file, const std::string& begin) {
-    return file.find([&](const NetCdfArray& array) {
-        return array.dimensions.size() >= 2 && lower(array.name).compare(0, begin.size(), begin) == 0;
-    });
-}
-
-/// An even axis, upward or downward.
-struct Axis {
-    double first = 0.0, step = 1.0;
-    std::size_t count = 1;
-    bool backwards = false;
-};
-
 /// Which array holds what, on which axes.
 class CfReader {
 public:
-    CfReader(NetCdfFile& file, bool asStored) : _file(file), _asStored(asStored) {}
+    CfReader(NetCdfFile& file, const WindRequest& request) : _file(file), _request(request) {}
 
     Result<WindContent> read() {
-        findArrays();
+        summary().format = "NetCDF";
+        _winds = windsOf(_file);
         if (_file.good())
-            readAxes();
+            findPoints();
         if (_file.good())
             readValues();
         if (!_file.good())
@@ -66,179 +40,202 @@ public:
     }
 
 private:
-    void findArrays() {
-        _content.summary.format = "NetCDF";
-        if (!findComponents() && !findSpeedAndDirection())
-            _file.fail({}, "expected arrays of wind: x_wind and y_wind, eastward_wind and northward_wind, u "
-                           "and v, or wind_speed and wind_from_direction");
+    WindSummary& summary() { return _content.summary; }
+
+    /// All arrays of wind; never null.
+    std::vector<Array> arrays() const {
+        std::vector<Array> all;
+        for (const NetCdfWindPair& pair : _winds.pairs)
+            all.insert(all.end(), {pair.first, pair.second});
+        if (_winds.up)
+            all.push_back(_winds.up);
+        return all;
     }
 
-    bool findComponents() {
-        static constexpr const char* pairs[][2] = {{"x_wind", "y_wind"},
-                                                   {"eastward_wind", "northward_wind"},
-                                                   {"grid_eastward_wind", "grid_northward_wind"}};
-        Array u, v;
-        for (const auto& [east, north] : pairs)
-            if (!u || !v) {
-                u = named(_file, {east}, {});
-                v = named(_file, {north}, {});
-            }
-        if (!u || !v) {
-            u = named(_file, {}, {"u", "u10", "u-component"});
-            v = named(_file, {}, {"v", "v10", "v-component"});
+    void findPoints() {
+        const NetCdfArray &first = *_winds.pairs.front().first, &second = *_winds.pairs.front().second;
+        const NetCdfRoles roles = rolesOf(_file, first);
+        summary().direction = _winds.direction;
+        summary().unit = _winds.unit;
+        summary().notes = _winds.notes;
+        _crs = mapOf(_file, first, _points, summary());
+        takeColumnsOf(second);
+        if (!_file.good())
+            return;
+        chooseWindow();
+        findTimes(first, roles);
+        if (_file.good() && roles.level)
+            _points.level = first.dimensions[*roles.level];
+        noteOtherDimensions(first, roles);
+    }
+
+    /// Components on the faces of cells: x of the one on the faces toward y, y of the one toward x.
+    void takeColumnsOf(const NetCdfArray& second) {
+        const NetCdfRoles roles = rolesOf(_file, second);
+        if (!_file.good() || !roles.x)
+            return;
+        const NetCdfAxis other = axisOf(_file, second.dimensions[*roles.x]);
+        if (_file.good() && matchOf(_points.xAxis, other) == NetCdfMatch::Midway)
+            _points.xAxis = other;
+    }
+
+    void chooseWindow() {
+        _points.x = wholeOf(_points.xAxis.points);
+        _points.y = wholeOf(_points.yAxis.points);
+        if (_request.area) {
+            const Result<WindArea> area = areaOn(summary().crs, *_request.area);
+            if (!area)
+                return _file.fail({}, area.problems().front().message);
+            const glm::dvec2 low = area.value().low - _points.onMap, high = area.value().high - _points.onMap;
+            _points.x = partAround(_points.xAxis.points, low.x, high.x);
+            _points.y = partAround(_points.yAxis.points, low.y, high.y);
         }
-        if (!u || !v)
-            return false;
-        _arrays = {u, v};
-        const Array w = named(_file, {"upward_air_velocity"}, {"w"});
-        if (w && w->dimensions.size() == u->dimensions.size())
-            _arrays.push_back(w);
-        // Data from GRIB have a flag; their name is the same either way.
-        const std::string ofGrid = u->text("GRIB_uvRelativeToGrid");
-        _fromTrueNorth = ofGrid.empty() ? u->text("standard_name") == "eastward_wind" : ofGrid == "0";
-        _content.summary.direction = _fromTrueNorth ? "components toward true east, true north and up"
-                                                    : "components toward x (east), y (north) and up";
-        _content.summary.unit = _file.speedUnitOf(_arrays);
-        return true;
-    }
-
-    bool findSpeedAndDirection() {
-        const Array speed = named(_file, {"wind_speed"}, {"wind_speed", "speed"});
-        const Array from =
-            named(_file, {"wind_from_direction"}, {"wind_from_direction", "wind_direction", "direction"});
-        const Array toward = named(_file, {"wind_to_direction"}, {"wind_to_direction"});
-        _arrays = {speed ? speed : beginning(_file, "wind_speed"),
-                   from     ? from
-                   : toward ? toward
-                            : beginning(_file, "wind_direction_from")};
-        if (!_arrays[0] || !_arrays[1])
-            return false;
-        _polar = true;
-        _sense = !from && toward ? DirectionSense::Toward : DirectionSense::From;
-        const std::string unit = _arrays[1]->unit;
-        if (!unit.empty() && unit.compare(0, 3, "deg") != 0)
-            _file.fail(_arrays[1]->name, expectedFound("degrees", unit));
-        const std::string name = _arrays[1]->text("standard_name");
-        _fromTrueNorth = unit == "degree_true" || unit == "degrees_true" || name == "wind_from_direction" ||
-                         name == "wind_to_direction";
-        _content.summary.direction = std::string(_sense == DirectionSense::From ? "from" : "toward") +
-                                     ", degrees clockwise from " +
-                                     (_fromTrueNorth ? "true north" : "the grid's north");
-        _content.summary.unit = _file.speedUnitOf({_arrays[0]});
-        return true;
-    }
-
-    static bool isTime(const NetCdfDimension& dimension) {
-        return dimension.temporal || lower(dimension.name)[0] == 't';
-    }
-
-    Axis evenAxis(const NetCdfDimension& dimension) {
-        const std::vector<double> at = _file.metres(dimension);
-        Axis axis;
-        axis.count = dimension.size;
-        if (at.size() != axis.count || axis.count < 1 || axis.count > 100000) {
-            _file.fail(dimension.name, "expected coordinates of this dimension, 1 to 100000 of them");
-            return axis;
+        for (const Array& array : arrays()) {
+            const NetCdfRoles roles = rolesOf(_file, *array);
+            if (roles.x)
+                keepWithin(axisOf(_file, array->dimensions[*roles.x]), _points.xAxis, _points.x);
+            if (roles.y)
+                keepWithin(axisOf(_file, array->dimensions[*roles.y]), _points.yAxis, _points.y);
         }
-        const double step =
-            axis.count > 1 ? (at.back() - at.front()) / static_cast<double>(axis.count - 1) : 1.0;
-        axis.backwards = step < 0.0;
-        axis.first = std::min(at.front(), at.back());
-        axis.step = std::abs(step);
-        for (std::size_t i = 0; i < at.size(); ++i)
-            if (!(std::abs(at[i] - (at.front() + step * static_cast<double>(i))) <= 0.01 * axis.step))
-                _file.fail(dimension.name, "expected evenly spaced coordinates");
-        return axis;
+        _grid.origin = {_points.x.first + _points.onMap.x, _points.y.first + _points.onMap.y, 0.0};
+        _grid.cell = {_points.x.step, _points.y.step, 1.0};
     }
 
-    void readHeights(const NetCdfDimension& dimension) {
-        std::vector<double> at = _file.metres(dimension);
-        _layers = dimension.size;
-        if (at.size() != _layers || _layers < 1 || _layers > 100000)
-            return _file.fail(dimension.name, "expected heights of this dimension, 1 to 100000 of them");
-        _downward = at.front() > at.back();
-        if (_downward)
-            std::reverse(at.begin(), at.end());
-        _grid.heights.assign(at.begin(), at.end());
+    /// Times of a dimension, by the array of that name or by another that says since when.
+    Array timesOf(const NetCdfDimension& dimension) const {
+        Array own = _file.array(dimension.coordinates);
+        if (own && own->unit.find(" since ") != std::string::npos)
+            return own;
+        const Array other = _file.find([&](const NetCdfArray& array) {
+            return array.dimensions.size() == 1 && array.dimensions[0].name == dimension.name &&
+                   array.unit.find(" since ") != std::string::npos;
+        });
+        return other ? other : own;
     }
 
-    void readTimes(const NetCdfDimension& dimension) {
-        _steps = dimension.size;
-        if (const Array times = _file.array(dimension.coordinates))
-            _grid.times = _file.seconds(*times, _content.summary.start);
-        if (_grid.times.size() != _steps || _steps < 1)
-            _file.fail(dimension.name, "expected times of this dimension");
+    void findTimes(const NetCdfArray& wind, const NetCdfRoles& roles) {
+        _points.times = {0};
+        Array times;
+        if (roles.time) {
+            _points.time = wind.dimensions[*roles.time];
+            _points.times = allOf(_points.time->size);
+            times = timesOf(*_points.time);
+        } else
+            times = _file.find([](const NetCdfArray& array) {
+                return (array.dimensions.empty() ||
+                        (array.dimensions.size() == 1 && array.dimensions[0].size == 1)) &&
+                       array.unit.find(" since ") != std::string::npos &&
+                       array.text("standard_name") != "forecast_reference_time";
+            });
+        if (times) {
+            const Result<CfTimes> known =
+                cfTimes(_file.coordinates(*times), times->unit, times->text("calendar"));
+            if (!known)
+                return _file.fail(times->name, known.problems().front().message);
+            summary().start = known.value().start;
+            if (roles.time)
+                _grid.times = known.value().seconds;
+        }
+        if (roles.time && (_grid.times.size() != _points.time->size || _grid.times.empty()))
+            _file.fail(_points.time->name, "expected times of this dimension");
     }
 
-    void readAxes() {
-        const auto& dimensions = _arrays[0]->dimensions;
-        const std::size_t count = dimensions.size();
-        if (count > 4)
-            return _file.fail(_arrays[0]->name, "expected dimensions (time, height, y, x) or fewer");
-        _projection = _arrays[0]->projection();
-        _content.summary.coordinates = _projection ? _projection->name() : "";
-        _x = evenAxis(dimensions[count - 1]);
-        _y = evenAxis(dimensions[count - 2]);
-        if (count == 4 || (count == 3 && isTime(dimensions[0])))
-            readTimes(dimensions[0]);
-        if (count == 4 || (count == 3 && !isTime(dimensions[0])))
-            readHeights(dimensions[count - 3]);
-        _grid.points = {static_cast<int>(_x.count), static_cast<int>(_y.count), static_cast<int>(_layers)};
-        _grid.origin = {_x.first, _y.first, 0.0};
-        _grid.cell = {_x.step, _y.step, 1.0};
+    /// Says what is left out: months without a date, members of an ensemble.
+    void noteOtherDimensions(const NetCdfArray& wind, const NetCdfRoles& roles) {
+        for (std::size_t d = 0; d < wind.dimensions.size(); ++d) {
+            const bool known =
+                roles.time == d || roles.level == d || roles.y == d || roles.x == d || roles.version == d;
+            const NetCdfDimension& dimension = wind.dimensions[d];
+            if (!known && dimension.size == 0)
+                _file.fail(dimension.name, "expected at least 1 of this dimension");
+            if (!known && dimension.size > 1)
+                summary().notes.push_back("of the " + std::to_string(dimension.size) + " of " +
+                                          dimension.name +
+                                          ", which says neither times nor places, the first "
+                                          "is read");
+        }
     }
 
     void readValues() {
-        const double count = static_cast<double>(_x.count) * static_cast<double>(_y.count) *
-                             static_cast<double>(_layers) * static_cast<double>(_steps);
-        std::vector<std::vector<float>> values;
-        for (const Array& array : _arrays)
-            values.push_back(_file.read(*array, count));
+        const NetCdfLevels levels(_file, _winds, _points);
+        const bool layered = _winds.pairs.size() > 1;
+        const std::size_t layers = layered ? _winds.pairs.size() : _points.levels.size();
+        _grid.points = {static_cast<int>(_points.x.indices.size()),
+                        static_cast<int>(_points.y.indices.size()), static_cast<int>(layers)};
         if (!_file.good())
             return;
-        _grid.values.reserve(3 * values[0].size());
-        for (std::size_t t = 0; t < _steps; ++t)
-            for (std::size_t z = 0; z < _layers; ++z)
-                for (std::size_t y = 0; y < _y.count; ++y)
-                    for (std::size_t x = 0; x < _x.count; ++x)
-                        add(values, indexOf(t, z, y, x));
-        if (_file.good() && _fromTrueNorth)
+        for (std::size_t layer = 0; layer < _winds.pairs.size(); ++layer)
+            addPair(_winds.pairs[layer], layer, layers);
+        if (_file.good())
+            levels.setHeights(_file, _points, _grid, summary());
+        if (_file.good() && _winds.fromTrueNorth)
             turnToGrid();
+    }
+
+    /// @param layer the first that the arrays of the pair have; others follow where they have levels.
+    void addPair(const NetCdfWindPair& pair, std::size_t layer, std::size_t layers) {
+        const std::vector<float> first = numbersAt(_file, *pair.first, _points),
+                                 second = numbersAt(_file, *pair.second, _points),
+                                 up =
+                                     _winds.up ? numbersAt(_file, *_winds.up, _points) : std::vector<float>();
+        if (!_file.good())
+            return;
+        const auto expectAll = [&](const Array& array, const std::vector<float>& numbers) {
+            if (numbers.size() != first.size() || first.size() != _points.count())
+                _file.fail(array->name, "expected " + std::to_string(_points.count()) +
+                                            " numbers, at all times, found " +
+                                            std::to_string(numbers.size()));
+        };
+        expectAll(pair.first, first);
+        expectAll(pair.second, second);
+        if (_winds.up)
+            expectAll(_winds.up, up);
+        _grid.values.resize(3 * _points.times.size() * layers * _points.perLevel());
+        for (std::size_t i = 0; i < first.size() && _file.good(); ++i) {
+            const std::size_t time = i / _points.perTime(), rest = i % _points.perTime();
+            const glm::vec3 velocity = velocityOf(pair, first[i], second[i], up.empty() ? 0.0f : up[i]);
+            std::copy_n(&velocity.x, 3,
+                        &_grid.values[3 * ((time * layers + layer) * _points.perLevel() + rest)]);
+        }
+    }
+
+    glm::vec3 velocityOf(const NetCdfWindPair& pair, float a, float b, float up) {
+        if (!_winds.polar)
+            return {a, b, up};
+        if (a < 0.0f || std::abs(b) > maxDirection)
+            _file.fail(pair.second->name,
+                       "expected speeds not below 0 and directions of -360 to 360, found " + numberText(a) +
+                           " and " + numberText(b));
+        return std::isnan(a) || std::isnan(b) ? glm::vec3(std::numeric_limits<float>::quiet_NaN())
+                                              : windVelocity({a, b}, _winds.sense);
     }
 
     /// From true north to the y axis of the grid, or a note of what that would be.
     void turnToGrid() {
-        std::vector<std::string>& notes = _content.summary.notes;
-        if (!_projection || !_projection->isMap()) {
-            notes.emplace_back(_asStored ? "the file counts from true north and names no projection; in a "
-                                           "forest its y is taken as true north"
-                                         : "the file names no projection; its y is taken as true north");
+        std::vector<std::string>& notes = summary().notes;
+        if (!_crs) {
+            notes.emplace_back(_request.asStored
+                                   ? "the file counts from true north and names no projection; in a "
+                                     "forest its y is taken as true north"
+                                   : "the file names no projection; its y is taken as true north");
             return;
         }
+        if (_crs->isDegrees() && !isRotated(*_crs))
+            return;
         std::vector<glm::dvec2> points;
-        for (std::size_t y = 0; y < _y.count; ++y)
-            for (std::size_t x = 0; x < _x.count; ++x)
-                points.emplace_back(_x.first + _x.step * static_cast<double>(x),
-                                    _y.first + _y.step * static_cast<double>(y));
-        const std::vector<glm::dvec2> norths = _projection->trueNorth(std::move(points));
-        if (norths.empty() && _asStored)
+        for (std::size_t y = 0; y < _points.y.indices.size(); ++y)
+            for (std::size_t x = 0; x < _points.x.indices.size(); ++x)
+                points.push_back(glm::dvec2(_grid.origin) + glm::dvec2(_grid.cell) * glm::dvec2(x, y));
+        const std::vector<glm::dvec2> norths = trueNorth(*_crs, std::move(points));
+        if (norths.empty() && _request.asStored)
             notes.emplace_back("the file counts from true north; its projection does not hold its points");
         else if (norths.empty())
-            _file.fail(_arrays[0]->name, "the projection of this array does not hold its points");
+            _file.fail(_winds.pairs.front().first->name,
+                       "the projection of this array does not hold its points");
         if (norths.empty())
             return;
-        double least = 360.0, most = -360.0;
-        for (const glm::dvec2& north : norths) {
-            const double degrees = glm::degrees(std::atan2(north.x, north.y));
-            least = std::min(least, degrees);
-            most = std::max(most, degrees);
-        }
-        const auto rounded = [](double degrees) { return numberText(std::round(100.0 * degrees) / 100.0); };
-        notes.push_back("the file counts from true north; " +
-                        std::string(_asStored ? "in a forest its velocities" : "velocities here") +
-                        " are turned to the grid's y axis, by " + rounded(least) + " to " + rounded(most) +
-                        " degrees clockwise");
-        if (_asStored)
+        noteTurn(norths);
+        if (_request.asStored)
             return;
         for (std::size_t i = 0; i < _grid.values.size(); i += 3) {
             const glm::dvec2 north = norths[i / 3 % norths.size()];
@@ -248,41 +245,34 @@ private:
         }
     }
 
-    /// The place in the file of a point of the grid.
-    std::size_t indexOf(std::size_t t, std::size_t z, std::size_t y, std::size_t x) const {
-        const std::size_t layer = t * _layers + (_downward ? _layers - 1 - z : z);
-        const std::size_t row = layer * _y.count + (_y.backwards ? _y.count - 1 - y : y);
-        return row * _x.count + (_x.backwards ? _x.count - 1 - x : x);
-    }
-
-    void add(const std::vector<std::vector<float>>& values, std::size_t i) {
-        const float a = values[0][i], b = values[1][i];
-        glm::vec3 velocity(a, b, values.size() > 2 ? values[2][i] : 0.0f);
-        if (_polar && (a < 0.0f || std::abs(b) > maxDirection))
-            _file.fail(_arrays[1]->name, "expected speeds not below 0 and directions of -360 to 360, found " +
-                                             numberText(a) + " and " + numberText(b));
-        else if (_polar)
-            velocity = std::isnan(a) || std::isnan(b) ? glm::vec3(std::numeric_limits<float>::quiet_NaN())
-                                                      : windVelocity({a, b}, _sense);
-        _grid.values.insert(_grid.values.end(), {velocity.x, velocity.y, velocity.z});
+    void noteTurn(const std::vector<glm::dvec2>& norths) {
+        double least = 360.0, most = -360.0;
+        for (const glm::dvec2& north : norths) {
+            const double degrees = glm::degrees(std::atan2(north.x, north.y));
+            least = std::min(least, degrees);
+            most = std::max(most, degrees);
+        }
+        const auto rounded = [](double degrees) { return numberText(std::round(100.0 * degrees) / 100.0); };
+        summary().notes.push_back(
+            "the file counts from true north; " +
+            std::string(_request.asStored ? "in a forest its velocities" : "velocities here") +
+            " are turned to the grid's y axis, by " + rounded(least) + " to " + rounded(most) +
+            " degrees clockwise");
     }
 
     NetCdfFile& _file;
-    bool _asStored;
+    const WindRequest& _request;
     WindContent _content;
     GridWind::Grid _grid;
-    std::vector<Array> _arrays;
-    std::optional<Projection> _projection;
-    bool _polar = false, _fromTrueNorth = false, _downward = false;
-    DirectionSense _sense = DirectionSense::From;
-    Axis _x, _y;
-    std::size_t _layers = 1, _steps = 1;
+    NetCdfWinds _winds;
+    NetCdfPoints _points;
+    std::optional<Crs> _crs;
 };
 
 } // namespace
 
 Result<WindContent> readNetCdfCf(NetCdfFile& file, const WindRequest& request) {
-    return CfReader(file, request.asStored).read();
+    return CfReader(file, request).read();
 }
 
 } // namespace osgTreeWind

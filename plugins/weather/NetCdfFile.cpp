@@ -2,16 +2,18 @@
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_string.h>
+#include <ogr_srs_api.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -19,6 +21,14 @@ namespace {
 
 constexpr double bestRatio = 1100.0;     // deflate cannot do better than 1032 to 1
 constexpr double mostNumbers = 1u << 29; // of one array
+constexpr float endOfNumbers = 9.9e36f;  // what the NetCDF library fills in begins here
+
+using Kind =
+    std::unique_ptr<std::remove_pointer_t<GDALExtendedDataTypeH>, decltype(&GDALExtendedDataTypeRelease)>;
+
+Kind kindOf(const NetCdfArray& array) {
+    return {GDALMDArrayGetDataType(array.handle.get()), &GDALExtendedDataTypeRelease};
+}
 
 double countOf(const NetCdfArray& array) {
     double count = 1.0;
@@ -27,17 +37,12 @@ double countOf(const NetCdfArray& array) {
     return count;
 }
 
-/// @param bytes of all numbers together.
-bool readInto(const NetCdfArray& array, GDALDataType type, void* numbers, std::size_t bytes) {
-    const std::vector<GUInt64> starts(array.dimensions.size(), 0);
-    std::vector<std::size_t> counts;
-    for (const NetCdfDimension& dimension : array.dimensions)
-        counts.push_back(dimension.size);
-    const std::unique_ptr<std::remove_pointer_t<GDALExtendedDataTypeH>,
-                          decltype(&GDALExtendedDataTypeRelease)>
-        kind(GDALExtendedDataTypeCreate(type), &GDALExtendedDataTypeRelease);
-    return GDALMDArrayRead(array.handle.get(), starts.data(), counts.data(), nullptr, nullptr, kind.get(),
-                           numbers, numbers, bytes) != 0;
+bool readInto(const NetCdfArray& array, const NetCdfBlock& block, GDALDataType type, void* numbers,
+              std::size_t bytes) {
+    const std::vector<GUInt64> starts(block.starts.begin(), block.starts.end());
+    const Kind kind(GDALExtendedDataTypeCreate(type), &GDALExtendedDataTypeRelease);
+    return GDALMDArrayRead(array.handle.get(), starts.data(), block.counts.data(), nullptr, nullptr,
+                           kind.get(), numbers, numbers, bytes) != 0;
 }
 
 std::string textOf(const char* text) {
@@ -75,28 +80,44 @@ std::vector<NetCdfDimension> dimensionsOf(GDALMDArrayH array) {
     return dimensions;
 }
 
-/// Seconds in a unit of time such as "hours" or "Hour"; nothing for another.
-std::optional<double> secondsOf(const std::string& unit) {
-    static const std::pair<const char*, double> units[] = {
-        {"s", 1.0},    {"sec", 1.0},   {"second", 1.0},  {"min", 60.0},  {"minute", 60.0},
-        {"h", 3600.0}, {"hr", 3600.0}, {"hour", 3600.0}, {"d", 86400.0}, {"day", 86400.0}};
-    const std::string name = lower(unit);
-    for (const auto& [known, seconds] : units)
-        if (name == known || name == std::string(known) + "s")
-            return seconds;
-    return std::nullopt;
-}
-
 } // namespace
 
-std::string NetCdfArray::text(const char* attribute) const {
-    const auto found = attributeOf(handle.get(), attribute, &GDALMDArrayGetAttribute);
+NetCdfArray::Attribute NetCdfArray::attribute(const char* name) const {
+    std::size_t count = 0;
+    const char* const options[] = {"SHOW_ALL=YES", nullptr}; // those too that GDAL has understood
+    GDALAttributeH* const all = GDALMDArrayGetAttributes(handle.get(), &count, options);
+    Attribute found(nullptr, &GDALAttributeRelease);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!found && textOf(GDALAttributeGetName(all[i])) == name)
+            found.reset(std::exchange(all[i], nullptr));
+        GDALAttributeRelease(all[i]);
+    }
+    CPLFree(all);
+    return found;
+}
+
+std::string NetCdfArray::text(const char* name) const {
+    const Attribute found = attribute(name);
     return found ? textOf(GDALAttributeReadAsString(found.get())) : "";
 }
 
-std::optional<Projection> NetCdfArray::projection() const {
+std::optional<double> NetCdfArray::number(const char* name) const {
+    const Attribute found = attribute(name);
+    return found ? std::optional<double>(GDALAttributeReadAsDouble(found.get())) : std::nullopt;
+}
+
+std::optional<Crs> NetCdfArray::crs() const {
     const OGRSpatialReferenceH reference = GDALMDArrayGetSpatialRef(handle.get());
-    return reference ? std::optional<Projection>(reference) : std::nullopt;
+    if (!reference)
+        return std::nullopt;
+    OSRSetAxisMappingStrategy(reference, OAMS_TRADITIONAL_GIS_ORDER);
+    if (OSRIsProjected(reference) && std::abs(OSRGetLinearUnits(reference, nullptr) - 1.0) > 1e-9)
+        OSRSetLinearUnitsAndUpdateParameters(reference, "metre", 1.0);
+    return Crs(reference);
+}
+
+bool NetCdfArray::is32BitFloat() const {
+    return GDALExtendedDataTypeGetNumericDataType(kindOf(*this).get()) == GDT_Float32;
 }
 
 NetCdfFile::NetCdfFile(const std::string& path)
@@ -105,11 +126,24 @@ NetCdfFile::NetCdfFile(const std::string& path)
     const char* const drivers[] = {"netCDF", nullptr};
     std::error_code ignored;
     _bytes = static_cast<double>(std::filesystem::file_size(path, ignored));
+    _isClassic = std::ifstream(path, std::ios::binary).get() == 'C';
     _dataset.reset(GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr));
     if (_dataset)
         _root.reset(GDALDatasetGetRootGroup(_dataset.get()));
-    if (!_root)
+    if (!_root) {
         fail({}, "no NetCDF file that GDAL can read: " + reason());
+        return;
+    }
+    const char* const options[] = {"SHOW_ZERO_DIM=YES", nullptr};
+    const std::unique_ptr<char*, decltype(&CSLDestroy)> names(GDALGroupGetMDArrayNames(_root.get(), options),
+                                                              &CSLDestroy);
+    for (char** name = names.get(); name && *name; ++name)
+        if (const GDALMDArrayH handle = GDALGroupOpenMDArray(_root.get(), *name, nullptr))
+            _arrays.push_back(
+                std::make_shared<const NetCdfArray>(NetCdfArray{{handle, &GDALMDArrayRelease},
+                                                                *name,
+                                                                textOf(GDALMDArrayGetUnit(handle)),
+                                                                dimensionsOf(handle)}));
 }
 
 void NetCdfFile::fail(const std::string& array, const std::string& message) {
@@ -118,21 +152,13 @@ void NetCdfFile::fail(const std::string& array, const std::string& message) {
 }
 
 NetCdfFile::Array NetCdfFile::array(const std::string& name) const {
-    const GDALMDArrayH handle = _root ? GDALGroupOpenMDArray(_root.get(), name.c_str(), nullptr) : nullptr;
-    if (!handle)
-        return nullptr;
-    return std::make_shared<const NetCdfArray>(NetCdfArray{{handle, &GDALMDArrayRelease},
-                                                           textOf(GDALMDArrayGetName(handle)),
-                                                           textOf(GDALMDArrayGetUnit(handle)),
-                                                           dimensionsOf(handle)});
+    return find([&](const NetCdfArray& array) { return array.name == name; });
 }
 
 NetCdfFile::Array NetCdfFile::find(const std::function<bool(const NetCdfArray&)>& condition) const {
-    const std::unique_ptr<char*, decltype(&CSLDestroy)> names(
-        _root ? GDALGroupGetMDArrayNames(_root.get(), nullptr) : nullptr, &CSLDestroy);
-    for (char** name = names.get(); name && *name; ++name)
-        if (Array found = array(*name); found && condition(*found))
-            return found;
+    for (const Array& array : _arrays)
+        if (condition(*array))
+            return array;
     return nullptr;
 }
 
@@ -153,81 +179,87 @@ double NetCdfFile::positive(const char* attribute) {
     return 1.0;
 }
 
-std::vector<float> NetCdfFile::read(const NetCdfArray& array, double count) {
-    if (!good())
+std::string NetCdfFile::text(const char* attribute) const {
+    if (!_root)
         return {};
-    const double found = countOf(array);
-    if (found != count)
-        fail(array.name, "expected " + numberText(count) + " numbers, found " + numberText(found));
-    else if (count > mostNumbers || 2.0 * count > bestRatio * _bytes)
-        fail(array.name, "the file is too short for " + numberText(count) + " numbers");
-    if (!good())
+    const auto found = attributeOf(_root.get(), attribute, &GDALGroupGetAttribute);
+    return found ? textOf(GDALAttributeReadAsString(found.get())) : "";
+}
+
+/// A classic file holds every number of an array as it is; a compressed one leaves out what was never
+/// written, so that only what is read of it tells.
+bool NetCdfFile::holds(const NetCdfArray& array, const NetCdfSelection& selection) {
+    double count = 1.0;
+    for (const auto& indices : selection)
+        count *= static_cast<double>(indices.size());
+    if (count > mostNumbers)
+        fail(array.name, "expected at most " + numberText(mostNumbers) + " numbers to read, found " +
+                             numberText(count) + "; a smaller area has fewer");
+    const bool isShort = GDALExtendedDataTypeGetSize(kindOf(array).get()) <= 2; // a byte, to GDAL, may be two
+    const double stored = _isClassic ? countOf(array) * (isShort ? 1.0 : 4.0) : 2.0 * count / bestRatio;
+    if (stored > _bytes)
+        fail(array.name,
+             "the file is too short for " + numberText(_isClassic ? countOf(array) : count) + " numbers");
+    return good();
+}
+
+std::vector<float> NetCdfFile::read(const NetCdfArray& array, const NetCdfSelection& selection) {
+    if (!good() || !holds(array, selection))
         return {};
-    std::vector<float> numbers(static_cast<std::size_t>(count));
-    if (!readInto(array, GDT_Float32, numbers.data(), numbers.size() * sizeof(float))) {
+    std::vector<float> numbers;
+    const auto read = [&](const NetCdfBlock& block, float* into) {
+        return readInto(array, block, GDT_Float32, into, countOf(block) * sizeof(float));
+    };
+    if (!readSelection(selection, read, numbers)) {
         fail(array.name, "cannot be read: " + reason());
         return {};
     }
-    int packed = 0, marked = 0;
-    const GDALMDArrayH handle = array.handle.get();
-    const double scale = GDALMDArrayGetScale(handle, &packed), offset = GDALMDArrayGetOffset(handle, nullptr);
-    const auto missing = static_cast<float>(GDALMDArrayGetNoDataValueAsDouble(handle, &marked));
-    for (float& number : numbers) {
-        if (marked && number == missing)
-            number = std::numeric_limits<float>::quiet_NaN();
-        else if (packed)
-            number = static_cast<float>(number * scale + offset);
-    }
+    unpack(array, numbers);
     return numbers;
 }
 
-std::vector<double> NetCdfFile::readDoubles(const NetCdfArray& array) {
+void NetCdfFile::unpack(const NetCdfArray& array, std::vector<float>& numbers) const {
+    int packed = 0, shifted = 0;
+    const GDALMDArrayH handle = array.handle.get();
+    const double scale = GDALMDArrayGetScale(handle, &packed),
+                 offset = GDALMDArrayGetOffset(handle, &shifted);
+    // Not by GDAL, which takes a fill value of NaN for 0 where numbers are packed.
+    const std::optional<double> filled = array.number("_FillValue"), missing = array.number("missing_value");
+    const auto is = [](float number, const std::optional<double>& mark) {
+        return mark && number == static_cast<float>(*mark);
+    };
+    for (float& number : numbers) {
+        if (is(number, filled) || is(number, missing) || std::abs(number) > endOfNumbers)
+            number = std::numeric_limits<float>::quiet_NaN();
+        else if (packed || shifted)
+            number = static_cast<float>(number * (packed ? scale : 1.0) + (shifted ? offset : 0.0));
+    }
+}
+
+std::vector<double> NetCdfFile::coordinates(const NetCdfArray& array) {
     const double count = countOf(array);
-    if (!good() || array.dimensions.size() != 1 || count > bestRatio * _bytes) {
+    if (!good() || array.dimensions.size() > 1 || count > bestRatio * _bytes) {
         fail(array.name, "expected an array of one dimension");
         return {};
     }
     std::vector<double> numbers(static_cast<std::size_t>(count));
-    if (!readInto(array, GDT_Float64, numbers.data(), numbers.size() * sizeof(double)))
+    NetCdfBlock block;
+    for (const NetCdfDimension& dimension : array.dimensions) {
+        block.starts.push_back(0);
+        block.counts.push_back(dimension.size);
+    }
+    if (!readInto(array, block, GDT_Float64, numbers.data(), numbers.size() * sizeof(double)))
         fail(array.name, "cannot be read: " + reason());
-    for (double number : numbers)
-        if (!std::isfinite(number))
+    int packed = 0, shifted = 0;
+    const double scale = GDALMDArrayGetScale(array.handle.get(), &packed),
+                 offset = GDALMDArrayGetOffset(array.handle.get(), &shifted);
+    for (double& number : numbers) {
+        if (packed || shifted)
+            number = number * (packed ? scale : 1.0) + (shifted ? offset : 0.0);
+        if (!std::isfinite(number) || std::abs(number) > endOfNumbers)
             fail(array.name, "expected finite coordinates");
+    }
     return good() ? numbers : std::vector<double>();
-}
-
-std::vector<double> NetCdfFile::metres(const NetCdfDimension& dimension) {
-    const Array found = array(dimension.coordinates);
-    if (!good() || !found)
-        return {};
-    const std::string& unit = found->unit;
-    double scale = 1.0;
-    if (unit == "km" || unit == "kilometer" || unit == "kilometers")
-        scale = 1000.0;
-    else if (!unit.empty() && unit != "m" && unit != "meter" && unit != "meters" && unit != "metre" &&
-             unit != "metres")
-        fail(found->name, expectedFound("coordinates in m or km", unit));
-    std::vector<double> numbers = readDoubles(*found);
-    for (double& number : numbers)
-        number *= scale;
-    return numbers;
-}
-
-std::vector<double> NetCdfFile::seconds(const NetCdfArray& times, std::string& start) {
-    const std::string unit = times.unit.empty() ? times.text("units") : times.unit;
-    const std::size_t since = unit.find(" since ");
-    const auto scale = secondsOf(unit.substr(0, since));
-    if (!scale)
-        fail(times.name, expectedFound("times in seconds, minutes, hours or days", unit));
-    std::vector<double> numbers = readDoubles(times);
-    if (numbers.empty())
-        return {};
-    if (since != std::string::npos)
-        start = numberText(numbers.front()) + " " + unit;
-    const double first = numbers.front();
-    for (double& number : numbers)
-        number = (number - first) * scale.value_or(1.0);
-    return numbers;
 }
 
 std::string NetCdfFile::speedUnitOf(const std::vector<Array>& arrays) {

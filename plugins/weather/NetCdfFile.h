@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <plugins/weather/Projection.h>
+#include <plugins/weather/NetCdfSelection.h>
 
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/places/Crs.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindRequest.h>
 
@@ -29,13 +30,21 @@ struct NetCdfDimension {
 
 /// An array and what the file says of it; its numbers are read by NetCdfFile.
 struct NetCdfArray {
+    using Attribute = std::unique_ptr<std::remove_pointer_t<GDALAttributeH>, decltype(&GDALAttributeRelease)>;
+
     std::unique_ptr<std::remove_pointer_t<GDALMDArrayH>, decltype(&GDALMDArrayRelease)> handle;
     std::string name, unit;
     std::vector<NetCdfDimension> dimensions;
 
-    /// An attribute as text; empty where there is none.
-    std::string text(const char* attribute) const;
-    std::optional<Projection> projection() const;
+    /// Null where there is none.
+    Attribute attribute(const char* name) const;
+    /// The same as text; empty where there is none.
+    std::string text(const char* name) const;
+    /// The same as a number; nothing where there is none.
+    std::optional<double> number(const char* name) const;
+    /// What its grid_mapping is, in metres where it is a map.
+    std::optional<Crs> crs() const;
+    bool is32BitFloat() const;
 };
 
 /// A NetCDF file through GDAL's multidimensional interface. After the first problem every function gives
@@ -53,6 +62,7 @@ public:
 
     /// The array of this name; null where there is none.
     Array array(const std::string& name) const;
+    const std::vector<Array>& arrays() const { return _arrays; }
     /// The first array that satisfies a condition; null where there is none.
     Array find(const std::function<bool(const NetCdfArray&)>& condition) const;
 
@@ -60,33 +70,38 @@ public:
     std::optional<double> number(const char* attribute) const;
     /// The same for one that must be there, and above 0.
     double positive(const char* attribute);
+    /// A text that the file as a whole states; empty where it does not.
+    std::string text(const char* attribute) const;
 
-    /// All numbers of an array, unpacked; NaN where there are no data. Refused where a file of this size
-    /// cannot hold them, or they are not `count`.
-    std::vector<float> read(const NetCdfArray& array, double count);
-    /// The coordinates of a dimension, in metres. Empty where the file has none.
-    std::vector<double> metres(const NetCdfDimension& dimension);
-    /// The seconds of an array of times since the first. @param start as much as the file says of the first.
-    std::vector<double> seconds(const NetCdfArray& times, std::string& start);
+    /// Numbers of an array, unpacked, in the order of the selection; NaN where there are no data. Refused
+    /// where a file of this size cannot hold them.
+    std::vector<float> read(const NetCdfArray& array, const NetCdfSelection& selection);
+    /// All numbers of an array of one dimension, or of none; each finite.
+    std::vector<double> coordinates(const NetCdfArray& array);
     /// The unit of speed that all these arrays have, empty when they have none.
     std::string speedUnitOf(const std::vector<Array>& arrays);
 
 private:
-    std::vector<double> readDoubles(const NetCdfArray& array);
+    bool holds(const NetCdfArray& array, const NetCdfSelection& selection);
+    void unpack(const NetCdfArray& array, std::vector<float>& numbers) const;
 
     std::unique_ptr<std::remove_pointer_t<GDALDatasetH>, decltype(&GDALReleaseDataset)> _dataset;
     std::unique_ptr<std::remove_pointer_t<GDALGroupH>, decltype(&GDALGroupRelease)> _root;
+    std::vector<Array> _arrays;
     double _bytes = 0.0;
+    bool _isClassic = false;
     std::string _path;
     Diagnostic _problem;
 };
 
-/// Wind by CF names, or in arrays called u and v: on axes in metres. What counts from true north is turned to
-/// the y axis of the file's projection, unless wanted as stored.
+/// Whether the file is output of the Weather Research and Forecasting model.
+bool isWrf(const NetCdfFile& file);
+
+/// Wind by CF names, or in arrays called u and v, as u10 and v10: on axes in metres or on degrees. What
+/// counts from true north is turned to the y axis of the file's map, unless wanted as stored.
 Result<WindContent> readNetCdfCf(NetCdfFile& file, const WindRequest& request);
-/// Output of the Weather Research and Forecasting model: destaggered, heights (PH + PHB) / 9.81, in metres of
-/// the model's projection. Where the model's grid moves its winds are put in their places, unless wanted as
-/// stored.
+/// Output of WRF: destaggered, heights (PH + PHB) / 9.81 less the model's ground, in metres of the model's
+/// map. Where the model's grid moves its winds are put in their places, unless wanted as stored.
 Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request);
 
 } // namespace osgTreeWind

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <plugins/weather/CfTime.h>
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/windfiles/EvenAxis.h>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -62,40 +65,56 @@ struct Place {
     std::vector<glm::ivec2> moved; ///< By these cells east and north since then, at each time.
 };
 
-/// The numbers of an array over the cells, of one time for all or of each; none where it is of another shape.
-std::vector<float> overCells(NetCdfFile& file, const char* name, const Sizes& n) {
+/// Cells of the model, to be read.
+struct Window {
+    glm::ivec2 low{0}, high{0}; ///< Both read.
+
+    std::size_t columns() const { return static_cast<std::size_t>(high.x - low.x + 1); }
+    std::size_t rows() const { return static_cast<std::size_t>(high.y - low.y + 1); }
+};
+
+std::vector<std::size_t> range(int low, int high) {
+    std::vector<std::size_t> indices;
+    for (int i = low; i <= high; ++i)
+        indices.push_back(static_cast<std::size_t>(i));
+    return indices;
+}
+
+/// Numbers of an array over the cells, of one time for all or of each; none where it is of another shape.
+std::vector<float> overCells(NetCdfFile& file, const char* name, const Sizes& n,
+                             const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
     const NetCdfFile::Array array = file.array(name);
     std::vector<std::size_t> sizes;
     if (array)
         for (const NetCdfDimension& dimension : array->dimensions)
             sizes.push_back(dimension.size);
-    const bool steady = sizes == std::vector<std::size_t>{n.y, n.x};
-    if (!steady && sizes != std::vector<std::size_t>{n.t, n.y, n.x})
-        return {};
-    return file.read(*array, static_cast<double>(steady ? 1 : n.t) * static_cast<double>(n.y) *
-                                 static_cast<double>(n.x));
+    if (sizes == std::vector<std::size_t>{n.y, n.x})
+        return file.read(*array, {rows, columns});
+    if (sizes == std::vector<std::size_t>{n.t, n.y, n.x})
+        return file.read(*array, {allOf(n.t), rows, columns});
+    return {};
 }
 
 /// The place by XLAT and XLONG; empty where they are not on the map, or not as far apart as the cells.
-std::optional<Place> placeOn(const std::string& map, NetCdfFile& file, const Sizes& n,
-                             const glm::dvec2& cell) {
-    const Projection model(map);
-    const std::vector<float> longitudes = overCells(file, "XLONG", n), latitudes = overCells(file, "XLAT", n);
-    if (!model.good() || longitudes.empty() || latitudes.empty())
+std::optional<Place> placeOn(const Crs& map, NetCdfFile& file, const Sizes& n, const glm::dvec2& cell) {
+    const Result<Crs> degrees = Crs::degrees();
+    const auto way = degrees ? CrsWay::between(degrees.value(), map) : degrees.problems();
+    // Of two opposite corners, which are the first and the last of four numbers.
+    const std::vector<std::size_t> rows = {0, n.y - 1}, columns = {0, n.x - 1};
+    const std::vector<float> longitudes = overCells(file, "XLONG", n, rows, columns),
+                             latitudes = overCells(file, "XLAT", n, rows, columns);
+    if (!way || longitudes.empty() || latitudes.empty())
         return {};
-
+    const auto cornerAt = [&](std::size_t i, glm::dvec2& corner) {
+        corner = {longitudes[i % longitudes.size()], latitudes[i % latitudes.size()]};
+        return way.value().go(corner);
+    };
     const glm::dvec2 size(n.x, n.y);
     Place place;
     for (std::size_t t = 0; t < n.t; ++t) {
-        const std::size_t first = t * n.y * n.x, last = first + n.y * n.x - 1;
-        const auto at = [](const std::vector<float>& numbers, std::size_t cell) {
-            return numbers[cell % numbers.size()];
-        };
-        std::vector<glm::dvec2> corners = {{at(longitudes, first), at(latitudes, first)},
-                                           {at(longitudes, last), at(latitudes, last)}};
-        if (!model.toMap(corners))
+        glm::dvec2 corner, opposite;
+        if (!cornerAt(4 * t, corner) || !cornerAt(4 * t + 3, opposite))
             return {};
-        const glm::dvec2 &corner = corners[0], &opposite = corners[1];
         if (t == 0)
             place.corner = corner;
         const glm::dvec2 cells = (opposite - corner) / cell, moved = (corner - place.corner) / cell;
@@ -107,71 +126,151 @@ std::optional<Place> placeOn(const std::string& map, NetCdfFile& file, const Siz
     return place;
 }
 
+/// The cells of all times that stand in a part of the grid.
+Window windowOf(const AxisPart& x, const AxisPart& y, const std::vector<glm::ivec2>& moved, const Sizes& n) {
+    const glm::ivec2 first(static_cast<int>(x.indices.front()), static_cast<int>(y.indices.front())),
+        last(static_cast<int>(x.indices.back()), static_cast<int>(y.indices.back())),
+        end(static_cast<int>(n.x) - 1, static_cast<int>(n.y) - 1);
+    Window window{end, glm::ivec2(0)};
+    for (const glm::ivec2& cells : moved) {
+        window.low = glm::min(window.low, glm::clamp(first - cells, glm::ivec2(0), end));
+        window.high = glm::max(window.high, glm::clamp(last - cells, glm::ivec2(0), end));
+    }
+    return window;
+}
+
 /// Velocities and heights at the centres of all cells.
 struct Means {
     std::vector<float> u, v, w, height;
 };
 
+/// The part of the model that is read, and how.
+struct Part {
+    Sizes n;            ///< Of the whole.
+    AxisPart x, y;      ///< Of the grid.
+    Window window;      ///< Of the file.
+    std::size_t layers; ///< Of the grid.
+
+    std::size_t cells() const { return window.rows() * window.columns(); }
+};
+
 /// Puts one time behind those in the grid. @param moved cells by which the model's grid stands farther east
 /// and north than it; where it does not reach, its edges hold.
-void append(const Means& means, std::size_t t, const Sizes& n, const glm::ivec2& moved,
+void append(const Means& means, std::size_t t, const Part& part, const glm::ivec2& moved,
             GridWind::Grid& grid) {
-    const glm::ivec2 last(static_cast<int>(n.x) - 1, static_cast<int>(n.y) - 1);
-    for (std::size_t layer = t * n.z; layer < (t + 1) * n.z; ++layer)
-        for (int y = 0; y <= last.y; ++y)
-            for (int x = 0; x <= last.x; ++x) {
-                const glm::ivec2 cell = glm::clamp(glm::ivec2(x, y) - moved, glm::ivec2(0), last);
+    const glm::ivec2 last(static_cast<int>(part.n.x) - 1, static_cast<int>(part.n.y) - 1);
+    for (std::size_t layer = t * part.layers; layer < (t + 1) * part.layers; ++layer)
+        for (const std::size_t y : part.y.indices)
+            for (const std::size_t x : part.x.indices) {
+                const glm::ivec2 cell =
+                    glm::clamp(glm::ivec2(x, y) - moved, glm::ivec2(0), last) - part.window.low;
                 const std::size_t at =
-                    (layer * n.y + static_cast<std::size_t>(cell.y)) * n.x + static_cast<std::size_t>(cell.x);
-                grid.values.insert(grid.values.end(), {means.u[at], means.v[at], means.w[at]});
-                grid.heights.push_back(means.height[at]);
+                    (layer * part.window.rows() + static_cast<std::size_t>(cell.y)) * part.window.columns() +
+                    static_cast<std::size_t>(cell.x);
+                grid.values.insert(grid.values.end(),
+                                   {means.u[at], means.v[at], means.w.empty() ? 0.0f : means.w[at]});
+                if (!means.height.empty())
+                    grid.heights.push_back(means.height[at]);
             }
 }
 
 /// The arrays of a file, in the order of the names below.
 constexpr const char* names[] = {"U", "V", "W", "PH", "PHB"};
 using Arrays = std::vector<NetCdfFile::Array>;
+using Names = std::vector<const char*>;
 
-Arrays arraysOf(NetCdfFile& file) {
+bool hasLevels(const NetCdfFile& file) {
+    const NetCdfFile::Array u = file.array("U");
+    return u && u->dimensions.size() == 4;
+}
+
+void expectShape(NetCdfFile& file, const NetCdfArray& array, const std::vector<std::size_t>& sizes) {
+    std::string expected, found;
+    for (const std::size_t size : sizes)
+        expected += (expected.empty() ? "" : " x ") + std::to_string(size);
+    for (const NetCdfDimension& dimension : array.dimensions)
+        found += (found.empty() ? "" : " x ") + std::to_string(dimension.size);
+    if (expected != found)
+        file.fail(array.name, "expected " + expected + " numbers, as U has them, found " + found);
+}
+
+/// U, V, W, PH and PHB on their faces of cells; or U10 and V10.
+Arrays arraysOf(NetCdfFile& file, Sizes& n) {
+    const bool levels = hasLevels(file);
     Arrays arrays;
-    for (const char* name : names) {
+    for (const char* name : levels ? Names(names, names + 5) : Names{"U10", "V10"}) {
         arrays.push_back(file.array(name));
-        if (!arrays.back() || arrays.back()->dimensions.size() != 4)
-            file.fail(name, "expected this array of 4 dimensions in WRF output");
+        if (!arrays.back() || arrays.back()->dimensions.size() != (levels ? 4 : 3)) {
+            file.fail(name, "expected this array of " + std::string(levels ? "4" : "3") +
+                                " dimensions in WRF output");
+            return arrays;
+        }
+    }
+    const auto& of = arrays[0]->dimensions;
+    n = levels ? Sizes{of[0].size, of[1].size, of[2].size, of[3].size - 1}
+               : Sizes{of[0].size, 1, of[1].size, of[2].size};
+    if (n.t < 1 || n.z < 1 || n.y < 1 || of.back().size < (levels ? 2u : 1u) || n.y > 100000 ||
+        n.x > 100000) {
+        file.fail(arrays[0]->name, "expected at least one point in each direction, and 100000 at most");
+        return arrays;
+    }
+    if (!levels)
+        expectShape(file, *arrays[1], {n.t, n.y, n.x});
+    else {
+        expectShape(file, *arrays[1], {n.t, n.z, n.y + 1, n.x});
+        for (std::size_t i = 2; i < arrays.size(); ++i)
+            expectShape(file, *arrays[i], {n.t, n.z + 1, n.y, n.x});
     }
     return arrays;
 }
 
-Sizes sizesOf(NetCdfFile& file, const NetCdfArray& u) {
-    const std::size_t t = u.dimensions[0].size, z = u.dimensions[1].size, y = u.dimensions[2].size,
-                      x = u.dimensions[3].size;
-    if (t < 1 || z < 1 || y < 1 || x < 2 || y > 100000 || x > 100000)
-        file.fail("U", "expected at least one point in each direction, and 100000 at most");
-    return {t, z, y, x - 1};
+/// Times as XTIME has them; where it says no date, since the start of the simulation.
+void readTimes(NetCdfFile& file, const Sizes& n, GridWind::Grid& grid, WindSummary& summary) {
+    const NetCdfFile::Array times = file.array("XTIME");
+    if (!times || times->dimensions.size() > 1 ||
+        (times->dimensions.empty() ? 1 : times->dimensions[0].size) != n.t)
+        return file.fail("XTIME", "expected " + std::to_string(n.t) + " times");
+    const std::string from = file.text("SIMULATION_START_DATE");
+    std::string unit = times->unit.empty() ? "minutes" : times->unit;
+    if (unit.find(" since ") == std::string::npos && !from.empty())
+        unit += " since " + from;
+    const Result<CfTimes> known = cfTimes(file.coordinates(*times), unit, times->text("calendar"));
+    if (!known)
+        return file.fail("XTIME", known.problems().front().message);
+    grid.times = known.value().seconds;
+    summary.start = known.value().start;
 }
 
-/// Velocities and heights, and the times and the unit of speed that go with them.
-Means readMeans(NetCdfFile& file, const Arrays& arrays, const Sizes& n, GridWind::Grid& grid,
-                WindSummary& summary) {
-    const double t = static_cast<double>(n.t), z = static_cast<double>(n.z), y = static_cast<double>(n.y),
-                 x = static_cast<double>(n.x);
-    summary.unit = file.speedUnitOf({arrays[0], arrays[1], arrays[2]});
-    const std::vector<float> east = file.read(*arrays[0], t * z * y * (x + 1.0)),
-                             north = file.read(*arrays[1], t * z * (y + 1.0) * x),
-                             up = file.read(*arrays[2], t * (z + 1.0) * (y * x));
-    std::vector<float> heights = file.read(*arrays[3], t * (z + 1.0) * (y * x));
-    const std::vector<float> base = file.read(*arrays[4], t * (z + 1.0) * (y * x));
-    const auto times = file.array("XTIME");
-    if (times)
-        grid.times = file.seconds(*times, summary.start);
-    if (!times || (file.good() && grid.times.size() != n.t))
-        file.fail("XTIME", "expected " + std::to_string(n.t) + " times");
+/// Velocities and heights at the centres of cells.
+Means readMeans(NetCdfFile& file, const Arrays& arrays, const Part& part, bool& aboveGround) {
+    const Window& window = part.window;
+    const std::vector<std::size_t> times = allOf(part.n.t), rows = range(window.low.y, window.high.y),
+                                   columns = range(window.low.x, window.high.x);
+    if (arrays.size() == 2)
+        return {file.read(*arrays[0], {times, rows, columns}),
+                file.read(*arrays[1], {times, rows, columns}),
+                {},
+                {}};
+    const std::size_t t = part.n.t, z = part.n.z, cells = part.cells();
+    const std::vector<std::size_t> layers = allOf(z), faces = allOf(z + 1);
+    const std::vector<float> east = file.read(*arrays[0],
+                                              {times, layers, rows, range(window.low.x, window.high.x + 1)}),
+                             north = file.read(*arrays[1], {times, layers,
+                                                            range(window.low.y, window.high.y + 1), columns}),
+                             up = file.read(*arrays[2], {times, faces, rows, columns});
+    std::vector<float> heights = file.read(*arrays[3], {times, faces, rows, columns});
+    const std::vector<float> base = file.read(*arrays[4], {times, faces, rows, columns}),
+                             ground = overCells(file, "HGT", part.n, rows, columns);
     if (!file.good())
         return {};
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] = (heights[i] + base[i]) / gravity;
-    return {destaggered(east, n.t * n.z * n.y, n.x, 1), destaggered(north, n.t * n.z, n.y, n.x),
-            destaggered(up, n.t, n.z, n.y * n.x), destaggered(heights, n.t, n.z, n.y * n.x)};
+    aboveGround = !ground.empty();
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const std::size_t below = i / ((z + 1) * cells) * cells + i % cells;
+        heights[i] = (heights[i] + base[i]) / gravity - (aboveGround ? ground[below % ground.size()] : 0.0f);
+    }
+    return {destaggered(east, t * z * window.rows(), window.columns(), 1),
+            destaggered(north, t * z, window.rows(), window.columns()), destaggered(up, t, z, cells),
+            destaggered(heights, t, z, cells)};
 }
 
 /// Says where the model's grid stands, and what that leaves to be known.
@@ -194,38 +293,86 @@ void notePlace(const std::string& map, const std::optional<Place>& place, bool a
                        "first time, edges held where later ones do not reach");
 }
 
+/// What is said of velocities and heights.
+void noteValues(bool levels, bool aboveGround, WindSummary& summary) {
+    summary.format = "NetCDF, WRF output";
+    summary.direction = "components toward x, y and up of the model's grid";
+    if (!levels)
+        summary.notes = {"velocities 10 m above ground"};
+    else
+        summary.notes = {"velocities at cell centres, means of the staggered neighbours",
+                         aboveGround
+                             ? "heights are (PH + PHB) / 9.81 less the model's own ground, HGT, of each "
+                               "point and time"
+                             : "heights are (PH + PHB) / 9.81, metres above sea level, of each point "
+                               "and time"};
+}
+
+/// The cells around an area, if one is asked for.
+Part partOf(NetCdfFile& file, const Sizes& n, const glm::dvec2& corner, const glm::dvec2& cell,
+            const std::vector<glm::ivec2>& moved, const std::string& crs, const WindRequest& request) {
+    const EvenAxis x{corner.x, cell.x, n.x, 0.0}, y{corner.y, cell.y, n.y, 0.0};
+    Part part{n, wholeOf(x), wholeOf(y), {}, n.z};
+    if (request.area) {
+        const Result<WindArea> area = areaOn(crs, *request.area);
+        if (!area)
+            file.fail({}, area.problems().front().message);
+        else {
+            part.x = partAround(x, area.value().low.x, area.value().high.x);
+            part.y = partAround(y, area.value().low.y, area.value().high.y);
+        }
+    }
+    part.window = windowOf(part.x, part.y, moved, n);
+    return part;
+}
+
 } // namespace
 
+bool isWrf(const NetCdfFile& file) {
+    const NetCdfFile::Array u = file.array("U"), u10 = file.array("U10");
+    if (u)
+        return u->dimensions.size() == 4 && u->dimensions[3].name == "west_east_stag";
+    return u10 && u10->dimensions.size() == 3 && u10->dimensions[2].name == "west_east";
+}
+
 Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request) {
-    const bool asStored = request.asStored;
-    const Arrays arrays = arraysOf(file);
-    if (!file.good())
-        return file.problem();
-    const Sizes n = sizesOf(file, *arrays[0]);
-    const glm::dvec2 cell(file.positive("DX"), file.positive("DY"));
     WindContent content;
     GridWind::Grid grid;
-    const Means means = readMeans(file, arrays, n, grid, content.summary);
+    Sizes n{};
+    const Arrays arrays = arraysOf(file, n);
+    const glm::dvec2 cell(file.positive("DX"), file.positive("DY"));
     if (!file.good())
         return file.problem();
     const std::string map = mapOf(file);
-    const std::optional<Place> place = map.empty() ? std::nullopt : placeOn(map, file, n, cell);
+    const Result<Crs> crs = map.empty() ? Result<Crs>(Crs()) : Crs::parse(map);
+    const std::optional<Place> place =
+        map.empty() || !crs ? std::nullopt : placeOn(crs.value(), file, n, cell);
+    const std::vector<glm::ivec2> moved =
+        place && !request.asStored ? place->moved : std::vector<glm::ivec2>(n.t, glm::ivec2(0));
+    if (place)
+        content.summary.crs = crs.value().text();
+    const glm::dvec2 corner = place ? place->corner : glm::dvec2(0.0);
+    const Part part = partOf(file, n, corner, cell, moved, content.summary.crs, request);
+    if (!file.good())
+        return file.problem();
+    content.summary.unit = file.speedUnitOf({arrays.begin(), arrays.begin() + (arrays.size() == 2 ? 2 : 3)});
+    const Means means = readMeans(file, arrays, part, grid.aboveGround);
+    readTimes(file, n, grid, content.summary);
     if (!file.good())
         return file.problem();
 
-    grid.points = {static_cast<int>(n.x), static_cast<int>(n.y), static_cast<int>(n.z)};
+    grid.points = {static_cast<int>(part.x.indices.size()), static_cast<int>(part.y.indices.size()),
+                   static_cast<int>(n.z)};
     grid.cell = {cell, 1.0};
-    if (place)
-        grid.origin = {place->corner, 0.0};
-    grid.values.reserve(3 * means.u.size());
-    grid.heights.reserve(means.u.size());
+    grid.origin = {part.x.first, part.y.first, 0.0};
     for (std::size_t step = 0; step < n.t; ++step)
-        append(means, step, n, place && !asStored ? place->moved[step] : glm::ivec2(0), grid);
-    content.summary.format = "NetCDF, WRF output";
-    content.summary.direction = "components toward x, y and up of the model's grid";
-    content.summary.notes = {"velocities at cell centres, means of the staggered neighbours",
-                             "heights are (PH + PHB) / 9.81, metres above sea level, of each point and time"};
-    notePlace(map, place, asStored, content.summary);
+        append(means, step, part, moved[step], grid);
+    noteValues(arrays.size() > 2, grid.aboveGround, content.summary);
+    if (arrays.size() == 2) {
+        grid.heights = {10.0f};
+        grid.aboveGround = true;
+    }
+    notePlace(map, place, request.asStored, content.summary);
     content.data = std::move(grid);
     return content;
 }

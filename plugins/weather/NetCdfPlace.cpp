@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/weather/NetCdfPlace.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/places/GdalErrors.h>
+
+#include <cpl_conv.h>
+#include <ogr_spatialref.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+bool runsAlong(const NetCdfArray& array, const std::string& dimension) {
+    for (const NetCdfDimension& one : array.dimensions)
+        if (one.name == dimension)
+            return true;
+    return false;
+}
+
+/// Longitudes or latitudes that a dimension has only together with another.
+NetCdfFile::Array curvilinear(const NetCdfFile& file, const std::string& dimension) {
+    return file.find([&](const NetCdfArray& array) {
+        const NetCdfMeasure measure = measureOf(array);
+        return array.dimensions.size() >= 2 && runsAlong(array, dimension) &&
+               (measure == NetCdfMeasure::Longitude || measure == NetCdfMeasure::Latitude);
+    });
+}
+
+/// How far the corner that an axis counts from is from the map's, by a second array of coordinates, as PALM's
+/// E_UTM(x). Nothing where there is one that says that the model is turned.
+std::optional<double> cornerOf(NetCdfFile& file, const NetCdfDimension& dimension, const char* standardName,
+                               const NetCdfAxis& axis) {
+    const NetCdfFile::Array own = file.array(dimension.coordinates);
+    if (!own || own->text("standard_name") == standardName)
+        return 0.0;
+    bool isTurned = false;
+    for (const NetCdfFile::Array& array : file.arrays()) {
+        if (array->text("standard_name") != standardName || !runsAlong(*array, dimension.name))
+            continue;
+        if (array->dimensions.size() > 1) {
+            isTurned = true;
+            continue;
+        }
+        const std::vector<double> at = file.coordinates(*array);
+        return at.empty() ? 0.0 : at.front() - axis.points.first;
+    }
+    return isTurned ? std::nullopt : std::optional<double>(0.0);
+}
+
+/// The globe turned to another pole that a grid mapping describes, which GDAL makes nothing of.
+std::optional<Crs> rotatedOf(const NetCdfFile& file, const NetCdfArray& wind) {
+    const NetCdfFile::Array mapping = file.array(wind.text("grid_mapping"));
+    if (!mapping || mapping->text("grid_mapping_name") != "rotated_latitude_longitude")
+        return std::nullopt;
+    const auto latitude = mapping->number("grid_north_pole_latitude"),
+               longitude = mapping->number("grid_north_pole_longitude");
+    if (!latitude || !longitude || !(std::abs(*latitude) <= 90.0) || !(std::abs(*longitude) <= 360.0))
+        return std::nullopt;
+    const GdalErrors errors;
+    auto reference = std::make_unique<OGRSpatialReference>();
+    reference->importFromEPSG(4326);
+    if (reference->SetDerivedGeogCRSWithPoleRotationNetCDFCFConvention(
+            "Rotated pole", *latitude, *longitude,
+            mapping->number("north_pole_grid_longitude").value_or(0.0)) != OGRERR_NONE)
+        return std::nullopt;
+    reference->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return Crs(OGRSpatialReference::ToHandle(reference.release()));
+}
+
+std::optional<Crs> degreesOf(NetCdfFile& file, const NetCdfArray& wind, const NetCdfDimension& x) {
+    const NetCdfFile::Array coordinates = file.array(x.coordinates);
+    const bool rotated = coordinates && coordinates->text("standard_name") == "grid_longitude";
+    std::optional<Crs> stated = rotatedOf(file, wind);
+    if (!stated && !wind.text("grid_mapping").empty())
+        stated = wind.crs();
+    if (stated && !stated->isDegrees())
+        stated.reset();
+    if (rotated && (!stated || !isRotated(*stated)))
+        file.fail(wind.name, "expected a grid_mapping of a rotated pole, as its dimension " + x.name +
+                                 " counts longitudes of one, found " +
+                                 expectedFound("", wind.text("grid_mapping")).substr(17));
+    if (stated)
+        return stated;
+    const Result<Crs> degrees = Crs::degrees();
+    if (!degrees)
+        file.fail(wind.name, degrees.problems().front().message);
+    return degrees ? std::optional<Crs>(degrees.value()) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<Crs> mapOf(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints& points,
+                         WindSummary& summary) {
+    const NetCdfRoles roles = rolesOf(file, wind);
+    if (!roles.x || !roles.y || wind.dimensions.size() < 2) {
+        file.fail(wind.name, "expected dimensions (time, height, y, x) or fewer");
+        return std::nullopt;
+    }
+    const NetCdfDimension &x = wind.dimensions[*roles.x], &y = wind.dimensions[*roles.y];
+    for (const NetCdfDimension* dimension : {&x, &y})
+        if (const auto both =
+                file.array(dimension->coordinates) ? nullptr : curvilinear(file, dimension->name))
+            file.fail(both->name,
+                      "expected longitudes and latitudes of one dimension each, or x and y of a map; "
+                      "found them on " +
+                          std::to_string(both->dimensions.size()) + " (a curvilinear grid)");
+    points.xAxis = axisOf(file, x);
+    points.yAxis = axisOf(file, y);
+    if (!file.good())
+        return std::nullopt;
+    if (points.xAxis.isDegrees() != points.yAxis.isDegrees()) {
+        file.fail(wind.name, "expected both of its dimensions " + y.name + " and " + x.name +
+                                 " on degrees or both on a map");
+        return std::nullopt;
+    }
+    std::optional<Crs> crs;
+    if (points.xAxis.isDegrees())
+        crs = degreesOf(file, wind, x);
+    else if (crs = wind.crs(); crs && crs->isDegrees())
+        crs.reset();
+    else if (crs) {
+        const auto east = cornerOf(file, x, "projection_x_coordinate", points.xAxis),
+                   north = cornerOf(file, y, "projection_y_coordinate", points.yAxis);
+        if (east && north)
+            points.onMap = {*east, *north};
+        else {
+            summary.notes.push_back("the model is turned against its map, " + nameOf(*crs) +
+                                    "; x and y are metres from its own corner");
+            crs.reset();
+        }
+    }
+    if (!crs)
+        return crs;
+    summary.crs = crs->text();
+    summary.coordinates = nameOf(*crs);
+    return crs;
+}
+
+std::string nameOf(const Crs& crs) {
+    const GdalErrors errors;
+    const char* known = OSRGetName(crs.reference());
+    std::string name = known ? known : "";
+    if (!name.empty() && name != "unnamed" && name != "unknown" && name != "undefined")
+        return name;
+    char* text = nullptr;
+    name = OSRExportToProj4(crs.reference(), &text) == OGRERR_NONE && text ? text : "";
+    CPLFree(text);
+    return name.empty() ? crs.name() : name;
+}
+
+bool isRotated(const Crs& crs) {
+    return OSRIsDerivedGeographic(crs.reference()) != 0;
+}
+
+} // namespace osgTreeWind
