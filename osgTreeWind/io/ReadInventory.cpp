@@ -11,6 +11,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
 
@@ -20,6 +21,13 @@ using Counts = std::map<std::string, std::size_t>;
 
 /// How many names a note tells before it only counts them.
 constexpr std::size_t mostNamed = 10;
+
+/// Metres; the highest that was ever measured has 116.
+constexpr float tallestTree = 120.0f;
+
+std::string rounded(float metres) {
+    return numberText(std::round(100.0 * static_cast<double>(metres)) / 100.0);
+}
 
 std::size_t sumOf(const Counts& rows) {
     std::size_t sum = 0;
@@ -128,7 +136,10 @@ private:
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
         const std::string said = _columns.id ? _rows->text(*_columns.id) : std::string();
-        estimate(tree, said.empty() ? std::to_string(_row) : said);
+        if (!estimate(tree, said.empty() ? std::to_string(_row) : said))
+            return;
+        if (_standsFor)
+            ++_unmatched[*_standsFor];
         tree.name = nameOf(said);
         if (!place.hasHeight)
             _reading.onGround.push_back(_reading.forest.trees.size());
@@ -170,6 +181,7 @@ private:
     }
 
     std::size_t rowSpecies() {
+        _standsFor.reset();
         if (_columns.species.empty())
             return *_default;
         std::string name;
@@ -179,22 +191,33 @@ private:
                 return *index;
             name = name.empty() ? said : name;
         }
-        if (_unmatched[name]++ == 0 && !_default)
+        if (_default)
+            _standsFor = name;
+        else if (_unmatched[name]++ == 0)
             _reading.log.add(_rows->problem(_rows->columns()[_columns.species.front()],
                                             "no species " + inQuotes(name) + ", and no default_species"));
         return _default.value_or(0);
     }
 
-    void estimate(TreePlacement& tree, const std::string& id) {
+    /// False where what is given is no size of a tree.
+    bool estimate(TreePlacement& tree, const std::string& id) {
         if (tree.species >= _reading.forest.species.size())
-            return;
+            return true;
         const SizeEstimate estimate =
             estimateSize(tree.size, _reading.forest.species[tree.species], tree.openGrown, id);
+        if (estimate.estimated.height && estimate.size.height > tallestTree)
+            _problems.push_back(_rows->problem(
+                "", "a trunk of " + rounded(tree.size.trunkDiameter) + " m is that of no " +
+                        _reading.forest.species[tree.species].name + ": such a tree would be " +
+                        rounded(estimate.size.height) + " m high"));
+        if (!isTree())
+            return false;
         tree.size = estimate.size;
         tree.estimated = estimate.estimated;
         _heights += tree.estimated.height;
         _diameters += tree.estimated.trunkDiameter;
         _crowns += tree.estimated.crownWidth;
+        return true;
     }
 
     /// Empty where it has none of its own.
@@ -257,8 +280,9 @@ private:
     Diagnostic _firstSkipped;
     std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< That were estimated.
-    Counts _unmatched;                                     ///< Names of species to numbers of rows.
-    Counts _repeated;                                      ///< Ids to numbers of rows that go without.
+    std::optional<std::string> _standsFor; ///< The name of an unknown species that the row has.
+    Counts _unmatched;                     ///< Names of species to numbers of rows.
+    Counts _repeated;                      ///< Ids to numbers of rows that go without.
 };
 
 } // namespace

@@ -164,6 +164,22 @@ TEST(InventorySkip, LeavesOutRowsThatAreNoTreesAndSaysSo) {
     EXPECT_NE(forest.notes.front().find("a.csv:3: "), std::string::npos) << forest.notes.front();
 }
 
+/// 999 is what some inventories write for what they do not know.
+TEST(InventorySkip, ATrunkOfTenMetresIsNoTrees) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,d\n1,1,0.4\n2,2,9.99\n3,3,4.9\n");
+    const std::string lines =
+        "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", trunk_diameter = \"d\" }\n";
+    const auto strict = readInventoryOf(folder.path(), lines);
+    ASSERT_FALSE(strict);
+    ASSERT_EQ(strict.problems().size(), 1u);
+    EXPECT_NE(strict.problems().front().text().find(
+                  "a.csv:3: a trunk of 9.99 m is that of no beech: such a tree would be 149.85 m high"),
+              std::string::npos)
+        << strict.problems().front().text();
+    EXPECT_EQ(inventoryOf(folder.path(), lines + "skip = true\n").trees.size(), 2u);
+}
+
 TEST(InventorySkip, NoTreesAtAllAreStillAProblem) {
     const TemporaryFolder folder;
     folder.write("a.csv", "x,y,h\n2,2,999\n");
