@@ -26,7 +26,7 @@ constexpr double mostCells = 4e8;
 bool isFragile(const std::string& format) {
     const std::string name = lower(format);
     return name.rfind("hdf", 0) == 0 || name.rfind("netcdf", 0) == 0 || name == "bag" || name == "gmt" ||
-           name == "kea";
+           name == "kea" || name == "grib";
 }
 
 /// All others, for GDAL.

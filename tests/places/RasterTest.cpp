@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Folders.h>
 #include <tests/TestData.h>
 #include <tests/places/Places.h>
 #include <tests/places/RasterFile.h>
@@ -72,6 +73,10 @@ TEST(Raster, FormatsThatBreakOnDamagedFilesAreRefusedByName) {
     EXPECT_NE(raster.problems().front().message.find("expected another format than netCDF"),
               std::string::npos)
         << raster.problems().front().text();
+    const auto grib = Raster::open(OSGTREEWIND_TEST_DATA "/wind/small.grib2");
+    ASSERT_FALSE(grib);
+    EXPECT_NE(grib.problems().front().message.find("expected another format than GRIB"), std::string::npos)
+        << grib.problems().front().text();
 }
 
 TEST(Raster, OneCellWideHoldsAcross) {
