@@ -5,7 +5,7 @@
 #include <plugins/weather/GribHeights.h>
 #include <plugins/weather/GribNumbers.h>
 #include <plugins/weather/GribTime.h>
-#include <plugins/weather/GribTurn.h>
+#include <plugins/weather/TurnToMap.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>

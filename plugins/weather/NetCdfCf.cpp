@@ -2,14 +2,12 @@
 #include <plugins/weather/CfTime.h>
 #include <plugins/weather/NetCdfLevels.h>
 #include <plugins/weather/NetCdfPlace.h>
-#include <plugins/weather/TrueNorth.h>
+#include <plugins/weather/TurnToMap.h>
 
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -222,42 +220,13 @@ private:
         }
         if (_crs->isDegrees() && !isRotated(*_crs))
             return;
-        std::vector<glm::dvec2> points;
-        for (std::size_t y = 0; y < _points.y.indices.size(); ++y)
-            for (std::size_t x = 0; x < _points.x.indices.size(); ++x)
-                points.push_back(glm::dvec2(_grid.origin) + glm::dvec2(_grid.cell) * glm::dvec2(x, y));
-        const std::vector<glm::dvec2> norths = trueNorth(*_crs, std::move(points));
-        if (norths.empty() && _request.asStored)
+        if (const auto note = turnFromTrueNorth(_grid, *_crs, _request.asStored))
+            notes.push_back(*note);
+        else if (_request.asStored)
             notes.emplace_back("the file counts from true north; its projection does not hold its points");
-        else if (norths.empty())
+        else
             _file.fail(_winds.pairs.front().first->name,
                        "the projection of this array does not hold its points");
-        if (norths.empty())
-            return;
-        noteTurn(norths);
-        if (_request.asStored)
-            return;
-        for (std::size_t i = 0; i < _grid.values.size(); i += 3) {
-            const glm::dvec2 north = norths[i / 3 % norths.size()];
-            const double u = _grid.values[i], v = _grid.values[i + 1];
-            _grid.values[i] = static_cast<float>(u * north.y + v * north.x);
-            _grid.values[i + 1] = static_cast<float>(v * north.y - u * north.x);
-        }
-    }
-
-    void noteTurn(const std::vector<glm::dvec2>& norths) {
-        double least = 360.0, most = -360.0;
-        for (const glm::dvec2& north : norths) {
-            const double degrees = glm::degrees(std::atan2(north.x, north.y));
-            least = std::min(least, degrees);
-            most = std::max(most, degrees);
-        }
-        const auto rounded = [](double degrees) { return numberText(std::round(100.0 * degrees) / 100.0); };
-        summary().notes.push_back(
-            "the file counts from true north; " +
-            std::string(_request.asStored ? "in a forest its velocities" : "velocities here") +
-            " are turned to the grid's y axis, by " + rounded(least) + " to " + rounded(most) +
-            " degrees clockwise");
     }
 
     NetCdfFile& _file;

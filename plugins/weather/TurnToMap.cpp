@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/weather/GribTurn.h>
+#include <plugins/weather/TurnToMap.h>
 
 #include <plugins/weather/TrueNorth.h>
 
