@@ -28,7 +28,7 @@ known() {
 for document in README.md CONTRIBUTING.md docs/*.md; do
     while read -r link; do
         [[ $link == http* || $link == \#* || -e $(dirname "$document")/${link%%#*} ]] || fail "$document" "no file $link"
-    done < <(grep -oE '\]\([^)]+\)' "$document" | sed 's/^](//; s/)$//')
+    done < <(awk '/^ *```/ { code = !code; next } !code' "$document" | grep -oE '\]\([^)]+\)' | sed 's/^](//; s/)$//')
 
     while read -r option; do
         grep -qE -- "(^|[ ,])$option\b" <<<"$options" || fail "$document" "no option $option in osgtreewind --help"
