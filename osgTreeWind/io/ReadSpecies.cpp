@@ -107,6 +107,17 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 
+/// A note where a species is called as a built-in one, says nothing of its shape and is not like it.
+void noteUnlike(TableReader& table, ForestReading& reading, const std::string& name) {
+    for (const char* key : {"like", "tree", "growth", "scan"})
+        if (table.has(key))
+            return;
+    if (const Species* known = reading.builtIn().find(name))
+        reading.forest.notes.push_back("the species " + inQuotes(name) +
+                                       " has the shape of the thesis' tree; like = " + inQuotes(known->name) +
+                                       " gives it that of the built-in one");
+}
+
 void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
     if (!reading.speciesByName.emplace(foldedName(name), reading.forest.species.size()).second)
         table.problem(key, "the name " + inQuotes(name) + " is taken already");
@@ -123,8 +134,10 @@ void readSpecies(TableReader& table, ForestReading& reading) {
         else
             table.problem("like", "no built-in species " + inQuotes(like));
     }
-    if (table.require("name", species.name))
+    if (table.require("name", species.name)) {
         addName(table, reading, "name", species.name);
+        noteUnlike(table, reading, species.name);
+    }
     species.aliases.clear();
     readScans(table, reading, species);
     table.table("tree", [&](TableReader& t) {

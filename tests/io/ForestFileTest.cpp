@@ -352,4 +352,18 @@ TEST(ForestFile, AForestThatDoesNotFitIntoMemoryIsRefusedOnce) {
     EXPECT_NE(text.find("the limit is 100 MB"), std::string::npos) << text;
 }
 
+TEST(ForestFile, ASpeciesCalledAsABuiltInOneSaysThatItIsNotLikeIt) {
+    const auto notesOf = [](const std::string& species) {
+        std::istringstream document("version = 1\n[[species]]\nname = \"silver birch\"\n" + species +
+                                    "[[tree]]\nposition = [0, 0]\n");
+        const auto forest = readForest(document, {"f.treewind", ""});
+        return forest ? forest.value().notes : std::vector<std::string>{forest.problems().front().text()};
+    };
+    EXPECT_EQ(notesOf(""), std::vector<std::string>{
+                               "the species \"silver birch\" has the shape of the thesis' tree; like = "
+                               "\"silver birch\" gives it that of the built-in one"});
+    EXPECT_TRUE(notesOf("like = \"silver birch\"\n").empty());
+    EXPECT_TRUE(notesOf("[species.growth]\nheight = 12\n").empty());
+}
+
 } // namespace osgTreeWind

@@ -18,7 +18,6 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr double pi = 3.141592653589793;
 constexpr float frame = 1.0f / 60.0f;
 using Level = ModalMotion::Level;
 using Angles = std::vector<glm::vec2>;
