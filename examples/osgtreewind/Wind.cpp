@@ -191,7 +191,7 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
             "file", arguments->files,
             "ESRI ASCII or GeoTIFF pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several of one "
             "time each "
-            "with --times")
+            "times")
         ->required();
     command->add_option("--times", arguments->times, "t1,t2,...: seconds at which several files hold")
         ->delimiter(',')

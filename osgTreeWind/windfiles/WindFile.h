@@ -65,14 +65,14 @@ struct WindFile {
 OSGTREEWIND_EXPORT Result<WindFile> readWindFile(const std::string& path,
                                                  const WindFileOptions& options = {});
 
-/// Reads several files, each a steady wind on the same grid, as one wind: the hours of WindNinja, say.
-/// Velocities are linear between the times; the first holds before, the last after.
+/// Reads several files on the same grid as one wind: the hours of WindNinja or of a forecast, the days of a
+/// reanalysis. Velocities are linear between the times; the first holds before, the last after.
 ///
 /// A file of another grid, unit or reference system than the first is an error that names it; so is a record
-/// at one point, or a file of several times. Notes that the first file does not have too begin with the name
-/// of theirs. Wrong `files` or `times` are errors with that key.
-/// @param files at least one. @param times seconds, increasing, one for each file; none where each file says
-/// its own, as VTK's TimeValue does.
+/// at one point, or with `times` a file of several. Notes that the first file does not have too begin with
+/// the name of theirs. Wrong `files` or `times` are errors with that key.
+/// @param files at least one, in the order of their times. @param times seconds, increasing, one for each
+/// file; none where each file says its own: dates, which count from the first, or VTK's TimeValue.
 OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>& files,
                                                   const std::vector<double>& times,
                                                   const WindFileOptions& options = {});

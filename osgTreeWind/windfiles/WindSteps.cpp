@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindSteps.h>
 
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/SampleTimes.h>
@@ -15,17 +16,22 @@ std::string text(const glm::dvec3& v) {
     return numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z);
 }
 
-/// What a wind must be to be one step of several; empty when it is.
-std::string problemOfStep(const WindContent& step) {
+/// What a wind must be to be a part of several; empty when it is.
+/// @param isTimed whether times are given, one for each file.
+std::string problemOfStep(const WindContent& step, bool isTimed) {
     const auto* grid = std::get_if<GridWind::Grid>(&step.data);
-    const std::string expected = "expected a grid at one time, found ";
+    const std::string expected = isTimed ? "expected a grid at one time, found " : "expected a grid, found ";
     if (!grid)
         return expected + "a record at one point";
     if (step.travelSpeed > 0.0)
         return expected + "one that drifts with the wind";
-    if (grid->times.size() > 1)
+    if (isTimed && grid->times.size() > 1)
         return expected + std::to_string(grid->times.size()) + " times";
     return {};
+}
+
+std::string zeroOfHeights(const GridWind::Grid& grid) {
+    return grid.aboveGround ? "the ground" : "that of the file";
 }
 
 /// What of a step is not as in the first one; empty when all is.
@@ -38,6 +44,7 @@ std::string difference(const WindContent& first, const WindContent& step, const 
         {"distances between points", text(a.cell), text(b.cell)},
         {"coordinates", first.summary.coordinates, step.summary.coordinates},
         {"unit of speed", first.summary.unit, step.summary.unit},
+        {"zero of heights", zeroOfHeights(a), zeroOfHeights(b)},
     };
     for (const auto& [name, expected, found] : properties) {
         if (expected == found)
@@ -49,17 +56,65 @@ std::string difference(const WindContent& first, const WindContent& step, const 
     return {};
 }
 
+/// Gives every time of a grid heights of its own, where those of its points are the same at all of them.
+void spreadHeights(GridWind::Grid& grid, std::size_t points) {
+    const std::vector<float> once = grid.heights;
+    while (once.size() == points && grid.heights.size() < grid.values.size() / 3)
+        grid.heights.insert(grid.heights.end(), once.begin(), once.end());
+}
+
 /// Puts a step behind those before. False when its layers are not at their heights.
-bool append(GridWind::Grid& grid, const GridWind::Grid& step) {
-    const std::size_t points = step.values.size() / 3;
-    const bool ofPoints =
-        step.heights.size() == points && !grid.heights.empty() && grid.heights.size() % points == 0;
-    if (!ofPoints && step.heights != grid.heights)
-        return false;
-    if (ofPoints)
+bool append(GridWind::Grid& grid, GridWind::Grid& step) {
+    const glm::dvec3 size(step.points);
+    const auto points = static_cast<std::size_t>(size.x * size.y * size.z);
+    if (step.heights != grid.heights) {
+        if (grid.heights.size() < points || step.heights.size() < points)
+            return false;
+        spreadHeights(grid, points);
+        spreadHeights(step, points);
+        grid.heights.insert(grid.heights.end(), step.heights.begin(), step.heights.end());
+    } else if (grid.heights.size() > points)
         grid.heights.insert(grid.heights.end(), step.heights.begin(), step.heights.end());
     grid.values.insert(grid.values.end(), step.values.begin(), step.values.end());
     return true;
+}
+
+/// When a file holds.
+struct OwnTimes {
+    std::vector<double> seconds; ///< Since 1970 where it says its date; none where it does not say any.
+    bool isDated = false;
+};
+
+OwnTimes timesOf(const WindContent& step) {
+    OwnTimes times{std::get<GridWind::Grid>(step.data).times, false};
+    const auto start = parseIsoTime(step.summary.start);
+    if (!start)
+        return times;
+    times.isDated = true;
+    if (times.seconds.empty())
+        times.seconds = {0.0};
+    for (double& seconds : times.seconds)
+        seconds += *start;
+    return times;
+}
+
+/// Takes the times of the next file behind those before.
+Diagnostics takeTimes(const std::string& file, const OwnTimes& own, bool isDated,
+                      std::vector<double>& times) {
+    if (own.seconds.empty())
+        return {keyProblem("times",
+                           "expected times, one for each file: " + file + " does not say when it holds")};
+    if (own.isDated != isDated)
+        return {fileProblem(file, isDated ? "expected to say its date, as the first file does"
+                                          : "expected seconds as the first file has them, found a date")};
+    if (!times.empty() && own.seconds.front() <= times.back()) {
+        const double zero = isDated ? times.front() : 0.0;
+        return {fileProblem(file, "expected a time after " + numberText(times.back() - zero) +
+                                      " s, that of the file before; found " +
+                                      numberText(own.seconds.front() - zero) + " s")};
+    }
+    times.insert(times.end(), own.seconds.begin(), own.seconds.end());
+    return {};
 }
 
 } // namespace
@@ -76,24 +131,20 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
 
     WindContent wind;
     std::vector<double> ofFiles;
+    bool isDated = false;
     std::vector<std::string> ofFirst; // notes
     for (const std::string& file : files) {
         Result<WindContent> one = read(file);
         if (!one)
             return one.problems();
         WindContent& step = one.value();
-        if (const std::string what = problemOfStep(step); !what.empty())
+        if (const std::string what = problemOfStep(step, !times.empty()); !what.empty())
             return fileProblem(file, what);
         if (times.empty()) {
-            const std::vector<double>& own = std::get<GridWind::Grid>(step.data).times;
-            if (own.empty())
-                return keyProblem("times", "expected times, one for each file: " + file +
-                                               " does not say when it holds");
-            if (!ofFiles.empty() && own.front() <= ofFiles.back())
-                return fileProblem(file, "expected a time after " + numberText(ofFiles.back()) +
-                                             " s, that of the file before; found " + numberText(own.front()) +
-                                             " s");
-            ofFiles.push_back(own.front());
+            const OwnTimes own = timesOf(step);
+            isDated = ofFiles.empty() ? own.isDated : isDated;
+            if (Diagnostics problems = takeTimes(file, own, isDated, ofFiles); !problems.empty())
+                return problems;
         }
         if (&file == &files.front()) {
             wind = std::move(step);
@@ -113,6 +164,9 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         wind.summary.fastest = std::max(wind.summary.fastest, step.summary.fastest);
     }
     auto& all = std::get<GridWind::Grid>(wind.data).times;
+    if (const double zero = isDated ? ofFiles.front() : 0.0; zero != 0.0)
+        for (double& seconds : ofFiles)
+            seconds -= zero;
     all = times.empty() ? ofFiles : times;
     if (all.front() != 0.0)
         wind.summary.start.clear(); // which was that of the first file

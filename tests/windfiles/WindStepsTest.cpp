@@ -123,6 +123,57 @@ TEST(WindSteps, TimesMayBeThoseOfTheFiles) {
         << "times given go before those of the files";
 }
 
+/// A day of two times, and a forecast's hour after it.
+TEST(WindSteps, FilesWithDatesFollowEachOther) {
+    const auto day = [](const std::string& file) {
+        WindContent content = column(10, "made");
+        auto& grid = std::get<GridWind::Grid>(content.data);
+        content.summary.start = file == "b" ? "2017-10-27T00:00:00Z" : "2017-10-26T00:00:00Z";
+        if (file == "a") {
+            grid.times = {0, 43200};
+            grid.values.insert(grid.values.end(), grid.values.begin(), grid.values.end());
+        } else if (file == "high")
+            grid.heights.back() = 20;
+        else if (file == "seconds") {
+            content.summary.start.clear();
+            grid.times = {90000};
+        }
+        return Result<WindContent>(content);
+    };
+    const auto wind = readWindSteps({"a", "b"}, {}, day);
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    const auto& grid = std::get<GridWind::Grid>(wind.value().data);
+    EXPECT_EQ(grid.times, (std::vector<double>{0, 43200, 86400}));
+    EXPECT_EQ(wind.value().summary.start, "2017-10-26T00:00:00Z");
+    EXPECT_EQ(grid.heights.size(), 2u) << "the same at all times";
+    EXPECT_TRUE(GridWind::check(grid).empty());
+
+    EXPECT_EQ(firstProblem(readWindSteps({"b", "a"}, {}, day)),
+              "a: expected a time after 0 s, that of the file before; found -86400 s");
+    EXPECT_EQ(firstProblem(readWindSteps({"a", "seconds"}, {}, day)),
+              "seconds: expected to say its date, as the first file does");
+    EXPECT_EQ(firstProblem(readWindSteps({"seconds", "b"}, {}, day)),
+              "b: expected seconds as the first file has them, found a date");
+    EXPECT_EQ(firstProblem(readWindSteps({"a", "b"}, {0, 1}, day)),
+              "a: expected a grid at one time, found 2 times");
+}
+
+TEST(WindSteps, HeightsMayMoveFromFileToFileOfSeveralTimes) {
+    const auto read = [](const std::string& file) {
+        WindContent content = column(file == "a" ? 10.0f : 20.0f, "made");
+        auto& grid = std::get<GridWind::Grid>(content.data);
+        content.summary.start = file == "a" ? "2017-10-26T00:00:00Z" : "2017-10-27T00:00:00Z";
+        grid.times = {0, 3600};
+        grid.values.insert(grid.values.end(), grid.values.begin(), grid.values.end());
+        return Result<WindContent>(content);
+    };
+    const auto wind = readWindSteps({"a", "b"}, {}, read);
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    const auto& grid = std::get<GridWind::Grid>(wind.value().data);
+    EXPECT_EQ(grid.heights, (std::vector<float>{2, 10, 2, 10, 2, 20, 2, 20}));
+    EXPECT_TRUE(GridWind::check(grid).empty());
+}
+
 TEST(WindSteps, OneGridMayComeInSeveralFormats) {
     const WindFile file = readBoth(data + "vectors.vtk", data + "zlib.vti", 0, 10);
     ASSERT_TRUE(file.field);
