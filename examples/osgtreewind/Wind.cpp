@@ -193,7 +193,9 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
             "time each "
             "times")
         ->required();
-    command->add_option("--times", arguments->times, "t1,t2,...: seconds at which several files hold")
+    command
+        ->add_option("--times", arguments->times,
+                     "t1,t2,...: seconds at which several files of one time each hold, if not when they say")
         ->delimiter(',')
         ->allow_extra_args(false);
     CLI::Option* at =

@@ -8,7 +8,7 @@
 
 namespace osgTreeWind {
 
-/// Any file of wind data, or several of one time each; positions in it are world coordinates, moved by
+/// Any file of wind data, or several; positions in it are world coordinates, moved by
 /// `offset`. Null after a problem.
 WindFieldPtr readWindData(TableReader& table, ForestReading& reading);
 
