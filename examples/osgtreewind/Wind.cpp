@@ -187,11 +187,9 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
         app.add_subcommand("wind", "Show what a file of wind data says, or the wind at a place");
     auto arguments = std::make_shared<WindArguments>();
     command
-        ->add_option(
-            "file", arguments->files,
-            "ESRI ASCII or GeoTIFF pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several of one "
-            "time each "
-            "times")
+        ->add_option("file", arguments->files,
+                     "ESRI ASCII or GeoTIFF pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several "
+                     "in the order of their times")
         ->required();
     command
         ->add_option("--times", arguments->times,
