@@ -14,7 +14,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 
 GustWind::Parameters usual() {
     GustWind::Parameters parameters;
