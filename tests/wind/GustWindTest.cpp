@@ -14,7 +14,6 @@ namespace osgTreeWind {
 
 namespace {
 
-
 GustWind::Parameters usual() {
     GustWind::Parameters parameters;
     parameters.mean = {6, 8, 0};
