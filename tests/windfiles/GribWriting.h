@@ -15,7 +15,7 @@ namespace osgTreeWind::grib {
 inline std::string number(std::uint64_t value, std::size_t count) {
     std::string bytes;
     while (count-- > 0)
-        bytes += static_cast<char>(value >> 8 * count & 0xff);
+        bytes += static_cast<char>(count < sizeof value ? value >> 8 * count & 0xff : 0);
     return bytes;
 }
 
