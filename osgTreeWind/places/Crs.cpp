@@ -66,6 +66,11 @@ Result<Crs> Crs::degrees() {
     return parse("EPSG:4326");
 }
 
+bool Crs::isSame(const Crs& other) const {
+    const GdalErrors errors;
+    return OSRIsSame(reference(), other.reference());
+}
+
 bool Crs::isDegrees() const {
     return OSRIsGeographic(reference());
 }

@@ -29,6 +29,8 @@ public:
     /// that it says of heights.
     explicit Crs(void* reference);
 
+    /// Whether places of both mean the same.
+    bool isSame(const Crs& other) const;
     /// Longitude and latitude, not a map.
     bool isDegrees() const;
     /// What keeps it from being a scene's, a map in metres with x east and y north; empty: nothing.

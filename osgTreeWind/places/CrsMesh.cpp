@@ -2,11 +2,10 @@
 #include <osgTreeWind/places/CrsMesh.h>
 
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/places/WholeTurns.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -26,7 +25,7 @@ Result<CrsMesh> CrsMesh::over(const Crs& from, const Crs& to, const glm::dvec2& 
     mesh._low = low;
     mesh._step = glm::max((high - low) / squares, 1.0);
     mesh._count = glm::ivec2(squares) + 1;
-    const bool isDegrees = to.isDegrees();
+    const bool isDegrees = mesh._isDegrees = to.isDegrees();
     const double ahead = isDegrees ? 1e-4 : 10.0; // to the north, some metres
     glm::dvec2 middle = 0.5 * (low + high);
     bool isThere = way.value().go(middle);
@@ -39,7 +38,7 @@ Result<CrsMesh> CrsMesh::over(const Crs& from, const Crs& to, const glm::dvec2& 
             glm::dvec2 next = there + glm::dvec2(0.0, north);
             isThere = isThere && back.value().go(next);
             if (isDegrees)
-                there.x += 360.0 * std::round((middle.x - there.x) / 360.0);
+                there.x += wholeTurns(there.x, middle.x);
             mesh._points.push_back({there, glm::normalize((next - here) / north)});
         }
     if (!isThere)

@@ -18,6 +18,8 @@ public:
     static Result<CrsMesh> over(const Crs& from, const Crs& to, const glm::dvec2& low,
                                 const glm::dvec2& high);
 
+    /// Whether places there are longitudes and latitudes.
+    bool isDegrees() const { return _isDegrees; }
     /// A place there.
     glm::dvec2 there(const glm::dvec2& place) const;
     /// The way north of there, or along the y axis of there, at a place here: a unit vector.
@@ -34,6 +36,7 @@ private:
     glm::dvec2 _low{0.0}, _step{1.0};
     glm::ivec2 _count{2}; ///< Of points, at least 2 each way.
     std::vector<Point> _points;
+    bool _isDegrees = false;
 };
 
 } // namespace osgTreeWind

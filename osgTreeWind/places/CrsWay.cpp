@@ -13,7 +13,7 @@ namespace osgTreeWind {
 Result<CrsWay> CrsWay::between(const Crs& from, const Crs& to) {
     const GdalErrors errors;
     CrsWay way;
-    if (OSRIsSame(from.reference(), to.reference()))
+    if (from.isSame(to))
         return way;
     way._transformation.reset(OCTNewCoordinateTransformation(from.reference(), to.reference()),
                               [](void* made) { OCTDestroyCoordinateTransformation(made); });

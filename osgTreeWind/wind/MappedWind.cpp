@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/MappedWind.h>
 
+#include <osgTreeWind/wind/SampleElsewhere.h>
+
 #include <glm/common.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace osgTreeWind {
 
 namespace {
-
-constexpr std::size_t placesAtOnce = 64;
 
 glm::dvec2 onMap(const WindPlace& place, const glm::dvec2& origin) {
     constexpr double farthest = 1e9; // metres
@@ -42,15 +41,9 @@ glm::vec3 MappedWind::velocity(const WindPlace& place, double time) const {
 }
 
 void MappedWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
-    WindPlace moved[placesAtOnce];
-    for (std::size_t first = 0; first < count; first += placesAtOnce) {
-        const std::size_t some = std::min(placesAtOnce, count - first);
-        std::transform(places + first, places + first + some, moved,
-                       [&](const WindPlace& place) { return there(place); });
-        _wind->sample(moved, some, time, out + first);
-        std::transform(out + first, out + first + some, places + first, out + first,
-                       [&](const glm::vec3& v, const WindPlace& place) { return turned(place, v); });
-    }
+    sampleElsewhere(
+        *_wind, places, count, time, out, [&](const WindPlace& place) { return there(place); },
+        [&](const glm::vec3& v, const WindPlace& place) { return turned(place, v); });
 }
 
 } // namespace osgTreeWind

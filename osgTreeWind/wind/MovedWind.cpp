@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/MovedWind.h>
 
+#include <osgTreeWind/wind/SampleElsewhere.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
 
 namespace {
-
-constexpr std::size_t placesAtOnce = 64;
 
 /// The matrix without scale and shear; the identity where that has no answer.
 glm::dmat3 rotationOf(const glm::dmat4& matrix) {
@@ -54,15 +52,9 @@ glm::vec3 MovedWind::velocity(const WindPlace& place, double time) const {
 }
 
 void MovedWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
-    WindPlace moved[placesAtOnce];
-    for (std::size_t first = 0; first < count; first += placesAtOnce) {
-        const std::size_t some = std::min(placesAtOnce, count - first);
-        std::transform(places + first, places + first + some, moved,
-                       [&](const WindPlace& place) { return inWorld(place); });
-        _world->sample(moved, some, time, out + first);
-        std::transform(out + first, out + first + some, out + first,
-                       [&](const glm::vec3& v) { return glm::vec3(_turnBack * glm::dvec3(v)); });
-    }
+    sampleElsewhere(
+        *_world, places, count, time, out, [&](const WindPlace& place) { return inWorld(place); },
+        [&](const glm::vec3& v, const WindPlace&) { return glm::vec3(_turnBack * glm::dvec3(v)); });
 }
 
 } // namespace osgTreeWind

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Problem.h>
 
 #include <osgTreeWind/places/CrsMesh.h>
+#include <osgTreeWind/places/WholeTurns.h>
 #include <osgTreeWind/wind/MappedWind.h>
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
@@ -123,8 +124,7 @@ Result<std::shared_ptr<const CrsMesh>> wayTo(const std::string& fileCrs, const W
     const Result<Crs> here = Crs::parse(options.crs), there = Crs::parse(fileCrs);
     if (!here || !there)
         return (here ? there : here).problems();
-    const Result<CrsWay> way = CrsWay::between(here.value(), there.value());
-    if (way && !way.value().transformation())
+    if (here.value().isSame(there.value()))
         return std::shared_ptr<const CrsMesh>();
     const glm::dvec2 origin(options.origin);
     const auto mesh = CrsMesh::over(here.value(), there.value(), origin + options.low, origin + options.high);
@@ -160,9 +160,9 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
         return fileProblem(path, way.problems().front().message);
     const std::shared_ptr<const CrsMesh>& mesh = way.value();
     const glm::dvec2 origin(options.origin), itsOrigin = mesh ? mesh->there(origin) : origin;
-    if (mesh && Crs::parse(content.summary.crs).value().isDegrees()) {
+    if (mesh && mesh->isDegrees()) {
         const double middle = grid.origin.x + 0.5 * grid.cell.x * (grid.points.x - 1);
-        grid.origin.x += 360.0 * std::round((itsOrigin.x - middle) / 360.0);
+        grid.origin.x += wholeTurns(middle, itsOrigin.x);
     }
     if (Diagnostics problems = takeProfile(options, grid); !problems.empty())
         return problems;

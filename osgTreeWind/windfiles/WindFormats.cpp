@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/windfiles/GribHead.h>
+#include <osgTreeWind/windfiles/WeatherHead.h>
 #include <osgTreeWind/windfiles/WindInput.h>
 
 #include <algorithm>
@@ -62,8 +62,7 @@ const Format formats[] = {
     {"TurbSim .bts", ".bts", nullptr, readAll<readTurbSim>},
     {"TOA5", nullptr, [](std::string_view head) { return startsWith(head, "\"TOA5\""); },
      readTable<readToa5>},
-    {"NetCDF", nullptr,
-     [](std::string_view head) { return startsWith(head, "CDF") || startsWith(head, "\x89HDF"); },
+    {"NetCDF", nullptr, beginsNetCdf,
      [](const Given& given) { return readNetCdf(given.input.path(), given.request); }},
     {"GRIB", nullptr, beginsGrib,
      [](const Given& given) { return readGrib(given.input.path(), given.request); }},

@@ -3,10 +3,9 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/WholeTurns.h>
 
 #include <glm/common.hpp>
-
-#include <cmath>
 
 namespace osgTreeWind {
 
@@ -37,7 +36,7 @@ Result<WindArea> areaOn(const std::string& crs, const WindArea& area) {
             if (!way.value().go(place))
                 return nowhere();
             if (to.value().isDegrees())
-                place.x += 360.0 * std::round((middle.x - place.x) / 360.0);
+                place.x += wholeTurns(place.x, middle.x);
             there.low = glm::min(there.low, place);
             there.high = glm::max(there.high, place);
         }

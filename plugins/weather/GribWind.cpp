@@ -11,6 +11,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
+#include <osgTreeWind/windfiles/GridPart.h>
 
 #include <cmath>
 #include <limits>
@@ -132,15 +133,12 @@ private:
         _crs = place.value().crs;
         _content.summary.crs = _crs.text();
         _content.summary.coordinates = place.value().name;
-        _x = wholeOf(place.value().x);
-        _y = wholeOf(place.value().y);
-        if (_request.area) {
-            const Result<WindArea> area = areaOn(_content.summary.crs, *_request.area);
-            if (!area)
-                return fail({_path, 0, 0, area.problems().front().key, area.problems().front().message});
-            _x = partAround(place.value().x, area.value().low.x, area.value().high.x);
-            _y = partAround(place.value().y, area.value().low.y, area.value().high.y);
-        }
+        const Result<GridPart> part =
+            partFor(_request, _content.summary.crs, place.value().x, place.value().y);
+        if (!part)
+            return fail({_path, 0, 0, part.problems().front().key, part.problems().front().message});
+        _x = part.value().x;
+        _y = part.value().y;
         checkSize();
         _grid.points = {static_cast<int>(_x.indices.size()), static_cast<int>(_y.indices.size()),
                         static_cast<int>(layers())};

@@ -7,7 +7,7 @@
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/windfiles/GribHead.h>
+#include <osgTreeWind/windfiles/WeatherHead.h>
 #include <osgTreeWind/windfiles/WindInput.h>
 #include <osgTreeWind/windfiles/WindWire.h>
 
@@ -27,8 +27,7 @@ Result<WindContent> read(const std::string& path, const WindRequest& request) {
     try {
         CPLPushErrorHandler(CPLQuietErrorHandler);
         const Result<std::string> head = WindInput(path).head();
-        if (head && beginsGrib(head.value()) && head.value().rfind("CDF", 0) != 0 &&
-            head.value().rfind("\x89HDF", 0) != 0)
+        if (head && !beginsNetCdf(head.value()) && beginsGrib(head.value()))
             return readGribWind(path, request);
         NetCdfFile file(path);
         if (!file.good())

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/NetCdfAxes.h>
 
+#include <plugins/weather/Words.h>
+
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/places/WholeTurns.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 namespace osgTreeWind {
 
 namespace {
-
-bool among(const std::string& word, std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(), [&](const char* one) { return word == one; });
-}
-
-bool begins(const std::string& word, std::initializer_list<std::string_view> begins) {
-    return std::any_of(begins.begin(), begins.end(), [&](std::string_view one) {
-        return std::string_view(word).substr(0, one.size()) == one;
-    });
-}
 
 std::string unitOf(const NetCdfArray& array) {
     return array.unit.empty() ? array.text("units") : array.unit;
@@ -171,7 +163,7 @@ NetCdfAxis axisOf(NetCdfFile& file, const NetCdfDimension& dimension) {
     if (axis.measure == NetCdfMeasure::Longitude) {
         axis.points.period = 360.0;
         for (std::size_t i = 1; i < at.size(); ++i) // 179, 180, -179
-            at[i] += 360.0 * std::round((at[i - 1] - at[i]) / 360.0);
+            at[i] += wholeTurns(at[i], at[i - 1]);
     }
     const double most = axis.measure == NetCdfMeasure::Latitude    ? 90.001
                         : axis.measure == NetCdfMeasure::Longitude ? 1080.0

@@ -5,6 +5,7 @@
 #include <plugins/weather/TurnToMap.h>
 
 #include <osgTreeWind/wind/WindLimits.h>
+#include <osgTreeWind/windfiles/GridPart.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
@@ -78,16 +79,12 @@ private:
     }
 
     void chooseWindow() {
-        _points.x = wholeOf(_points.xAxis.points);
-        _points.y = wholeOf(_points.yAxis.points);
-        if (_request.area) {
-            const Result<WindArea> area = areaOn(summary().crs, *_request.area);
-            if (!area)
-                return _file.fail({}, area.problems().front().message);
-            const glm::dvec2 low = area.value().low - _points.onMap, high = area.value().high - _points.onMap;
-            _points.x = partAround(_points.xAxis.points, low.x, high.x);
-            _points.y = partAround(_points.yAxis.points, low.y, high.y);
-        }
+        const Result<GridPart> part =
+            partFor(_request, summary().crs, _points.xAxis.points, _points.yAxis.points, _points.onMap);
+        if (!part)
+            return _file.fail({}, part.problems().front().message);
+        _points.x = part.value().x;
+        _points.y = part.value().y;
         for (const Array& array : arrays()) {
             const NetCdfRoles roles = rolesOf(_file, *array);
             if (roles.x)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/NetCdfLevels.h>
 
+#include <plugins/weather/Words.h>
+
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 
@@ -14,10 +16,6 @@ namespace {
 
 constexpr double gravity = 9.80665; // the standard one, which the unit of geopotential height is made of
 
-bool among(const std::string& word, std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(), [&](const char* one) { return word == one; });
-}
-
 /// Metres in one of its numbers: of a height, or of geopotential; 0 for another unit.
 double metresIn(const NetCdfArray& array) {
     const std::string unit = lower(array.unit);
@@ -26,10 +24,6 @@ double metresIn(const NetCdfArray& array) {
     return among(unit, {"m2 s-2", "m**2 s**-2", "m^2 s^-2", "m2/s2", "m^2/s^2", "m2.s-2", "j kg-1"})
                ? 1.0 / gravity
                : 0.0;
-}
-
-bool startsWith(const std::string& text, const char* start) {
-    return text.compare(0, std::string(start).size(), start) == 0;
 }
 
 /// A column of levels at one point and time: heights, and velocities with as many numbers between.
@@ -109,7 +103,7 @@ void NetCdfLevels::measure(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoin
         return;
     _heights.assign(points.levelsAt.begin(), points.levelsAt.end());
     _aboveGround = coordinates && (coordinates->text("standard_name") == "height" ||
-                                   startsWith(lower(coordinates->name), "height"));
+                                   begins(lower(coordinates->name), {"height"}));
 }
 
 void NetCdfLevels::findGeopotential(const NetCdfFile& file, const NetCdfArray& wind) {

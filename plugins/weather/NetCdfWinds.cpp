@@ -2,6 +2,7 @@
 #include <plugins/weather/NetCdfWinds.h>
 
 #include <plugins/weather/NetCdfAxes.h>
+#include <plugins/weather/Words.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
@@ -19,10 +20,6 @@ using Names = std::vector<std::string>;
 
 bool among(const Names& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool startsWith(const std::string& text, const std::string& start) {
-    return text.compare(0, start.size(), start) == 0;
 }
 
 /// The arrays of at least two dimensions with one of these standard names, or of these names of their own.
@@ -47,7 +44,7 @@ Array firstCalled(const NetCdfFile& file, const Names& standard, const Names& ow
 std::vector<Array> beginning(const NetCdfFile& file, const std::string& begin) {
     std::vector<Array> found;
     for (const Array& array : file.arrays())
-        if (array->dimensions.size() >= 2 && startsWith(lower(array->name), begin))
+        if (array->dimensions.size() >= 2 && begins(lower(array->name), {begin}))
             found.push_back(array);
     return found;
 }
@@ -83,7 +80,7 @@ std::optional<double> scalarHeight(NetCdfFile& file, const NetCdfArray& array) {
             one->dimensions.empty() || (one->dimensions.size() == 1 && one->dimensions[0].size == 1);
         if (!isScalar || names.find(' ' + one->name + ' ') == std::string::npos)
             continue;
-        if (one->text("standard_name") == "height" || startsWith(lower(one->name), "height")) {
+        if (one->text("standard_name") == "height" || begins(lower(one->name), {"height"})) {
             const std::vector<double> height = file.coordinates(*one);
             if (!height.empty())
                 return height.front();

@@ -4,7 +4,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/places/CrsWay.h>
-#include <osgTreeWind/windfiles/EvenAxis.h>
+#include <osgTreeWind/windfiles/GridPart.h>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -146,10 +146,10 @@ struct Means {
 
 /// The part of the model that is read, and how.
 struct Part {
-    Sizes n;            ///< Of the whole.
-    AxisPart x, y;      ///< Of the grid.
-    Window window;      ///< Of the file.
-    std::size_t layers; ///< Of the grid.
+    Sizes n;                ///< Of the whole.
+    AxisPart x, y;          ///< Of the grid.
+    Window window;          ///< Of the file.
+    std::size_t layers = 0; ///< Of the grid.
 
     std::size_t cells() const { return window.rows() * window.columns(); }
 };
@@ -312,16 +312,12 @@ void noteValues(bool levels, bool aboveGround, WindSummary& summary) {
 Part partOf(NetCdfFile& file, const Sizes& n, const glm::dvec2& corner, const glm::dvec2& cell,
             const std::vector<glm::ivec2>& moved, const std::string& crs, const WindRequest& request) {
     const EvenAxis x{corner.x, cell.x, n.x, 0.0}, y{corner.y, cell.y, n.y, 0.0};
-    Part part{n, wholeOf(x), wholeOf(y), {}, n.z};
-    if (request.area) {
-        const Result<WindArea> area = areaOn(crs, *request.area);
-        if (!area)
-            file.fail({}, area.problems().front().message);
-        else {
-            part.x = partAround(x, area.value().low.x, area.value().high.x);
-            part.y = partAround(y, area.value().low.y, area.value().high.y);
-        }
+    const Result<GridPart> wanted = partFor(request, crs, x, y);
+    if (!wanted) {
+        file.fail({}, wanted.problems().front().message);
+        return {};
     }
+    Part part{n, wanted.value().x, wanted.value().y, {}, n.z};
     part.window = windowOf(part.x, part.y, moved, n);
     return part;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <tests/EnvironmentVariable.h>
 #include <tests/TestData.h>
+#include <tests/WithoutReader.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/scanfiles/WriteMatlab.h>
@@ -190,15 +190,10 @@ INSTANTIATE_TEST_SUITE_P(Versions, Matlab, testing::ValuesIn(matVersions),
 
 TEST(MatlabReader, WithoutItTheErrorSaysWhatIsMissing) {
     const TemporaryFolder folder;
-    const std::string path = writeMat(folder.path() + "/a.mat", matVersions[0],
-                                      {qsmStruct("QSM", {QsmArrays(sapling())})}),
-                      reader = folder.path() + "/none";
-    const EnvironmentVariable missing("OSGTREEWIND_MATLAB", reader.c_str());
-    EXPECT_EQ(firstProblem(readScanFile(path)),
-              path + ": .mat needs libmatio, and the program " + reader + ": No such file or directory");
-    const EnvironmentVariable silent("OSGTREEWIND_MATLAB", "/bin/true");
-    EXPECT_EQ(firstProblem(readScanFile(path)),
-              path + ": the .mat file is damaged: its reader ended with status 0");
+    const std::string path =
+        writeMat(folder.path() + "/a.mat", matVersions[0], {qsmStruct("QSM", {QsmArrays(sapling())})});
+    expectReaderMissed("OSGTREEWIND_MATLAB", path, ".mat", "libmatio",
+                       [&] { return firstProblem(readScanFile(path)); });
 }
 
 } // namespace osgTreeWind

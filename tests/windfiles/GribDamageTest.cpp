@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Damaged and contradictory GRIB: one clear reason each, and this process lives on.
-#include <tests/EnvironmentVariable.h>
+#include <tests/WithoutReader.h>
 #include <tests/windfiles/GribReading.h>
 
 #include <random>
@@ -228,13 +228,9 @@ TEST(GribDamage, TwoHundredDamagedFilesAreReadOrRefusedWithAReason) {
 
 TEST(GribDamage, WithoutItsReaderItSaysWhatIsMissing) {
     const TemporaryFolder folder;
-    const std::string path = folder.write("a", messageOf({})), reader = folder.path() + "/none";
-    const EnvironmentVariable missing("OSGTREEWIND_WEATHER", reader.c_str());
-    EXPECT_EQ(firstProblem(readAt(path)),
-              path + ": GRIB needs GDAL, and the program " + reader + ": No such file or directory");
-    const EnvironmentVariable silent("OSGTREEWIND_WEATHER", "/bin/true");
-    EXPECT_EQ(firstProblem(readAt(path)),
-              path + ": the GRIB file is damaged: its reader ended with status 0");
+    const std::string path = folder.write("a", messageOf({}));
+    expectReaderMissed("OSGTREEWIND_WEATHER", path, "GRIB", "GDAL",
+                       [&] { return firstProblem(readAt(path)); });
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Damaged NetCDF-4, on which libhdf5 frees wild memory: a reason or a wind, and this process lives on.
-#include <tests/EnvironmentVariable.h>
+#include <tests/WithoutReader.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/windfiles/NetCdfReading.h>
 
@@ -103,13 +103,9 @@ TEST(NetCdfDamage, ReadersOfManyThreadsDoNotMeet) {
 
 TEST(NetCdfDamage, WithoutItsReaderItSaysWhatIsMissing) {
     const TemporaryFolder folder;
-    const std::string path = folder.write("a.nc", "CDF\1"), reader = folder.path() + "/none";
-    const EnvironmentVariable missing("OSGTREEWIND_WEATHER", reader.c_str());
-    EXPECT_EQ(firstProblem(readAt(path)),
-              path + ": NetCDF needs GDAL, and the program " + reader + ": No such file or directory");
-    const EnvironmentVariable silent("OSGTREEWIND_WEATHER", "/bin/true");
-    EXPECT_EQ(firstProblem(readAt(path)),
-              path + ": the NetCDF file is damaged: its reader ended with status 0");
+    const std::string path = folder.write("a.nc", "CDF\1");
+    expectReaderMissed("OSGTREEWIND_WEATHER", path, "NetCDF", "GDAL",
+                       [&] { return firstProblem(readAt(path)); });
 }
 
 } // namespace osgTreeWind

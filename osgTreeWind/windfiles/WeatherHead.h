@@ -3,8 +3,14 @@
 
 #include <string_view>
 
-/// How a file of GRIB begins. Not part of the interface.
+/// How files of weather services begin. Not part of the interface.
 namespace osgTreeWind {
+
+/// NetCDF, classic or HDF5.
+inline bool beginsNetCdf(std::string_view head) {
+    const auto starts = [&](std::string_view mark) { return head.substr(0, mark.size()) == mark; };
+    return starts("CDF") || starts("\x89HDF");
+}
 
 /// Whether there is GRIB of edition 1 or 2 in the first kilobyte of a file, at its beginning or after the
 /// heading of a bulletin.

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+# A program that reads a format in a process of its own. It stands in osgTreeWind/ beside the library, which looks for it
+# there.
+# Usage: add_reader_program(NAME LIBRARY SOURCE...)     (LIBRARY: the target that reads the format)
+function(add_reader_program name library)
+    add_executable(${name} ${ARGN} ${PROJECT_SOURCE_DIR}/plugins/ReaderLimits.cpp)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${name} PRIVATE ${library} glm::glm osgTreeWind_warnings)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY $<TARGET_FILE_DIR:osgTreeWind>/osgTreeWind)
+    install(TARGETS ${name} DESTINATION ${CMAKE_INSTALL_LIBDIR}/osgTreeWind)
+    add_dependencies(osgTreeWind ${name})
+endfunction()

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tests/EnvironmentVariable.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+/// What is said of a file where its reader program is not there, and where it says nothing.
+/// @param variable that names the program. @param problem of reading the file.
+inline void expectReaderMissed(const char* variable, const std::string& path, const std::string& format,
+                               const std::string& library, const std::function<std::string()>& problem) {
+    const std::string reader = path + ".none";
+    const EnvironmentVariable missing(variable, reader.c_str());
+    EXPECT_EQ(problem(), path + ": " + format + " needs " + library + ", and the program " + reader +
+                             ": No such file or directory");
+    const EnvironmentVariable silent(variable, "/bin/true");
+    EXPECT_EQ(problem(), path + ": the " + format + " file is damaged: its reader ended with status 0");
+}
