@@ -1,8 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
-// LEAF_TEXTURE_BIAS: of enlarged clusters (model/TreeDetail.h).
-#pragma import_defines(FADING, LEAF_TEXTURE_BIAS)
+#pragma import_defines(FADING)
 
 #include "dither.glsl"
 #include "leaf_texture.glsl"
@@ -16,11 +15,7 @@ flat in float treeFade;
 flat in float leafBorne;
 
 void main() {
-#ifdef LEAF_TEXTURE_BIAS
-    vec4 leaf = texture(leafTexture, leafCoord, LEAF_TEXTURE_BIAS);
-#else
     vec4 leaf = texture(leafTexture, leafCoord);
-#endif
     float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
 #ifdef FADING
     if (dithered(treeFade))

@@ -70,7 +70,8 @@ bool isAsked(const BenchOptions& options, const std::string& stage) {
 Result<std::vector<BenchView>> runBenchViews(const BenchOptions& options, const ForestDescription& forest,
                                              const BenchSettings& settings, BenchDriver& driver) {
     std::vector<BenchView> views;
-    for (const BenchViewpoint viewpoint : {BenchViewpoint::Over, BenchViewpoint::Home}) {
+    for (const BenchViewpoint viewpoint :
+         {BenchViewpoint::Over, BenchViewpoint::Home, BenchViewpoint::Inside}) {
         Result<BenchView> view = runBenchView(
             options.forest, [&] { return forest; }, viewpoint, forest.trees.size() <= mostTreesInFull,
             settings, driver);

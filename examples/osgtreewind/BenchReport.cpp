@@ -115,7 +115,15 @@ std::vector<double> inFullRatios(const BenchView& view) {
 }
 
 const char* nameOf(BenchViewpoint viewpoint) {
-    return viewpoint == BenchViewpoint::Over ? "over" : "home";
+    switch (viewpoint) {
+    case BenchViewpoint::Over:
+        return "over";
+    case BenchViewpoint::Home:
+        return "home";
+    case BenchViewpoint::Inside:
+        break;
+    }
+    return "inside";
 }
 
 ordered_json viewJson(const BenchView& view) {
@@ -134,10 +142,7 @@ ordered_json viewJson(const BenchView& view) {
                                 ? ordered_json(static_cast<std::uint64_t>(view.forestBytes))
                                 : ordered_json(nullptr)},
             {"tiers",
-             {{"full", view.tiers[0]},
-              {"reduced", view.tiers[1]},
-              {"reducedTwice", view.tiers[2]},
-              {"impostor", view.tiers[3]}}},
+             {{"full", view.tiers[0]}, {"boughs", view.treesOfBoughs()}, {"impostor", view.impostors()}}},
             {"drawn", timesJson(view.drawn)},
             {"inFull", view.inFull.frame.empty() ? ordered_json(nullptr) : timesJson(view.inFull)},
             {"tree", timesJson(view.tree)},
@@ -296,7 +301,7 @@ void printView(std::ostream& out, const BenchView& view, double bytes) {
     for (const std::string& cell :
          {fixed(view.loadSeconds(), 2), fixed(view.forestSeconds, 2), fixed(view.shapesSeconds, 2),
           fixed(view.firstFrameSeconds, 2), fixed(bytes, 0), std::to_string(view.tiers[0]),
-          std::to_string(view.tiers[1]), std::to_string(view.tiers[2]), std::to_string(view.tiers[3]),
+          std::to_string(view.treesOfBoughs()), std::to_string(view.impostors()),
           fixed(quantile(view.drawn.update, 0.5), 2), fixed(quantile(view.drawn.cull, 0.5), 2),
           fixed(quantile(view.drawn.draw, 0.5), 2), fixed(quantile(view.drawn.frame, 0.5), 2),
           fixed(quantile(view.tree.frame, 0.5), 2),
@@ -315,11 +320,11 @@ void printViewHead(std::ostream& out, const BenchConditions& conditions) {
         << " rounds, times in ms (medians); over: frame over that of one reference tree that fills the "
            "view\n\n"
            "| forest | view | trees | load, s | forest | its shapes | first frame | bytes a tree | full | "
-           "reduced | "
-           "twice | impostors | update | cull | draw | frame | tree | over | over, processor | in full, over "
+           "boughs | "
+           "impostors | update | cull | draw | frame | tree | over | over, processor | in full, over "
            "|\n"
            "| --- | ---";
-    for (int column = 0; column < 18; ++column)
+    for (int column = 0; column < 17; ++column)
         out << " | ---:";
     out << " |\n";
 }

@@ -3,6 +3,7 @@
 
 #include "BenchStage.h"
 
+#include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -154,7 +155,9 @@ RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
             const glm::vec3 blade = leaf.orientation * v.normal;
             const float side = glm::dot(blade, outward) < 0.0f ? -0.5f : 0.5f;
             rest.add(posedLeafPoint(leaf, v.corner, leaf.orientation, scale, {}),
-                     glm::normalize(outward + side * blade), v.uv, leaf.unit, (0.88f + 0.24f * own) * sky);
+                     glm::normalize(outward + side * blade),
+                     LeafAtlas::coordinate(i, static_cast<std::size_t>(&v - model.leafMesh.data()) / 4, v.uv),
+                     leaf.unit, (0.88f + 0.24f * own) * sky);
         }
     }
     rest.setTriangles(leafIndices(model.leaves.size()));

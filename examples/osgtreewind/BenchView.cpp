@@ -36,6 +36,11 @@ osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, 
     const osg::Vec3d centre = bound.center();
     const double aspect = static_cast<double>(size.width) / size.height;
     osg::Vec3d eye = defaultEye(centre, bound.radius(), {benchFieldOfView, aspect});
+    if (viewpoint == BenchViewpoint::Inside) {
+        osg::Vec3d eye = bound.center();
+        eye.z() = 1.7;
+        return osg::Matrixd::lookAt(eye, eye + osg::Vec3d(0.0, 10.0, 0.5), osg::Vec3d(0.0, 0.0, 1.0));
+    }
     if (viewpoint == BenchViewpoint::Home) { // osgGA::CameraManipulator::computeHomePosition()
         const double side = std::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
         eye = centre - osg::Vec3d(0.0, bound.radius() / std::sin(std::atan(side)), 0.0);

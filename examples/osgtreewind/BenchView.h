@@ -7,11 +7,13 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 /// From where a forest is looked at.
 enum class BenchViewpoint {
-    Over, ///< Where `render --view above` looks from.
-    Home  ///< Where osgviewer starts: from the south, level.
+    Over,  ///< Where `render --view above` looks from.
+    Home,  ///< Where osgviewer starts: from the south, level.
+    Inside ///< A person in its middle, who looks north.
 };
 
 /// A whole forest drawn from a view of it, in turns with one reference tree that fills the view.
@@ -30,6 +32,12 @@ struct BenchView {
     BenchTimes drawn, inFull, tree; ///< Round by round; `inFull` in each 10th, or none.
     static constexpr int roundsPerFull = 10;
 
+    std::size_t treesOfBoughs() const {
+        return std::accumulate(tiers.begin() + 1, tiers.begin() + osgTreeWind::branchTiers, std::size_t{0});
+    }
+    std::size_t impostors() const {
+        return std::accumulate(tiers.begin() + osgTreeWind::branchTiers, tiers.end(), std::size_t{0});
+    }
     double loadSeconds() const { return forestSeconds + firstFrameSeconds; }
 };
 

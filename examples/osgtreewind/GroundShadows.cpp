@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "GroundShadows.h"
 
-#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <osgTreeWind/drawing/impostors/LeafMasks.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
@@ -56,14 +56,6 @@ struct Fall {
     }
 };
 
-/// What of a leaf card is solid, by a channel of its texture: 3 with leaves, 2 bare.
-Silhouette::Mask cardMask(const osg::Image& texture, int channel) {
-    Silhouette::Mask mask{texture.s(), {}};
-    for (int i = 0; i < texture.s() * texture.t(); ++i)
-        mask.solid.push_back(texture.data()[4 * i + channel] >= 128);
-    return mask;
-}
-
 /// A shape's shadow, and where it lies on the ground about the foot of a tree that is not scaled.
 struct ShadowPicture {
     glm::vec2 low{0.0f}, high{1e-3f};
@@ -98,7 +90,8 @@ struct ShadowPicture {
 
         const glm::vec2 scale = static_cast<float>(samples * pixels) / (high - low);
         const osg::ref_ptr<osg::Image> card = leafImage(appearance);
-        const Silhouette::Mask leafy = cardMask(*card, 3), bare = cardMask(*card, 2), solid{1, {1}};
+        const Silhouette::Mask leafy = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 3, false),
+                               bare = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 2, false), solid{1, {1}};
         Silhouette black(samples * pixels);
         quads([&](bool borne, const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along) {
             black.draw(scale * (corner - low), scale * across, scale * along, borne ? leafy : bare);

@@ -12,11 +12,9 @@ const Fields& fieldsOf<DrawingOptions>() {
         {"tiers", at<&P::tiers>, {}, "false: everything in full"},
         {"full", at<&P::full>, above(0, 100000), "from this height on: every vertex", "pixels"},
         {"reduced", at<&P::reduced>, above(0, 100000),
-         "from this height on: reduced once, to about a fifth of the vertices", "pixels"},
+         "between `full` and this height ever fewer and larger leaf cards; below: the fewest", "pixels"},
         {"impostor", at<&P::impostor>, within(0, 100000),
-         "from this height on: reduced twice, to about a twentieth; below: a picture of the tree that leans "
-         "with it. 0: no pictures",
-         "pixels"},
+         "below this height: a picture of the tree that leans with it. 0: no pictures", "pixels"},
         {"blend", at<&P::blend>, within(0, 0.9),
          "share of a threshold over which one form gives way to the next, pixel by pixel"},
     };

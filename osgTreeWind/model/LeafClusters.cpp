@@ -18,6 +18,11 @@ namespace osgTreeWind {
 namespace {
 
 constexpr float goldenAngle = 2.3999632f;
+/// Faces of leaves are inclined by what their clusters are, by how their quads are turned within them, and by
+/// how they stand on these: as variances, these shares of the first two leave the third one its own.
+constexpr float clusterShare = 0.2f, quadShare = 1.0f;
+constexpr float halfV = 1.22f;    ///< Radians between the rows of a frond and upright.
+constexpr float leastRoll = 0.4f; ///< Radians: flat crowns too are seen from the side.
 
 /// The leaf frame whose petiole (+Z) points along `petiole`, turned by `roll` about it.
 glm::quat leafFrame(const glm::vec3& petiole, float roll) {
@@ -114,6 +119,12 @@ glm::quat sprayFrame(const glm::vec3& outward, float angle, float azimuth) {
     return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
 }
 
+/// The leaf frame of a segment of a frond: along it, its face up.
+glm::quat frondFrame(const glm::vec3& along) {
+    const glm::vec3 up = directionOr(glm::vec3(0, 0, 1) - along.z * along, perpendicular(along));
+    return glm::quat_cast(glm::mat3(glm::cross(along, up), -up, along));
+}
+
 /// Where a cluster sits on a branch, which way that goes on, and which way is out of it.
 struct LeafSeat {
     glm::vec3 anchor, tangent, outward;
@@ -163,9 +174,11 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
             cluster.anchor = seat.anchor;
             cluster.unit = static_cast<int>(index);
             const float turn = random.symmetric() * glm::pi<float>();
-            cluster.orientation = p.inclination > 0.0f
-                                      ? sprayFrame(petiole, leafAngle(angles, p.inclination), turn)
-                                      : leafFrame(petiole, turn);
+            cluster.orientation =
+                p.frond ? frondFrame(seat.tangent)
+                : p.inclination > 0.0f
+                    ? sprayFrame(petiole, leafAngle(angles, clusterShare * p.inclination), turn)
+                    : leafFrame(petiole, turn);
             cluster.size = 1.0f + 0.25f * random.symmetric();
             clusters.push_back(cluster);
         }
@@ -187,13 +200,30 @@ QuadPlace fanQuad(int quad) {
 }
 
 /// Of a flat spray: the first quad goes straight on from further out, the others to both sides, a little out
-/// of its plane.
-QuadPlace sprayQuad(int quad) {
+/// of its plane; each is turned about its own length.
+QuadPlace sprayQuad(int quad, float inclination) {
+    const float roll = glm::max(quadShare * inclination, leastRoll) * (quad == 0   ? 0.5f
+                                                                       : quad == 1 ? 1.0f
+                                                                                   : -1.0f);
     if (quad == 0)
-        return {0.4f, {1, 0, 0}, {0, 0, 1}};
+        return {0.4f, {cosine(roll), sine(roll), 0}, {0, 0, 1}};
     const float turn = quad == 1 ? 1.05f : -1.05f;
-    const glm::vec3 along{sine(turn), 0.0f, cosine(turn)}, across{cosine(turn), 0.0f, -sine(turn)};
-    return {0.0f, across, cosine(0.1f) * along + sine(0.1f) * glm::vec3(0, 1, 0)};
+    const glm::vec3 ahead{sine(turn), 0.0f, cosine(turn)}, across{cosine(turn), 0.0f, -sine(turn)};
+    const glm::vec3 along = cosine(0.1f) * ahead + sine(0.1f) * glm::vec3(0, 1, 0);
+    return {0.0f, cosine(roll) * across + sine(roll) * glm::cross(along, across), along};
+}
+
+/// A row of leaflets along a segment of a frond: to the right and to the left, in a V, or hanging.
+void addFrondRow(const LeafParameters& parameters, int row, LeafVertex* corners) {
+    const float lean = row == 0 ? halfV : row == 1 ? -halfV : 2.9f; // from upright
+    const glm::vec3 outward{sine(lean), -cosine(lean), 0.0f};
+    const float upward = row == 1 ? 1.0f : -1.0f;
+    const glm::vec3 normal{upward * cosine(lean), upward * sine(lean), 0.0f};
+    for (int corner = 0; corner < 4; ++corner) {
+        const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};
+        corners[corner] = {uv.x * parameters.length * glm::vec3(0, 0, 1) + uv.y * parameters.width * outward,
+                           normal, uv};
+    }
 }
 
 } // namespace
@@ -242,7 +272,12 @@ std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters
     std::array<LeafVertex, verticesPerLeafCluster> mesh;
     const float half = 0.5f * parameters.width;
     for (int quad = 0; quad < quadsPerLeafCluster; ++quad) {
-        const auto [start, side, along] = parameters.inclination > 0.0f ? sprayQuad(quad) : fanQuad(quad);
+        if (parameters.frond) {
+            addFrondRow(parameters, quad, &mesh[static_cast<std::size_t>(4 * quad)]);
+            continue;
+        }
+        const auto [start, side, along] =
+            parameters.inclination > 0.0f ? sprayQuad(quad, parameters.inclination) : fanQuad(quad);
         const glm::vec3 normal = glm::cross(side, along);
         for (int corner = 0; corner < 4; ++corner) {
             const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};

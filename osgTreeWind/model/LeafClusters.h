@@ -29,6 +29,9 @@ struct LeafParameters {
     /// Of `clusters`: mean angle of leaf faces from the horizontal, radians; each cluster is a flat
     /// spray with its own. 0: clusters are fans, with faces to all sides.
     float inclination = 0.0f;
+    /// Of `clusters`: each is a segment of a frond, which is the branch, with rows of leaflets on both sides
+    /// and one that hangs. `length` is along the branch, `width` that of a row.
+    bool frond = false;
     float area = 0.0f; ///< Of all quads over the trunk's cross-section at breast height; 0: length
                        ///< and width hold as they are, else they tell the proportions.
     std::uint32_t seed = 1;
@@ -59,7 +62,7 @@ inline bool isBorne(std::size_t cluster, float share) {
 struct LeafVertex {
     glm::vec3 corner{0.0f}; ///< Metres; the petiole starts at the origin.
     glm::vec3 normal{0.0f};
-    glm::vec2 uv{0.0f}; ///< (0,0) to (1,1) over each quad, v along the petiole.
+    glm::vec2 uv{0.0f}; ///< (0,0) to (1,1) over each quad, v along the petiole; of fronds across it.
 };
 
 constexpr int quadsPerLeafCluster = 3;

@@ -129,6 +129,12 @@ const Fields& fieldsOf<LeafParameters>() {
          "with `clusters`: mean angle of leaf faces from the horizontal; clusters then are flat sprays. 0: "
          "fans with faces to all sides",
          "degrees"},
+        {"frond",
+         at<&P::frond>,
+         {},
+         "with `clusters`: each is a segment of a frond, which is the branch: `length` along it, `width` of "
+         "the "
+         "rows of leaflets on both sides, and of one that hangs"},
         {"thin_wood", at<&P::thinWood>, within(0, 1),
          "with `clusters`: share of the length of all wood, the thinnest, that bears some"},
         {"area", at<&P::area>, within(0, 1e6),

@@ -5,17 +5,17 @@
 
 namespace osgTreeWind {
 
-/// Shares of a leaf card.
+/// Shares of a leaf card, which sprays are painted to.
 struct CardCoverage {
-    float leaves; ///< What leaves cover, twigs between them left out, as sprays are painted (LeafSprayTest).
-    float twigs;  ///< What twigs cover when bare; sprays are painted to it.
+    float leaves; ///< What leaves cover, twigs between them left out.
+    float twigs;  ///< What twigs cover when bare.
 };
 
 /// In the order of LeafForm.
-constexpr CardCoverage cardCoverages[] = {{0.41f, 0.13f},  {0.455f, 0.13f}, {0.455f, 0.15f}, {0.395f, 0.13f},
-                                          {0.437f, 0.13f}, {0.31f, 0.13f},  {0.483f, 0.13f}, {0.478f, 0.085f},
-                                          {0.355f, 0.13f}, {0.45f, 0.13f},  {0.355f, 0.07f}, {0.335f, 0.07f},
-                                          {0.39f, 0.07f},  {0.53f, 0.02f}};
+constexpr CardCoverage cardCoverages[] = {{0.33f, 0.13f}, {0.33f, 0.13f}, {0.33f, 0.15f}, {0.32f, 0.13f},
+                                          {0.34f, 0.15f}, {0.29f, 0.13f}, {0.46f, 0.13f}, {0.34f, 0.085f},
+                                          {0.33f, 0.13f}, {0.35f, 0.13f}, {0.31f, 0.07f}, {0.30f, 0.07f},
+                                          {0.33f, 0.07f}, {0.42f, 0.02f}};
 
 constexpr float leafCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].leaves;

@@ -234,7 +234,9 @@ TEST(LeafSprays, FacesHaveTheInclinationOfTheirKind) {
                 area += share;
                 around[(normal.x > 0.0f ? 1 : 0) + (normal.y > 0.0f ? 2 : 0)] += share;
             }
-        EXPECT_NEAR(glm::degrees(sum / area), degrees, 3.0f);
+        // Of cards; how leaves stand on these adds to it (TreeLooksTest).
+        EXPECT_GT(glm::degrees(sum / area), 0.75f * degrees);
+        EXPECT_LT(glm::degrees(sum / area), std::max(degrees, 23.0f));
         for (const float quarter : around)
             EXPECT_NEAR(quarter / area, 0.25f, 0.05f) << "to all sides";
     }
@@ -249,8 +251,34 @@ TEST(LeafSprays, PointOutwardAndLieInTheirPlane) {
     }
     const auto mesh = makeLeafMesh(leaves);
     for (const LeafVertex& vertex : mesh) {
-        EXPECT_LT(std::abs(vertex.corner.y), 0.11f * leaves.length);
-        EXPECT_LT(vertex.normal.y, -0.99f);
+        EXPECT_LT(std::abs(vertex.corner.y), 0.11f * leaves.length + 0.5f * leaves.width * std::sin(0.6f));
+        EXPECT_LT(vertex.normal.y, -std::cos(0.65f));
+    }
+}
+
+TEST(Fronds, HaveTwoRowsOfLeafletsInAVAndOneThatHangs) {
+    LeafParameters fronds = sprays(0.0f);
+    fronds.frond = true;
+    fronds.length = 0.4f;
+    fronds.width = 0.5f;
+    const auto mesh = makeLeafMesh(fronds);
+    const auto tipOf = [&](std::size_t row) { return mesh[4 * row + 3].corner - mesh[4 * row].corner; };
+    const float v = glm::degrees(std::acos(glm::dot(tipOf(0), tipOf(1)) / (0.5f * 0.5f)));
+    EXPECT_NEAR(v, 140.0f, 1.0f);
+    EXPECT_LT(tipOf(0).y, 0.0f) << "up is -y";
+    EXPECT_GT(tipOf(2).y, 0.4f);
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+        EXPECT_NEAR(glm::length(mesh[i].normal), 1.0f, 1e-5f);
+        EXPECT_NEAR(glm::dot(mesh[i].normal, tipOf(i / 4)), 0.0f, 1e-5f);
+        EXPECT_LT(mesh[i].normal.y, 0.0f);
+        EXPECT_NEAR(mesh[i].corner.z, 0.4f * mesh[i].uv.x, 1e-6f) << "along the frond";
+    }
+    const Skeleton skeleton = makeGrownTree({});
+    for (const LeafCluster& cluster : makeLeafClusters(skeleton, fronds)) {
+        const glm::vec3 up = cluster.orientation * glm::vec3(0, -1, 0),
+                        along = cluster.orientation * glm::vec3(0, 0, 1);
+        ASSERT_GE(up.z, -1e-5f);
+        ASSERT_NEAR(glm::dot(up, along), 0.0f, 1e-5f);
     }
 }
 

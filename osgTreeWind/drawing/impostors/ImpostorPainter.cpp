@@ -26,7 +26,8 @@ struct LeafPiece {
     glm::vec3 corner, across, along; ///< Metres, tree frame.
     glm::vec3 color;
     LightLobe light;
-    bool borne; ///< Or bare twigs.
+    bool borne;  ///< Or bare twigs.
+    int variant; ///< Of its spray.
 };
 
 /// A stretch of a branch.
@@ -63,8 +64,9 @@ std::vector<LeafPiece> leafPieces(const TreeModel& model, const CrownShade& crow
     std::vector<LeafPiece> pieces;
     std::size_t cluster = 0;
     for (const LeafCluster& leaf : model.leaves) {
-        const auto index = static_cast<float>(cluster);
-        const bool borne = isBorne(cluster++, share);
+        const std::size_t own = cluster++;
+        const auto index = static_cast<float>(own);
+        const bool borne = isBorne(own, share);
         const glm::vec3 outward = crown.outward(leaf.anchor);
         const CrownShade::Light light = crown.at(leaf.anchor);
         const glm::vec3 color =
@@ -74,9 +76,12 @@ std::vector<LeafPiece> leafPieces(const TreeModel& model, const CrownShade& crow
             const glm::vec3 corner = model.leafMesh[i].corner,
                             blade = leaf.orientation * model.leafMesh[i].normal;
             const float side = glm::sign(glm::dot(blade, outward));
-            pieces.push_back({leaf.anchor + turned(corner), turned(model.leafMesh[i + 1].corner - corner),
-                              turned(model.leafMesh[i + 3].corner - corner), color,
-                              LightLobe(light, glm::normalize(outward + 0.5f * side * blade), true), borne});
+            const auto [variant, mirrored] = LeafAtlas::choose(own, i / 4);
+            const glm::vec3 across = turned(model.leafMesh[i + 1].corner - corner);
+            pieces.push_back({leaf.anchor + turned(corner) + (mirrored ? across : glm::vec3(0.0f)),
+                              mirrored ? -across : across, turned(model.leafMesh[i + 3].corner - corner),
+                              color, LightLobe(light, glm::normalize(outward + 0.5f * side * blade), true),
+                              borne, variant});
         }
     }
     return pieces;
@@ -110,7 +115,7 @@ public:
         : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
           _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
-          _stencils(*leafImage(appearance)), _raster(settings.pixels * settings.samples),
+          _stencils(stencilsOf(*leafImage(appearance))), _raster(settings.pixels * settings.samples),
           _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();
@@ -135,6 +140,16 @@ public:
     }
 
 private:
+    static std::vector<LeafStencils> stencilsOf(const osg::Image& texture) {
+        std::vector<LeafStencils> stencils;
+        for (int i = 0; i < LeafAtlas::sprays; ++i)
+            stencils.emplace_back(texture, LeafAtlas::spray(i));
+        return stencils;
+    }
+    const LeafStencils& stencilsOf(const LeafPiece& piece) const {
+        return _stencils[static_cast<std::size_t>(piece.variant)];
+    }
+
     float elevation(int row) const {
         return glm::half_pi<float>() * static_cast<float>(row) / static_cast<float>(_settings.elevations - 1);
     }
@@ -209,10 +224,11 @@ private:
             const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
                                           glm::max(glm::abs(along.x), glm::abs(along.y)));
             const float share = pixel * widest / glm::max(area, 1e-9f);
-            const std::size_t level = _stencils.levelOf(share);
+            const LeafStencils& stencils = stencilsOf(piece);
+            const std::size_t level = stencils.levelOf(share);
             _levels[item] = static_cast<std::uint8_t>(level);
             _raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
-                         piece.borne ? _stencils.level(level).leaves : _stencils.level(level).twigs, item++);
+                         piece.borne ? stencils.level(level).leaves : stencils.level(level).twigs, item++);
         }
         for (std::size_t i = 0; i < _bark.size(); ++i) {
             const BarkPiece& piece = _bark[i];
@@ -261,7 +277,7 @@ private:
             return;
         if (sample.item < _leaves.size()) {
             const LeafPiece& leaf = _leaves[sample.item];
-            const LeafStencils::Level& level = _stencils.level(_levels[sample.item]);
+            const LeafStencils::Level& level = stencilsOf(leaf).level(_levels[sample.item]);
             const glm::vec3 tint =
                 leaf.borne ? level.tints[static_cast<std::size_t>(sample.cell)] : glm::vec3(1.0f);
             sum.add(tint * leaf.color, leaf.light, 1.0f);
@@ -285,7 +301,7 @@ private:
     std::vector<LeafPiece> _leaves;
     std::vector<BarkPiece> _bark;
     glm::vec3 _barkColor;
-    LeafStencils _stencils;
+    std::vector<LeafStencils> _stencils; ///< By variant.
     TreeRaster::Stencil _solid;
     TreeRaster _raster;
     std::vector<Front> _fronts;

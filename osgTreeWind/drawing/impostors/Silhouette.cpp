@@ -75,6 +75,18 @@ Silhouette Silhouette::outline(int side) const {
     return within;
 }
 
+Silhouette Silhouette::shrunk(int pixels) const {
+    Silhouette small(_size / pixels);
+    for (int y = 0; y < small._size; ++y)
+        for (int x = 0; x < small._size; ++x) {
+            int count = 0;
+            for (int i = 0; i < pixels * pixels; ++i)
+                count += black(pixels * x + i % pixels, pixels * y + i / pixels);
+            small._black[static_cast<std::size_t>(y * small._size + x)] = 2 * count >= pixels * pixels;
+        }
+    return small;
+}
+
 std::size_t Silhouette::count() const {
     return static_cast<std::size_t>(std::count(_black.begin(), _black.end(), std::uint8_t{1}));
 }

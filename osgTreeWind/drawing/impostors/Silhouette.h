@@ -31,6 +31,10 @@ public:
     /// Closed by a square of `side` pixels, and without holes: what the eye takes for the outline.
     Silhouette outline(int side) const;
 
+    int size() const { return _size; }
+    /// A pixel for each square of so many: black where at least half of it is.
+    Silhouette shrunk(int pixels) const;
+
     bool black(int x, int y) const { return _black[static_cast<std::size_t>(y * _size + x)] != 0; }
     std::size_t count() const;
     /// Black here and in the other, which is of the same size.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/TreeLooks.h>
 
+#include <osgTreeWind/drawing/impostors/CrownDrawing.h>
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
+#include <osgTreeWind/drawing/impostors/LeafMasks.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
-#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <osgTreeWind/drawing/looks/LeafSpray.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
@@ -22,21 +24,6 @@ namespace {
 constexpr int shapes = 3, azimuths = 3, viewPixels = 600;
 constexpr float fromBelow = 25.0f; ///< Degrees below the middle of the crown.
 constexpr int closingPart = 12;    ///< Of the crown's width, by which its outline is closed.
-
-/// What of a leaf texture is solid: leaves with their twigs, and twigs alone.
-struct LeafMasks {
-    Silhouette::Mask both, twigs;
-
-    explicit LeafMasks(const osg::Image& texture) {
-        both.size = twigs.size = texture.s();
-        for (int i = 0; i < texture.s() * texture.t(); ++i) {
-            const unsigned char* texel = texture.data() + 4 * i;
-            both.solid.push_back(texel[3] >= 128);
-            twigs.solid.push_back(texel[2] >= 128);
-        }
-    }
-    float leafCoverage() const { return both.coverage() - twigs.coverage(); }
-};
 
 /// The two axes of a picture of the tree, from below.
 struct UpwardView {
@@ -57,7 +44,8 @@ public:
     CrownView(const TreeModel& model, float azimuth) : _model(model), _view(azimuth) {
         _low = glm::vec2(1e9f);
         glm::vec2 high(-1e9f);
-        forEachQuad([&](const glm::vec3& corner, const glm::vec3& across, const glm::vec3& along) {
+        forEachLeafQuad(model, [&](std::size_t, std::size_t, const glm::vec3& corner, const glm::vec3& across,
+                                   const glm::vec3& along) {
             for (const glm::vec3& p : {corner, corner + across, corner + along, corner + across + along}) {
                 _low = glm::min(_low, _view(p));
                 high = glm::max(high, _view(p));
@@ -70,46 +58,28 @@ public:
         _closing = static_cast<int>(_scale * size.x / closingPart);
     }
 
-    Silhouette leaves(const Silhouette::Mask& mask) const {
+    glm::vec2 operator()(const glm::vec3& p) const { return _scale * (_view(p) - _low); }
+
+    /// @param mask that is to be taken of them.
+    Silhouette leaves(const LeafMasks& masks,
+                      const Silhouette::Mask& (LeafMasks::*mask)(const LeafAtlas::Choice&) const) const {
         Silhouette silhouette(viewPixels);
-        forEachQuad([&](const glm::vec3& corner, const glm::vec3& across, const glm::vec3& along) {
-            silhouette.draw(_scale * (_view(corner) - _low), _scale * _view(across), _scale * _view(along),
-                            mask);
+        forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
+                                    const glm::vec3& across, const glm::vec3& along) {
+            drawPiece(*this, corner, across, along, (masks.*mask)(LeafAtlas::choose(cluster, quad)),
+                      silhouette);
         });
         return silhouette;
     }
 
     void addWood(Silhouette& silhouette) const {
-        const Skeleton& skeleton = _model.skeleton;
-        const Silhouette::Mask solid{1, {1}};
-        for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
-            for (int ring = 0; ring + 1 < skeleton.ringsPerBranch; ++ring) {
-                const glm::vec2 start = _scale * (_view(skeleton.point(unit, ring)) - _low),
-                                along = _scale * (_view(skeleton.point(unit, ring + 1)) - _low) - start;
-                const float length = glm::length(along);
-                if (length < 1e-6f)
-                    continue;
-                const glm::vec2 side = _scale *
-                                       (skeleton.radius(unit, ring) + skeleton.radius(unit, ring + 1)) *
-                                       glm::vec2(along.y, -along.x) / length;
-                silhouette.draw(start - 0.5f * side, side, along, solid);
-            }
+        drawWood(
+            _model.skeleton, *this, [&](const glm::vec3&) { return _scale; }, silhouette);
     }
 
     int closing() const { return _closing; }
 
 private:
-    template <typename Visit>
-    void forEachQuad(Visit visit) const {
-        for (const LeafCluster& leaf : _model.leaves)
-            for (std::size_t i = 0; i < _model.leafMesh.size(); i += 4) {
-                const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
-                const glm::vec3 corner = _model.leafMesh[i].corner;
-                visit(leaf.anchor + turned(corner), turned(_model.leafMesh[i + 1].corner - corner),
-                      turned(_model.leafMesh[i + 3].corner - corner));
-            }
-    }
-
     const TreeModel& _model;
     UpwardView _view;
     glm::vec2 _low;
@@ -122,7 +92,8 @@ glm::vec2 skyThrough(const TreeModel& model, const LeafMasks& masks) {
     glm::vec2 sum(0.0f);
     for (int i = 0; i < azimuths; ++i) {
         const CrownView view(model, glm::two_pi<float>() * (static_cast<float>(i) + 0.25f) / azimuths);
-        Silhouette summer = view.leaves(masks.both), winter = view.leaves(masks.twigs);
+        Silhouette summer = view.leaves(masks, &LeafMasks::leaves),
+                   winter = view.leaves(masks, &LeafMasks::twigs);
         const Silhouette inLeaf = summer.outline(view.closing()), bare = winter.outline(view.closing());
         view.addWood(summer);
         view.addWood(winter);
@@ -133,21 +104,40 @@ glm::vec2 skyThrough(const TreeModel& model, const LeafMasks& masks) {
     return sum / static_cast<float>(azimuths);
 }
 
-/// Area of all quads, and that times the mean inclination in degrees.
-glm::vec2 quadsOf(const TreeModel& model) {
-    glm::vec2 sum(0.0f);
-    for (const LeafCluster& leaf : model.leaves)
-        for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
-            const auto edge = [&](std::size_t corner) {
-                return leaf.size *
-                       (leaf.orientation * (model.leafMesh[i + corner].corner - model.leafMesh[i].corner));
-            };
-            const glm::vec3 normal = glm::cross(edge(1), edge(3));
-            const float area = glm::length(normal);
-            if (area > 0.0f)
-                sum += area *
-                       glm::vec2(1.0f, glm::degrees(glm::acos(glm::min(glm::abs(normal.z) / area, 1.0f))));
+/// Mean angle from the horizontal of leaves on cards so inclined, all radians.
+float inclinationOf(float card, const LeafSpray& spray) {
+    constexpr int ways = 8;
+    double sum = 0.0, area = 0.0;
+    for (const LeafBlade& blade : spray.blades) {
+        const double own = static_cast<double>(blade.length * blade.length);
+        for (int i = 0; i < ways; ++i) {
+            const float way = glm::two_pi<float>() * (static_cast<float>(i) + 0.5f) / ways;
+            const float up =
+                glm::cos(card) * glm::cos(blade.tilt) + glm::sin(card) * glm::sin(blade.tilt) * glm::cos(way);
+            sum += own * static_cast<double>(glm::acos(glm::clamp(glm::abs(up), 0.0f, 1.0f))) / ways;
         }
+        area += own;
+    }
+    return area > 0.0 ? static_cast<float>(sum / area) : card;
+}
+
+/// Area of all quads, and that times the mean inclination of the leaves on them in degrees.
+glm::vec2 quadsOf(const TreeModel& model, const LeafSpray& spray) {
+    constexpr int steps = 18;
+    float areas[steps + 1] = {};
+    forEachLeafQuad(model, [&](std::size_t, std::size_t, const glm::vec3&, const glm::vec3& across,
+                               const glm::vec3& along) {
+        const glm::vec3 normal = glm::cross(across, along);
+        const float area = glm::length(normal);
+        if (area > 0.0f)
+            areas[static_cast<std::size_t>(glm::round(
+                steps * glm::acos(glm::min(glm::abs(normal.z) / area, 1.0f)) / glm::half_pi<float>()))] +=
+                area;
+    });
+    glm::vec2 sum(0.0f);
+    for (std::size_t i = 0; i <= steps; ++i)
+        sum += areas[i] * glm::vec2(1.0f, glm::degrees(inclinationOf(
+                                              glm::half_pi<float>() * static_cast<float>(i) / steps, spray)));
     return sum;
 }
 
@@ -220,6 +210,7 @@ struct LeafColors {
 
 TreeLooks measureLooks(const Species& species) {
     const LeafMasks masks(*leafImage(species.appearance));
+    const LeafSpray spray = growSpray(species.appearance.leafForm);
     TreeLooks looks;
     LeafColors colors;
     glm::vec2 sky(0.0f), quads(0.0f);
@@ -230,7 +221,7 @@ TreeLooks measureLooks(const Species& species) {
         looks.leafAreaMechanics += leafArea(model, {}, species) / shapes;
         if (model.leaves.empty())
             continue;
-        quads += quadsOf(model);
+        quads += quadsOf(model, spray);
         sky += skyThrough(model, masks) / static_cast<float>(shapes);
         colors.add(model, species.appearance);
     }

@@ -6,6 +6,7 @@
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct Habit {
     float leafLean = 0.9f;    ///< Of a leaf from its shoot.
     float length = 0.15f;     ///< Of a blade.
     float petiole = 0.02f;
-    float variation = 0.3f; ///< Of a leaf's direction.
+    float tilt = 0.8f; ///< The most of a leaf's face out of the card.
 };
 
 /// @param lean from upright toward the right.
@@ -40,63 +41,84 @@ struct Shoot {
     glm::vec2 at(float t) const { return foot + length * t * direction(lean + 0.5f * bend * t); }
 };
 
-/// By form; that of a frond is not used.
+/// By form; of that of a frond only the tilt is used.
 constexpr Habit habits[] = {
-    {7, 3, 0.9f, false, 0.1f, 0.05f, 0.9f, 0.15f, 0.02f, 0.3f},    // blade
-    {7, 3, 1.0f, false, 0.4f, 0.05f, 0.9f, 0.2f, 0.01f, 0.3f},     // lobed: leaves crowd at the ends
-    {7, 3, 0.8f, false, 0.1f, 0.06f, 0.85f, 0.16f, 0.02f, 0.12f},  // ovate: flat, in two rows
-    {7, 4, 0.7f, false, 0.1f, 0.035f, 0.9f, 0.1f, 0.035f, 0.3f},   // rhombic
-    {6, 2, 0.9f, true, 0.3f, 0.15f, 0.9f, 0.19f, 0.1f, 0.3f},      // palmate
-    {6, 2, 0.9f, true, 0.4f, 0.12f, 0.7f, 0.14f, 0.34f, 0.3f},     // pinnate
-    {7, 3, 0.9f, false, 0.1f, 0.08f, 0.9f, 0.15f, 0.06f, 0.5f},    // heart
-    {7, 3, 0.8f, false, 0.1f, 0.05f, 0.9f, 0.1f, 0.08f, 0.6f},     // round
-    {6, 1, 0.9f, true, 0.25f, 0.35f, 1.2f, 0.22f, 0.16f, 0.3f},    // fingered
-    {7, 3, 1.0f, false, 0.1f, 0.13f, 0.9f, 0.12f, 0.08f, 0.2f},    // fan: bunches on spurs
-    {9, 5, 0.8f, false, 0.0f, 0.006f, 0.9f, 0.04f, 0.0f, 0.15f},   // needles
-    {7, 3, 0.75f, false, 0.3f, 0.007f, 0.55f, 0.13f, 0.0f, 0.25f}, // bundles
-    {7, 4, 0.9f, false, 0.1f, 0.035f, 0.9f, 0.055f, 0.0f, 0.3f},   // tufts
-    {7, 3, 0.9f, false, 0.1f, 0.05f, 0.9f, 0.15f, 0.02f, 0.3f},    // frond
+    {10, 5, 0.9f, false, 0.1f, 0.04f, 0.9f, 0.14f, 0.02f, 0.7f},   // blade
+    {10, 5, 1.0f, false, 0.2f, 0.04f, 0.9f, 0.17f, 0.01f, 0.6f},   // lobed
+    {10, 5, 0.8f, false, 0.1f, 0.05f, 0.85f, 0.13f, 0.02f, 0.3f},  // ovate: flat, in two rows
+    {10, 5, 0.7f, false, 0.05f, 0.03f, 0.9f, 0.09f, 0.035f, 1.2f}, // rhombic
+    {8, 4, 0.9f, true, 0.2f, 0.1f, 0.9f, 0.17f, 0.1f, 0.5f},       // palmate
+    {8, 4, 0.9f, true, 0.2f, 0.09f, 0.7f, 0.12f, 0.3f, 0.55f},     // pinnate
+    {10, 4, 0.9f, false, 0.1f, 0.06f, 0.9f, 0.14f, 0.06f, 0.55f},  // heart
+    {10, 4, 0.8f, false, 0.1f, 0.04f, 0.9f, 0.09f, 0.08f, 0.7f},   // round
+    {8, 3, 0.9f, true, 0.1f, 0.2f, 1.2f, 0.2f, 0.15f, 0.45f},      // fingered
+    {10, 4, 1.0f, false, 0.1f, 0.1f, 0.9f, 0.11f, 0.08f, 0.9f},    // fan: bunches on spurs
+    {11, 4, 0.75f, false, 0.0f, 0.007f, 0.9f, 0.05f, 0.0f, 0.5f},  // needles
+    {9, 4, 0.75f, false, 0.3f, 0.009f, 0.55f, 0.13f, 0.0f, 0.6f},  // bundles
+    {8, 4, 0.9f, false, 0.05f, 0.06f, 0.9f, 0.06f, 0.0f, 0.8f},    // tufts
+    {0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},       // frond
 };
 
-/// Within a rounded outline that the eye does not take for a card.
+/// Within a rounded outline, which shoots seldom reach, so that the eye does not take it for a card.
 bool onCard(const glm::vec2& p) {
     const glm::vec2 off = glm::abs(p - 0.5f) / 0.495f;
-    return std::pow(off.x, 2.6f) + std::pow(off.y, 2.6f) < 1.0f;
+    return std::pow(off.x, 5.0f) + std::pow(off.y, 5.0f) < 1.0f;
 }
 
-class Spray {
-public:
-    explicit Spray(LeafForm form)
-        : _form(form), _habit(habits[static_cast<std::size_t>(form)]), _outline(leafOutline(form)),
-          _random(100 + static_cast<std::uint64_t>(form)) {}
+/// One leaf, of one or more blades.
+struct Leaf {
+    std::size_t first, end; ///< Of the blades.
+    float rank;             ///< Those of low rank are borne first.
+};
 
-    LeafTexels paint() {
+class SprayGrower {
+public:
+    SprayGrower(LeafForm form, int variant)
+        : _form(form), _habit(habits[static_cast<std::size_t>(form)]), _outline(leafOutline(form)),
+          _random(100 + static_cast<std::uint64_t>(form) + 1000 * static_cast<std::uint64_t>(variant)) {}
+
+    LeafSpray spray() {
         if (_form == LeafForm::Frond)
             growFrond();
         else
             grow();
-        std::vector<TwigPiece> pieces;
+        LeafSpray spray;
         for (const Shoot& shoot : _shoots)
             for (int i = 0; i < 6; ++i) {
                 const float from = static_cast<float>(i) / 6.0f, to = static_cast<float>(i + 1) / 6.0f;
-                pieces.push_back({shoot.at(from), shoot.at(to), shoot.width * (1.0f - 0.6f * from),
-                                  shoot.width * (1.0f - 0.6f * to)});
+                spray.twigs.push_back({shoot.at(from), shoot.at(to), shoot.width * (1.0f - 0.6f * from),
+                                       shoot.width * (1.0f - 0.6f * to)});
             }
+        std::sort(_leaves.begin(), _leaves.end(),
+                  [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
         SprayCanvas canvas;
-        canvas.addTwigs(std::move(pieces), twigCoverage(_form));
+        spray.twigs = canvas.fitTwigs(std::move(spray.twigs), twigCoverage(_form));
+        // Leaves grow where there is light: first those with room, then what else there is.
+        for (const float room : {0.75f, 0.4f, 0.0f})
+            for (Leaf& leaf : _leaves)
+                if (canvas.leafCoverage() < leafCoverage(_form) && hasRoom(canvas, leaf, room))
+                    for (; leaf.first < leaf.end; ++leaf.first) {
+                        canvas.addLeaf(_outline, _blades[leaf.first]);
+                        spray.blades.push_back(_blades[leaf.first]);
+                    }
         // What hangs behind is darker.
-        std::stable_sort(_blades.begin(), _blades.end(),
+        std::stable_sort(spray.blades.begin(), spray.blades.end(),
                          [](const LeafBlade& a, const LeafBlade& b) { return a.brightness < b.brightness; });
-        for (const LeafBlade& blade : _blades)
-            canvas.addLeaf(_outline, blade);
-        return canvas.texels();
+        return spray;
     }
 
 private:
+    bool hasRoom(SprayCanvas& canvas, const Leaf& leaf, float room) const {
+        float sum = 0.0f;
+        for (std::size_t i = leaf.first; i < leaf.end; ++i)
+            sum += canvas.freeShare(_outline, _blades[i]);
+        return sum >= room * static_cast<float>(leaf.end - leaf.first);
+    }
+
     void grow() {
         const Shoot stem{{0.5f, 0.0f}, 0.1f * _random.symmetric(), 0.15f * _random.symmetric(), 0.8f, 2.4f};
         _shoots.push_back(stem);
-        const std::vector<Shoot> sides = sideShoots(stem, _habit.sides, 0.04f, 0.85f, 0.55f, 1.5f);
+        const std::vector<Shoot> sides = sideShoots(stem, _habit.sides, 0.04f, 0.85f, 0.6f, 1.5f);
         for (const Shoot& side : sides) {
             _shoots.push_back(side);
             for (const Shoot& twig : sideShoots(side, _habit.twigs, 0.2f, 0.9f, 0.22f, 1.0f)) {
@@ -122,7 +144,7 @@ private:
             const glm::vec2 foot = parent.at(t);
             const float lean = parent.leanAt(t) + hand * (_habit.lean + 0.15f * _random.symmetric());
             Shoot shoot{foot, lean, -hand * 0.35f * _random.uniform(),
-                        reach * (0.75f + 0.4f * _random.uniform()), width};
+                        reach * tapering(t) * (0.55f + 0.7f * _random.uniform()), width};
             while (shoot.length > 0.03f && !onCard(shoot.at(1.0f)))
                 shoot.length *= 0.9f;
             if (shoot.length > 0.03f)
@@ -131,7 +153,13 @@ private:
         return shoots;
     }
 
+    /// Shoots of conifers are pointed.
+    float tapering(float t) const {
+        return _form == LeafForm::Needles || _form == LeafForm::Tufts ? 1.1f - 0.75f * t : 1.0f;
+    }
+
     void addLeaves(const Shoot& shoot, float bare) {
+        _rank = _random.uniform();
         const float start = bare * shoot.length;
         float hand = _random.uniform() < 0.5f ? -1.0f : 1.0f;
         for (float at = start; at < shoot.length; at += _habit.spacing, hand = -hand) {
@@ -147,16 +175,31 @@ private:
     /// @param lean from the shoot.
     void addLeaf(const glm::vec2& foot, float shoot, float lean) {
         const float size = 0.8f + 0.35f * _random.uniform();
+        const glm::vec2 off =
+            needles() ? glm::vec2(0.0f) : 0.04f * glm::vec2(_random.symmetric(), _random.symmetric());
         for (int attempt = 0; attempt < 3; ++attempt) {
-            const float own = shoot + lean + _habit.variation * _random.symmetric();
-            const glm::vec2 place = foot + size * _habit.petiole * direction(own);
+            const float own = shoot + lean + (needles() ? 0.25f : 0.6f) * _random.symmetric();
+            const glm::vec2 place = foot + off + size * _habit.petiole * direction(own);
             if (!fits(place, own, size * _habit.length))
                 continue;
-            _brightness = 0.52f + 0.48f * _random.uniform();
+            turnFace();
             _hue = 0.5f + 0.4f * _random.symmetric();
-            addBlades(foot, place, own, size * _habit.length);
+            const std::size_t first = _blades.size();
+            addBlades(foot + off, place, own, size * _habit.length);
+            _leaves.push_back({first, _blades.size(),
+                               needles() ? 0.7f * _rank + 0.3f * _random.uniform() : _random.uniform()});
             return;
         }
+    }
+
+    bool needles() const { return _form >= LeafForm::Needles && _form <= LeafForm::Tufts; }
+
+    /// Faces that are turned up along the card see more of the sky.
+    void turnFace() {
+        _tilt = _habit.tilt * _random.uniform();
+        _toward = glm::pi<float>() * _random.symmetric();
+        _brightness =
+            (0.55f + 0.37f * _random.uniform()) * (1.0f + 0.25f * glm::sin(_tilt) * glm::cos(_toward));
     }
 
     void addBlades(const glm::vec2& foot, const glm::vec2& place, float lean, float length) {
@@ -190,11 +233,8 @@ private:
     }
 
     void addBlade(const glm::vec2& foot, float lean, float length) {
-        if (_form == LeafForm::Frond)
-            while (length > 0.05f && !fits(foot, lean, length))
-                length *= 0.9f;
-        if (fits(foot, lean, length))
-            _blades.push_back({foot, lean, length, _brightness, _hue});
+        if (_form == LeafForm::Frond || fits(foot, lean, length))
+            _blades.push_back({foot, lean, length, _brightness, _hue, _tilt, _toward});
     }
 
     bool fits(const glm::vec2& foot, float lean, float length) const {
@@ -204,19 +244,17 @@ private:
         });
     }
 
-    /// A midrib up the card, leaflets on both sides, the longest below the middle.
+    /// A segment of a frond: leaflets that spring from the rib, its lower edge, and lean the way it goes.
+    /// Those of its neighbours reach into it.
     void growFrond() {
-        const Shoot rib{{0.5f, 0.0f}, 0.0f, 0.0f, 0.97f, 1.0f};
-        _shoots.push_back(rib);
-        constexpr int pairs = 70;
-        for (int i = 0; i < pairs; ++i) {
-            const float t = 0.06f + 0.92f * static_cast<float>(i) / pairs;
-            const float lean = glm::mix(1.25f, 0.35f, t * t), reach = glm::mix(0.5f, 0.16f, t * t * t);
-            for (const float hand : {-1.0f, 1.0f}) {
-                _brightness = 0.52f + 0.48f * _random.uniform();
-                addBlade(rib.at(t), hand * (lean + 0.06f * _random.symmetric()),
-                         reach * glm::min(1.0f, 0.45f + 3.0f * t));
-            }
+        _shoots.push_back({{0.0f, 0.01f}, glm::half_pi<float>(), 0.0f, 1.0f, 1.0f});
+        constexpr int leaflets = 24;
+        for (int i = -leaflets / 2; i < leaflets; ++i) {
+            const float at = (static_cast<float>(i) + 0.5f + 0.3f * _random.symmetric()) / leaflets;
+            turnFace();
+            const std::size_t first = _blades.size();
+            addBlade({at, 0.005f}, 0.5f + 0.12f * _random.symmetric(), 0.98f - 0.15f * _random.uniform());
+            _leaves.push_back({first, _blades.size(), _random.uniform()});
         }
     }
 
@@ -226,13 +264,24 @@ private:
     Random _random;
     std::vector<Shoot> _shoots, _bareShoots;
     std::vector<LeafBlade> _blades;
-    float _brightness = 0.8f, _hue = 0.5f; ///< Of the leaf that is being added.
+    std::vector<Leaf> _leaves;
+    float _brightness = 0.8f, _hue = 0.5f, _tilt = 0.0f, _toward = 0.0f; ///< Of the leaf that is being added.
+    float _rank = 0.0f;                                                  ///< Of the shoot that bears it.
 };
 
 } // namespace
 
-LeafTexels paintSpray(LeafForm form) {
-    return Spray(form).paint();
+LeafSpray growSpray(LeafForm form, int variant) {
+    return SprayGrower(form, variant).spray();
+}
+
+LeafTexels paintSpray(LeafForm form, const LeafSpray& spray) {
+    SprayCanvas canvas;
+    canvas.addTwigs(spray.twigs);
+    const LeafOutline outline = leafOutline(form);
+    for (const LeafBlade& blade : spray.blades)
+        canvas.addLeaf(outline, blade);
+    return canvas.texels();
 }
 
 } // namespace osgTreeWind

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <osgTreeWind/drawing/looks/LeafTexels.h>
+#include <osgTreeWind/drawing/looks/SprayCanvas.h>
 #include <osgTreeWind/species/Appearance.h>
 
 namespace osgTreeWind {
 
-/// Paints what a leaf card of about half a metre shows: a twig that springs from the middle of its lower
-/// edge, branches, and bears leaves as large and in such order as the genus has them. A frond is one leaf.
-LeafTexels paintSpray(LeafForm form);
+/// Twigs and the leaves they bear, on a card whose corners are (0, 0) and (1, 1). They spring from the middle
+/// of its lower edge; a segment of a frond from all of that.
+struct LeafSpray {
+    std::vector<TwigPiece> twigs;
+    std::vector<LeafBlade> blades; ///< Those behind come first.
+};
+
+/// One of many that a form may have: as many leaves as cover leafCoverage(). Takes milliseconds.
+LeafSpray growSpray(LeafForm form, int variant = 0);
+LeafTexels paintSpray(LeafForm form, const LeafSpray& spray);
 
 } // namespace osgTreeWind

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int cells = TreeRaster::cells;
 
-/// Linear filter over a mipmap, clamped to its edge.
+/// Linear filter over a mipmap.
 glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& at) {
     const int size = std::max(texture.s() >> mipmap, 1);
     const unsigned char* texels = mipmap ? texture.getMipmapData(mipmap) : texture.data();
@@ -32,17 +32,16 @@ glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& 
 
 } // namespace
 
-LeafStencils::LeafStencils(const osg::Image& texture) : _texels(texture.s()) {
-    const unsigned mipmaps = std::max(texture.getNumMipmapLevels(), 1u);
-    _levels.resize((mipmaps - 1) * steps + 1);
+LeafStencils::LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& card)
+    : _texels(static_cast<int>(card.size * static_cast<float>(texture.s()))) {
+    constexpr unsigned tooCoarse = 2; // to tell how much is covered
+    const auto mipmaps = static_cast<unsigned>(std::log2(_texels)) + 1 - tooCoarse;
+    _levels.resize(mipmaps);
     for (std::size_t i = 0; i < _levels.size(); ++i) {
-        const auto mipmap = static_cast<unsigned>(i / steps);
-        const float part = static_cast<float>(i % steps) / steps;
         for (int cell = 0; cell < cells * cells; ++cell) {
-            const glm::vec2 at = (glm::vec2(cell % cells, cell / cells) + 0.5f) / static_cast<float>(cells);
-            glm::vec4 color = filtered(texture, mipmap, at);
-            if (part > 0.0f)
-                color = glm::mix(color, filtered(texture, mipmap + 1, at), part);
+            const glm::vec2 at =
+                card.at((glm::vec2(cell % cells, cell / cells) + 0.5f) / static_cast<float>(cells));
+            const glm::vec4 color = filtered(texture, static_cast<unsigned>(i), at);
             _levels[i].leaves[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
             _levels[i].twigs[static_cast<std::size_t>(cell)] = color.b >= LeafTexels::alphaThreshold;
             _levels[i].tints[static_cast<std::size_t>(cell)] = Laws().texelTint(color.r, color.g);
@@ -51,7 +50,7 @@ LeafStencils::LeafStencils(const osg::Image& texture) : _texels(texture.s()) {
 }
 
 std::size_t LeafStencils::levelOf(float share) const {
-    const float level = static_cast<float>(steps) * std::log2(share * static_cast<float>(_texels)) + 0.5f;
+    const float level = std::log2(share * static_cast<float>(_texels)) + 0.5f;
     const auto last = static_cast<float>(_levels.size() - 1);
     return static_cast<std::size_t>(level > 0.0f ? std::min(level, last) : 0.0f);
 }

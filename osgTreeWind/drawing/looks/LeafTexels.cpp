@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafTexels.h>
 
-#include <osgTreeWind/drawing/looks/ByteOf.h>
-
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -16,20 +14,69 @@ constexpr int twigs = 2, all = 3;
 float mean(const LeafTexels& level, int channel) {
     double sum = 0.0;
     for (const glm::vec4& texel : level.texels)
-        sum += texel[channel];
+        sum += static_cast<double>(texel[channel]);
     return static_cast<float>(sum / static_cast<double>(level.texels.size()));
 }
 
-/// Factor on a channel with which the alpha test keeps a share of it, or as near as texels are fine; 1 if it
-/// does so as it is.
-float scaleFor(const LeafTexels& level, int channel, float share) {
-    if (std::abs(level.coverage(channel) - share) < 0.001f)
-        return 1.0f;
-    float low = 0.0f, high = 8.0f;
-    for (int step = 0; step < 12; ++step)
-        (level.coverage(channel, 0.5f * (low + high)) < share ? low : high) = 0.5f * (low + high);
-    const float above = level.coverage(channel, high) - share, below = share - level.coverage(channel, low);
-    return channel == twigs && below < above ? low : high;
+/// Makes each texel solid, 1, or empty, 0, so that every few of them keep their mean (Floyd and Steinberg
+/// 1976, to and fro).
+void diffuse(LeafTexels& level, int channel) {
+    const auto size = static_cast<std::size_t>(level.size);
+    std::vector<float> row(size + 2), next(size + 2);
+    for (int y = 0; y < level.size; ++y) {
+        const int step = y % 2 == 0 ? 1 : -1;
+        std::fill(next.begin(), next.end(), 0.0f);
+        for (int i = 0, x = step > 0 ? 0 : level.size - 1; i < level.size; ++i, x += step) {
+            glm::vec4& texel = level.at(x, y);
+            const auto at = static_cast<std::size_t>(x) + 1, ahead = at + static_cast<std::size_t>(step),
+                       behind = at - static_cast<std::size_t>(step);
+            const float wanted = texel[channel] + row[at];
+            const bool solid = wanted >= 0.5f;
+            const float error = wanted - (solid ? 1.0f : 0.0f);
+            texel[channel] = solid ? 1.0f : 0.0f;
+            row[ahead] += 7.0f / 16.0f * error;
+            next[behind] += 3.0f / 16.0f * error;
+            next[at] += 5.0f / 16.0f * error;
+            next[ahead] += 1.0f / 16.0f * error;
+        }
+        row.swap(next);
+    }
+}
+
+/// Share of a level that the alpha test keeps between its texels, when empty ones are not less than `empty`.
+float filteredCoverage(const LeafTexels& level, int channel, float empty) {
+    constexpr int samples = 4;
+    std::size_t kept = 0, taken = 0;
+    for (int y = 0; y + 1 < level.size; ++y)
+        for (int x = 0; x + 1 < level.size; ++x) {
+            const auto at = [&](int i, int j) { return glm::max(level.at(x + i, y + j)[channel], empty); };
+            const float corners[4] = {at(0, 0), at(1, 0), at(0, 1), at(1, 1)};
+            for (int i = 0; i < samples * samples; ++i) {
+                const float u = (static_cast<float>(i % samples) + 0.5f) / samples,
+                            v = (static_cast<float>(i / samples) + 0.5f) / samples;
+                kept += glm::mix(glm::mix(corners[0], corners[1], u), glm::mix(corners[2], corners[3], u),
+                                 v) >= LeafTexels::alphaThreshold;
+                ++taken;
+            }
+        }
+    return taken == 0 ? mean(level, channel) : static_cast<float>(kept) / static_cast<float>(taken);
+}
+
+/// What to raise empty texels to, for filters to keep a share.
+float emptyFor(const LeafTexels& level, int channel, float share) {
+    float low = 0.0f, high = 0.48f;
+    for (int step = 0; step < 5; ++step)
+        (filteredCoverage(level, channel, 0.5f * (low + high)) < share ? low : high) = 0.5f * (low + high);
+    return low;
+}
+
+} // namespace
+
+float LeafTexels::coverage(int channel, float scale) const {
+    const auto kept = std::count_if(texels.begin(), texels.end(), [=](const glm::vec4& texel) {
+        return texel[channel] * scale >= alphaThreshold;
+    });
+    return static_cast<float>(kept) / static_cast<float>(texels.size());
 }
 
 LeafTexels halved(const LeafTexels& level) {
@@ -48,39 +95,23 @@ LeafTexels halved(const LeafTexels& level) {
     return half;
 }
 
-} // namespace
-
-float LeafTexels::coverage(int channel, float scale) const {
-    const auto kept = std::count_if(texels.begin(), texels.end(), [=](const glm::vec4& texel) {
-        return texel[channel] * scale >= alphaThreshold;
-    });
-    return static_cast<float>(kept) / static_cast<float>(texels.size());
-}
-
-osg::ref_ptr<osg::Image> makeLeafImage(LeafTexels level) {
-    const int size = level.size, levels = static_cast<int>(std::log2(size)) + 1;
+std::vector<LeafTexels> leafMipmaps(LeafTexels level) {
+    std::vector<LeafTexels> levels{level};
     const float shares[2] = {mean(level, twigs), mean(level, all)};
-    std::vector<unsigned char> bytes;
-    osg::Image::MipmapDataType offsets;
-    for (int i = 0; i < levels; ++i) {
-        if (i > 0) {
-            offsets.push_back(static_cast<unsigned>(bytes.size()));
-            level = halved(level);
+    while (level.size > 1) {
+        level = halved(level);
+        LeafTexels shown = level;
+        diffuse(shown, twigs);
+        diffuse(shown, all);
+        const float empty[2] = {emptyFor(shown, twigs, shares[0]), emptyFor(shown, all, shares[1])};
+        for (glm::vec4& texel : shown.texels) {
+            texel.a = glm::max(texel.a, empty[1]);
+            texel.b = glm::max(texel.b, empty[0]);
         }
-        const float scales[2] = {scaleFor(level, twigs, shares[0]), scaleFor(level, all, shares[1])};
-        for (glm::vec4 texel : level.texels) {
-            texel.b *= scales[0];
-            texel.a = glm::max(texel.a * scales[1], texel.b);
-            for (int channel = 0; channel < 4; ++channel)
-                bytes.push_back(byteOf(texel[channel]));
-        }
+        levels.push_back(std::move(shown));
     }
-    auto* data = new unsigned char[bytes.size()];
-    std::copy(bytes.begin(), bytes.end(), data);
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->setImage(size, size, 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, data, osg::Image::USE_NEW_DELETE);
-    image->setMipmapLevels(offsets);
-    return image;
+    levels.back().texels.front().a = 1.0f; // a card that is seen edge on
+    return levels;
 }
 
 } // namespace osgTreeWind

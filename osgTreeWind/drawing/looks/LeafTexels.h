@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osg/Image>
-
 #include <glm/vec4.hpp>
 
 #include <vector>
@@ -25,9 +23,11 @@ struct LeafTexels {
     float coverage(int channel, float scale = 1.0f) const;
 };
 
-/// As RGBA8 with all levels down to one texel. On each the alpha test keeps that share of leaves, and of
-/// twigs, which they cover: the crown stays as dense far away as close by (Castaño, "Computing alpha
-/// mipmaps", 2010).
-osg::ref_ptr<osg::Image> makeLeafImage(LeafTexels texels);
+/// A card, halved again and again down to one texel, for filters that take the nearest level. On each the
+/// alpha test keeps as much of leaves, and of twigs, as they cover, everywhere on the card: far away the
+/// crown is as dense and as finely cut as close by.
+std::vector<LeafTexels> leafMipmaps(LeafTexels card);
+/// Half as wide.
+LeafTexels halved(const LeafTexels& texels);
 
 } // namespace osgTreeWind

@@ -15,8 +15,27 @@ namespace {
 
 // In leaf, twigs are dark and brownish between the leaves.
 constexpr float twigBrightness = 0.4f, twigHue = 0.75f;
+/// Bare twigs stand for many finer ones, among leaves for themselves.
+constexpr float widthInLeaf = 0.75f;
+
+std::vector<glm::vec2> polygonOf(const LeafOutline& outline, const LeafBlade& blade) {
+    std::vector<glm::vec2> polygon;
+    for (const glm::vec2& p : outline)
+        polygon.emplace_back(blade.point(p));
+    for (std::size_t i = outline.size(); i-- > 0;)
+        polygon.emplace_back(blade.point({-outline[i].x, outline[i].y}));
+    return polygon;
+}
 
 } // namespace
+
+glm::vec3 LeafBlade::point(const glm::vec2& outline) const {
+    const glm::vec2 along{glm::sin(lean), glm::cos(lean)}, side{along.y, -along.x};
+    const glm::vec2 way{glm::sin(toward), glm::cos(toward)};
+    const glm::vec2 flat = length * (outline.x * side + outline.y * along);
+    const float reach = glm::dot(flat, way);
+    return {foot + flat + (glm::cos(tilt) - 1.0f) * reach * way, glm::sin(tilt) * reach};
+}
 
 SprayCanvas::SprayCanvas() : _brightness(size * size), _hue(size * size), _parts(size * size) {}
 
@@ -48,24 +67,31 @@ void SprayCanvas::fill(const std::vector<glm::vec2>& polygon, Paint paint) {
     }
 }
 
-void SprayCanvas::drawTwigs(const std::vector<TwigPiece>& twigs) {
+void SprayCanvas::addTwigs(const std::vector<TwigPiece>& twigs) {
+    const std::uint8_t brightness = byteOf(twigBrightness), hue = byteOf(twigHue);
     for (const TwigPiece& piece : twigs) {
         const glm::vec2 along = glm::normalize(piece.end - piece.foot), side{along.y, -along.x};
-        const glm::vec2 foot = 0.5f * piece.footWidth * side, end = 0.5f * piece.endWidth * side;
-        fill({piece.foot - foot, piece.foot + foot, piece.end + end, piece.end - end},
-             [&](std::size_t i, const glm::vec2&) {
-                 _parts[i] = twig;
-                 _brightness[i] = byteOf(twigBrightness);
-                 _hue[i] = byteOf(twigHue);
-             });
+        const auto paint = [&](float width, std::uint8_t part) {
+            const glm::vec2 foot = 0.5f * width * piece.footWidth * side,
+                            end = 0.5f * width * piece.endWidth * side;
+            fill({piece.foot - foot, piece.foot + foot, piece.end + end, piece.end - end},
+                 [&](std::size_t i, const glm::vec2&) {
+                     _parts[i] = static_cast<std::uint8_t>(_parts[i] | part);
+                     _brightness[i] = brightness;
+                     _hue[i] = hue;
+                 });
+        };
+        paint(1.0f, bareTwig);
+        paint(widthInLeaf, leafyTwig);
     }
 }
 
-void SprayCanvas::addTwigs(std::vector<TwigPiece> twigs, float coverage) {
+std::vector<TwigPiece> SprayCanvas::fitTwigs(std::vector<TwigPiece> twigs, float coverage) {
     for (int step = 0; step < 4; ++step) {
         std::fill(_parts.begin(), _parts.end(), std::uint8_t{0});
-        drawTwigs(twigs);
-        const auto drawn = std::count(_parts.begin(), _parts.end(), twig);
+        addTwigs(twigs);
+        const auto drawn =
+            std::count_if(_parts.begin(), _parts.end(), [](std::uint8_t part) { return part & bareTwig; });
         const float factor = coverage * size * size / static_cast<float>(std::max<std::ptrdiff_t>(drawn, 1));
         for (TwigPiece& piece : twigs) {
             piece.footWidth *= factor;
@@ -73,27 +99,37 @@ void SprayCanvas::addTwigs(std::vector<TwigPiece> twigs, float coverage) {
         }
     }
     std::fill(_parts.begin(), _parts.end(), std::uint8_t{0});
-    drawTwigs(twigs);
+    addTwigs(twigs);
+    return twigs;
 }
 
 void SprayCanvas::addLeaf(const LeafOutline& outline, const LeafBlade& blade) {
     const glm::vec2 along{glm::sin(blade.lean), glm::cos(blade.lean)}, side{along.y, -along.x};
-    std::vector<glm::vec2> polygon;
-    for (const glm::vec2& p : outline)
-        polygon.push_back(blade.foot + blade.length * (p.x * side + p.y * along));
-    for (std::size_t i = outline.size(); i-- > 0;)
-        polygon.push_back(blade.foot + blade.length * (outline[i].y * along - outline[i].x * side));
+    const glm::vec2 toward{glm::sin(blade.toward), glm::cos(blade.toward)};
+    const float unfolded = 1.0f / glm::cos(blade.tilt) - 1.0f;
     const std::uint8_t hue = byteOf(blade.hue);
-    fill(polygon, [&](std::size_t i, const glm::vec2& p) {
-        const float u = glm::dot(p - blade.foot, along) / blade.length,
-                    v = glm::dot(p - blade.foot, side) / blade.length;
+    fill(polygonOf(outline, blade), [&](std::size_t i, const glm::vec2& p) {
+        glm::vec2 q = (p - blade.foot) / blade.length;
+        q += unfolded * glm::dot(q, toward) * toward;
+        const float u = glm::dot(q, along), v = glm::dot(q, side);
         // One half of a blade faces the light more than the other; its rib is lighter.
         const float half = v < 0.0f ? 1.06f : 0.94f;
         const float rib = glm::abs(v) < 0.02f && blade.length > 0.06f ? 1.15f : 1.0f;
+        _leafSamples += (_parts[i] & (leaf | bareTwig)) == 0;
         _parts[i] = static_cast<std::uint8_t>(_parts[i] | leaf);
-        _brightness[i] = byteOf(blade.brightness * half * rib * (0.84f + 0.24f * u));
+        const float lit = blade.brightness * half * rib * (0.84f + 0.24f * u);
+        _brightness[i] = static_cast<std::uint8_t>(255.0f * glm::clamp(lit, 0.0f, 1.0f) + 0.5f);
         _hue[i] = hue;
     });
+}
+
+float SprayCanvas::freeShare(const LeafOutline& outline, const LeafBlade& blade) {
+    std::size_t free = 0, all = 0;
+    fill(polygonOf(outline, blade), [&](std::size_t i, const glm::vec2&) {
+        ++all;
+        free += (_parts[i] & leaf) == 0;
+    });
+    return all == 0 ? 0.0f : static_cast<float>(free) / static_cast<float>(all);
 }
 
 LeafTexels SprayCanvas::texels() const {
@@ -105,16 +141,16 @@ LeafTexels SprayCanvas::texels() const {
             for (int i = 0; i < samples * samples; ++i) {
                 const auto at =
                     static_cast<std::size_t>((y * samples + i / samples) * size + x * samples + i % samples);
-                if (!_parts[at])
+                twigs += _parts[at] & bareTwig ? 1.0f : 0.0f;
+                if (!(_parts[at] & (leaf | leafyTwig)))
                     continue;
                 any += 1.0f;
                 brightness += static_cast<float>(_brightness[at]) / 255.0f;
                 hue += static_cast<float>(_hue[at]) / 255.0f;
-                twigs += _parts[at] & twig ? 1.0f : 0.0f;
             }
             // Outside the shape the colour stays leaf-like, so that filters get no dark rim.
             texels.at(x, y) = any > 0.0f ? glm::vec4(brightness / any, hue / any, share * twigs, share * any)
-                                         : glm::vec4(0.75f, 0.5f, 0.0f, 0.0f);
+                                         : glm::vec4(0.75f, 0.5f, share * twigs, 0.0f);
         }
     return texels;
 }

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
+#include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 #include <osgTreeWind/drawing/looks/SceneShading.h>
 #include <osgTreeWind/drawing/looks/TreePicture.h>
@@ -57,7 +58,10 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
         if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
             return picture;
     static PaintedOnce<LeafForm, static_cast<std::size_t>(LeafForm::Frond) + 1> images;
-    return images.image(appearance.leafForm, [](LeafForm form) { return makeLeafImage(paintSpray(form)); });
+    return images.image(appearance.leafForm, [](LeafForm form) {
+        const auto card = [&](int variant) { return paintSpray(form, growSpray(form, variant)); };
+        return makeLeafAtlas({card(0), card(1), card(2)});
+    });
 }
 
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
@@ -83,8 +87,10 @@ osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image
 osg::Texture2D* TreeTextures::leaves(const Appearance& appearance) {
     const osg::ref_ptr<osg::Image> image = leafImage(appearance);
     osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
-    if (!texture)
+    if (!texture) {
         texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
+        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // leafMipmaps()
+    }
     return texture;
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 
 namespace osgTreeWind {
 
@@ -16,19 +15,15 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
     : _species(species) {
     const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
-    const TreeDetail details[branchTiers] = {TreeDetail::full(), TreeDetail::reducedOnce(),
-                                             TreeDetail::reducedTwice()};
     for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
-        const ThinnedLeaves leaves = thinnedLeaves(model.leaves, model.leafMesh, details[tier]);
-        _bark[tier] =
-            makeSkinGeometry(whole ? model.skin : makeBranchSkin(model.skeleton, details[tier].skin), crown);
+        const TreeDetail detail = whole ? TreeDetail::full() : TreeDetail::reduced(tier);
+        _bark[tier] = makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), crown);
         if (!model.leaves.empty())
-            _leaves[tier] = makeLeafGeometry(leaves, model.leafMesh, crown);
+            _leaves[tier] =
+                makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, detail), model.leafMesh, crown);
         _states[tier] = new osg::StateSet;
         _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
-        if (!whole) // a bias makes sampling slow, even one of 0
-            _states[tier]->setDefine("LEAF_TEXTURE_BIAS", std::to_string(leaves.textureBias));
     }
 }
 

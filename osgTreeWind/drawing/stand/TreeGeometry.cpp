@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 
+#include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/gpu/DistinctArrays.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/Laws.h>
@@ -60,7 +61,7 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& lea
 osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown) {
-    const auto cornerCount = static_cast<std::size_t>(4 * leaves.quads);
+    const auto cornerCount = static_cast<std::size_t>(4 * leaves.quads());
     glm::vec3 middle(0.0f);
     for (std::size_t corner = 0; corner < cornerCount; ++corner)
         middle += mesh[corner].corner / static_cast<float>(cornerCount);
@@ -77,13 +78,15 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
             const LeafVertex& v = mesh[corner];
             anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
             corners->push_back(toOsg(v.corner));
-            ids->push_back({v.uv.x, v.uv.y, static_cast<float>(leaf.unit), static_cast<float>(index)});
+            const glm::vec2 uv = leaves.bough > 1 ? LeafAtlas::onBough(leaves.bough, index, v.uv)
+                                                  : LeafAtlas::coordinate(index, corner / 4, v.uv);
+            ids->push_back({uv.x, uv.y, static_cast<float>(leaf.unit), static_cast<float>(index)});
             orientations->push_back(toOsg(leaf.orientation).asVec4());
             normals->push_back({v.normal.x, v.normal.y, v.normal.z, shade.x});
             crowns->push_back({outward.x, outward.y, outward.z, shade.y});
         }
     }
-    const std::vector<unsigned> indices = leafIndices(leaves.clusters.size(), leaves.quads);
+    const std::vector<unsigned> indices = leafIndices(leaves.clusters.size(), leaves.quads());
     osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("leaves");
     geometry->setVertexArray(anchors);
     geometry->setNormalArray(corners, osg::Array::BIND_PER_VERTEX);

@@ -10,16 +10,18 @@ namespace osgTreeWind {
 /// How finely a tree is drawn, finest first.
 enum class Tier {
     Full,
-    Reduced,
-    ReducedTwice,
+    Boughs,      ///< Cards of boughs in place of sprays,
+    FewerBoughs, ///< fewer and larger ones,
+    FewBoughs,   ///< and so on.
+    FewestBoughs,
     Impostor,              ///< A picture of a tree with all its leaves,
     ImpostorThreeQuarters, ///< with three quarters of them,
     ImpostorHalf,          ///< and so on.
     ImpostorQuarter,
     BareImpostor
 };
-constexpr int tierCount = 8;
-constexpr int branchTiers = 3; ///< The first ones, which draw branches.
+constexpr int tierCount = 10;
+constexpr int branchTiers = 5; ///< The first ones, which draw branches.
 constexpr int impostorTiers = tierCount - branchTiers;
 
 /// The nearest picture to a tree with this share of its leaves, [0, 1].

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 
-#include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/drawing/looks/BoughCard.h>
+#include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace osgTreeWind;
@@ -15,14 +17,20 @@ namespace {
 constexpr int twigs = 2, all = 3;
 constexpr int forms = static_cast<int>(LeafForm::Frond) + 1;
 
-/// Share of a level of the image that the alpha test keeps.
-float coverage(const osg::Image& image, unsigned level, int channel) {
-    const int texels = (image.s() >> level) * (image.t() >> level);
-    const unsigned char* data = level ? image.getMipmapData(level) : image.data();
-    int kept = 0;
-    for (int i = 0; i < texels; ++i)
-        kept += data[4 * i + channel] >= 128;
-    return static_cast<float>(kept) / static_cast<float>(texels);
+/// Share of texels that the alpha test keeps: of leaves without the twigs among them, or of bare twigs.
+float leavesOn(const LeafTexels& card) {
+    std::size_t kept = 0;
+    for (const glm::vec4& texel : card.texels)
+        kept += texel.a >= LeafTexels::alphaThreshold && texel.b < LeafTexels::alphaThreshold;
+    return static_cast<float>(kept) / static_cast<float>(card.texels.size());
+}
+
+float solidTexels(const LeafTexels& card, int channel) {
+    return card.coverage(channel);
+}
+
+LeafTexels painted(LeafForm form, int variant) {
+    return paintSpray(form, growSpray(form, variant));
 }
 
 } // namespace
@@ -30,54 +38,93 @@ float coverage(const osg::Image& image, unsigned level, int channel) {
 class LeafSprayOf : public testing::TestWithParam<int> {
 protected:
     LeafForm form() const { return static_cast<LeafForm>(GetParam()); }
-    Appearance appearance() const {
-        Appearance appearance;
-        appearance.leafForm = form();
-        return appearance;
-    }
 };
 
 TEST_P(LeafSprayOf, CoversWhatMechanicsCountOn) {
-    const osg::ref_ptr<osg::Image> image = leafImage(appearance());
-    const float bare = coverage(*image, 0, twigs);
-    EXPECT_NEAR(bare, twigCoverage(form()), 0.005f);
-    EXPECT_NEAR(coverage(*image, 0, all) - bare, leafCoverage(form()), 0.01f);
+    float leaves = 0.0f, bare = 0.0f;
+    for (int variant = 0; variant < LeafAtlas::sprays; ++variant) {
+        leaves += leavesOn(painted(form(), variant)) / LeafAtlas::sprays;
+        bare += solidTexels(painted(form(), variant), twigs) / LeafAtlas::sprays;
+    }
+    EXPECT_NEAR(bare, twigCoverage(form()), 0.01f);
+    EXPECT_NEAR(leaves, leafCoverage(form()), 0.03f);
 }
 
-TEST_P(LeafSprayOf, SpringsFromTheMiddleOfItsLowerEdge) {
-    const LeafTexels spray = paintSpray(form());
+TEST_P(LeafSprayOf, SpringsFromItsLowerEdge) {
+    const LeafTexels spray = painted(form(), 0);
     float foot = 0.0f, elsewhere = 0.0f;
     for (int x = 0; x < spray.size; ++x)
         (std::abs(x - spray.size / 2) < spray.size / 16 ? foot : elsewhere) += spray.at(x, 1).b;
     EXPECT_GT(foot, 0.5f);
-    EXPECT_EQ(elsewhere, 0.0f);
+    if (form() == LeafForm::Frond) {
+        EXPECT_GT(elsewhere, 0.8f * static_cast<float>(spray.size)); // its rib
+    } else {
+        EXPECT_EQ(elsewhere, 0.0f);
+    }
 }
 
 TEST_P(LeafSprayOf, DoesNotShowTheCard) {
-    const LeafTexels spray = paintSpray(form());
+    if (form() == LeafForm::Frond)
+        return; // goes on in its neighbours
+    const LeafTexels spray = painted(form(), 0);
     const int last = spray.size - 1;
+    float edge = 0.0f;
     for (int i = 0; i <= last; ++i) {
-        EXPECT_LT(spray.at(0, i).a + spray.at(last, i).a, 0.7f) << i;
+        edge += spray.at(0, i).a + spray.at(last, i).a + spray.at(i, last).a;
         if (i < spray.size / 8 || i > last - spray.size / 8) {
-            EXPECT_EQ(spray.at(i, 0).a + spray.at(i, last).a, 0.0f) << i;
+            EXPECT_EQ(spray.at(i, 0).a, 0.0f) << i;
         }
     }
+    EXPECT_LT(edge / (3.0f * static_cast<float>(spray.size)), 0.05f);
+}
+
+TEST_P(LeafSprayOf, HasNoTwoVariantsAlike) {
+    const LeafTexels one = painted(form(), 0), other = painted(form(), 1);
+    double apart = 0.0;
+    for (std::size_t i = 0; i < one.texels.size(); ++i)
+        apart += static_cast<double>(std::abs(one.texels[i].a - other.texels[i].a));
+    EXPECT_GT(apart / static_cast<double>(one.texels.size()), 0.15);
 }
 
 TEST_P(LeafSprayOf, KeepsItsCoverageInSmallerLevels) {
-    const osg::ref_ptr<osg::Image> image = leafImage(appearance());
-    ASSERT_EQ(image->getNumMipmapLevels(), 9u);
-    for (unsigned level = 1; level <= 5; ++level) {
-        EXPECT_NEAR(coverage(*image, level, all), coverage(*image, 0, all), 0.05f) << level;
-        EXPECT_NEAR(coverage(*image, level, twigs), coverage(*image, 0, twigs), 0.02f) << level;
-    }
-    EXPECT_EQ(coverage(*image, 8, twigs), 0.0f); // a bare crown is no solid one far away
+    const std::vector<LeafTexels> levels = leafMipmaps(painted(form(), 0));
+    ASSERT_EQ(levels.size(), 9u);
+    for (std::size_t level = 1; level <= 4; ++level)
+        for (const int channel : {twigs, all}) {
+            float mean = 0.0f;
+            for (const glm::vec4& texel : levels.front().texels)
+                mean += texel[channel] / static_cast<float>(levels.front().texels.size());
+            EXPECT_NEAR(solidTexels(levels[level], channel), mean, 0.03f) << level << ", " << channel;
+        }
+    EXPECT_EQ(solidTexels(levels.back(), twigs), 0.0f); // a bare crown is no solid one far away
 }
 
-TEST_P(LeafSprayOf, ShowsItsTwigsAmongItsLeaves) {
-    const LeafTexels spray = paintSpray(form());
-    for (const glm::vec4& texel : spray.texels)
-        ASSERT_LE(texel.b, texel.a);
+/// What filters make of a level is as finely cut as that level can be: no blobs of several texels.
+TEST_P(LeafSprayOf, StaysFinelyCutInSmallerLevels) {
+    const std::vector<LeafTexels> levels = leafMipmaps(painted(form(), 0));
+    const LeafTexels& card = levels[4];
+    int changes = 0, solid = 0;
+    for (int y = 0; y < card.size; ++y)
+        for (int x = 1; x < card.size; ++x) {
+            const bool here = card.at(x, y).a >= LeafTexels::alphaThreshold;
+            changes += here != (card.at(x - 1, y).a >= LeafTexels::alphaThreshold);
+            solid += here;
+        }
+    EXPECT_LT(static_cast<double>(solid) / (0.5 * changes), 3.6); // mean run, texels
+}
+
+TEST_P(LeafSprayOf, BoughsBearAsManyLeavesAsTheirSize) {
+    const std::vector<LeafTexels> sprays{painted(form(), 0), painted(form(), 1), painted(form(), 2)};
+    for (const int growth : {2, 3, 4}) {
+        const LeafTexels bough = paintBough(sprays, growth, 0);
+        EXPECT_EQ(bough.size, sprays.front().size / 2);
+        float wanted = 0.0f, there = 0.0f;
+        for (const glm::vec4& texel : sprays.front().texels)
+            wanted += texel.a / static_cast<float>(sprays.front().texels.size());
+        for (const glm::vec4& texel : bough.texels)
+            there += texel.a / static_cast<float>(bough.texels.size());
+        EXPECT_NEAR(there, wanted, 0.04f) << growth;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayOf, testing::Range(0, forms));
@@ -85,11 +132,38 @@ INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayOf, testing::Range(0, forms));
 TEST(LeafSpray, EveryFormLooksDifferent) {
     for (int a = 0; a < forms; ++a)
         for (int b = 0; b < a; ++b) {
-            const LeafTexels one = paintSpray(static_cast<LeafForm>(a)),
-                             other = paintSpray(static_cast<LeafForm>(b));
+            const LeafTexels one = painted(static_cast<LeafForm>(a), 0),
+                             other = painted(static_cast<LeafForm>(b), 0);
             double apart = 0.0;
             for (std::size_t i = 0; i < one.texels.size(); ++i)
-                apart += std::abs(one.texels[i].a - other.texels[i].a);
+                apart += static_cast<double>(std::abs(one.texels[i].a - other.texels[i].a));
             EXPECT_GT(apart / static_cast<double>(one.texels.size()), 0.15) << a << ", " << b;
         }
+}
+
+TEST(LeafAtlas, CardsLieApart) {
+    const LeafAtlas::Cell cells[] = {LeafAtlas::spray(0),    LeafAtlas::spray(1),    LeafAtlas::spray(2),
+                                     LeafAtlas::bough(2, 0), LeafAtlas::bough(2, 1), LeafAtlas::bough(3),
+                                     LeafAtlas::bough(4)};
+    float area = 0.0f;
+    for (const LeafAtlas::Cell& a : cells) {
+        area += a.size * a.size;
+        for (const LeafAtlas::Cell& b : cells)
+            EXPECT_TRUE(&a == &b || a.low.x + a.size <= b.low.x || b.low.x + b.size <= a.low.x ||
+                        a.low.y + a.size <= b.low.y || b.low.y + b.size <= a.low.y);
+    }
+    EXPECT_FLOAT_EQ(area, 1.0f);
+}
+
+TEST(LeafAtlas, NeighboursAreNotAlike) {
+    for (std::size_t cluster = 0; cluster < 100; ++cluster)
+        for (std::size_t quad = 0; quad < 2; ++quad)
+            EXPECT_NE(LeafAtlas::choose(cluster, quad).variant, LeafAtlas::choose(cluster, quad + 1).variant);
+    std::array<int, 6> used{};
+    for (std::size_t cluster = 0; cluster < 600; ++cluster) {
+        const LeafAtlas::Choice choice = LeafAtlas::choose(cluster, 0);
+        ++used[static_cast<std::size_t>(2 * choice.variant + choice.mirrored)];
+    }
+    for (const int times : used)
+        EXPECT_NEAR(times, 100, 20);
 }

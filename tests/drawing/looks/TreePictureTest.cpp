@@ -35,8 +35,8 @@ TEST(TreePicture, BecomesALeafCard) {
     const TemporaryFolder folder;
     const osg::ref_ptr<osg::Image> leaf = readLeafPicture(writePicture(folder));
     ASSERT_TRUE(leaf);
-    EXPECT_EQ(leaf->s(), 256);
-    EXPECT_EQ(leaf->getNumMipmapLevels(), 9u);
+    EXPECT_EQ(leaf->s(), 512);
+    EXPECT_EQ(leaf->getNumMipmapLevels(), 10u);
     const unsigned char *low = leaf->data(200, 50), *high = leaf->data(200, 200), *off = leaf->data(50, 50);
     EXPECT_NEAR(low[0], 0.8 * 2.0 / 3.0 * 255.0, 4.0);
     EXPECT_EQ(high[0], 255); // 4/3 of the mean, as far as it goes

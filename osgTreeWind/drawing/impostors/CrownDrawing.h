@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/impostors/Silhouette.h>
+#include <osgTreeWind/model/TreeModel.h>
+
+#include <glm/geometric.hpp>
+
+/// Silhouettes of parts of a tree. `view(point)` takes a point of the tree, metres, to a picture, pixels.
+namespace osgTreeWind {
+
+/// Calls visit(cluster, quad, corner, across, along) for every quad of every leaf cluster, metres.
+template <typename Visit>
+void forEachLeafQuad(const TreeModel& model, Visit visit) {
+    for (std::size_t cluster = 0; cluster < model.leaves.size(); ++cluster) {
+        const LeafCluster& leaf = model.leaves[cluster];
+        for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
+            const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
+            const glm::vec3 corner = model.leafMesh[i].corner;
+            visit(cluster, i / 4, leaf.anchor + turned(corner), turned(model.leafMesh[i + 1].corner - corner),
+                  turned(model.leafMesh[i + 3].corner - corner));
+        }
+    }
+}
+
+/// A flat piece of which a mask is solid.
+template <typename View>
+void drawPiece(const View& view, const glm::vec3& corner, const glm::vec3& across, const glm::vec3& along,
+               const Silhouette::Mask& mask, Silhouette& silhouette) {
+    const glm::vec2 foot = view(corner);
+    silhouette.draw(foot, view(corner + across) - foot, view(corner + along) - foot, mask);
+}
+
+/// @param pixels of a metre there.
+template <typename View, typename Pixels>
+void drawWood(const Skeleton& skeleton, const View& view, const Pixels& pixels, Silhouette& silhouette) {
+    const Silhouette::Mask solid{1, {1}};
+    for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
+        for (int ring = 0; ring + 1 < skeleton.ringsPerBranch; ++ring) {
+            const glm::vec3 from = skeleton.point(unit, ring);
+            const glm::vec2 start = view(from), along = view(skeleton.point(unit, ring + 1)) - start;
+            const float length = glm::length(along);
+            if (length < 1e-6f)
+                continue;
+            const glm::vec2 side = pixels(from) *
+                                   (skeleton.radius(unit, ring) + skeleton.radius(unit, ring + 1)) *
+                                   glm::vec2(along.y, -along.x) / length;
+            silhouette.draw(start - 0.5f * side, side, along, solid);
+        }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/looks/BoughCard.h>
+
+#include <osgTreeWind/model/Random.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+/// A spray on the card: widths of it, from the foot toward its tip.
+struct SprayPlace {
+    glm::vec2 middle, up;
+    std::size_t spray;
+    float hand; ///< -1: from behind.
+};
+
+float meanAlpha(const LeafTexels& texels) {
+    double sum = 0.0;
+    for (const glm::vec4& texel : texels.texels)
+        sum += static_cast<double>(texel.a);
+    return static_cast<float>(sum / static_cast<double>(texels.texels.size()));
+}
+
+/// Rows and columns, not quite; tips point away from the foot of the card.
+std::vector<SprayPlace> placesOf(std::size_t sprays, int growth, int variant) {
+    Random random(17 + static_cast<std::uint64_t>(100 * growth + variant));
+    std::vector<SprayPlace> places;
+    const auto cells = static_cast<float>(growth);
+    for (int i = 0; i < growth * growth; ++i) {
+        const glm::vec2 jitter{random.symmetric(), random.symmetric()};
+        const glm::vec2 middle =
+            glm::clamp((glm::vec2(i % growth, i / growth) + 0.5f + 0.4f * jitter) / cells, 0.4f / cells,
+                       1.0f - 0.4f / cells); // NOLINT(bugprone-integer-division)
+        const glm::vec2 away = glm::normalize(middle - glm::vec2(0.5f, -0.4f));
+        const float lean = std::atan2(away.x, away.y) + 1.3f * random.symmetric();
+        places.push_back({middle,
+                          {glm::sin(lean), glm::cos(lean)},
+                          static_cast<std::size_t>(random.next() % sprays),
+                          random.uniform() < 0.5f ? -1.0f : 1.0f});
+    }
+    return places;
+}
+
+void paint(const LeafTexels& spray, const SprayPlace& place, float size, LeafTexels& card) {
+    const auto texels = static_cast<float>(card.size);
+    const float reach = 0.71f * size;
+    const glm::ivec2 low = glm::max(glm::ivec2(glm::floor((place.middle - reach) * texels)), 0),
+                     high = glm::min(glm::ivec2(glm::ceil((place.middle + reach) * texels)), card.size);
+    const glm::vec2 right{place.up.y, -place.up.x};
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x) {
+            const glm::vec2 away = ((glm::vec2(x, y) + 0.5f) / texels - place.middle) / size;
+            const glm::vec2 at{place.hand * glm::dot(away, right) + 0.5f, glm::dot(away, place.up) + 0.5f};
+            const glm::ivec2 texel = glm::ivec2(glm::floor(at * static_cast<float>(spray.size)));
+            if (glm::min(texel.x, texel.y) < 0 || glm::max(texel.x, texel.y) >= spray.size)
+                continue;
+            const glm::vec4& over = spray.at(texel.x, texel.y);
+            if (over.a == 0.0f)
+                continue;
+            glm::vec4& under = card.at(x, y);
+            const float left = under.a * (1.0f - over.a), whole = over.a + left;
+            under = {glm::mix(glm::vec2(under), glm::vec2(over), over.a / whole), glm::max(under.b, over.b),
+                     whole};
+        }
+}
+
+} // namespace
+
+LeafTexels paintBough(const std::vector<LeafTexels>& sprays, int growth, int variant) {
+    std::vector<LeafTexels> small; // about a texel of theirs on one of the card's
+    for (LeafTexels spray : sprays) {
+        for (int shrunk = growth; shrunk > 1; shrunk /= 2)
+            spray = halved(spray);
+        small.push_back(std::move(spray));
+    }
+    const std::vector<SprayPlace> places = placesOf(sprays.size(), growth, variant);
+    const float wanted = meanAlpha(sprays.front());
+    float size = 1.0f / static_cast<float>(growth);
+    for (int step = 0;; ++step) {
+        LeafTexels card(sprays.front().size);
+        for (glm::vec4& texel : card.texels)
+            texel = {0.75f, 0.5f, 0.0f, 0.0f};
+        for (const SprayPlace& place : places)
+            paint(small[place.spray], place, size, card);
+        if (step == 2)
+            return halved(card);
+        size *= std::sqrt(wanted / glm::max(meanAlpha(card), 0.01f));
+    }
+}
+
+} // namespace osgTreeWind
