@@ -18,6 +18,12 @@ const char* vertexText = R"(
 out vec2 place;
 out vec3 eyePosition;
 out vec3 light;
+#ifdef SHADOWED
+out
+#endif
+vec3 sunLight;
+uniform vec3 skyLight;
+uniform float sunOnGround;
 void main() {
     place = gl_Vertex.xy;
     vec4 eye = gl_ModelViewMatrix * gl_Vertex;
@@ -27,8 +33,8 @@ void main() {
 #else
     vec3 up = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
 #endif
-    light = 1.2 * gl_LightSource[0].ambient.rgb +
-            max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0) * gl_LightSource[0].diffuse.rgb;
+    sunLight = sunOnGround * max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0) * gl_LightSource[0].diffuse.rgb;
+    light = 1.2 * skyLight + sunLight;
     gl_Position = gl_ProjectionMatrix * eye;
 })";
 
@@ -50,7 +56,7 @@ void main() {
     vec3 grass = mix(vec3(0.040, 0.082, 0.016), vec3(0.115, 0.160, 0.036), tone);
     float worn = smoothstep(0.50, 0.68, 0.5 * texture(groundTexture, p / 271.0).r + 0.3 * patches + 0.2 * tufts);
     grass = mix(grass, vec3(0.200, 0.165, 0.080), 0.6 * worn);
-    gl_FragColor = vec4(sceneColor((0.35 + 1.3 * blades) * grass * light, eyePosition), 1.0);
+    gl_FragColor = vec4(sceneColor((0.35 + 1.3 * blades) * grass * shadowed(light, sunLight, eyePosition), eyePosition), 1.0);
 })";
 
 float between(osgTreeWind::Random& random, float low, float high) {
@@ -126,11 +132,13 @@ osg::ref_ptr<osg::Texture2D> groundTexture() {
 
 /// @param define a line of the vertex shader.
 osg::ref_ptr<osg::StateSet> grass(const std::string& define) {
+    using osgTreeWind::shaderText;
     const std::string version = "#version 330 compatibility\n";
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + define + vertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
-                                       version + osgTreeWind::shaderText("scene.glsl") + fragmentText));
+    program->addShader(
+        new osg::Shader(osg::Shader::VERTEX, version + define + shaderText("shadowed.glsl") + vertexText));
+    program->addShader(
+        new osg::Shader(osg::Shader::FRAGMENT, version + shaderText("scene.glsl") + fragmentText));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, groundTexture());
@@ -139,6 +147,15 @@ osg::ref_ptr<osg::StateSet> grass(const std::string& define) {
 }
 
 } // namespace
+
+osg::ref_ptr<osg::Uniform> sunOnGround(float share) {
+    return new osg::Uniform("sunOnGround", share);
+}
+
+void setGroundLight(osg::StateSet& state, const Daylight& day) {
+    state.addUniform(new osg::Uniform("skyLight", day.sky));
+    state.addUniform(sunOnGround(1.0f));
+}
 
 float groundRadius(const osg::BoundingSphere& bound) {
     return std::max(3000.0f, 8.0f * bound.radius());

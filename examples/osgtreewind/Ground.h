@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Daylight.h"
+
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osg/BoundingSphere>
@@ -12,6 +14,11 @@ osg::ref_ptr<osg::Geometry> createGround(const osg::BoundingSphere& bound);
 
 /// The same grass on the ground that a forest has.
 osg::ref_ptr<osg::Node> createRelief(const osgTreeWind::Forest& forest);
+
+/// What the sky gives the ground, and all of the sun.
+void setGroundLight(osg::StateSet& state, const Daylight& day);
+/// The share of the sun's light that the ground below a state has.
+osg::ref_ptr<osg::Uniform> sunOnGround(float share);
 
 /// From the middle to the rim, metres.
 float groundRadius(const osg::BoundingSphere& bound);

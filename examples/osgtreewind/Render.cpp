@@ -228,7 +228,8 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     addBackendOption(*command, options->backend);
     command
         ->add_option("--shadows", options->shadows,
-                     "on: of osgShadow, on ground and trees; soft: silhouettes on the ground")
+                     "on: of osgShadow, on ground and trees; soft: silhouettes on the ground, which lean "
+                     "with the trees")
         ->check(CLI::IsMember({"on", "soft", "off"}))
         ->capture_default_str();
     command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")
