@@ -4,6 +4,7 @@
 #include "Ground.h"
 #include "GroundShadows.h"
 #include "Sky.h"
+#include "Tufts.h"
 
 #include <osg/BlendFunc>
 #include <osg/ColorMask>
@@ -70,10 +71,12 @@ osg::ref_ptr<osg::Group> shaded(int bin, osg::Node* things) {
 
 } // namespace
 
-osg::ref_ptr<osg::Group> createSetting(Forest& forest, Shadows shadows, const Daylight& day) {
+osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& options) {
+    const Daylight& day = options.day;
     osg::ref_ptr<osg::LightSource> sun = createSun(day);
-    osg::ref_ptr<osg::Group> setting = shadows == Shadows::On ? createShadowedGroup(sun->getLight())
-                                                              : osg::ref_ptr<osg::Group>(new osg::Group);
+    osg::ref_ptr<osg::Group> setting = options.shadows == Shadows::On
+                                           ? createShadowedGroup(sun->getLight())
+                                           : osg::ref_ptr<osg::Group>(new osg::Group);
     // The picture is opaque, whatever is blended into it.
     osg::StateSet* state = setting->getOrCreateStateSet();
     state->setAttribute(new osg::ColorMask(true, true, true, false));
@@ -84,19 +87,24 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, Shadows shadows, const Da
     haze->setDensity(1.6f / groundRadius(forest.getBound()));
     state->setAttributeAndModes(haze);
 
-    const osg::ref_ptr<osg::Node> ground =
-        forest.getGround() ? createRelief(forest) : osg::ref_ptr<osg::Node>(createGround(forest.getBound()));
-    ground->getStateSet()->setDefine("FOG_MODE", "2");
-    if (shadows == Shadows::On) {
-        ground->getStateSet()->setDefine("SHADOW_MAP", std::to_string(shadowUnit));
-        ground->getStateSet()->setDefine("SHADOW_CLEARANCE", "0.0");
-    }
-    osg::ref_ptr<osg::Group> around = new osg::Group;
+    osg::ref_ptr<osg::Group> around = new osg::Group, lawn = new osg::Group;
     around->setNodeMask(~castsShadow);
-    around->addChild(inBin(-3, ground)); // before all else
-    if (shadows == Shadows::Soft) {
-        around->addChild(inBin(-2, createGroundShadows(forest, day.toSun, *setting)));
-        around->addChild(shaded(-1, ground));
+    around->getOrCreateStateSet()->setDefine("FOG_MODE", "2");
+    if (options.shadows == Shadows::On) {
+        around->getStateSet()->setDefine("SHADOW_MAP", std::to_string(shadowUnit));
+        around->getStateSet()->setDefine("SHADOW_CLEARANCE", "0.0");
+    }
+    const osg::ref_ptr<osg::Node> ground = createGround(forest);
+    lawn->addChild(ground);
+    around->addChild(inBin(-4, ground)); // before all else
+    if (options.eye) {
+        const osg::ref_ptr<osg::Geometry> tufts = createTufts(forest, *options.eye);
+        lawn->addChild(tufts);
+        around->addChild(inBin(-2, tufts)); // the shadows lie on the ground
+    }
+    if (options.shadows == Shadows::Soft) {
+        around->addChild(inBin(-3, createGroundShadows(forest, day.toSun, *setting)));
+        around->addChild(shaded(-1, lawn));
     }
     around->addChild(createSky());
     setting->addChild(around);
