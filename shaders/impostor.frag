@@ -19,6 +19,10 @@ flat in vec3 pictureParts;
 flat in vec3 barkLight;
 flat in vec3 leafLightMore;
 flat in mat3 lightByNormal;
+#ifdef SHADOWED
+flat in vec3 pictureSunThrough;
+flat in vec3 pictureSunWay;
+#endif
 in vec2 pictureCoord;
 in vec3 pictureEye;
 
@@ -49,8 +53,13 @@ void main() {
         discard;
 
     vec4 lobe = textureLod(impostorNormals, coord, lod) / color.a;
-    vec3 light = barkLight + lobe.a * leafLightMore + lightByNormal * (4.0 * lobe.xyz - 2.0);
+    vec3 way = 4.0 * lobe.xyz - 2.0;
+    vec3 light = barkLight + lobe.a * leafLightMore + lightByNormal * way;
+    vec3 sun = sunLight;
+#ifdef SHADOWED
+    sun *= 0.25 + lobe.a * (0.25 + pictureSunThrough) + 0.5 * dot(pictureSunWay, way);
+#endif
     vec3 tint = mix(vec3(1.0), leafTint, lobe.a);
     vec3 albedo = tint * color.rgb / color.a;
-    paintSurface(sceneColor(albedo * max(light, 0.0), pictureEye), albedo, 1.0);
+    paintSurface(sceneColor(albedo * max(shadowed(light, sun, pictureEye), 0.0), pictureEye), albedo, 1.0);
 }

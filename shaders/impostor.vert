@@ -21,6 +21,10 @@ flat out vec3 pictureParts; // share of the second column, of the second row; fa
 flat out vec3 barkLight;    // linearLight(), of normals in the tree's frame
 flat out vec3 leafLightMore;
 flat out mat3 lightByNormal;
+#ifdef SHADOWED
+flat out vec3 pictureSunThrough;
+flat out vec3 pictureSunWay;
+#endif
 out vec2 pictureCoord;
 out vec3 pictureEye;
 
@@ -66,15 +70,21 @@ void main() {
     pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * gl_Vertex.x, gl_Vertex.y));
     pictureEye = eyePosition.xyz;
     vec4 middle = gl_ModelViewMatrix * vec4(treePlace.xyz + vec3(0.0, 0.0, 0.5 * height), 1.0);
-    linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal);
+    vec3 sunThrough, sunWay;
+    linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal, sunThrough, sunWay);
     vec2 turn = vec2(cos(treePlace.w), sin(treePlace.w));
     mat3 heading = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
-    lightByNormal = lightByNormal * mat3(normalize(gl_NormalMatrix[0]), normalize(gl_NormalMatrix[1]),
-                                         normalize(gl_NormalMatrix[2])) * heading;
+    mat3 fromTree = mat3(normalize(gl_NormalMatrix[0]), normalize(gl_NormalMatrix[1]), normalize(gl_NormalMatrix[2]));
+    lightByNormal = lightByNormal * fromTree * heading;
     vec3 tint = treeTint(treeState.w);
     barkLight *= tint;
     leafLightMore *= tint;
     for (int i = 0; i < 3; ++i)
         lightByNormal[i] *= tint;
+    sunLight *= tint;
+#ifdef SHADOWED
+    pictureSunThrough = sunThrough;
+    pictureSunWay = sunWay * (fromTree * heading);
+#endif
     placeSurface(eyePosition, normalize(gl_NormalMatrix * toEye), treeState.w);
 }

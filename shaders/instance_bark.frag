@@ -20,5 +20,5 @@ void main() {
 #endif
     float inside = gl_FrontFacing ? 1.0 : 0.4;
     vec3 albedo = inside * barkAlbedo(barkCoord);
-    paintSurface(sceneColor(albedo * barkLight, scenePosition), albedo, 1.0);
+    paintSurface(sceneColor(albedo * shadowed(barkLight, sunLight, scenePosition), scenePosition), albedo, 1.0);
 }

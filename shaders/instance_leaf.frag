@@ -22,5 +22,5 @@ void main() {
         discard;
 #endif
     vec3 albedo = leafAlbedo(leaf, leafBorne);
-    paintSurface(sceneColor(albedo * leafLight, scenePosition), albedo, coverage);
+    paintSurface(sceneColor(albedo * shadowed(leafLight, sunLight, scenePosition), scenePosition), albedo, coverage);
 }

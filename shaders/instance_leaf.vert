@@ -38,6 +38,7 @@ void main() {
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
     leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
+    sunLight *= own;
     leafCoord = gl_MultiTexCoord0.xy;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The lights of the scene as OSG sets them up, and a sky that is brighter above than below. LIGHT_MASK: a bit for each
 // light that is on (osgTreeWind/drawing/looks/SceneShading.h); light 0 where nobody says.
-#pragma import_defines(LIGHT_MASK, UNLIT)
+#pragma import_defines(UNLIT)
 
 #include "law/shade.glsl"
+#include "shadowed.glsl"
 
-#ifndef LIGHT_MASK
-#define LIGHT_MASK 1
+#ifdef SHADOWED
+out
 #endif
+vec3 sunLight; // the sun's part of what barkShade() and leafShade() found last
 
 vec3 ambientLight(vec3 eyeNormal) {
     vec3 ambient = gl_LightModel.ambient.rgb;
     for (int i = 0; i < 8; ++i)
-        if ((LIGHT_MASK >> i & 1) != 0)
+        if (isOn(i))
             ambient += gl_LightSource[i].ambient.rgb;
     vec3 eyeUp = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
     float sky = 0.5 + 0.5 * dot(eyeNormal, eyeUp);
@@ -58,14 +60,18 @@ float shareOf(vec3 toLight, Shade shade) {
 
 /// Light on bark.
 vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
+    sunLight = vec3(0.0);
 #ifdef UNLIT
     return vec3(1.0);
 #endif
     vec3 light = shade.above.w * ambientLight(eyeNormal);
     for (int i = 0; i < 8; ++i)
-        if ((LIGHT_MASK >> i & 1) != 0) {
+        if (isOn(i)) {
             vec4 at = lightAt(i, eyePosition);
-            light += at.w * shareOf(at.xyz, shade) * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
+            vec3 part = at.w * shareOf(at.xyz, shade) * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
+            light += part;
+            if (isSun(i))
+                sunLight = part;
         }
     return light;
 }
@@ -73,37 +79,51 @@ vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
 /// Light on foliage, which is lit from both sides and lets light through. Linear in the normal, so that the mean of
 /// normals gives the mean of lights.
 vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
+    sunLight = vec3(0.0);
 #ifdef UNLIT
     return vec3(1.0);
 #endif
     vec3 light = shade.above.w * ambientLight(eyeNormal);
     for (int i = 0; i < 8; ++i)
-        if ((LIGHT_MASK >> i & 1) != 0) {
+        if (isOn(i)) {
             vec4 at = lightAt(i, eyePosition);
             vec3 lit = max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + lightThrough(eyePosition, at.xyz);
-            light += at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
+            vec3 part = at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
+            light += part;
+            if (isSun(i))
+                sunLight = part;
         }
     return light;
 }
 
 /// The same for a picture of a tree, which holds its shade (osgTreeWind/drawing/impostors/LightLobe.h); one evaluation serves all
 /// normals: light is `bark` + leaf * `leafMore` +
-/// `byNormal` * normal, leaf 1 or 0. Exact for leaves; bark takes the line nearest to max(cosine, 0).
-void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 byNormal) {
+/// `byNormal` * normal, leaf 1 or 0. Exact for leaves; bark takes the line nearest to max(cosine, 0). The sun's part is
+/// `sunLight` * (0.25 + leaf * (0.25 + sunThrough) + dot(sunWay, normal) / 2).
+void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 byNormal, out vec3 sunThrough,
+                 out vec3 sunWay) {
     bark = vec3(1.0);
     leafMore = vec3(0.0);
     byNormal = mat3(0.0);
+    sunLight = vec3(0.0);
+    sunThrough = vec3(0.0);
+    sunWay = vec3(0.0);
 #ifndef UNLIT
     vec3 eyeUp = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
     bark = ambientLight(vec3(0.0));
     byNormal = outerProduct(ambientLight(eyeUp) - bark, eyeUp);
     for (int i = 0; i < 8; ++i)
-        if ((LIGHT_MASK >> i & 1) != 0) {
+        if (isOn(i)) {
             vec4 at = lightAt(i, eyePosition);
             vec3 light = at.w * gl_LightSource[i].diffuse.rgb;
             bark += 0.25 * light;
             leafMore += (0.25 + lightThrough(eyePosition, at.xyz)) * light;
             byNormal += outerProduct(0.5 * light, at.xyz);
+            if (isSun(i)) {
+                sunLight = light;
+                sunThrough = lightThrough(eyePosition, at.xyz);
+                sunWay = at.xyz;
+            }
         }
 #endif
 }

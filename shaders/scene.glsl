@@ -3,19 +3,23 @@
 // OpenGL does, in the values that are written (osgTreeWind/drawing/looks/SceneShading.h says which).
 // SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
 // SHADOW_CLEARANCE: metres toward the light within which nothing throws a shadow: crowns are shaded within (light.glsl).
-#pragma import_defines(FOG_MODE, LIGHT_MASK, SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
+#pragma import_defines(FOG_MODE, SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
 #ifndef SHADOW_CLEARANCE
 #define SHADOW_CLEARANCE 1.5
 #endif
-#ifndef LIGHT_MASK
-#define LIGHT_MASK 1
-#endif
 
 #include "encode.glsl"
+#include "shadowed.glsl"
+
+#ifdef SHADOWED
+in vec3 sunLight; // of the light on the fragment, that of the sun
+#else
+const vec3 sunLight = vec3(0.0);
+#endif
 
 #ifdef SHADOW_MAP
 uniform sampler2DShadow osgShadow_shadowTexture;
-uniform vec2 osgShadow_ambientBias;
+uniform vec2 osgShadow_ambientBias; // of the sun's light, in place of its ambient, which osgShadow::ShadowMap sets to black
 #endif
 #ifdef SHADOW_MAPS
 uniform sampler2DShadow shadowTexture0;
@@ -30,26 +34,36 @@ vec4 shadowPlace(int unit, vec4 eye) {
                 dot(gl_EyePlaneQ[unit], eye));
 }
 
-float lightLeft(vec3 eyePosition) {
-    float left = 1.0;
-#if defined(SHADOW_MAP) || defined(SHADOW_MAPS)
-    int light = 0; // the first that is on
-    while (light < 7 && (LIGHT_MASK >> light & 1) == 0)
-        ++light;
-    vec4 place = gl_LightSource[light].position;
+#ifdef SHADOWED
+/// Share of the sun's light that shadows leave.
+float sunLeft(vec3 eyePosition) {
+    int sun = 0;
+    while (!isSun(sun))
+        ++sun;
+    vec4 place = gl_LightSource[sun].position;
     vec4 eye = vec4(eyePosition + SHADOW_CLEARANCE * normalize(place.xyz - place.w * eyePosition), 1.0);
-#endif
+    float left = 1.0;
 #ifdef SHADOW_MAP
-    left = osgShadow_ambientBias.x + osgShadow_ambientBias.y * shadow2DProj(osgShadow_shadowTexture, shadowPlace(SHADOW_MAP, eye)).r;
+    left = osgShadow_ambientBias.x +
+           osgShadow_ambientBias.y * shadow2DProj(osgShadow_shadowTexture, shadowPlace(SHADOW_MAP, eye)).r;
 #endif
 #ifdef SHADOW_MAPS
     left = shadow2DProj(shadowTexture0, shadowPlace(SHADOW_MAP_UNIT0, eye)).r;
 #if SHADOW_MAPS > 1
     left *= shadow2DProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye)).r;
 #endif
-    left = 0.45 + 0.55 * left; // the sky lights shadows
 #endif
     return left;
+}
+#endif
+
+/// Light on a fragment without what shadows take. @param sun the sun's part of it.
+vec3 shadowed(vec3 light, vec3 sun, vec3 eyePosition) {
+#ifdef SHADOWED
+    return light - (1.0 - sunLeft(eyePosition)) * sun;
+#else
+    return light;
+#endif
 }
 
 float fogLeft(vec3 eyePosition) {
@@ -67,9 +81,9 @@ float fogLeft(vec3 eyePosition) {
 #endif
 }
 
-/// The colour of a fragment as it is seen.
+/// The colour of a fragment as it is seen. @param color lit, linear.
 vec3 sceneColor(vec3 color, vec3 eyePosition) {
-    vec3 lit = encoded(color * lightLeft(eyePosition));
+    vec3 lit = encoded(color);
 #ifdef FOG_MODE
     lit = mix(gl_Fog.color.rgb, lit, fogLeft(eyePosition));
 #endif

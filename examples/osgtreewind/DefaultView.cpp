@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "DefaultView.h"
 
+#include "Daylight.h"
+
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <osg/Math>
@@ -137,14 +139,15 @@ osg::Vec3d defaultEye(const osg::Vec3d& centre, double radius, const Lens& lens)
     return centre + direction * (0.62 * radius / std::sin(halfAngle));
 }
 
-ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens) {
+ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens, const osg::Vec3& toSun) {
     constexpr std::size_t subjects = 250;
     constexpr int directions = 16;
     const std::vector<Tree> trees = middleTrees(forest);
     if (trees.empty())
         return {osg::Vec3d(0.0, -10.0, eyeHeight), osg::Vec3d(0.0, 0.0, eyeHeight)};
     const Onlooker onlooker(lens);
-    const osg::Vec2d sunward(0.67, -0.74); // as Setting.cpp has the sun
+    osg::Vec2d sunward(toSun.x(), toSun.y());
+    sunward.normalize();
     double best = -1.0;
     osg::Vec2d eye, ahead;
     for (std::size_t i = 0; i < std::min(trees.size(), subjects); ++i) {
@@ -186,7 +189,7 @@ ForestView viewAtEyeLevel(const Forest& forest, const Lens& lens) {
 ForestView viewOfOneTree(const Forest& forest, const Lens& lens) {
     const std::vector<Tree> trees = middleTrees(forest);
     if (trees.empty())
-        return viewAtEyeLevel(forest, lens);
+        return viewAtEyeLevel(forest, lens, Daylight::usualSun);
     const Tree& tree = trees.front();
     const double half = std::tan(osg::DegreesToRadians(0.5 * lens.fieldOfView)) * std::min(1.0, lens.aspect);
     const double distance =

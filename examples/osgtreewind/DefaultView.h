@@ -4,6 +4,7 @@
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osg/Vec2d>
+#include <osg/Vec3>
 #include <osg/Vec3d>
 
 /// Where a camera is and looks, and how: vertical field of view in degrees, width over height.
@@ -22,8 +23,8 @@ double groundHeight(const osgTreeWind::Forest& forest, const osg::Vec2d& place, 
 osg::Vec3d defaultEye(const osg::Vec3d& centre, double radius, const Lens& lens);
 
 /// As a person stands before the forest or in a gap of it, eyes 1.6 m above the ground: where trees fill the
-/// picture and sky is left above them, none of them in the way.
-ForestView viewAtEyeLevel(const osgTreeWind::Forest& forest, const Lens& lens);
+/// picture and sky is left above them, none of them in the way, the sun rather behind than before.
+ForestView viewAtEyeLevel(const osgTreeWind::Forest& forest, const Lens& lens, const osg::Vec3& toSun);
 
 /// The tree nearest to the middle of the forest, filling the picture, from where least stands before it.
 ForestView viewOfOneTree(const osgTreeWind::Forest& forest, const Lens& lens);

@@ -3,11 +3,18 @@
 
 #include <osgTreeWind/drawing/impostors/LeafMasks.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/gpu/DataTexture.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/modal/ModalLean.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
+#include <osg/BlendEquation>
+#include <osg/ColorMask>
 #include <osg/Depth>
 #include <osg/Program>
 #include <osg/Texture2DArray>
+#include <osg/observer_ptr>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -23,16 +30,20 @@ using namespace osgTreeWind;
 
 constexpr int pixels = 128, samples = 2; // of a silhouette, each way
 
+// gl_MultiTexCoord1: number of the tree, share of its height that this is the shadow of.
 const char* vertexText = R"(
+uniform sampler2D treeLeans; // of the tops, metres
 out vec3 spot;
 void main() {
     spot = gl_MultiTexCoord0.xyz;
+    vec4 place = gl_Vertex;
+    place.xy += pow(gl_MultiTexCoord1.y, LEAN_POWER) * dataTexel(treeLeans, int(gl_MultiTexCoord1.x + 0.5)).xy;
 #ifdef RELIEF
-    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    vec4 eye = gl_ModelViewMatrix * place;
     eye.xyz *= 1.0 - 0.004 - min(0.3 / length(eye.xyz), 0.5); // before the ground, however fine that is
     gl_Position = gl_ProjectionMatrix * eye;
 #else
-    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+    gl_Position = gl_ModelViewProjectionMatrix * place;
 #endif
 })";
 
@@ -43,7 +54,7 @@ void main() {
     vec2 size = 128.0 * fwidth(spot.xy);
     float lod = max(log2(max(size.x, size.y)), 0.5 + 2.0 * spot.y); // penumbra
     float shade = textureLod(silhouettes, spot, lod).r;
-    gl_FragColor = vec4(0.02, 0.03, 0.06, 0.52 * shade);
+    gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0 - shade);
 })";
 
 /// Along the ground, in the frame of a tree: across the light, and away from the sun.
@@ -116,7 +127,8 @@ struct ShadowPicture {
     }
 };
 
-osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, bool isRelief) {
+osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, bool isRelief,
+                                    const DataTexture& leans) {
     osg::ref_ptr<osg::Texture2DArray> texture = new osg::Texture2DArray;
     texture->setTextureSize(pixels, pixels, static_cast<int>(pictures.size()));
     texture->setInternalFormat(GL_R8);
@@ -126,15 +138,19 @@ osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, 
     for (std::size_t i = 0; i < pictures.size(); ++i)
         texture->setImage(static_cast<unsigned>(i), pictures[i].image);
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, std::string("#version 330 compatibility\n") +
-                                                                (isRelief ? "#define RELIEF\n" : "") +
-                                                                vertexText));
+    program->addShader(new osg::Shader(
+        osg::Shader::VERTEX, std::string("#version 330 compatibility\n") +
+                                 (isRelief ? "#define RELIEF\n" : "") + "#define LEAN_POWER " +
+                                 std::to_string(leanPower) + '\n' + shaderText("data.glsl") + vertexText));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragmentText));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, texture);
     state->addUniform(new osg::Uniform("silhouettes", 0));
-    state->setMode(GL_BLEND, osg::StateAttribute::ON);
+    bindData(*state, "treeLeans", 1, leans.texture());
+    state->setAttributeAndModes(
+        new osg::BlendEquation(osg::BlendEquation::RGBA_MIN)); // shadows do not add up
+    state->setAttribute(new osg::ColorMask(false, false, false, true));
     state->setAttributeAndModes(
         new osg::Depth(isRelief ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0.0, 1.0, false));
     return state;
@@ -168,20 +184,46 @@ private:
     glm::vec2 _run; ///< For a metre down.
 };
 
-/// The triangles of a square of n by n, corners in [0, 1].
-std::vector<glm::vec2> squares(int n) {
+/// The triangles of a square in so many parts each way, corners in [0, 1].
+std::vector<glm::vec2> squares(int columns, int rows) {
     std::vector<glm::vec2> corners;
-    for (int y = 0; y < n; ++y)
-        for (int x = 0; x < n; ++x)
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x)
             for (const glm::vec2& spot : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 0),
                                           glm::vec2(1, 1), glm::vec2(0, 1)})
-                corners.push_back((glm::vec2(x, y) + spot) / static_cast<float>(n));
+                corners.push_back((glm::vec2(x, y) + spot) / glm::vec2(columns, rows));
     return corners;
 }
 
+/// Hands on how far the trees lean, once they have moved.
+class LeanUpdate : public osg::NodeCallback {
+public:
+    LeanUpdate(const Forest& forest, DataTexture leans) : _forest(&forest), _leans(std::move(leans)) {}
+
+    void operator()(osg::Node* node, osg::NodeVisitor* visitor) override {
+        traverse(node, visitor);
+        osg::ref_ptr<const Forest> forest;
+        if (!_forest.lock(forest))
+            return;
+        const ModalMotion* modal = forest->getSimulation().modal();
+        const std::size_t trees = modal ? forest->getSimulation().trees().size() : 0;
+        for (std::size_t i = 0; i < trees; ++i) {
+            const glm::vec2 lean = modal->lean(i);
+            _leans.data()[4 * i] = lean.x;
+            _leans.data()[4 * i + 1] = lean.y;
+        }
+        _leans.dirty();
+    }
+
+private:
+    osg::observer_ptr<const Forest> _forest;
+    DataTexture _leans;
+};
+
 } // namespace
 
-osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg::Vec3& sun) {
+osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg::Vec3& sun,
+                                                osg::Node& above) {
     const ForestSimulation& simulation = forest.getSimulation();
     const glm::vec2 level(sun.x(), sun.y());
     const glm::vec2 away = glm::length(level) > 1e-3f ? -glm::normalize(level) : glm::vec2(1.0f, 0.0f);
@@ -189,29 +231,37 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     const auto turned = [](const glm::vec2& v, float by) {
         return glm::vec2(glm::cos(by) * v.x - glm::sin(by) * v.y, glm::sin(by) * v.x + glm::cos(by) * v.y);
     };
-    const Landing landing(forest, away, glm::length(level) / sun.z());
+    const float run = glm::length(level) / glm::max(sun.z(), 0.035f); // metres of shadow for one of height
+    const Landing landing(forest, away, run);
     const auto trees = static_cast<float>(simulation.trees().size());
-    const std::vector<glm::vec2> spotsOfOne =
-        squares(landing.isRelief() ? static_cast<int>(glm::clamp(std::sqrt(2e5f / trees), 1.0f, 6.0f)) : 1);
+    const int fine = static_cast<int>(glm::clamp(std::sqrt(2e5f / trees), 1.0f, 6.0f));
+    const std::vector<glm::vec2> spotsOfOne = squares(landing.isRelief() ? fine : 1, fine);
     std::map<std::uint32_t, std::size_t> pictureOf; // of a model, from its first tree
     std::vector<ShadowPicture> pictures;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, spots = new osg::Vec3Array;
-    for (const PlacedTree& tree : simulation.trees()) {
+    osg::ref_ptr<osg::Vec2Array> parts = new osg::Vec2Array;
+    for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
+        const PlacedTree& tree = simulation.trees()[i];
         const auto [found, first] = pictureOf.emplace(tree.model, pictures.size());
         if (first) {
             const Fall fall{turned(across, -tree.heading), turned(away, -tree.heading),
-                            glm::length(level) / sun.z() * tree.scale.axes.z / tree.scale.axes.x};
+                            run * tree.scale.axes.z / tree.scale.axes.x};
             pictures.emplace_back(simulation.models()[tree.model],
                                   simulation.description().species[tree.species].appearance, tree.leaves,
                                   fall);
         }
         const ShadowPicture& picture = pictures[found->second];
+        const float length = run * simulation.forest().measured(tree).height,
+                    half = 0.5f * tree.scale.axes.x * (picture.high.x - picture.low.x);
+        const float lying = length * length / (length * length + half * half);
         for (const glm::vec2& spot : spotsOfOne) {
             const glm::vec2 place = tree.scale.axes.x * glm::mix(picture.low, picture.high, spot);
             const glm::vec2 at = glm::vec2(tree.position) + place.x * across + place.y * away;
             corners->push_back(
                 landing(at, tree.position.z + 0.02f, tree.scale.axes.x * (picture.high.y - picture.low.y)));
             spots->push_back({spot.x, spot.y, static_cast<float>(found->second)});
+            const float share = glm::mix(0.75f, place.y / glm::max(length, 1e-3f), lying); // as impostor.vert
+            parts->push_back({static_cast<float>(i), glm::clamp(share, 0.0f, 1.0f)});
         }
     }
     osg::ref_ptr<osg::Geometry> shadows = new osg::Geometry;
@@ -219,7 +269,10 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     shadows->setUseVertexBufferObjects(true);
     shadows->setVertexArray(corners);
     shadows->setTexCoordArray(0, spots);
+    shadows->setTexCoordArray(1, parts);
     shadows->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    shadows->setStateSet(stateOf(pictures, landing.isRelief()));
+    const DataTexture leans("tree leans", simulation.trees().size());
+    shadows->setStateSet(stateOf(pictures, landing.isRelief(), leans));
+    above.addUpdateCallback(new LeanUpdate(forest, leans));
     return shadows;
 }

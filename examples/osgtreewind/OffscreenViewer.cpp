@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Means of factor x factor pixels. Alpha-tested leaves need this: multisampling smooths only their quads.
+/// Means of factor x factor pixels. Edges of leaves are as smooth as all others without OpenGL's own samples.
 void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
     const int count = factor * factor;
     for (int y = 0; y < to.t(); ++y) {

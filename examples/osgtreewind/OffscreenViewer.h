@@ -12,7 +12,6 @@ public:
     /// Says on standard error why there is no context.
     bool valid() const { return _drawn.valid(); }
     osgViewer::Viewer& viewer() { return _viewer; }
-    double aspect() const { return static_cast<double>(_image->s()) / _image->t(); }
     /// RGBA; until the next one.
     osg::Image& frame(double time);
 

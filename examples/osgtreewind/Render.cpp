@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 #include "DefaultView.h"
+#include "FeetGround.h"
 #include "Offscreen.h"
 #include "OffscreenViewer.h"
 #include "Progress.h"
 #include "Setting.h"
+#include "SunOption.h"
 #include "VideoWriter.h"
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
@@ -30,6 +32,7 @@ struct RenderOptions {
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
     std::optional<float> season;
+    osg::Vec3 sun = Daylight::usualSun;
 };
 
 Shadows shadowsOf(const std::string& name) {
@@ -65,7 +68,7 @@ ForestView viewOf(const RenderOptions& options, const Forest& forest, const Lens
     const osg::BoundingSphere& bound = forest.getBound();
     const auto given = [](const std::vector<double>& v) { return osg::Vec3d(v[0], v[1], v[2]); };
     if (options.eye.empty() && options.center.empty() && options.view == "eye")
-        return viewAtEyeLevel(forest, lens);
+        return viewAtEyeLevel(forest, lens, options.sun);
     if (options.eye.empty() && options.center.empty() && options.view == "portrait")
         return viewOfOneTree(forest, lens);
     const osg::Vec3d center = options.center.empty() ? osg::Vec3d(bound.center()) : given(options.center);
@@ -82,6 +85,7 @@ void placeCamera(osg::Camera& camera, const ForestView& view, const Lens& lens) 
     const bool vertical = way.x() == 0.0 && way.y() == 0.0;
     camera.setViewMatrixAsLookAt(view.eye, view.center, vertical ? osg::Y_AXIS : osg::Z_AXIS);
     camera.setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
+    camera.setNearFarRatio(2e-5); // 6 cm before the eye, with the ground's rim at 3 km
 }
 
 /// Moves the forest on to `start` without drawing, in the steps that frames would have taken.
@@ -153,20 +157,24 @@ ExitCode render(const RenderOptions& options) {
     if (!options.tiers.empty())
         description->drawing.tiers = options.tiers == "on";
     description->season = options.season.value_or(description->season);
+    if (!description->ground)
+        description->ground = groundThroughFeet(*description);
     const Result<osg::ref_ptr<Forest>> made = Forest::create(std::move(*description));
     if (!made) {
         std::cerr << options.file << ": " << made.problems().front().text() << '\n';
         return BadInput;
     }
     const osg::ref_ptr<Forest>& forest = made.value();
-    osg::ref_ptr<osg::Group> scene = createSetting(*forest, shadowsOf(options.shadows));
+    const Lens lens{options.fov, static_cast<double>(options.width) / options.height};
+    const ForestView view = viewOf(options, *forest, lens);
+    osg::ref_ptr<osg::Group> scene =
+        createSetting(*forest, {shadowsOf(options.shadows), Daylight(options.sun), view.eye});
 
     OffscreenViewer drawing(options.width, options.height, samplesAcross(options));
     if (!drawing.valid())
         return Failed;
     osgViewer::Viewer& viewer = drawing.viewer();
-    const Lens lens{options.fov, drawing.aspect()};
-    placeCamera(*viewer.getCamera(), viewOf(options, *forest, lens), lens);
+    placeCamera(*viewer.getCamera(), view, lens);
     if (BranchwiseForest* branchwise = forest->getBranchwise()) {
         choosePose(*branchwise, options.pose.empty() ? "cpu" : options.pose);
     } else if (!options.pose.empty()) {
@@ -222,13 +230,23 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     addViewOptions(*command, *options);
     addSeasonOption(*command, options->season);
-    command->add_option("--samples", options->samples, "Samples a pixel, for smooth edges: 1, 4, 9 or 16")
+    command->add_option_function<std::string>(
+        "--sun", [options](const std::string& text) { options->sun = parseSun(text); },
+        "Where the sun stands: AZIMUTH,ELEVATION in degrees, clockwise from north (+y), or when and where "
+        "the\n"
+        "day is: TIME@LATITUDE,LONGITUDE as in 2026-07-01T18:00Z@52.5,13.4; half way up in the south-east "
+        "when\n"
+        "not given");
+    command
+        ->add_option("--samples", options->samples,
+                     "Samples a pixel, each with all that is drawn, for smooth edges: 1, 4, 9 or 16")
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();
     addBackendOption(*command, options->backend);
     command
         ->add_option("--shadows", options->shadows,
-                     "on: of osgShadow, on ground and trees; soft: silhouettes on the ground")
+                     "on: of osgShadow, on ground and trees; soft: silhouettes on the ground, which lean "
+                     "with the trees")
         ->check(CLI::IsMember({"on", "soft", "off"}))
         ->capture_default_str();
     command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")

@@ -235,7 +235,7 @@ enum Technique { Map, ViewDependent, TwoViewDependent };
 /// With the sun in the east, half way up.
 class ShadowsGlTest : public GlTest, public ::testing::WithParamInterface<Technique> {
 protected:
-    osg::ref_ptr<osg::Group> shadowedScene() {
+    osg::ref_ptr<osgShadow::ShadowedScene> shadowedScene() {
         osg::ref_ptr<osgShadow::ShadowedScene> scene = new osgShadow::ShadowedScene;
         if (GetParam() == Map) {
             scene->setShadowTechnique(new osgShadow::ShadowMap);
@@ -286,6 +286,35 @@ TEST_P(ShadowsGlTest, fallOnTrees) {
     EXPECT_GT(colours[0].y(), 20.0);
     EXPECT_LT(colours[1].y(), 0.8 * colours[0].y());
     EXPECT_GT(colours[1].y(), 0.2 * colours[0].y()) << "the sky still lights it";
+}
+
+TEST_P(ShadowsGlTest, takeTheSunAndLeaveSkyAndLamps) {
+    for (const double half : {3.0, 10.0}) { // a tree, and a picture of one
+        osg::ref_ptr<osg::Image> shaded, sunless;
+        for (const bool sunShines : {true, false}) {
+            osg::ref_ptr<osgShadow::ShadowedScene> scene = shadowedScene();
+            osg::Light& light = *static_cast<osg::LightSource*>(scene->getChild(0))->getLight();
+            light.setAmbient(osg::Vec4(0, 0, 0, 1));
+            if (auto* map = dynamic_cast<osgShadow::ShadowMap*>(scene->getShadowTechnique())) {
+                map->setLight(&light);
+                map->setAmbientBias(osg::Vec2(0.0f, 1.0f));
+            }
+            scene->getShadowSettings()->setLightNum(0);
+            osg::ref_ptr<osg::LightModel> sky = new osg::LightModel;
+            sky->setAmbientIntensity(osg::Vec4(0.3f, 0.3f, 0.3f, 1.0f));
+            scene->getStateSet()->setAttribute(sky);
+            scene->getStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
+            scene->addChild(lightSource(1, osg::Vec4(0, -1, 1, 0), osg::Vec4(0.3f, 0.2f, 0.1f, 1)));
+            scene->addChild(new Forest(oneTree(smallSpecies(), 0.0f)));
+            scene->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(20, 0, 22), 14.0f, 14.0f, 14.0f)));
+            if (!sunShines)
+                light.setDiffuse(osg::Vec4(0, 0, 0, 1));
+            look(scene, osg::Vec3d(0, -20, 2.5), osg::Vec3d(0, 0, 2.5), osg::Vec3d(0, 0, 1), half);
+            (sunShines ? shaded : sunless) = run(0, 2);
+        }
+        EXPECT_LT(difference(*shaded, *sunless).mean, 0.05) << half;
+        EXPECT_GT(meanColour(*sunless).y(), 30.0) << half;
+    }
 }
 
 TEST_P(ShadowsGlTest, ofTreesMoveOnTheGroundWithTheWind) {
