@@ -61,7 +61,7 @@ TEST_F(BarkReliefGlTest, stemsOfBirchesAreWhiteAndTwigsAreNot) {
 }
 
 // Derivatives are those of two by two pixels: relief that is made of them alone changes at every second one.
-TEST_F(BarkReliefGlTest, closeByItIsSmooth) {
+TEST_F(BarkReliefGlTest, closeByItIsFineAndHasNoSteps) {
     const osg::ref_ptr<osg::Image> bark = pole(BarkForm::Furrowed, 0.3f, 0.15);
     int within = 0, across = 0;
     for (int y = 0; y < size; ++y)
@@ -69,6 +69,6 @@ TEST_F(BarkReliefGlTest, closeByItIsSmooth) {
             within += std::abs(brightness(*bark, x + 1, y) - brightness(*bark, x, y));
             across += std::abs(brightness(*bark, x + 2, y) - brightness(*bark, x + 1, y));
         }
-    EXPECT_GT(within, 1000) << "there should be relief";
+    EXPECT_GT(within, 30000) << "fine relief is missing: 48,700 with it, 21,600 without";
     EXPECT_LT(across, 1.2 * within);
 }
