@@ -9,14 +9,11 @@ uniform vec3 barkColor, twigColor;
 
 const float fineness = 5.0, roughness = 0.3; // of the fine relief: how much smaller, and how high over itself
 
-/// Rise of the height of texels at a place, toward greater u and v.
-vec2 texelSlope(vec2 coord, vec2 texels) {
-    vec2 apart = 0.75 / texels;
-    float left = textureLod(barkTexture, coord - vec2(apart.x, 0.0), 0.0).g;
-    float right = textureLod(barkTexture, coord + vec2(apart.x, 0.0), 0.0).g;
-    float below = textureLod(barkTexture, coord - vec2(0.0, apart.y), 0.0).g;
-    float above = textureLod(barkTexture, coord + vec2(0.0, apart.y), 0.0).g;
-    return vec2(right - left, above - below) / (2.0 * apart);
+/// Rise of the height of texels from a place toward greater u and v. @param height there.
+vec2 texelSlope(float height, vec2 coord, vec2 texels) {
+    float beside = textureLod(barkTexture, coord + vec2(1.0 / texels.x, 0.0), 0.0).g;
+    float above = textureLod(barkTexture, coord + vec2(0.0, 1.0 / texels.y), 0.0).g;
+    return texels * (vec2(beside, above) - height);
 }
 
 /// Rise of the bark toward the right and the top of the screen, from pixel to pixel. Where a texel is larger than a pixel
@@ -26,10 +23,11 @@ vec2 barkRise(float height, vec2 coord, vec2 across, vec2 along) {
     vec2 texels = vec2(textureSize(barkTexture, 0));
     float pixel = max(length(texels * across), length(texels * along)); // in texels
     if (pixel < 1.0) {
-        vec2 slope = texelSlope(coord, texels);
+        vec2 slope = texelSlope(height, coord, texels);
         if (pixel < 0.4) {
             float part = fract(0.5 * fineness * coord.x); // there and back again
-            vec2 rough = texelSlope(vec2(1.0 - abs(1.0 - 2.0 * part), fineness * coord.y), texels);
+            vec2 fine = vec2(1.0 - abs(1.0 - 2.0 * part), fineness * coord.y);
+            vec2 rough = texelSlope(textureLod(barkTexture, fine, 0.0).g, fine, texels);
             slope += roughness * (1.0 - smoothstep(0.15, 0.4, pixel)) * vec2(part < 0.5 ? rough.x : -rough.x, rough.y);
         }
         rise = mix(vec2(dot(slope, across), dot(slope, along)), rise, smoothstep(0.6, 1.0, pixel));

@@ -9,7 +9,7 @@ namespace {
 constexpr float stout = 0.012f; ///< Radius of branches from which on a collar has a ring of its own, metres.
 
 int sidesFor(float radius) {
-    return radius >= 0.12f ? 20 : radius >= 0.05f ? 12 : radius >= 0.02f ? 8 : 6;
+    return radius >= 0.12f ? 20 : radius >= 0.05f ? 10 : radius >= 0.02f ? 8 : 6;
 }
 
 } // namespace
