@@ -144,6 +144,33 @@ TEST(JoinedSkin, OfGivenSidesHasNoMoreVerticesThanItsRings) {
     }
 }
 
+TEST(JoinedSkin, IsFiniteInExtremeTrees) {
+    std::vector<GrownTreeParameters> extremes(7);
+    extremes[0].ringsPerBranch = 2;
+    extremes[1].height = 0.1f;
+    extremes[1].radius = 0.025f;
+    extremes[2].height = extremes[2].crownWidth = 150.0f;
+    extremes[2].radius = 10.0f;
+    extremes[3].boughs.inclination = extremes[3].boughs.inclinationEnd = 0.0f;    // along the trunk
+    extremes[4].forkInclination = extremes[4].branches.inclination = 3.14159265f; // back into it
+    extremes[5].radius = 0.001f;
+    extremes[5].trunkTaper = extremes[5].boughs.taper = 0.01f;
+    extremes[6].trunkCrook = extremes[6].boughs.crook = extremes[6].branches.crook = 1.0f;
+    for (std::size_t i = 0; i < extremes.size(); ++i) {
+        extremes[i].flare = 3.0f;
+        const Skeleton skeleton = makeGrownTree(extremes[i]);
+        for (const SkinDetail& detail :
+             {SkinDetail(), SkinDetail{5, 4}, SkinDetail{3, 3}, SkinDetail{2, 3}}) {
+            const BranchSkin skin = makeBranchSkin(skeleton, detail);
+            for (const SkinVertex& vertex : skin.vertices) {
+                ASSERT_NEAR(glm::length(vertex.outward), 1.0f, 1e-3f) << "tree " << i;
+                ASSERT_LT(glm::length(vertex.position()), 1000.0f) << "tree " << i;
+                ASSERT_TRUE(vertex.uv.y >= 0.0f && vertex.uv.y < 1e7f) << "tree " << i;
+            }
+        }
+    }
+}
+
 TEST(JoinedSkin, AFootThatLiesBetweenTwoRingsIsNotDrawn) {
     const BranchSkin flared = makeBranchSkin(grown(2.0f), {2, 3}),
                      plain = makeBranchSkin(grown(0.0f), {2, 3});
