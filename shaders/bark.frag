@@ -6,10 +6,11 @@
 #include "surface.glsl"
 
 in vec2 barkCoord;
+in float barkRadius;
 in vec3 barkLight;
 
 void main() {
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    vec3 albedo = inside * barkAlbedo(barkCoord);
+    vec3 albedo = inside * barkAlbedo(barkCoord, barkRadius);
     paintSurface(encoded(albedo * barkLight), albedo, 1.0);
 }

@@ -9,6 +9,7 @@
 #include "surface.glsl"
 
 in vec2 barkCoord;
+in float barkRadius;
 in vec3 barkLight;
 in vec3 scenePosition;
 flat in float treeFade;
@@ -19,6 +20,6 @@ void main() {
         discard;
 #endif
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    vec3 albedo = inside * barkAlbedo(barkCoord);
+    vec3 albedo = inside * barkAlbedo(barkCoord, barkRadius);
     paintSurface(sceneColor(albedo * shadowed(barkLight, sunLight, scenePosition), scenePosition), albedo, 1.0);
 }

@@ -10,6 +10,7 @@
 #include "surface.glsl"
 
 out vec2 barkCoord;
+out float barkRadius; // metres
 out vec3 barkLight;
 out vec3 scenePosition;
 
@@ -20,6 +21,7 @@ void main() {
     vec3 eyeNormal = eyeDirection(pose, gl_Normal);
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = gl_MultiTexCoord0.xy;
+    barkRadius = treeSize.z * gl_Vertex.w;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);

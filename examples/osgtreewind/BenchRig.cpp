@@ -177,7 +177,8 @@ osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, st
         "uniform mat4 matrixPalette[" + std::to_string(bones) + "];\nin vec4 boneWeight0;\n";
     const std::string text =
         "#version 330 compatibility\n" + shaderText("light.glsl") + (hardware ? palette : "") + "out vec2 " +
-        part + "Coord;\nout vec3 " + part + "Light;\nvoid main() {\n" + place +
+        part + "Coord;\nout vec3 " + part +
+        "Light;\nout float barkRadius;\nvoid main() {\nbarkRadius = 1.0;\n" + place +
         "vec4 eyePosition = gl_ModelViewMatrix * at;\n" + part + "Light = gl_MultiTexCoord0.z * " + part +
         "Shade(eyePosition.xyz, normalize(gl_NormalMatrix * normal), "
         "Shade(vec4(1.0), vec4(1.0), vec2(1.0, 0.0)));\n" +

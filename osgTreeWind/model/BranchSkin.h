@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
@@ -13,10 +14,10 @@ namespace osgTreeWind {
 /// A vertex of the bark. Its rest position is centre + radius * outward; keeping the two apart lets one
 /// skin serve trees of different trunk diameter.
 struct SkinVertex {
-    glm::vec3 centre{0.0f};  ///< Point of the skeleton it belongs to (rigid skinning: exactly one).
+    glm::vec3 centre{0.0f};  ///< Point on a centre line.
     float radius = 0.0f;     ///< Metres.
-    glm::vec3 outward{0.0f}; ///< Unit normal, across the tangent of the branch.
-    float unit = 0.0f;       ///< Index of the branch unit (exact as a float below 2^24).
+    glm::vec3 outward{0.0f}; ///< Unit normal; across the tangent of the branch, but along it at a closed tip.
+    float unit = 0.0f;       ///< Branch unit it moves with (rigid skinning; exact as a float below 2^24).
     glm::vec2 uv{
         0.0f}; ///< Once around the branch; metres along it over its circumference, from its parent's end on.
 
@@ -26,26 +27,40 @@ struct SkinVertex {
 /// How much of a skin is made.
 struct SkinDetail {
     int rings = 1 << 30; ///< Of a unit, its two ends among them, >= 2; at most those of the skeleton.
-    int sides = 8;       ///< Vertices of a ring, >= 3.
+    /// Vertices of a ring, >= 3. Not given: all there is; eight, or what joined wood needs for its thickness.
+    std::optional<int> sides;
 };
 
-/// The surface of a tree's wood: rings of eight around every skeleton point (thesis §2.3), or fewer.
+/// The surface of a tree's wood: rings around its skeleton points (thesis §2.3).
 struct BranchSkin {
-    static constexpr int verticesPerRing = SkinDetail().sides; ///< Of the whole skin.
+    static constexpr int verticesPerRing = 8; ///< Of a whole skin that is not joined.
 
     std::vector<SkinVertex> vertices;   ///< The thesis' `vertices`: a ring per skeleton point.
     std::vector<std::uint32_t> indices; ///< Triangles, counter-clockwise seen from outside, unit after unit.
 
-    /// Indices used by one unit.
-    std::size_t indicesPerUnit = 0;
+    /// Where the vertices and the indices of each unit begin; one more for the end of the last.
+    std::vector<std::uint32_t> firstVertices{0}, firstIndices{0};
 
     /// The thesis' `newArr` (§2.3.5): vertices in the order in which triangles use them.
     std::vector<SkinVertex> drawOrder() const;
 };
 
-/// The foot of the stem is wider by the skeleton's flare, in five roots, up to 1.2 m or a tenth of the tree.
+/// Rings of a skeleton that is not joined lie across the branch at its radius, one a point, and units are
+/// open tubes. Of a joined one,
+/// - a unit that springs from its parent's end (the next of an axis, or a limb of a fork) begins with the
+///   parent's last ring, and moves with it there, so that no wind opens the joint;
+/// - one that springs along its parent begins with a collar on the parent's bark, likewise;
+/// - where nothing goes on the end is closed;
+/// - the foot of the stem widens by the skeleton's flare, up to 1.2 m or a tenth of the tree: StemFoot.h.
+/// Given sides leave out tips, foot, and what else would add vertices.
 /// @param detail fewer sides stand farther out, so that a branch is as wide as ever in the mean over all
 /// directions it is seen from.
 BranchSkin makeBranchSkin(const Skeleton& skeleton, const SkinDetail& detail = {});
+
+/// Numbers of the vertices and triangles of a whole skin, without making it.
+struct SkinSize {
+    std::uint64_t vertices = 0, triangles = 0;
+};
+SkinSize sizeOfBranchSkin(const Skeleton& skeleton);
 
 } // namespace osgTreeWind

@@ -59,6 +59,8 @@ public:
         : _p(parameters), _shortest(1e-3f * parameters.height), _thinnest(1e-5f * parameters.height),
           _random(parameters.seed) {
         _skeleton.ringsPerBranch = _p.ringsPerBranch;
+        _skeleton.joined = true;
+        _skeleton.flare = _p.flare;
     }
 
     Skeleton grow() {

@@ -38,6 +38,7 @@ struct GrownTreeParameters {
     int trunkUnits = 4;           ///< In line.
     float trunkTaper = 0.5f;      ///< Radius at its top over that at the ground; linear between.
     float trunkCrook = 0.05f;     ///< How far it winds.
+    float flare = 0.0f;           ///< How much wider its bark is at the ground, over its radius: StemFoot.h.
     int forks = 3;                ///< Boughs that spring from the very end of the trunk.
     float forkInclination = 0.4f; ///< Their angle from the trunk.
     CrownOutline shape = CrownOutline::Sphere;

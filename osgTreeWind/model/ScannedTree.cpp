@@ -95,6 +95,7 @@ public:
 
     ScannedTree make() {
         _tree.skeleton.ringsPerBranch = _detail.ringsPerBranch;
+        _tree.skeleton.joined = true;
         grow(0, -1, 1.0f);
         ScanReport& report = _tree.report;
         for (std::size_t i = 0; i < _axes.size(); ++i) {

@@ -23,7 +23,10 @@ struct BranchUnit {
 /// Generic: any maker (recursive generator, species form, scan) may fill it.
 struct Skeleton {
     int ringsPerBranch = 16; ///< `numBreaks`: points of one unit, at least 2.
-    float flare = 0.0f;      ///< How much wider bark is at the foot of the stem, over its radius, [0, 3].
+    /// Bark closes over joints, forks and tips and has collars: BranchSkin.h. False: open tubes (thesis
+    /// §2.3).
+    bool joined = false;
+    float flare = 0.0f; ///< How much wider joined bark is at the ground, over the radius there, [0, 3].
     std::vector<BranchUnit> units; ///< In access order.
     std::vector<glm::vec3> points; ///< units.size() * ringsPerBranch, unit after unit, base to tip.
 

@@ -78,7 +78,10 @@ float TreeExtents::trunkRadius(const TreeScale& scale, float height) const {
 
 TreeExtents makeTreeExtents(const TreeModel& model) {
     std::array<TreeExtents::Hull, 5> wood, leaves;
-    for (const SkinVertex& vertex : model.skin.vertices)
+    Skeleton open = model.skeleton; // no flare or collar makes a tree wider
+    open.joined = false;
+    const BranchSkin tubes = makeBranchSkin(open);
+    for (const SkinVertex& vertex : tubes.vertices)
         add(wood, vertex.centre, vertex.radius * vertex.outward);
     for (const LeafCluster& leaf : model.leaves)
         for (const LeafVertex& vertex : model.leafMesh)

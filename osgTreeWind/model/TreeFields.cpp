@@ -85,6 +85,8 @@ const Fields& fieldsOf<GrownTreeParameters>() {
         {"trunk_taper", at<&P::trunkTaper>, within(0.01, 1),
          "radius at its top over that at the ground; linear between"},
         {"trunk_crook", at<&P::trunkCrook>, within(0, 1), "how far it winds"},
+        {"flare", at<&P::flare>, within(0, 3),
+         "how much wider its bark is at the ground than it, over its radius; the wood that bends is not"},
         {"forks", at<&P::forks>, within(0, 16), "boughs that spring from its very end"},
         {"fork_inclination", at<&P::forkInclination>, within(0, 180), "of these from the trunk", "degrees"},
         {"shape",

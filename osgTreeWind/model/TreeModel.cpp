@@ -81,17 +81,19 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
     LeafParameters leaves = clamped(parameters.leaves);
     leaves.seed += variant;
     TreeCounts counts;
-    std::uint64_t clusters = 0, rings = 0;
+    std::uint64_t clusters = 0;
+    SkinSize skin;
     if (parameters.scans || parameters.grown) {
         const Skeleton skeleton = makeSkeleton(parameters, variant);
-        rings = static_cast<std::uint64_t>(skeleton.ringsPerBranch);
         counts.units = skeleton.units.size();
+        counts.skeletonPoints = skeleton.points.size();
+        skin = sizeOfBranchSkin(skeleton);
         for (const BranchUnit& unit : skeleton.units)
             counts.branches += unit.level > 0;
         clusters = makeLeafClusters(skeleton, leaves).size();
     } else {
         const RecursiveTreeParameters p = clamped(parameters.wood);
-        rings = static_cast<std::uint64_t>(p.ringsPerBranch);
+        const auto rings = static_cast<std::uint64_t>(p.ringsPerBranch);
         counts.units = static_cast<std::uint64_t>(p.trunkUnits);
         std::uint64_t leafyUnits = leaves.firstLevel == 0 ? counts.units : 0;
         auto onLevel = static_cast<std::uint64_t>(branchingUnits(p));
@@ -105,10 +107,12 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
         const auto ofTree = static_cast<std::uint64_t>(leaves.clusters);
         const auto ofBranch = static_cast<std::uint64_t>(leaves.clustersPerBranch);
         clusters = ofTree > 0 ? (leafyUnits > 0 ? ofTree : 0) : leafyUnits * ofBranch;
+        counts.skeletonPoints = counts.units * rings;
+        skin.vertices = counts.skeletonPoints * BranchSkin::verticesPerRing;
+        skin.triangles = counts.units * (rings - 1) * BranchSkin::verticesPerRing * 2;
     }
-    counts.skeletonPoints = counts.units * rings;
-    counts.skinVertices = counts.skeletonPoints * BranchSkin::verticesPerRing;
-    counts.skinTriangles = counts.units * (rings - 1) * BranchSkin::verticesPerRing * 2;
+    counts.skinVertices = skin.vertices;
+    counts.skinTriangles = skin.triangles;
     counts.leafVertices = clusters * verticesPerLeafCluster;
     counts.leafTriangles = clusters * trianglesPerLeafCluster;
     return counts;

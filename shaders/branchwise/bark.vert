@@ -12,6 +12,7 @@
 uniform float treeOwn; // number of this tree, [0, 1)
 
 out vec2 barkCoord;
+out float barkRadius; // metres
 out vec3 barkLight;
 
 void main() {
@@ -23,5 +24,6 @@ void main() {
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), vec2(1.0, 0.0));
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = gl_MultiTexCoord0.xy;
+    barkRadius = treeSizes.x * gl_Vertex.w;
     placeSurface(eyePosition, eyeNormal, treeOwn);
 }

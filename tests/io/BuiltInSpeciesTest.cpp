@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -27,6 +28,12 @@ public:
     }
     Hash& add(const std::string& text) {
         return bytes(reinterpret_cast<const unsigned char*>(text.c_str()), text.size() + 1);
+    }
+    /// But for the flare, which came later.
+    Hash& add(const GrownTreeParameters& wood) {
+        constexpr std::size_t flare = offsetof(GrownTreeParameters, flare), after = flare + sizeof wood.flare;
+        const auto* first = reinterpret_cast<const unsigned char*>(&wood);
+        return bytes(first, flare).bytes(first + after, sizeof wood - after);
     }
     std::uint64_t value() const { return _value; }
 
@@ -186,6 +193,23 @@ TEST(BuiltInSpecies, AreCheapEnoughToDraw) {
             EXPECT_LE(model.skeleton.units.size(), 300u) << species.name;
             EXPECT_LE(model.leaves.size(), 1900u) << species.name;
         }
+}
+
+TEST(BuiltInSpecies, RoundStemsAndCollarsCostATwentiethMoreThanEightSidesEach) {
+    for (const Species& species : SpeciesCatalogue::builtIn().species()) {
+        const TreeCounts counts = countTree(species.tree);
+        const double before =
+            8.0 * static_cast<double>(counts.skeletonPoints) + static_cast<double>(counts.leafVertices);
+        EXPECT_LE(static_cast<double>(counts.totalVertices()) / before, 1.05) << species.name;
+    }
+}
+
+TEST(BuiltInSpecies, StandOnFeet) {
+    const auto flare = [](const char* name) { return findSpecies(name)->tree.grown->flare; };
+    for (const Species& species : SpeciesCatalogue::builtIn().species())
+        EXPECT_GT(species.tree.grown->flare, 0.2f) << species.name;
+    EXPECT_GT(flare("beech"), flare("silver birch"));
+    EXPECT_GT(flare("oak"), flare("palm"));
 }
 
 TEST(BuiltInSpecies, TreesOfACampusFindTheirKind) {

@@ -17,9 +17,10 @@ PosedTree::PosedTree(std::shared_ptr<const TreeModel> model, const TreeScale& sc
         corner = std::max(corner, glm::length(vertex.corner));
     for (const LeafCluster& leaf : _model->leaves)
         size = std::max(size, leaf.size);
+    for (const SkinVertex& vertex : _model->skin.vertices)
+        radius = std::max(radius, vertex.radius);
     const Skeleton& skeleton = _model->skeleton;
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
-        radius = std::max(radius, skeleton.units[unit].baseRadius);
         for (int ring = 0; ring < skeleton.ringsPerBranch; ++ring) {
             const float t = static_cast<float>(ring) / static_cast<float>(skeleton.ringsPerBranch - 1);
             const glm::vec3 straight = glm::mix(skeleton.units[unit].base, skeleton.units[unit].tip, t);

@@ -22,21 +22,21 @@ TreeDrawable::Triangles SkinDrawable::posedTriangles() const {
     if (!_tree)
         return {};
     const BranchSkin& skin = _tree->model().skin;
-    const std::size_t units = _tree->model().skeleton.units.size();
-    const std::size_t perUnit = skin.vertices.size() / units;
     const bool whole = _unit == wholeTree;
-    const std::size_t first = whole ? 0 : static_cast<std::size_t>(_unit), count = whole ? units : 1;
+    const std::size_t first = whole ? 0 : static_cast<std::size_t>(_unit);
+    const std::size_t after = whole ? _tree->model().skeleton.units.size() : first + 1;
+    const std::uint32_t firstVertex = skin.firstVertices[first];
 
     Triangles triangles;
-    triangles.vertices.reserve(count * perUnit);
-    for (std::size_t unit = first; unit < first + count; ++unit) {
-        const UnitPose pose = whole ? _tree->pose(unit) : UnitPose();
-        for (std::size_t i = unit * perUnit; i < (unit + 1) * perUnit; ++i)
-            triangles.vertices.push_back(toOsg(_tree->skinPoint(skin.vertices[i], pose)));
+    triangles.vertices.reserve(skin.firstVertices[after] - firstVertex);
+    for (std::size_t i = firstVertex; i < skin.firstVertices[after]; ++i) {
+        const SkinVertex& vertex = skin.vertices[i];
+        const UnitPose pose = whole ? _tree->pose(static_cast<std::size_t>(vertex.unit)) : UnitPose();
+        triangles.vertices.push_back(toOsg(_tree->skinPoint(vertex, pose)));
     }
-    triangles.indices.reserve(count * skin.indicesPerUnit);
-    for (std::size_t i = 0; i < count * skin.indicesPerUnit; ++i)
-        triangles.indices.push_back(skin.indices[i]); // units are alike: those of unit 0 fit any one unit
+    triangles.indices.reserve(skin.firstIndices[after] - skin.firstIndices[first]);
+    for (std::size_t i = skin.firstIndices[first]; i < skin.firstIndices[after]; ++i)
+        triangles.indices.push_back(skin.indices[i] - firstVertex);
     return triangles;
 }
 

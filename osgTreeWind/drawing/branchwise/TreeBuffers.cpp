@@ -30,12 +30,11 @@ TreeBuffers::TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafFo
 }
 
 osg::ref_ptr<osg::Geometry> TreeBuffers::skinOf(const std::vector<unsigned>& units) const {
-    const std::size_t count = _model->skin.indicesPerUnit;
+    const BranchSkin& skin = _model->skin;
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
-    for (const unsigned unit : units) {
-        const auto first = _model->skin.indices.begin() + static_cast<std::ptrdiff_t>(unit * count);
-        triangles->insert(triangles->end(), first, first + static_cast<std::ptrdiff_t>(count));
-    }
+    for (const unsigned unit : units)
+        triangles->insert(triangles->end(), skin.indices.begin() + skin.firstIndices[unit],
+                          skin.indices.begin() + skin.firstIndices[unit + 1]);
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(*_skin);
     geometry->setPrimitiveSet(0, triangles);
     return geometry;

@@ -107,6 +107,7 @@ void TreeTextures::showBark(osg::StateSet& state, osg::Program* program, const A
     state.setTextureAttribute(0, bark(appearance));
     state.addUniform(new osg::Uniform("barkTexture", 0));
     state.addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
+    state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     state.setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
 }
 

@@ -5,6 +5,7 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace osgTreeWind {
@@ -23,7 +24,7 @@ TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) : _tree(s
                            motion.poses[static_cast<std::size_t>(std::lround(vertex.unit))]));
     _indices.assign(model.skin.indices.begin(), model.skin.indices.end());
     _barkTriangles = static_cast<unsigned>(_indices.size() / 3);
-    _trianglesPerUnit = static_cast<unsigned>(model.skin.indicesPerUnit / 3);
+    _barkEnds.assign(model.skin.firstIndices.begin() + 1, model.skin.firstIndices.end());
     if (tree.leaves <= 0.0f)
         return;
     const auto firstLeaf = static_cast<unsigned>(_vertices.size());
@@ -41,12 +42,13 @@ TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) : _tree(s
 
 TreeHit::TreeHit(const TreeHit& other, const osg::CopyOp& copyop)
     : osg::Drawable(other, copyop), _tree(other._tree), _barkTriangles(other._barkTriangles),
-      _trianglesPerUnit(other._trianglesPerUnit), _vertices(other._vertices), _indices(other._indices),
+      _barkEnds(other._barkEnds), _vertices(other._vertices), _indices(other._indices),
       _leafUnits(other._leafUnits) {}
 
 unsigned TreeHit::getUnit(unsigned primitive) const {
     if (!isLeaf(primitive))
-        return primitive / _trianglesPerUnit;
+        return static_cast<unsigned>(std::upper_bound(_barkEnds.begin(), _barkEnds.end(), 3 * primitive) -
+                                     _barkEnds.begin());
     const std::size_t leaf = (primitive - _barkTriangles) / trianglesPerLeafCluster;
     return leaf < _leafUnits.size() ? static_cast<unsigned>(_leafUnits[leaf]) : 0;
 }

@@ -44,7 +44,8 @@ protected:
 
 private:
     TreeId _tree = noTree;
-    unsigned _barkTriangles = 0, _trianglesPerUnit = 1;
+    unsigned _barkTriangles = 0;
+    std::vector<unsigned> _barkEnds; ///< Of each unit in `_indices`.
     std::vector<osg::Vec3> _vertices;
     std::vector<unsigned> _indices;
     std::vector<int> _leafUnits; ///< By cluster.

@@ -73,7 +73,7 @@ TEST_F(TreeLodTest, aFarTreeIsItsLeavesAndWhatBarkBearsNone) {
     const auto* bark = dynamic_cast<const TreeDrawable*>(onlooker.drawn[0]);
     ASSERT_NE(bark, nullptr);
     const TreeModel& model = tree->getPosedTree()->model();
-    EXPECT_EQ(bark->geometry()->getPrimitiveSet(0)->getNumIndices(), 2 * model.skin.indicesPerUnit)
+    EXPECT_EQ(bark->geometry()->getPrimitiveSet(0)->getNumIndices(), model.skin.firstIndices[2])
         << "the two units of the trunk";
 }
 

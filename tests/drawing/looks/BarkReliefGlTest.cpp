@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/ForestFixtures.h>
+
+#include <cmath>
+#include <cstdlib>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int size = 128;
+
+/// A bare pole before black.
+class BarkReliefGlTest : public GlTest {
+protected:
+    /// @param width of the picture, metres.
+    osg::ref_ptr<osg::Image> pole(BarkForm form, float radius, double width) {
+        GrownTreeParameters wood;
+        wood.height = 4.0f;
+        wood.radius = radius;
+        wood.trunk = 1.0f;
+        wood.trunkTaper = 1.0f;
+        wood.trunkCrook = 0.0f;
+        wood.forks = wood.boughs.count = 0;
+        Species species = smallSpecies();
+        species.tree.grown = wood;
+        species.tree.leaves.clustersPerBranch = 0;
+        species.appearance.bark = glm::vec3(0.7f);
+        species.appearance.barkForm = form;
+        open(size, size);
+        viewer().setSceneData(new Forest(oneTree(species, 0.0f)));
+        osg::Camera& camera = *viewer().getCamera();
+        camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(0.5 * width / 5.0)),
+                                                1.0, 1.0, 20.0);
+        camera.setViewMatrixAsLookAt(osg::Vec3d(0, -5, 2), osg::Vec3d(0, 0, 2), osg::Vec3d(0, 0, 1));
+        viewer().getLight()->setPosition(osg::Vec4(1, 0.5f, 1, 0)); // of the camera
+        frame(0.0);
+        return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
+    }
+};
+
+int brightness(const osg::Image& image, int x, int y) {
+    return image.data(x, y)[1];
+}
+
+} // namespace
+
+TEST_F(BarkReliefGlTest, stemsOfBirchesAreWhiteAndTwigsAreNot) {
+    const auto mean = [](const osg::Image& image) {
+        int sum = 0;
+        for (int y = 0; y < size; ++y)
+            sum += brightness(image, size / 2, y);
+        return sum / size;
+    };
+    const int stem = mean(*pole(BarkForm::Banded, 0.1f, 1.0)),
+              twig = mean(*pole(BarkForm::Banded, 0.004f, 0.04));
+    EXPECT_GT(stem, 70);
+    EXPECT_GT(twig, 0) << "there should be a twig";
+    EXPECT_LT(twig, stem / 2);
+}
+
+// Derivatives are those of two by two pixels: relief that is made of them alone changes at every second one.
+TEST_F(BarkReliefGlTest, closeByItIsFineAndHasNoSteps) {
+    const osg::ref_ptr<osg::Image> bark = pole(BarkForm::Furrowed, 0.3f, 0.15);
+    int within = 0, across = 0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x + 2 < size; x += 2) {
+            within += std::abs(brightness(*bark, x + 1, y) - brightness(*bark, x, y));
+            across += std::abs(brightness(*bark, x + 2, y) - brightness(*bark, x + 1, y));
+        }
+    EXPECT_GT(within, 30000) << "fine relief is missing: it more than doubles this";
+    EXPECT_LT(across, 1.2 * within);
+}
