@@ -44,7 +44,9 @@ vec3 leafFlutter(float speed, float gust, vec3 phases, float own, float leaf, ve
     return vec3(angleX, angleZ, bounded(rotation, limits.z));
 }
 
-/// Share of the leaves of a cluster that a gust has turned over on their own stalks. @param gust pullOfGusts().
+/// Share of the leaves of a cluster that a wind has turned over on their own stalks: the tauter it holds them, and as
+/// small gusts pass. @param gust pullOfGusts().
 float turnedOver(float speed, float gust) {
-    return flutterAmplitude(speed) * max(1.3f * (gust - 1.0f), 0.0f);
+    float share = 0.8f * flutterTautness(speed) + 1.3f * (gust - 1.0f);
+    return flutterAmplitude(speed) * min(max(share, 0.0f), 1.0f);
 }
