@@ -9,6 +9,7 @@ in vec4 treeState; // row of its poses, fade (dither.glsl), its own number in [0
 
 uniform sampler2D poseRotations;    // quaternions
 uniform sampler2D poseTranslations; // metres; speed of the wind at the unit, m/s
+uniform sampler2D posePulls;        // foliagePull() on the unit's leaves, in its rest axes
 uniform int unitRows;               // of a tree, each of up to 2048 units
 
 flat out float treeFade;
@@ -19,8 +20,10 @@ struct UnitPose {
     float wind;
 };
 
+ivec2 poseTexel(int unit) { return ivec2(unit & 2047, int(treeState.x) * unitRows + (unit >> 11)); }
+
 UnitPose unitPose(int unit) {
-    ivec2 texel = ivec2(unit & 2047, int(treeState.x) * unitRows + (unit >> 11));
+    ivec2 texel = poseTexel(unit);
     vec4 moved = texelFetch(poseTranslations, texel, 0);
     return UnitPose(texelFetch(poseRotations, texel, 0), moved.xyz, moved.w);
 }

@@ -1,21 +1,25 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// A corner of a leaf cluster in an instanced draw: turned by its flutter, then by its rest orientation, then with its
-// branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
+// A corner of a leaf cluster in an instanced draw: turned by its flutter, then by its rest orientation, downwind, and with
+// its branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
 // gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
 // gl_MultiTexCoord3: outward of the crown, shade.
 
 #include "real.glsl"
 #include "law/limits.glsl"
+#include "law/elementary.glsl"
+#include "law/oscillator.glsl"
 #include "law/flutter.glsl"
 #include "law/tint.glsl"
 #include "instance.glsl"
+#include "law/reconfiguration.glsl"
 #include "light.glsl"
 #define VERTEX_SHADER
 #include "surface.glsl"
 
 uniform vec4 flutterLimits;
 uniform vec3 flutterPhases;
+uniform vec3 leafUnderside; // what it reflects over what the upper side does
 
 out vec2 leafCoord;
 out vec3 leafLight;
@@ -23,20 +27,28 @@ out vec3 scenePosition;
 flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
-    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
-    vec3 flutter = leafFlutter(flutterAmplitude(pose.wind), flutterPhases, treeState.z, gl_MultiTexCoord0.w, flutterLimits);
+    int unit = int(gl_MultiTexCoord0.z + 0.5);
+    UnitPose pose = unitPose(unit);
+    vec3 rest = treeSize.xxy * gl_Vertex.xyz;
+    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
+    vec4 pull = mix(vec4(0.0, 0.0, 0.0, 1.0), texelFetch(posePulls, poseTexel(unit), 0), leafBorne);
+    float gust = pullOfGusts(rest, pull.xyz, flutterPhases, treeState.z, gl_MultiTexCoord0.w);
+    vec3 flutter = leafFlutter(pose.wind, gust, flutterPhases, treeState.z, gl_MultiTexCoord0.w, flutterLimits);
     vec4 turn = turnAfter(gl_MultiTexCoord1, leafRotation(flutter.x, flutter.y, flutter.z));
-    vec3 corner = treeSize.w * gl_Vertex.w * turnVector(turn, gl_Normal);
-    vec4 eyePosition = eyePoint(pose, treeSize.xxy * gl_Vertex.xyz + corner);
+    vec4 downwind = downwindTurn(turnVector(gl_MultiTexCoord1, vec3(0.0, 0.0, 1.0)), gust * pull.xyz);
+    vec3 corner = turnVector(downwind, turnVector(turn, gl_Normal * vec3(pull.ww, 1.0)));
+    vec4 eyePosition = eyePoint(pose, rest + treeSize.w * gl_Vertex.w * corner);
 
     // Foliage is lit as a crown more than as single blades.
-    vec3 blade = turnVector(turn, gl_MultiTexCoord2.xyz);
+    vec3 blade = turnVector(downwind, turnVector(turn, gl_MultiTexCoord2.xyz));
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading());
-    leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
+    bool fromBelow = dot(eyeDirection(pose, blade), eyePosition.xyz) > 0.0;
+    vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : turnedOver(pose.wind, gust));
+    own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is that of both sides
     leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
     sunLight *= own;
     leafCoord = gl_MultiTexCoord0.xy;

@@ -4,10 +4,16 @@
 
 #include "data.glsl"
 #include "pose_request.glsl"
+#include "real.glsl"
+#include "law/limits.glsl"
+#include "law/elementary.glsl"
+#include "law/oscillator.glsl"
 #include "law/rotation.glsl"
+#include "law/flutter.glsl"
+#include "law/reconfiguration.glsl"
 
-uniform sampler2D unitTurns;  // quaternions
-uniform sampler2D unitSpeeds; // of the wind
+uniform sampler2D unitTurns; // quaternions
+uniform sampler2D unitWinds; // in the tree's axes
 
 void main() {
     ivec2 at = treeAndUnit();
@@ -25,5 +31,9 @@ void main() {
         unit = int(rest.w);
     }
     gl_FragData[0] = rotation;
-    gl_FragData[1] = vec4(translation, texelFetch(unitSpeeds, texelOfUnit(at.x, at.y), 0).x);
+    vec3 wind = texelFetch(unitWinds, texelOfUnit(at.x, at.y), 0).xyz;
+    gl_FragData[1] = vec4(translation, length(wind));
+    vec3 foliage = foliageOf(at.x);
+    vec4 pull = foliagePull(wind, foliage.x, foliage.y, foliage.z);
+    gl_FragData[2] = vec4(turnVector(vec4(-rotation.xyz, rotation.w), pull.xyz), pull.w);
 }

@@ -30,5 +30,5 @@ void main() {
     vec3 direction = dot(span, span) > 0.0 ? normalize(span) : vec3(0.0, 0.0, 1.0);
     gl_FragData[0] = dampedRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
     int patchIndex = int(dataTexel(modalMatrices, texel + 2 * length).x);
-    gl_FragData[1] = vec4(patchSpeed(at.x, patchIndex));
+    gl_FragData[1] = vec4(patchWind(at.x, patchIndex), 0.0);
 }

@@ -13,14 +13,17 @@ namespace osgTreeWind {
 
 /// What the passes need of one tree: a row of the texture `poseRequests` (shaders/pose_request.glsl).
 struct PoseRequest {
-    static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 16;
+    static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 25;
 
     float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::refer() has it; negative: at rest.
     float rowTexels = 0.0f;   ///< Of a row of that matrix.
-    float maxAngle = 0.0f, unused = 0.0f;
-    float across = 1.0f, upward = 1.0f, unused2[2] = {}; ///< TreeScale::axes
-    float vector[mostColumns] = {};                      ///< Amplitudes, then forces on patches; the rest 0.
-    float patchSpeeds[mostPatches] = {};                 ///< Of the wind, m/s.
+    float maxAngle = 0.0f;
+    float streamlining = 0.0f;             ///< Reconfiguration::streamlining,
+    float across = 1.0f, upward = 1.0f;    ///< TreeScale::axes
+    float streamlinedTo = 25.0f;           ///< streamlinedTo
+    float mostPull = 0.0f;                 ///< and mostPull.
+    float vector[mostColumns] = {};        ///< Amplitudes, then forces on patches; the rest 0.
+    float patchWinds[mostPatches][4] = {}; ///< In the tree's own axes, m/s; 0.
 };
 static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 

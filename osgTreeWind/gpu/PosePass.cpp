@@ -25,10 +25,12 @@ osg::ref_ptr<osg::Texture2D> floatTexture(const char* name, int width, int heigh
     return texture;
 }
 
-osg::ref_ptr<osg::FrameBufferObject> target(osg::Texture2D* first, osg::Texture2D* second) {
+osg::ref_ptr<osg::FrameBufferObject> target(std::initializer_list<osg::Texture2D*> textures) {
     osg::ref_ptr<osg::FrameBufferObject> frameBuffer = new osg::FrameBufferObject;
-    frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(first));
-    frameBuffer->setAttachment(osg::Camera::COLOR_BUFFER1, osg::FrameBufferAttachment(second));
+    int buffer = osg::Camera::COLOR_BUFFER0;
+    for (osg::Texture2D* texture : textures)
+        frameBuffer->setAttachment(static_cast<osg::Camera::BufferComponent>(buffer++),
+                                   osg::FrameBufferAttachment(texture));
     return frameBuffer;
 }
 
@@ -56,7 +58,7 @@ PosePrograms::PosePrograms()
 struct PosePass::Context {
     osg::observer_ptr<osg::State> state;
     unsigned id = 0;
-    osg::ref_ptr<osg::Texture2D> units, matrices, requests, turns, speeds, rotations, translations;
+    osg::ref_ptr<osg::Texture2D> units, matrices, requests, turns, winds, rotations, translations, pulls;
     osg::ref_ptr<osg::FrameBufferObject> turnTarget, poseTarget;
     int matrixRows = 0, treeRows = 0; ///< Room there is.
     std::size_t matrixTexels = 0;     ///< Uploaded so far.
@@ -65,8 +67,8 @@ struct PosePass::Context {
 
     explicit Context(osg::State& drawn) : state(&drawn), id(drawn.getContextID()) {}
 
-    std::array<const osg::ref_ptr<osg::Texture2D>*, 7> textures() const {
-        return {&units, &matrices, &requests, &turns, &speeds, &rotations, &translations};
+    std::array<const osg::ref_ptr<osg::Texture2D>*, 8> textures() const {
+        return {&units, &matrices, &requests, &turns, &winds, &rotations, &translations, &pulls};
     }
     /// Whether OpenGL has lost what it had.
     bool isLost() const {
@@ -80,11 +82,12 @@ struct PosePass::Context {
         treeRows = rows;
         done = 0;
         turns = floatTexture("unit turns", width, rows);
-        speeds = floatTexture("unit speeds", width, rows);
+        winds = floatTexture("unit winds", width, rows);
         rotations = floatTexture("pose rotations", width, rows);
         translations = floatTexture("pose translations", width, rows);
-        turnTarget = target(turns, speeds);
-        poseTarget = target(rotations, translations);
+        pulls = floatTexture("pose pulls", width, rows);
+        turnTarget = target({turns, winds});
+        poseTarget = target({rotations, translations, pulls});
     }
 
     void release(osg::State* state) const {
@@ -197,6 +200,7 @@ void PosePass::apply(osg::State& state, const PosePage& page) const {
     const Context& context = prepared(state, page);
     state.applyTextureAttribute(rotationsUnit, context.rotations);
     state.applyTextureAttribute(translationsUnit, context.translations);
+    state.applyTextureAttribute(pullsUnit, context.pulls);
 }
 
 PosePass::Context& PosePass::contextOf(osg::State& state) const {
@@ -242,7 +246,7 @@ PosePass::Context& PosePass::prepared(osg::State& state, const PosePage& page) c
     pass.draw();
     begin(*_programs->poses, *context.poseTarget);
     pass.bind(2, "unitTurns", context.turns);
-    pass.bind(3, "unitSpeeds", context.speeds);
+    pass.bind(3, "unitWinds", context.winds);
     pass.draw();
     context.done = trees;
     return context;

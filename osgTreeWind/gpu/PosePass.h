@@ -58,7 +58,7 @@ public:
     }
 
     /// Texture units that apply() binds.
-    static constexpr unsigned rotationsUnit = 4, translationsUnit = 5;
+    static constexpr unsigned rotationsUnit = 4, translationsUnit = 5, pullsUnit = 6;
     /// Works out the poses of a page that this context does not have yet. In a draw, with the context
     /// current.
     void prepare(osg::State& state, const PosePage& page) const { prepared(state, page); }

@@ -64,28 +64,22 @@ ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
 }
 
 BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail) {
-    BranchSkin skin = makeBranchSkin(skeleton, detail.skin);
-    if (detail.thinnest <= 0.0f)
-        return skin;
+    const BranchSkin skin = makeBranchSkin(skeleton, detail.skin);
     const float radius = 0.5f * detail.thinnest * skeleton.height();
-    const auto isThin = [&](std::uint32_t vertex) {
-        return skeleton.units[static_cast<std::size_t>(skin.vertices[vertex].unit)].baseRadius < radius;
-    };
-    std::vector<std::uint32_t> indices;
-    for (std::size_t i = 0; i < skin.indices.size(); i += 3)
-        if (!isThin(skin.indices[i]))
-            indices.insert(indices.end(), skin.indices.begin() + static_cast<std::ptrdiff_t>(i),
-                           skin.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
-    std::vector<std::uint32_t> moved(skin.vertices.size(), ~0u);
-    std::vector<SkinVertex> vertices;
-    for (std::uint32_t& index : indices) {
-        if (moved[index] == ~0u) {
-            moved[index] = static_cast<std::uint32_t>(vertices.size());
-            vertices.push_back(skin.vertices[index]);
+    BranchSkin thinned;
+    for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
+        if (skeleton.units[unit].baseRadius >= radius) {
+            const auto first = static_cast<std::uint32_t>(thinned.vertices.size());
+            const auto vertices = skin.vertices.begin();
+            thinned.vertices.insert(thinned.vertices.end(), vertices + skin.firstVertices[unit],
+                                    vertices + skin.firstVertices[unit + 1]);
+            for (std::uint32_t i = skin.firstIndices[unit]; i < skin.firstIndices[unit + 1]; ++i)
+                thinned.indices.push_back(skin.indices[i] - skin.firstVertices[unit] + first);
         }
-        index = moved[index];
+        thinned.firstVertices.push_back(static_cast<std::uint32_t>(thinned.vertices.size()));
+        thinned.firstIndices.push_back(static_cast<std::uint32_t>(thinned.indices.size()));
     }
-    return {std::move(vertices), std::move(indices), 0};
+    return thinned;
 }
 
 } // namespace osgTreeWind

@@ -42,7 +42,9 @@ struct Appearance {
     glm::vec3 leaves{0.13f, 0.21f, 0.05f};       ///< In summer.
     glm::vec3 springLeaves{0.19f, 0.29f, 0.06f}; ///< As they unfold,
     glm::vec3 autumnLeaves{0.32f, 0.17f, 0.03f}; ///< and before they fall.
-    std::optional<bool> evergreen;               ///< Not given: as the form of its leaves says.
+    float underside =
+        1.15f; ///< Luminance of the underside of leaves over the upper one's; what is more is grey.
+    std::optional<bool> evergreen; ///< Not given: as the form of its leaves says.
     LeafForm leafForm = LeafForm::Blade;
     BarkForm barkForm = BarkForm::Furrowed;
     std::string leafImage; ///< A picture file to take instead of what we paint: drawing/looks/TreePicture.h.

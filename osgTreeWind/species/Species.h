@@ -65,7 +65,7 @@ struct BranchParameters {
     float noiseFrequency = 0.7f; ///< Of the load noise, Hz.
 };
 
-/// How leaf clusters flutter (§3.2, appendix D). Angles in radians.
+/// How leaf clusters flutter (§3.2, appendix D) and turn out of the wind. Angles in radians.
 struct LeafMotion {
     float maxAngleX = 0.35f;     ///< `maxMotionAngleX`, about the leaf's thesis Z axis.
     float maxAngleZ = 0.35f;     ///< `maxMotionAngleZ`, about the leaf's X axis.
@@ -74,6 +74,7 @@ struct LeafMotion {
     float factor = 1.0f;         ///< `fact`.
     float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation that goes with the X motion.
     float noiseFrequency = 1.3f; ///< Hz.
+    float maxDownwind = 0.8f; ///< Turn downwind of a petiole across the wind, in the strongest; law `modal`.
 };
 
 /// The most distinct models of one species.

@@ -4,6 +4,7 @@
 
 #include <osgTreeWind/gpu/PosePass.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
+#include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osg/GLExtensions>
@@ -33,7 +34,14 @@ public:
             request.across = placed.scale.axes.x;
             request.upward = placed.scale.axes.z;
             modal.poseVector(tree, request.vector);
-            modal.patchSpeeds(tree, request.patchSpeeds);
+            const Reconfiguration foliage(_simulation.forest().speciesOf(placed));
+            request.streamlining = foliage.streamlining;
+            request.streamlinedTo = foliage.streamlinedTo;
+            request.mostPull = foliage.mostPull;
+            glm::vec3 patchWinds[PoseRequest::mostPatches];
+            modal.patchWinds(tree, patchWinds);
+            for (std::size_t patch = 0; patch < modal.model(tree).patches.size(); ++patch)
+                std::copy_n(&patchWinds[patch].x, 3, request.patchWinds[patch]);
         });
     }
 
@@ -48,14 +56,17 @@ public:
                 _passes[placed.model]->apply(state, *row.page);
                 _rotations = texels(state, PosePass::rotationsUnit);
                 _translations = texels(state, PosePass::translationsUnit);
+                _pulls = texels(state, PosePass::pullsUnit);
             }
             std::vector<UnitPose>& poses = read[tree];
             poses.clear();
+            pulls[tree].clear();
             const auto first = static_cast<std::size_t>(row.row * layout.rows * layout.width);
             for (std::size_t unit = 0; unit < units; ++unit) {
                 const glm::vec4 r = _rotations[first + unit], t = _translations[first + unit];
                 poses.push_back({glm::quat(r.w, r.x, r.y, r.z), glm::vec3(t)});
                 winds[tree] = t.w;
+                pulls[tree].push_back(_pulls[first + unit]);
             }
         }
         _read = nullptr;
@@ -64,7 +75,8 @@ public:
     std::map<std::size_t, PosePass::Row> rows; ///< By tree.
     int fills = 0;
     mutable std::map<std::size_t, std::vector<UnitPose>> read; ///< By tree.
-    mutable std::map<std::size_t, float> winds;                ///< At the last unit.
+    mutable std::map<std::size_t, std::vector<glm::vec4>> pulls;
+    mutable std::map<std::size_t, float> winds; ///< At the last unit.
 
 private:
     static std::vector<glm::vec4> texels(osg::State& state, unsigned unit) {
@@ -80,7 +92,7 @@ private:
     const ForestSimulation& _simulation;
     std::vector<osg::ref_ptr<PosePass>>& _passes;
     mutable osg::ref_ptr<const PosePage> _read;
-    mutable std::vector<glm::vec4> _rotations, _translations;
+    mutable std::vector<glm::vec4> _rotations, _translations, _pulls;
 };
 
 class PosePassGlTest : public GlTest {
@@ -143,6 +155,7 @@ ForestDescription mixedForest(float speed) {
     ForestDescription description = smallForest(6, speed);
     description.species.push_back(Species());
     description.species[1].shapes = 2;
+    description.species[1].wood.streamlining = 0.8f;
     for (std::size_t i = 0; i < 6; i += 2)
         description.trees[i].species = 1;
     return description;
@@ -161,6 +174,13 @@ TEST_P(PosePassLevelsGlTest, everyVertexIsWhereTheCpuHasIt) {
     expectThePosesOfTheCpu(0.05f);
     const glm::vec3 wind = simulation->motion(0).winds[simulation->motion(0).winds.size - 1];
     EXPECT_NEAR(reader->winds[0], glm::length(wind), 1e-4f) << "which leaves flutter in";
+    for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree) {
+        const TreeMotion motion = simulation->motion(tree);
+        EXPECT_GT(glm::length(glm::vec3(motion.pulls[0])), 0.1f);
+        for (std::size_t unit = 0; unit < motion.pulls.size; ++unit)
+            ASSERT_LT(glm::length(reader->pulls[tree][unit] - motion.pulls[unit]), 1e-4f)
+                << tree << ", " << unit;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(NearAndFar, PosePassLevelsGlTest,

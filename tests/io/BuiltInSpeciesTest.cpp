@@ -56,7 +56,10 @@ std::uint64_t hashOf(const Species& species) {
     hash.add(species.tree.wood).add(*species.tree.grown).add(species.tree.leaves).add(species.shapes);
     const CrownAllometry& crown = species.crown;
     hash.add(crown.base).add(crown.perDiameter).add(crown.openBase).add(crown.openPerDiameter);
-    hash.add(species.wood).add(species.branch).add(species.leaf);
+    hash.add(species.wood).add(species.branch);
+    const LeafMotion& leaf = species.leaf;
+    hash.add(leaf.maxAngleX).add(leaf.maxAngleZ).add(leaf.maxRotation).add(leaf.partialSteps);
+    hash.add(leaf.factor).add(leaf.linkedFactor).add(leaf.noiseFrequency);
     const Appearance& looks = species.appearance;
     hash.add(looks.bark).add(looks.leaves).add(looks.springLeaves).add(looks.autumnLeaves);
     return hash.add(looks.leafForm).add(looks.barkForm).value();

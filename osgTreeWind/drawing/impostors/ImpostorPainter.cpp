@@ -114,7 +114,7 @@ public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
           _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
-          _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
+          _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)), _twigColor(appearance.twigs()),
           _stencils(stencilsOf(*leafImage(appearance))), _raster(settings.pixels * settings.samples),
           _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
@@ -288,7 +288,8 @@ private:
         const float side =
             2.0f * (static_cast<float>(sample.cell % TreeRaster::cells) + 0.5f) / TreeRaster::cells - 1.0f;
         const glm::vec3 outward = side * front.side + glm::sqrt(1.0f - side * side) * front.front;
-        sum.add(_barkColor, LightLobe(_bark[piece].light, outward, false), 0.0f);
+        const float thickness = glm::smoothstep(0.005f, 0.025f, _bark[piece].radius); // shaders/bark_texture.glsl
+        sum.add(glm::mix(_twigColor, _barkColor, thickness), LightLobe(_bark[piece].light, outward, false), 0.0f);
     }
 
     /// Of a stretch of bark in the present view: unit vectors to its right and toward the eye, tree frame.
@@ -300,7 +301,7 @@ private:
     CrownShade _crown;
     std::vector<LeafPiece> _leaves;
     std::vector<BarkPiece> _bark;
-    glm::vec3 _barkColor;
+    glm::vec3 _barkColor, _twigColor;
     std::vector<LeafStencils> _stencils; ///< By variant.
     TreeRaster::Stencil _solid;
     TreeRaster _raster;

@@ -7,8 +7,19 @@
 #include <osgTreeWind/species/Season.h>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace osgTreeWind {
+namespace {
+
+/// Hairs, wax and air below the skin scatter light of all colours back.
+glm::vec3 undersideOverUpper(const Appearance& appearance) {
+    const glm::vec3 upper = glm::max(appearance.leaves, glm::vec3(1e-3f));
+    const float luminance = glm::dot(upper, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    return 1.0f + (appearance.underside - 1.0f) * luminance / upper;
+}
+
+} // namespace
 
 SpeciesLooks SpeciesStyles::looks(const Species& species) {
     const Appearance& appearance = species.appearance;
@@ -16,12 +27,14 @@ SpeciesLooks SpeciesStyles::looks(const Species& species) {
         _barkProgram = createProgram("instance_bark", "instance_bark");
         _leafProgram = createProgram("instance_leaf", "instance_leaf");
     }
-    SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet, nullptr, nullptr};
+    SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet,
+                       nullptr,           nullptr,           Reconfiguration(species)};
     _textures.showBark(*looks.bark, _barkProgram, appearance);
     _textures.showLeaves(*looks.leaves, _leafProgram, appearance);
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
+    looks.leaves->addUniform(new osg::Uniform("leafUnderside", toOsg(undersideOverUpper(appearance))));
     return looks;
 }
 

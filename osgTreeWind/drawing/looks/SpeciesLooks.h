@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/species/Species.h>
 
 namespace osgTreeWind {
@@ -11,6 +12,7 @@ struct SpeciesLooks {
     osg::ref_ptr<osg::StateSet> bark, leaves, impostors;
     /// A person's own, applied after these; null: none. One with a program of its own replaces ours.
     osg::ref_ptr<osg::StateSet> ownBark, ownLeaves;
+    Reconfiguration foliage;
 
     /// From now on the colours of a season. What was there before is left as it is: copies share it.
     void showSeason(const Appearance& appearance, float season);

@@ -16,6 +16,7 @@ StandResources::StandResources(const ForestSimulation& simulation)
     state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
+    state->addUniform(new osg::Uniform("posePulls", static_cast<int>(PosePass::pullsUnit)));
     if (models.empty()) // nor threads
         return;
     impostorProgram = createProgram("impostor", "impostor");

@@ -4,6 +4,7 @@
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
+#include <osgTreeWind/motion/laws/Reconfiguration.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +31,12 @@ TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) : _tree(s
     const auto firstLeaf = static_cast<unsigned>(_vertices.size());
     for (std::size_t i = 0; i < model.leaves.size(); ++i) {
         const LeafCluster& leaf = model.leaves[i];
-        const glm::quat turn = leaf.orientation * leafRotation(motion.leaves[i]);
+        const auto unit = static_cast<std::size_t>(leaf.unit);
+        const glm::vec4 pull = isBorne(i, tree.leaves) ? motion.pulls[unit] : noPull;
+        const glm::quat turn = drawnLeafTurn(leaf.orientation, motion.leaves[i], pull);
         for (const LeafVertex& corner : model.leafMesh)
-            add(posedLeafPoint(leaf, corner.corner, turn, tree.scale,
-                               motion.poses[static_cast<std::size_t>(leaf.unit)]));
+            add(posedLeafPoint(leaf, closedCorner(corner.corner, pull), turn, tree.scale,
+                               motion.poses[unit]));
         _leafUnits.push_back(leaf.unit);
     }
     for (const unsigned index : leafIndices(model.leaves.size()))

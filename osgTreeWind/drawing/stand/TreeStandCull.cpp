@@ -100,7 +100,14 @@ void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseReques
     if (request.firstTexel < 0.0f)
         return;
     modal.poseVector(number, request.vector);
-    modal.patchSpeeds(number, request.patchSpeeds);
+    const Reconfiguration& foliage = resources.looks[tree.species].foliage;
+    request.streamlining = foliage.streamlining;
+    request.streamlinedTo = foliage.streamlinedTo;
+    request.mostPull = foliage.mostPull;
+    glm::vec3 winds[PoseRequest::mostPatches];
+    modal.patchWinds(number, winds);
+    for (std::size_t patch = 0; patch < modal.model(number).patches.size(); ++patch)
+        std::copy_n(&winds[patch].x, 3, request.patchWinds[patch]);
 }
 
 /// Draws and passes, to the camera's render stage.

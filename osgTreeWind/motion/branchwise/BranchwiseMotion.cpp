@@ -105,11 +105,9 @@ TreeMotion BranchwiseMotion::motion(std::size_t slot) const {
         return {};
     const PlacedTree& tree = _forest.trees[slot];
     const std::size_t first = tree.firstUnit, units = _forest.unitsOf(tree);
-    return {{_poses.data() + first, units},
-            {_rotations.data() + first, units},
-            {_states.data() + first, units},
-            {_winds.data() + first, units},
-            _leaves.statesOf(tree)};
+    return {{_poses.data() + first, units},  {_rotations.data() + first, units},
+            {_states.data() + first, units}, {_winds.data() + first, units},
+            _leaves.statesOf(tree),          {}};
 }
 
 void BranchwiseMotion::turn(const PlacedTree& tree, double time) {

@@ -45,6 +45,8 @@ struct Laws {
 #include <shaders/law/damped_branch.glsl>
 
 #include <shaders/law/modal.glsl>
+
+#include <shaders/law/reconfiguration.glsl>
 };
 
 } // namespace lawText

@@ -36,12 +36,15 @@ glm::vec4 flutterLimits(const LeafMotion& given) {
             motion.factor * laws.angleLimit(motion.maxAngleZ), motion.maxRotation, motion.linkedFactor};
 }
 
-void StatelessFlutter::run(glm::vec4* angles) const {
+void StatelessFlutter::run(glm::vec4* states) const {
     Laws laws;
     for (std::size_t i = 0; i < leaves.size; ++i) {
-        const float speed = glm::length(winds[static_cast<std::size_t>(leaves[i].unit)]);
-        angles[i] = glm::vec4(
-            laws.leafFlutter(laws.flutterAmplitude(speed), phases, own, static_cast<float>(i), limits), 0.0f);
+        const auto unit = static_cast<std::size_t>(leaves[i].unit);
+        const auto leaf = static_cast<float>(i);
+        const float gust =
+            laws.pullOfGusts(axes * leaves[i].anchor, glm::vec3(pulls[unit]), phases, own, leaf);
+        const float speed = glm::length(winds[unit]);
+        states[i] = glm::vec4(laws.leafFlutter(speed, gust, phases, own, leaf, limits), gust);
     }
 }
 

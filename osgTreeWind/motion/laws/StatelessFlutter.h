@@ -29,13 +29,15 @@ glm::vec4 flutterLimits(const LeafMotion& motion);
 /// The leaves of one tree as they stand in a wind.
 struct StatelessFlutter {
     Span<LeafCluster> leaves;
+    glm::vec3 axes{1.0f};   ///< TreeScale's.
     Span<glm::vec3> winds;  ///< Per unit, m/s.
+    Span<glm::vec4> pulls;  ///< TreeMotion's.
     glm::vec3 phases{0.0f}; ///< flutterPhases().
     glm::vec4 limits{0.0f}; ///< flutterLimits().
     float own = 0.0f;       ///< ownNumber().
 
-    /// @param angles per cluster: (motionAngleX, motionAngleZ, totalRotaAngle, 0), in the leaf's own frame.
-    void run(glm::vec4* angles) const;
+    /// @param states per cluster: TreeMotion::leaves.
+    void run(glm::vec4* states) const;
 };
 
 } // namespace osgTreeWind

@@ -21,8 +21,12 @@ struct TreeMotion {
     /// angles, 0, 0.
     Span<glm::vec4> states;
     Span<glm::vec3> winds; ///< Per unit: the wind that it was given last, scene axes, m/s.
-    /// Per leaf cluster: (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame.
+    /// Per leaf cluster: (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame; for
+    /// `modal` the last is a factor on the pull.
     Span<glm::vec4> leaves;
+    /// Per unit, for `modal` alone: what the wind does to its leaf clusters, in its rest axes
+    /// (Reconfiguration::pull()).
+    Span<glm::vec4> pulls;
 };
 
 /// One unit as it stands now: a pose and a rotation of TreeMotion.
@@ -38,7 +42,7 @@ struct UnitValues {
     std::vector<glm::quat> rotations;
     std::vector<glm::vec4> states;
     std::vector<glm::vec3> winds;
-    std::vector<glm::vec4> leaves;
+    std::vector<glm::vec4> leaves, pulls;
 
     void resize(std::size_t units, std::size_t clusters) {
         angles.resize(units);
@@ -47,6 +51,7 @@ struct UnitValues {
         states.resize(units);
         winds.resize(units);
         leaves.resize(clusters);
+        pulls.resize(units);
     }
 };
 

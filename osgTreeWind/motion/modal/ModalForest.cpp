@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalForest.h>
 
+#include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
@@ -116,13 +117,16 @@ TreeMotion ModalForest::motion(std::size_t slot, UnitValues& values) const {
     for (std::size_t i = 0; i < units; ++i)
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
     swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
-    if (_withLeaves)
+    if (_withLeaves) {
+        pull(slot, values);
         flutter(tree, values);
+    }
     return {{values.poses.data(), units},
             {values.rotations.data(), units},
             {values.states.data(), units},
             {values.winds.data(), units},
-            {values.leaves.data(), values.leaves.size()}};
+            {values.leaves.data(), values.leaves.size()},
+            {values.pulls.data(), _withLeaves ? units : 0}};
 }
 
 UnitMotion ModalForest::unitMotion(std::size_t slot, std::size_t unit) const {
@@ -139,11 +143,24 @@ UnitMotion ModalForest::unitMotion(std::size_t slot, std::size_t unit) const {
     return motionOf(motionOf, unit);
 }
 
+void ModalForest::pull(std::size_t slot, UnitValues& values) const {
+    const Reconfiguration foliage(_forest.speciesOf(_forest.trees[slot]));
+    glm::vec3 winds[ModalDetail::maxPatches];
+    _sway.patchWinds(slot, winds);
+    const std::vector<std::size_t>& patches = _sway.model(slot).patchOfLink;
+    for (std::size_t unit = 0; unit < patches.size(); ++unit) {
+        const glm::vec4 pull = foliage.pull(winds[patches[unit]]);
+        values.pulls[unit] = glm::vec4(glm::conjugate(values.poses[unit].rotation) * glm::vec3(pull), pull.w);
+    }
+}
+
 void ModalForest::flutter(const PlacedTree& tree, UnitValues& values) const {
     const std::vector<LeafCluster>& leaves = _forest.modelOf(tree).leaves;
     const LeafMotion& leaf = _forest.speciesOf(tree).leaf;
     StatelessFlutter{{leaves.data(), leaves.size()},
+                     tree.scale.axes,
                      {values.winds.data(), values.winds.size()},
+                     {values.pulls.data(), values.pulls.size()},
                      flutterPhases(_time, leaf),
                      flutterLimits(leaf),
                      ownNumber(tree.seed)}

@@ -41,6 +41,7 @@ private:
     void followOn();
     std::vector<ModalTree> swayingTrees() const;
     UnitValues& valuesOf(std::size_t slot) const;
+    void pull(std::size_t slot, UnitValues& values) const;
     void flutter(const PlacedTree& tree, UnitValues& values) const;
 
     const PlacedForest& _forest;

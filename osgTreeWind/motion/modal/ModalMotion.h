@@ -77,8 +77,9 @@ public:
     void angles(std::size_t tree, glm::vec2* angles) const;
     /// Those of one unit. @param vector poseVector() of the tree.
     glm::vec2 unitAngles(std::size_t tree, std::size_t unit, const float* vector) const;
-    /// Speed of the wind that each patch met last, m/s. @param speeds model(tree).patches.size() elements.
-    void patchSpeeds(std::size_t tree, float* speeds) const;
+    /// The wind that each patch met last, m/s, in the tree's own axes.
+    /// @param winds model(tree).patches.size() elements.
+    void patchWinds(std::size_t tree, glm::vec3* winds) const;
     /// How far its modes have moved the top of the tree, metres, scene axes; height z has moved by
     /// (z / height)^leanPower of that (ModalLean.h).
     glm::vec2 lean(std::size_t tree) const { return _leans[tree]; }

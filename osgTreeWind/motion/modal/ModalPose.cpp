@@ -55,12 +55,11 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
     }
 }
 
-void ModalMotion::patchSpeeds(std::size_t tree, float* speeds) const {
+void ModalMotion::patchWinds(std::size_t tree, glm::vec3* winds) const {
     const ModalModel& model = this->model(tree);
     for (std::size_t p = 0; p < model.patches.size(); ++p) {
         const std::size_t first = 2 * model.modes.size() + 3 * p;
-        speeds[p] =
-            glm::length(glm::vec3(number(tree, first), number(tree, first + 1), number(tree, first + 2)));
+        winds[p] = {number(tree, first), number(tree, first + 1), number(tree, first + 2)};
     }
 }
 

@@ -4,6 +4,7 @@
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
+#include <osgTreeWind/motion/laws/Reconfiguration.h>
 
 #include <osg/MatrixTransform>
 #include <osgUtil/IntersectionVisitor>
@@ -87,18 +88,20 @@ TEST(StandPickingTest, doesNotHitABranchWhereItWas) {
     EXPECT_GT(moved, 3u) << "the wind is too weak to show anything";
 }
 
-TEST(StandPickingTest, hitsLeavesAsTheyFlutter) {
+TEST(StandPickingTest, hitsLeavesAsTheyFlutterAndTurnDownwind) {
     osg::ref_ptr<Forest> forest = blownForest(1);
     const PlacedTree& placed = forest->getSimulation().trees()[0];
     const TreeModel& model = forest->getSimulation().forest().modelOf(placed);
     const TreeMotion motion = forest->getSimulation().motion(0);
     for (std::size_t i = 0; i < model.leaves.size(); i += 7) {
         const LeafCluster& leaf = model.leaves[i];
-        const glm::quat turn = leaf.orientation * leafRotation(motion.leaves[i]);
+        const glm::vec4& pull = motion.pulls[static_cast<std::size_t>(leaf.unit)];
+        const glm::quat turn = drawnLeafTurn(leaf.orientation, motion.leaves[i], pull);
         glm::vec3 corners[4];
         for (int c = 0; c < 4; ++c)
-            corners[c] = posedLeafPoint(leaf, model.leafMesh[static_cast<std::size_t>(c)].corner, turn,
-                                        placed.scale, motion.poses[static_cast<std::size_t>(leaf.unit)]);
+            corners[c] =
+                posedLeafPoint(leaf, closedCorner(model.leafMesh[static_cast<std::size_t>(c)].corner, pull),
+                               turn, placed.scale, motion.poses[static_cast<std::size_t>(leaf.unit)]);
         const osg::Vec3d middle = standing(placed, (corners[0] + corners[1] + corners[2]) / 3.0f);
         osg::Vec3d across = standing(placed, corners[1]) - standing(placed, corners[0]);
         across = across ^ (standing(placed, corners[2]) - standing(placed, corners[0]));

@@ -63,6 +63,8 @@ ForestDescription mixed(float speed) {
     ForestDescription description = smallForest(8, speed);
     description.species.push_back(Species());
     description.species[1].tree.wood.levels = 3;
+    description.species[1].wood.streamlining = 0.9f;
+    description.species[1].leaf.maxDownwind = 1.0f;
     for (std::size_t i = 0; i < 8; i += 3)
         description.trees[i].species = 1;
     description.trees[2].heading = 3.14159265f;

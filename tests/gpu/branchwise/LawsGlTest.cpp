@@ -57,7 +57,8 @@ private:
         for (const char* file :
              {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
               "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
-              "law/flutter.glsl", "law/oscillator.glsl", "law/damped_branch.glsl", "law/modal.glsl"})
+              "law/flutter.glsl", "law/oscillator.glsl", "law/damped_branch.glsl", "law/modal.glsl",
+              "law/reconfiguration.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
                 "void main() {\n"
@@ -118,19 +119,50 @@ TEST_F(LawsGlTest, FlutterAgreesWithTheCpu) {
     Texels states, phases;
     for (int i = 0; i < 500; ++i) {
         states.emplace_back(0.05f * static_cast<float>(i), 0.002f * static_cast<float>(i),
-                            4.0f * static_cast<float>(i), 0.0f);
+                            4.0f * static_cast<float>(i), 0.6f + 0.0016f * static_cast<float>(i));
         const float turns = 0.37f * static_cast<float>(i);
         phases.emplace_back(glm::fract(turns), glm::fract(1.6f * turns), glm::fract(2.3f * turns), 0.0f);
     }
     const Texels gpu = step(states, {{"phases", phases}},
-                            "vec4(leafFlutter(flutterAmplitude(state.x), phases.xyz, state.y, state.z, "
+                            "vec4(leafFlutter(state.x, state.w, phases.xyz, state.y, state.z, "
                             "vec4(0.4, 0.3, 0.6, 0.7)), 0.0)");
     Laws laws;
     for (std::size_t i = 0; i < gpu.size(); ++i) {
         const glm::vec4& s = states[i];
-        const glm::vec3 cpu = laws.leafFlutter(laws.flutterAmplitude(s.x), glm::vec3(phases[i]), s.y, s.z,
-                                               {0.4f, 0.3f, 0.6f, 0.7f});
+        const glm::vec3 cpu =
+            laws.leafFlutter(s.x, s.w, glm::vec3(phases[i]), s.y, s.z, {0.4f, 0.3f, 0.6f, 0.7f});
         ASSERT_LT(difference(gpu[i], glm::vec4(cpu, 0.0f)), 1e-3f) << i;
+    }
+}
+
+TEST_F(LawsGlTest, PullAgreesWithTheCpu) {
+    Texels winds;
+    for (const float x : {0.0f, 0.3f, -2.0f, 9.9f, 10.1f, -26.0f, 80.0f})
+        for (const float y : {0.0f, 4.0f, -17.0f})
+            for (const float z : {0.0f, 1.0f, -3.0f})
+                winds.emplace_back(x, y, z, 0.0f);
+    const Texels gpu = step(winds, {}, "foliagePull(state.xyz, 0.88, 20.0, 1.2)");
+    for (std::size_t i = 0; i < gpu.size(); ++i)
+        ASSERT_LT(difference(gpu[i], Laws().foliagePull(glm::vec3(winds[i]), 0.88f, 20.0f, 1.2f)), 1e-5f)
+            << i;
+}
+
+TEST_F(LawsGlTest, TurnDownwindAgreesWithTheCpu) {
+    Random random(5);
+    Texels petioles, pulls;
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 petiole(random.symmetric(), random.symmetric(), random.symmetric());
+        petioles.emplace_back(glm::normalize(petiole), random.uniform());
+        pulls.emplace_back(random.symmetric(), random.symmetric(), random.symmetric(), 1.0f);
+    }
+    pulls[0] = glm::vec4(0.0f);
+    const std::string gusty = "pull.xyz * pullOfGusts(4.0 * state.xyz, pull.xyz, state.www, 0.3, 9.0)";
+    const Texels gpu = step(petioles, {{"pull", pulls}}, "downwindTurn(state.xyz, " + gusty + ")");
+    Laws laws;
+    for (std::size_t i = 0; i < gpu.size(); ++i) {
+        const glm::vec3 petiole(petioles[i]), pull(pulls[i]);
+        const float gust = laws.pullOfGusts(4.0f * petiole, pull, glm::vec3(petioles[i].w), 0.3f, 9.0f);
+        ASSERT_LT(difference(gpu[i], laws.downwindTurn(petiole, gust * pull)), 1e-4f) << i;
     }
 }
 
