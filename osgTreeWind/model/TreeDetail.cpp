@@ -29,9 +29,9 @@ double evenly(std::uint32_t index) {
 
 TreeDetail TreeDetail::reduced(int times) {
     constexpr TreeDetail details[reductions] = {{{5, 5}, 0.0006f, 1.0f, 2, 1.15f},
-                                                {{4, 4}, 0.0009f, 0.55f, 2, 1.15f},
-                                                {{3, 4}, 0.0012f, 0.33f, 3, 1.15f},
-                                                {{2, 3}, 0.0016f, 0.19f, 4, 1.2f}};
+                                                {{4, 4}, 0.0008f, 0.62f, 2, 1.15f},
+                                                {{3, 4}, 0.001f, 0.42f, 3, 1.15f},
+                                                {{2, 3}, 0.0014f, 0.27f, 4, 1.15f}};
     return details[glm::clamp(times, 1, reductions) - 1];
 }
 

@@ -114,9 +114,9 @@ public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
           _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
-          _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)), _twigColor(appearance.twigs()),
-          _stencils(stencilsOf(*leafImage(appearance))), _raster(settings.pixels * settings.samples),
-          _fronts(_bark.size()), _levels(_leaves.size()) {
+          _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
+          _twigColor(appearance.twigs()), _stencils(stencilsOf(*leafImage(appearance))),
+          _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
         _solid.fill(1);
         measure();
     }
@@ -184,7 +184,7 @@ private:
     /// from farther away, and so must be the levels.
     float heightAt(int level) const {
         constexpr float sharper =
-            1.15f; // cards take finer mipmaps than the largest stretch asks for: llvmpipe
+            1.05f; // cards take finer mipmaps than the largest stretch asks for: llvmpipe
         const glm::vec2 extent = _pictures.extents.front();
         const float metres = glm::min(2.0f * _pictures.halfWidth, extent.y - extent.x);
         const float pixels =
@@ -288,8 +288,10 @@ private:
         const float side =
             2.0f * (static_cast<float>(sample.cell % TreeRaster::cells) + 0.5f) / TreeRaster::cells - 1.0f;
         const glm::vec3 outward = side * front.side + glm::sqrt(1.0f - side * side) * front.front;
-        const float thickness = glm::smoothstep(0.005f, 0.025f, _bark[piece].radius); // shaders/bark_texture.glsl
-        sum.add(glm::mix(_twigColor, _barkColor, thickness), LightLobe(_bark[piece].light, outward, false), 0.0f);
+        const float thickness =
+            glm::smoothstep(0.005f, 0.025f, _bark[piece].radius); // shaders/bark_texture.glsl
+        sum.add(glm::mix(_twigColor, _barkColor, thickness), LightLobe(_bark[piece].light, outward, false),
+                0.0f);
     }
 
     /// Of a stretch of bark in the present view: unit vectors to its right and toward the eye, tree frame.

@@ -27,16 +27,16 @@ float meanAlpha(const LeafTexels& texels) {
     return static_cast<float>(sum / static_cast<double>(texels.texels.size()));
 }
 
-/// Rows and columns, not quite; tips point away from the foot of the card.
-std::vector<SprayPlace> placesOf(std::size_t sprays, int growth, int variant) {
+/// So many rows and columns, not quite; tips point away from the foot of the card.
+std::vector<SprayPlace> placesOf(std::size_t sprays, int rows, int growth, int variant) {
     Random random(17 + static_cast<std::uint64_t>(100 * growth + variant));
     std::vector<SprayPlace> places;
-    const auto cells = static_cast<float>(growth);
-    for (int i = 0; i < growth * growth; ++i) {
+    const float edge = 0.4f / static_cast<float>(growth);
+    for (int i = 0; i < rows * rows; ++i) {
         const glm::vec2 jitter{random.symmetric(), random.symmetric()};
-        const glm::vec2 middle =
-            glm::clamp((glm::vec2(i % growth, i / growth) + 0.5f + 0.4f * jitter) / cells, 0.4f / cells,
-                       1.0f - 0.4f / cells); // NOLINT(bugprone-integer-division)
+        const glm::vec2 place =
+            (glm::vec2(i % rows, i / rows) + 0.5f + 0.5f * jitter) / static_cast<float>(rows);
+        const glm::vec2 middle = glm::clamp(place, edge, 1.0f - edge);
         const glm::vec2 away = glm::normalize(middle - glm::vec2(0.5f, -0.4f));
         const float lean = std::atan2(away.x, away.y) + 1.3f * random.symmetric();
         places.push_back({middle,
@@ -72,18 +72,20 @@ void paint(const LeafTexels& spray, const SprayPlace& place, float size, LeafTex
 
 } // namespace
 
-LeafTexels paintBough(const std::vector<LeafTexels>& sprays, int growth, int variant) {
+LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& full, int growth,
+                      int variant) {
     std::vector<LeafTexels> small; // about a texel of theirs on one of the card's
-    for (LeafTexels spray : sprays) {
+    for (LeafTexels spray : sparse) {
         for (int shrunk = growth; shrunk > 1; shrunk /= 2)
             spray = halved(spray);
         small.push_back(std::move(spray));
     }
-    const std::vector<SprayPlace> places = placesOf(sprays.size(), growth, variant);
-    const float wanted = meanAlpha(sprays.front());
+    const float wanted = meanAlpha(full), each = glm::max(meanAlpha(sparse.front()), 0.01f);
+    const int rows = static_cast<int>(std::lround(static_cast<float>(growth) * std::sqrt(wanted / each)));
+    const std::vector<SprayPlace> places = placesOf(sparse.size(), rows, growth, variant);
     float size = 1.0f / static_cast<float>(growth);
     for (int step = 0;; ++step) {
-        LeafTexels card(sprays.front().size);
+        LeafTexels card(full.size);
         for (glm::vec4& texel : card.texels)
             texel = {0.75f, 0.5f, 0.0f, 0.0f};
         for (const SprayPlace& place : places)

@@ -42,14 +42,14 @@ glm::vec2 LeafAtlas::onBough(int growth, std::size_t cluster, const glm::vec2& o
     return bough(growth, choice.variant).at({choice.mirrored ? 1.0f - onCard.x : onCard.x, onCard.y});
 }
 
-osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays) {
-    const std::vector<LeafTexels> cards(sprays.begin(), sprays.end());
+osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays,
+                                       const std::vector<LeafTexels>& sparse) {
     std::vector<std::pair<LeafAtlas::Cell, std::vector<LeafTexels>>> cells;
     for (int i = 0; i < LeafAtlas::sprays; ++i)
         cells.emplace_back(LeafAtlas::spray(i), leafMipmaps(sprays[static_cast<std::size_t>(i)]));
     for (const auto& [growth, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
         cells.emplace_back(LeafAtlas::bough(growth, variant),
-                           leafMipmaps(paintBough(cards, growth, variant)));
+                           leafMipmaps(paintBough(sparse, sprays.front(), growth, variant)));
     const int size = 2 * sprays.front().size;
     std::vector<unsigned char> bytes;
     osg::Image::MipmapDataType offsets;

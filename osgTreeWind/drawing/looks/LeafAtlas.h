@@ -42,7 +42,9 @@ struct LeafAtlas {
     static glm::vec2 onBough(int growth, std::size_t cluster, const glm::vec2& onCard);
 };
 
-/// As RGBA8 with levels down to one texel, those of each card as makeLeafImage() has them.
-osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays);
+/// As RGBA8 with levels down to one texel, those of each card as leafMipmaps() has them.
+/// @param sparse what boughs are painted of.
+osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays,
+                                       const std::vector<LeafTexels>& sparse);
 
 } // namespace osgTreeWind

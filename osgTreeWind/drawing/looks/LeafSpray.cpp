@@ -73,8 +73,9 @@ struct Leaf {
 
 class SprayGrower {
 public:
-    SprayGrower(LeafForm form, int variant)
-        : _form(form), _habit(habits[static_cast<std::size_t>(form)]), _outline(leafOutline(form)),
+    SprayGrower(LeafForm form, int variant, float share)
+        : _form(form), _share(share), _habit(habits[static_cast<std::size_t>(form)]),
+          _outline(leafOutline(form)),
           _random(100 + static_cast<std::uint64_t>(form) + 1000 * static_cast<std::uint64_t>(variant)) {}
 
     LeafSpray spray() {
@@ -92,11 +93,11 @@ public:
         std::sort(_leaves.begin(), _leaves.end(),
                   [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
         SprayCanvas canvas;
-        spray.twigs = canvas.fitTwigs(std::move(spray.twigs), twigCoverage(_form));
+        spray.twigs = canvas.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
         // Leaves grow where there is light: first those with room, then what else there is.
         for (const float room : {0.75f, 0.4f, 0.0f})
             for (Leaf& leaf : _leaves)
-                if (canvas.leafCoverage() < leafCoverage(_form) && hasRoom(canvas, leaf, room))
+                if (canvas.leafCoverage() < _share * leafCoverage(_form) && hasRoom(canvas, leaf, room))
                     for (; leaf.first < leaf.end; ++leaf.first) {
                         canvas.addLeaf(_outline, _blades[leaf.first]);
                         spray.blades.push_back(_blades[leaf.first]);
@@ -259,6 +260,7 @@ private:
     }
 
     LeafForm _form;
+    float _share;
     Habit _habit;
     LeafOutline _outline;
     Random _random;
@@ -271,8 +273,8 @@ private:
 
 } // namespace
 
-LeafSpray growSpray(LeafForm form, int variant) {
-    return SprayGrower(form, variant).spray();
+LeafSpray growSpray(LeafForm form, int variant, float share) {
+    return SprayGrower(form, variant, share).spray();
 }
 
 LeafTexels paintSpray(LeafForm form, const LeafSpray& spray) {

@@ -14,8 +14,9 @@ struct LeafSpray {
     std::vector<LeafBlade> blades; ///< Those behind come first.
 };
 
-/// One of many that a form may have: as many leaves as cover leafCoverage(). Takes milliseconds.
-LeafSpray growSpray(LeafForm form, int variant = 0);
+/// One of many that a form may have: as many leaves as cover leafCoverage(), and twigs twigCoverage(), or a
+/// share of both. Takes milliseconds.
+LeafSpray growSpray(LeafForm form, int variant = 0, float share = 1.0f);
 LeafTexels paintSpray(LeafForm form, const LeafSpray& spray);
 
 } // namespace osgTreeWind

@@ -34,8 +34,7 @@ glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& 
 
 LeafStencils::LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& card)
     : _texels(static_cast<int>(card.size * static_cast<float>(texture.s()))) {
-    constexpr unsigned tooCoarse = 2; // to tell how much is covered
-    const auto mipmaps = static_cast<unsigned>(std::log2(_texels)) + 1 - tooCoarse;
+    const auto mipmaps = static_cast<unsigned>(std::log2(_texels)) + 1;
     _levels.resize(mipmaps);
     for (std::size_t i = 0; i < _levels.size(); ++i) {
         for (int cell = 0; cell < cells * cells; ++cell) {

@@ -110,7 +110,7 @@ std::vector<LeafTexels> leafMipmaps(LeafTexels level) {
         }
         levels.push_back(std::move(shown));
     }
-    levels.back().texels.front().a = 1.0f; // a card that is seen edge on
+    levels.back().texels.front().a = 1.0f; // a card that is seen edge on, or from very far
     return levels;
 }
 

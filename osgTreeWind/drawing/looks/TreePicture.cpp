@@ -82,7 +82,7 @@ osg::ref_ptr<osg::Image> readLeafPicture(const std::string& path) {
                                                     hue(pixel, pixels), 0.0f, pixel.a)
                                         : glm::vec4(leafBrightness, 0.5f, 0.0f, 0.0f);
     }
-    return pixels.colors.empty() ? nullptr : makeLeafAtlas({leaf, leaf, leaf});
+    return pixels.colors.empty() ? nullptr : makeLeafAtlas({leaf, leaf, leaf}, {leaf});
 }
 
 osg::ref_ptr<osg::Image> readBarkPicture(const std::string& path) {

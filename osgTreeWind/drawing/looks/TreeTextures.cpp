@@ -57,10 +57,14 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
     if (!appearance.leafImage.empty())
         if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
             return picture;
+    constexpr float sparse = 0.4f; // so that none shows as a whole on a bough
     static PaintedOnce<LeafForm, static_cast<std::size_t>(LeafForm::Frond) + 1> images;
     return images.image(appearance.leafForm, [](LeafForm form) {
-        const auto card = [&](int variant) { return paintSpray(form, growSpray(form, variant)); };
-        return makeLeafAtlas({card(0), card(1), card(2)});
+        const auto card = [&](int variant, float share) {
+            return paintSpray(form, growSpray(form, variant, share));
+        };
+        return makeLeafAtlas({card(0, 1.0f), card(1, 1.0f), card(2, 1.0f)},
+                             {card(0, sparse), card(3, sparse)});
     });
 }
 

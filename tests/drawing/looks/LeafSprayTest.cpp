@@ -114,13 +114,14 @@ TEST_P(LeafSprayOf, StaysFinelyCutInSmallerLevels) {
 }
 
 TEST_P(LeafSprayOf, BoughsBearAsManyLeavesAsTheirSize) {
-    const std::vector<LeafTexels> sprays{painted(form(), 0), painted(form(), 1), painted(form(), 2)};
+    const LeafTexels full = painted(form(), 0);
+    const std::vector<LeafTexels> sparse{paintSpray(form(), growSpray(form(), 0, 0.4f))};
     for (const int growth : {2, 3, 4}) {
-        const LeafTexels bough = paintBough(sprays, growth, 0);
-        EXPECT_EQ(bough.size, sprays.front().size / 2);
+        const LeafTexels bough = paintBough(sparse, full, growth, 0);
+        EXPECT_EQ(bough.size, full.size / 2);
         float wanted = 0.0f, there = 0.0f;
-        for (const glm::vec4& texel : sprays.front().texels)
-            wanted += texel.a / static_cast<float>(sprays.front().texels.size());
+        for (const glm::vec4& texel : full.texels)
+            wanted += texel.a / static_cast<float>(full.texels.size());
         for (const glm::vec4& texel : bough.texels)
             there += texel.a / static_cast<float>(bough.texels.size());
         EXPECT_NEAR(there, wanted, 0.04f) << growth;

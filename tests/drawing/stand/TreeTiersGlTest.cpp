@@ -98,7 +98,7 @@ TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
             pictures.push_back(pictureFrom(eye, {0, 140, 8}, 8 / 30.0));
             if (tiers) {
                 const auto listed = _forest->getStand()->trees()->listedTrees();
-                EXPECT_GT(listed[3], 0u) << "no impostors in the test";
+                EXPECT_GT(listed[static_cast<std::size_t>(Tier::Impostor)], 0u) << "no impostors in the test";
             }
         }
         EXPECT_LT(meanDifference(blockMeans(pictures[0]), blockMeans(pictures[1])), 3.0);
