@@ -15,7 +15,7 @@ flat in float treeFade;
 flat in float leafBorne;
 
 void main() {
-    vec4 leaf = texture(leafTexture, leafCoord);
+    vec4 leaf = leafTexel(leafCoord);
     float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
 #ifdef FADING
     if (dithered(treeFade))

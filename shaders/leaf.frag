@@ -10,7 +10,7 @@ in vec3 leafLight;
 flat in float leafBorne;
 
 void main() {
-    vec4 leaf = texture(leafTexture, leafCoord);
+    vec4 leaf = leafTexel(leafCoord);
     float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
     vec3 albedo = leafAlbedo(leaf, leafBorne);
     paintSurface(encoded(albedo * leafLight), albedo, coverage);

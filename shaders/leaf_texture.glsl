@@ -18,13 +18,28 @@ float leafAlpha(vec4 texel, float borne) {
     return mix(texel.b, texel.a, borne);
 }
 
+/// The texel of a place; under COVERAGE the mean of four in its pixel, whose alpha is there or not.
+vec4 leafTexel(vec2 coord) {
+#ifdef COVERAGE
+    vec2 across = 0.25 * dFdx(coord), along = 0.25 * dFdy(coord);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        vec2 place = coord + ((i & 1) == 0 ? across : -across) + ((i & 2) == 0 ? along : -along);
+        vec4 texel = texture(leafTexture, place, -1.0);
+        sum += vec4(texel.rg, step(0.5, texel.ba));
+    }
+    return 0.25 * sum;
+#else
+    return texture(leafTexture, coord);
+#endif
+}
+
 /// Alpha to write for one of leafAlpha(); what is not drawn is discarded.
 float leafCoverage(float alpha) {
 #ifdef COVERAGE
-    float covered = (alpha - 0.5) / max(fwidth(alpha), 1.0e-4) + 0.5; // a sharp edge at 0.5, a pixel wide
-    if (covered <= 0.0)
+    if (alpha <= 0.0)
         discard;
-    return min(covered, 1.0);
+    return alpha;
 #else
     if (alpha < 0.5) // LeafTexels::alphaThreshold
         discard;

@@ -4,8 +4,11 @@
 #include "PortraitSheet.h"
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/drawing/impostors/LeafEdges.h>
 #include <osgTreeWind/drawing/impostors/TreeLooks.h>
+#include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osgDB/FileNameUtils>
@@ -13,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -24,7 +28,7 @@ using namespace osgTreeWind;
 
 struct PortraitOptions {
     std::string species, output, backend = offscreenBackendName();
-    bool json = false;
+    bool json = false, edges = false;
     int panel = 256;
     std::optional<float> season;
 };
@@ -63,6 +67,37 @@ nlohmann::ordered_json toJson(const Species& species, const TreeLooks& looks) {
             {"greenShare", rounded(looks.greenShare)}};
 }
 
+/// How finely the first shape is cut against the sky, as forests show it from some distances, beside single
+/// leaves in the same places.
+nlohmann::ordered_json edgesJson(const Species& species) {
+    const auto rounded = [](float value) {
+        return std::round(10000.0 * static_cast<double>(value)) / 10000.0;
+    };
+    const TreeModel model = makeTreeModel(species.tree);
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const float distance : {10.0f, 20.0f, 40.0f, 80.0f}) {
+        if (model.leaves.empty())
+            break;
+        const EdgePicture picture(model, species.appearance, distance, 0.3f);
+        const float pixels = EdgePicture::pixelsPerMetreAt1m / distance;
+        const Tier tier = TreeTiers().choose(pixels * measureTree(model).height).tier;
+        const LeafEdges drawn = picture.cards(std::min(static_cast<int>(tier), TreeDetail::reductions)),
+                        single = picture.singleLeaves();
+        const float centimetres = 100.0f / pixels;
+        rows.push_back({{"distance", distance},
+                        {"tier", static_cast<int>(tier)},
+                        {"leafEdges", rounded(drawn.edges)},
+                        {"leafEdgesSingle", rounded(single.edges)},
+                        {"leafRun", rounded(centimetres * drawn.leafRun)},
+                        {"leafRunSingle", rounded(centimetres * single.leafRun)},
+                        {"skyRun", rounded(centimetres * drawn.skyRun)},
+                        {"skyRunSingle", rounded(centimetres * single.skyRun)},
+                        {"slope", rounded(drawn.slope)},
+                        {"slopeSingle", rounded(single.slope)}});
+    }
+    return rows;
+}
+
 void print(const Species& species, const TreeLooks& looks) {
     const auto line = [](const char* name, float value) {
         std::printf("%-24s %8.3f\n", name, static_cast<double>(value));
@@ -95,8 +130,11 @@ ExitCode portrait(const PortraitOptions& options) {
         }
     }
     const TreeLooks looks = measureLooks(*species);
-    if (options.json)
-        std::cout << toJson(*species, looks).dump(2) << '\n';
+    nlohmann::ordered_json json = toJson(*species, looks);
+    if (options.edges)
+        json["edges"] = edgesJson(*species);
+    if (options.json || options.edges)
+        std::cout << json.dump(2) << '\n';
     else
         print(*species, looks);
     return Succeeded;
@@ -109,6 +147,10 @@ void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
     auto options = std::make_shared<PortraitOptions>();
     command->add_option("species", options->species, "A built-in species, or FILE.treewind:name")->required();
     command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag(
+        "--edges", options->edges,
+        "Print JSON, also of how finely the crown is cut against the sky at 10, 20, 40 and 80 m, and "
+        "single leaves in its place: seconds");
     command->add_option("-o,--output", options->output, "sheet.png; without it nothing is drawn")
         ->check([](const std::string& name) {
             return osgDB::getLowerCaseFileExtension(name) == "png"

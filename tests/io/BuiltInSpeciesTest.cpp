@@ -35,6 +35,11 @@ public:
         const auto* first = reinterpret_cast<const unsigned char*>(&wood);
         return bytes(first, flare).bytes(first + after, sizeof wood - after);
     }
+    /// But for the area of cards, which follows LeafCoverage.h, and fronds, which came later.
+    Hash& add(const LeafParameters& leaves) {
+        return bytes(reinterpret_cast<const unsigned char*>(&leaves), offsetof(LeafParameters, frond))
+            .add(leaves.seed);
+    }
     std::uint64_t value() const { return _value; }
 
 private:
@@ -68,37 +73,37 @@ std::uint64_t hashOf(const Species& species) {
 } // namespace
 
 TEST(BuiltInSpecies, AreWhatTheyWereToTheLastBit) {
-    // Of the tables in C++ that species.treewind took the place of.
-    const std::vector<std::pair<const char*, std::uint64_t>> were = {{"Norway spruce", 0xf222b3d4961dcc0d},
-                                                                     {"Sitka spruce", 0xf44cd4afbded0685},
-                                                                     {"Douglas fir", 0x4207fa7674302af7},
-                                                                     {"grand fir", 0xa8935a1afe3a3035},
-                                                                     {"western hemlock", 0xe172a4a8e7cf0487},
-                                                                     {"Scots pine", 0x0bd576ba91cfbc2f},
-                                                                     {"lodgepole pine", 0x834094ce7b9bb9ea},
-                                                                     {"Corsican pine", 0x2119eb5ca2d5e743},
-                                                                     {"radiata pine", 0x524d36b0a7a806ee},
-                                                                     {"white spruce", 0x7e0c4a2d0696dc11},
-                                                                     {"balsam fir", 0x8f3ddfb2ecf5a102},
-                                                                     {"European larch", 0xf34ee4a390067c1a},
-                                                                     {"silver birch", 0xa118f87d2c5201d8},
-                                                                     {"beech", 0x69a5dac2a620aa1a},
-                                                                     {"oak", 0xabfddecaec1c78cd},
-                                                                     {"ash", 0x49edb0df6f53ddf6},
-                                                                     {"sycamore", 0x58cb5672f0067469},
-                                                                     {"red maple", 0x7ee5fb0d0895e796},
-                                                                     {"red oak", 0xba4079a98aaad9df},
-                                                                     {"aspen", 0xa548376b07cd98e3},
-                                                                     {"linden", 0x366a4dc2f8b904eb},
-                                                                     {"poplar", 0x0c43f1d29b826205},
-                                                                     {"London plane", 0x5b937f48fa4aed2f},
-                                                                     {"honey locust", 0xc2620e15545d4760},
-                                                                     {"Norway maple", 0x841ed5a0f6ec9476},
-                                                                     {"horse chestnut", 0x43fd961a246f134f},
-                                                                     {"ginkgo", 0x298a4089e4e92251},
-                                                                     {"palm", 0x5e331dce1280bf80},
-                                                                     {"conifer", 0x46bd88682e77c220},
-                                                                     {"broadleaf", 0x5e9899fd36ca48c2}};
+    // Of the tables in C++ that species.treewind took the place of, but for the cards of palms and lindens.
+    const std::vector<std::pair<const char*, std::uint64_t>> were = {{"Norway spruce", 0xc33fcce02622824e},
+                                                                     {"Sitka spruce", 0x84eac131a0ee769a},
+                                                                     {"Douglas fir", 0x969e356436b1eff4},
+                                                                     {"grand fir", 0x611b4ecd4d9db256},
+                                                                     {"western hemlock", 0xe9183eb8d1f21d00},
+                                                                     {"Scots pine", 0x43888a75de81f108},
+                                                                     {"lodgepole pine", 0x590beb0ec4299b69},
+                                                                     {"Corsican pine", 0xe07b0e3ea241cb98},
+                                                                     {"radiata pine", 0x2f5f812a7d901209},
+                                                                     {"white spruce", 0xa5af1b49a3a0fa72},
+                                                                     {"balsam fir", 0x586e1d954eb61429},
+                                                                     {"European larch", 0x5935bb74ffe23d08},
+                                                                     {"silver birch", 0x9f1a3fb81cbd08c6},
+                                                                     {"beech", 0x1df1692368a9b8ae},
+                                                                     {"oak", 0x015a42147df55009},
+                                                                     {"ash", 0xf2154b687f0614b4},
+                                                                     {"sycamore", 0x3f100b1230bf7705},
+                                                                     {"red maple", 0x999b17f4138b4912},
+                                                                     {"red oak", 0x081cc8e10af853cb},
+                                                                     {"aspen", 0x5566a2077e768cc2},
+                                                                     {"linden", 0xca461087099db661},
+                                                                     {"poplar", 0x87fb2a58ae06d868},
+                                                                     {"London plane", 0xd01d65b95d2643eb},
+                                                                     {"honey locust", 0x5bd65a4e18f0a7de},
+                                                                     {"Norway maple", 0x898054adaeef46da},
+                                                                     {"horse chestnut", 0xb4c80d16c66ee561},
+                                                                     {"ginkgo", 0x8c51bc1772c0c354},
+                                                                     {"palm", 0x5fe263d71be8e637},
+                                                                     {"conifer", 0x6d3f3b36a4bfddd7},
+                                                                     {"broadleaf", 0xc871b8e90db84153}};
     const auto& all = SpeciesCatalogue::builtIn().species();
     ASSERT_EQ(all.size(), were.size());
     for (std::size_t i = 0; i < all.size(); ++i) {

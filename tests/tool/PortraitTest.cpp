@@ -42,6 +42,19 @@ TEST(Portrait, JsonHasTheNumbersAndNeedsNoGraphics) {
     EXPECT_EQ(outcome.out, runTool({"portrait", "silver birch", "--json"}).out);
 }
 
+TEST(Portrait, EdgesAreThoseOfSingleLeavesOrNearly) {
+    const Outcome outcome = runTool({"portrait", "oak", "--edges"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Json edges = Json::parse(outcome.out)["edges"];
+    ASSERT_EQ(edges.size(), 4u);
+    for (const Json& row : edges) {
+        EXPECT_GT(row["leafEdges"].get<double>() / row["leafEdgesSingle"].get<double>(), 0.7) << row;
+        EXPECT_GT(row["leafRun"].get<double>(), 0.0);
+        EXPECT_GT(row["skyRun"].get<double>(), 0.0);
+    }
+    EXPECT_LT(edges[0]["tier"], edges[3]["tier"]);
+}
+
 TEST(Portrait, LinesSayTheSame) {
     const Outcome outcome = runTool({"portrait", "beech"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;

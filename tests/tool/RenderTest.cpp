@@ -145,7 +145,7 @@ TEST(Render, LooksStraightDown) {
     const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
     ASSERT_EQ(image->s(), 160);
     const osg::Vec4 crown = image->getColor(80u, 45u), ground = image->getColor(2u, 2u);
-    EXPECT_GT((crown - ground).length(), 0.05f);
+    EXPECT_GT((crown - ground).length(), 0.02f);
 }
 
 TEST(Render, Mp4HasTheFramesAndSizeAskedFor) {

@@ -135,10 +135,10 @@ LeafEdges EdgePicture::measured(Silhouette& sampled) const {
     return measureEdges(sampled.shrunk(samples), _closing);
 }
 
-LeafEdges EdgePicture::cards(Tier tier) const {
+LeafEdges EdgePicture::cards(int reductions) const {
     const osg::ref_ptr<osg::Image> texture = leafImage(_appearance);
     Silhouette sampled(samples * width);
-    if (tier == Tier::Full) {
+    if (reductions == 0) {
         const LeafMasks masks(*texture);
         forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                                     const glm::vec3& across, const glm::vec3& along) {
@@ -146,7 +146,7 @@ LeafEdges EdgePicture::cards(Tier tier) const {
         });
         return measured(sampled);
     }
-    const TreeDetail detail = TreeDetail::reduced(static_cast<int>(tier));
+    const TreeDetail detail = TreeDetail::reduced(reductions);
     const ThinnedLeaves thinned = thinnedLeaves(_model.leaves, _model.leafMesh, detail);
     TreeModel few;
     few.leaves = thinned.clusters;

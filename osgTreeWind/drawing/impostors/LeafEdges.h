@@ -2,7 +2,6 @@
 #pragma once
 
 #include <osgTreeWind/drawing/impostors/Silhouette.h>
-#include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/species/Appearance.h>
 
@@ -29,8 +28,9 @@ public:
 
     EdgePicture(const TreeModel& model, const Appearance& appearance, float distance, float azimuth);
 
-    /// Of cards as they are drawn at a tier.
-    LeafEdges cards(Tier tier) const;
+    /// Of cards, finely filtered. @param reductions times that the tree is reduced, TreeDetail::reduced(); 0:
+    /// not.
+    LeafEdges cards(int reductions) const;
     /// Of as many single leaves in the same places, each tilted as it is painted.
     LeafEdges singleLeaves() const;
 
