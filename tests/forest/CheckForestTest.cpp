@@ -38,7 +38,7 @@ TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.season = -1.0f; }),
               Texts{"season: expected a finite number in [0, 4]"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.drawing.full = 50.0f; }),
-              Texts{"drawing.reduced: expected reduced below full, found 90 and 50"});
+              Texts{"drawing.reduced: expected reduced below full, found 250 and 50"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].name.clear(); }),
               Texts{"species[0].name: missing"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].shapes = 65; }),

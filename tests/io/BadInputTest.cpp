@@ -132,11 +132,11 @@ const BadInput badInputs[] = {
     {"ReducedAboveFull", head + tree + "[drawing]\nfull = 200\nreduced = @200\n", "drawing.reduced",
      "expected reduced below full, found 200 and 200"},
     {"FullBelowReduced", head + tree + "[drawing]\nfull = @60\n", "drawing.full",
-     "expected reduced below full, found 90 and 60"},
-    {"ImpostorAboveReduced", head + tree + "[drawing]\nimpostor = @150\n", "drawing.impostor",
-     "expected impostor below reduced, found 150 and 90"},
+     "expected reduced below full, found 250 and 60"},
+    {"ImpostorAboveReduced", head + tree + "[drawing]\nimpostor = @350\n", "drawing.impostor",
+     "expected impostor below reduced, found 350 and 250"},
     {"ReducedBelowImpostor", head + tree + "[drawing]\nreduced = @20\n", "drawing.reduced",
-     "expected impostor below reduced, found 50 and 20"},
+     "expected impostor below reduced, found 80 and 20"},
     {"BlendTooWide", head + tree + "[drawing]\nblend = @1\n", "drawing.blend", "in [0, 0.9], found 1"},
 
     // [[species]]

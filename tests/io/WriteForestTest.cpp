@@ -213,8 +213,8 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
     });
     refused("species[0].tree.radius: expected at most half the trunk, length * trunk_units",
             [](auto& f) { f.species[0].tree.wood.radius = 5.0f; });
-    refused("drawing.impostor: expected impostor below reduced, found 90 and 90",
-            [](auto& f) { f.drawing.impostor = 90.0f; });
+    refused("drawing.impostor: expected impostor below reduced, found 250 and 250",
+            [](auto& f) { f.drawing.impostor = 250.0f; });
     refused("crs: expected a projected system in metres, found WGS 84, which is on degrees",
             [](auto& f) { f.crs = "EPSG:4326"; });
     refused("tree[0].species: no species 3", [](auto& f) { f.trees[0].species = 3; });

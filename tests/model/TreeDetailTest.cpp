@@ -52,7 +52,7 @@ TEST(TreeDetail, EveryReductionHasFewerVerticesThanTheOneBefore) {
         EXPECT_LT(static_cast<double>(now), 0.7 * static_cast<double>(before)) << times;
         before = now;
     }
-    EXPECT_LT(before, 38656u / 15);
+    EXPECT_LT(before, 38656u / 13);
 }
 
 TEST(TreeDetail, FullIsTheTreeToTheBit) {
