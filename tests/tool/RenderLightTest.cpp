@@ -67,7 +67,7 @@ TEST(RenderLight, SoftShadowsLeanWithTheirTrees) {
                               *render(inWind(speed), onItsShadow("soft", "3")));
     };
     EXPECT_EQ(difference("0"), 0.0);
-    EXPECT_GT(difference("25"), 0.5);
+    EXPECT_GT(difference("25"), 0.3);
 }
 
 TEST(RenderLight, ALowSunIsWarmAndDim) {
