@@ -14,7 +14,7 @@ namespace osgTreeWind {
 
 // Images are painted or read when first asked for, by any thread, and shared: they are not to be changed.
 
-/// A leaf card; LeafTexels.h says what its channels are.
+/// Leaf cards: LeafAtlas.h says where they lie, LeafTexels.h what the channels are.
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance);
 /// Bark, to be repeated along the branch and mirrored around it; BarkRelief.h says what its channels are.
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance);

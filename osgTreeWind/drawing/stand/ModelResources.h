@@ -31,7 +31,7 @@ public:
     void paint(Tier tier, const TreeModel& model, const Appearance& appearance, osg::Program* program);
 
     std::size_t species() const { return _species; }
-    /// Where shaders find its poses, and how sharply leaves are drawn at that tier.
+    /// Where shaders find its poses at that tier.
     osg::StateSet* state(Tier tier) const { return _states[static_cast<int>(tier)].get(); }
 
     /// Adds geometries and state sets: all that OpenGL keeps something of.
