@@ -51,6 +51,6 @@ float barkRelief(float height, vec2 coord) {
 /// What bark reflects: that of twigs has another colour than that of stems. @param radius of the wood, m.
 vec3 barkAlbedo(vec2 coord, float radius) {
     vec3 texel = texture(barkTexture, coord).rgb;
-    vec3 color = mix(twigColor, barkColor, smoothstep(0.005, 0.025, radius));
+    vec3 color = mix(twigColor, barkColor, stemShare(radius));
     return barkRelief(texel.g, coord) * texelTint(texel.r, texel.b) * color;
 }

@@ -151,12 +151,13 @@ RestGeometry restLeaves(const TreeModel& model, const TreeScale& scale) {
         const glm::vec3 outward = crown.outward(leaf.anchor);
         const float sky = crown.at(leaf.anchor).sky;
         const auto own = static_cast<float>(std::fmod(0.754878 * static_cast<double>(i), 1.0));
-        for (const LeafVertex& v : model.leafMesh) { // light as in shaders/leaf.vert
+        for (std::size_t corner = 0; corner < model.leafMesh.size();
+             ++corner) { // light as in shaders/leaf.vert
+            const LeafVertex& v = model.leafMesh[corner];
             const glm::vec3 blade = leaf.orientation * v.normal;
             const float side = glm::dot(blade, outward) < 0.0f ? -0.5f : 0.5f;
             rest.add(posedLeafPoint(leaf, v.corner, leaf.orientation, scale, {}),
-                     glm::normalize(outward + side * blade),
-                     LeafAtlas::coordinate(i, static_cast<std::size_t>(&v - model.leafMesh.data()) / 4, v.uv),
+                     glm::normalize(outward + side * blade), LeafAtlas::coordinate(i, corner / 4, v.uv),
                      leaf.unit, (0.88f + 0.24f * own) * sky);
         }
     }

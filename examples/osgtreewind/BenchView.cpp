@@ -33,19 +33,22 @@ const BenchStage& stageOfInstances() {
 }
 
 osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, const PictureSize& size) {
-    const osg::Vec3d centre = bound.center();
+    const osg::Vec3d centre = bound.center(), up(0.0, 0.0, 1.0);
     const double aspect = static_cast<double>(size.width) / size.height;
-    osg::Vec3d eye = defaultEye(centre, bound.radius(), {benchFieldOfView, aspect});
-    if (viewpoint == BenchViewpoint::Inside) {
-        osg::Vec3d eye = bound.center();
-        eye.z() = 1.7;
-        return osg::Matrixd::lookAt(eye, eye + osg::Vec3d(0.0, 10.0, 0.5), osg::Vec3d(0.0, 0.0, 1.0));
-    }
-    if (viewpoint == BenchViewpoint::Home) { // osgGA::CameraManipulator::computeHomePosition()
+    switch (viewpoint) {
+    case BenchViewpoint::Over:
+        return osg::Matrixd::lookAt(defaultEye(centre, bound.radius(), {benchFieldOfView, aspect}), centre,
+                                    up);
+    case BenchViewpoint::Home: { // osgGA::CameraManipulator::computeHomePosition()
         const double side = std::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
-        eye = centre - osg::Vec3d(0.0, bound.radius() / std::sin(std::atan(side)), 0.0);
+        const double away = bound.radius() / std::sin(std::atan(side));
+        return osg::Matrixd::lookAt(centre - osg::Vec3d(0.0, away, 0.0), centre, up);
     }
-    return osg::Matrixd::lookAt(eye, centre, osg::Vec3d(0.0, 0.0, 1.0));
+    case BenchViewpoint::Inside:
+        break;
+    }
+    const osg::Vec3d eye(centre.x(), centre.y(), 1.7);
+    return osg::Matrixd::lookAt(eye, eye + osg::Vec3d(0.0, 10.0, 0.5), up);
 }
 
 /// A forest, and what it took to make it.

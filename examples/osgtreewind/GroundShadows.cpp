@@ -81,8 +81,7 @@ struct ShadowPicture {
                         return fall(leaf.anchor +
                                     leaf.size * (leaf.orientation * model.leafMesh[v + corner].corner));
                     };
-                    use(glm::fract(0.618034f * static_cast<float>(i)) < leaves, at(0), at(1) - at(0),
-                        at(3) - at(0));
+                    use(isBorne(i, leaves), at(0), at(1) - at(0), at(3) - at(0));
                 }
         };
         const auto cover = [&](const glm::vec2& p) {
@@ -101,8 +100,8 @@ struct ShadowPicture {
 
         const glm::vec2 scale = static_cast<float>(samples * pixels) / (high - low);
         const osg::ref_ptr<osg::Image> card = leafImage(appearance);
-        const Silhouette::Mask leafy = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 3, false),
-                               bare = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 2, false), solid{1, {1}};
+        const Silhouette::Mask leafy = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 3),
+                               bare = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 2), solid{1, {1}};
         Silhouette black(samples * pixels);
         quads([&](bool borne, const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along) {
             black.draw(scale * (corner - low), scale * across, scale * along, borne ? leafy : bare);

@@ -15,7 +15,7 @@ namespace osgTreeWind {
 struct PoseRequest {
     static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 25;
 
-    float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::refer() has it; negative: at rest.
+    float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::ask() has it; negative: at rest.
     float rowTexels = 0.0f;   ///< Of a row of that matrix.
     float maxAngle = 0.0f;
     float streamlining = 0.0f;             ///< Reconfiguration::streamlining,

@@ -114,6 +114,24 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
 
 PosePass::~PosePass() = default;
 
+void PosePass::ask(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
+                   const Reconfiguration& foliage, PoseRequest& request) {
+    const ModalModel& model = motion.model(tree);
+    refer(model, request);
+    request.across = scale.axes.x;
+    request.upward = scale.axes.z;
+    if (request.firstTexel < 0.0f)
+        return;
+    motion.poseVector(tree, request.vector);
+    request.streamlining = foliage.streamlining;
+    request.streamlinedTo = foliage.streamlinedTo;
+    request.mostPull = foliage.mostPull;
+    glm::vec3 winds[PoseRequest::mostPatches];
+    motion.patchWinds(tree, winds);
+    for (std::size_t patch = 0; patch < model.patches.size(); ++patch)
+        std::copy_n(&winds[patch].x, 3, request.patchWinds[patch]);
+}
+
 void PosePass::refer(const ModalModel& model, PoseRequest& request) {
     const std::size_t columns = model.columns(), texels = (columns + 3) / 4;
     request.rowTexels = static_cast<float>(texels);

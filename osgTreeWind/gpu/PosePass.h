@@ -3,7 +3,9 @@
 
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/Skeleton.h>
-#include <osgTreeWind/motion/modal/ModalModel.h>
+#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/laws/Reconfiguration.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <osg/Program>
 #include <osg/State>
@@ -34,9 +36,10 @@ class PosePass : public osg::Referenced {
 public:
     PosePass(const Skeleton& skeleton, PosePrograms* programs);
 
-    /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call. A model past
-    /// what a texture holds is posed at rest, with one warning.
-    void refer(const ModalModel& model, PoseRequest& request);
+    /// Fills in what is asked of a tree that sways. One whose archetype is past what a texture holds is posed
+    /// at rest, with one warning.
+    void ask(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
+             const Reconfiguration& foliage, PoseRequest& request);
 
     /// A tree's row among those of the frame.
     struct Row {
@@ -71,6 +74,9 @@ protected:
     ~PosePass() override;
 
 private:
+    /// Where [Phi R] of an archetype stands, and how long its rows are; added on the first call.
+    void refer(const ModalModel& model, PoseRequest& request);
+
     struct Context;
     struct Entry {
         std::uint32_t tree = 0, frame = ~0u, place = 0;

@@ -26,6 +26,10 @@ enum class LeafForm {
     Frond,    ///< Palm.
 };
 
+constexpr bool isNeedles(LeafForm form) {
+    return form >= LeafForm::Needles && form <= LeafForm::Tufts;
+}
+
 /// What the surface of bark is like.
 enum class BarkForm {
     Furrowed, ///< Ridges along the stem: oak, ash, any tree.
@@ -54,7 +58,7 @@ struct Appearance {
     glm::vec3 twigs() const {
         return barkForm == BarkForm::Banded ? glm::vec3(0.06f, 0.035f, 0.028f) : 0.6f * bark;
     }
-    bool needles() const { return leafForm >= LeafForm::Needles && leafForm <= LeafForm::Tufts; }
+    bool needles() const { return isNeedles(leafForm); }
     bool isEvergreen() const {
         return evergreen.value_or((needles() && leafForm != LeafForm::Tufts) || leafForm == LeafForm::Frond);
     }

@@ -26,3 +26,6 @@ vec3 clusterTint(float own, float leaf) {
 vec3 texelTint(float brightness, float hue) {
     return brightness * (1.0f + (hue - 0.5f) * vec3(0.5f, 0.1f, -0.4f));
 }
+
+/// How much of the colour of stems wood has; the rest is that of twigs. @param radius m.
+float stemShare(float radius) { return smoothstep(0.005f, 0.025f, radius); }

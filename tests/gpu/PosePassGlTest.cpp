@@ -29,19 +29,8 @@ public:
         PosePass& passes = *_passes[placed.model];
         rows[tree] = passes.row(frame, static_cast<std::uint32_t>(tree), [&](PoseRequest& request) {
             ++fills;
-            const ModalMotion& modal = *_simulation.modal();
-            passes.refer(modal.model(tree), request);
-            request.across = placed.scale.axes.x;
-            request.upward = placed.scale.axes.z;
-            modal.poseVector(tree, request.vector);
-            const Reconfiguration foliage(_simulation.forest().speciesOf(placed));
-            request.streamlining = foliage.streamlining;
-            request.streamlinedTo = foliage.streamlinedTo;
-            request.mostPull = foliage.mostPull;
-            glm::vec3 patchWinds[PoseRequest::mostPatches];
-            modal.patchWinds(tree, patchWinds);
-            for (std::size_t patch = 0; patch < modal.model(tree).patches.size(); ++patch)
-                std::copy_n(&patchWinds[patch].x, 3, request.patchWinds[patch]);
+            passes.ask(*_simulation.modal(), tree, placed.scale,
+                       Reconfiguration(_simulation.forest().speciesOf(placed)), request);
         });
     }
 

@@ -23,12 +23,17 @@ void forEachLeafQuad(const TreeModel& model, Visit visit) {
     }
 }
 
-/// A flat piece of which a mask is solid.
+/// A flat piece of which a mask is solid. @param mirrored whether `across` goes from right to left on the
+/// mask.
 template <typename View>
 void drawPiece(const View& view, const glm::vec3& corner, const glm::vec3& across, const glm::vec3& along,
-               const Silhouette::Mask& mask, Silhouette& silhouette) {
-    const glm::vec2 foot = view(corner);
-    silhouette.draw(foot, view(corner + across) - foot, view(corner + along) - foot, mask);
+               const Silhouette::Mask& mask, Silhouette& silhouette, bool mirrored = false) {
+    const glm::vec2 foot = view(corner), right = view(corner + across) - foot,
+                    up = view(corner + along) - foot;
+    if (mirrored)
+        silhouette.draw(foot + right, -right, up, mask);
+    else
+        silhouette.draw(foot, right, up, mask);
 }
 
 /// @param pixels of a metre there.

@@ -288,10 +288,8 @@ private:
         const float side =
             2.0f * (static_cast<float>(sample.cell % TreeRaster::cells) + 0.5f) / TreeRaster::cells - 1.0f;
         const glm::vec3 outward = side * front.side + glm::sqrt(1.0f - side * side) * front.front;
-        const float thickness =
-            glm::smoothstep(0.005f, 0.025f, _bark[piece].radius); // shaders/bark_texture.glsl
-        sum.add(glm::mix(_twigColor, _barkColor, thickness), LightLobe(_bark[piece].light, outward, false),
-                0.0f);
+        const glm::vec3 color = glm::mix(_twigColor, _barkColor, Laws().stemShare(_bark[piece].radius));
+        sum.add(color, LightLobe(_bark[piece].light, outward, false), 0.0f);
     }
 
     /// Of a stretch of bark in the present view: unit vectors to its right and toward the eye, tree frame.

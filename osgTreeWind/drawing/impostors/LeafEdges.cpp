@@ -142,7 +142,8 @@ LeafEdges EdgePicture::cards(int reductions) const {
         const LeafMasks masks(*texture);
         forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                                     const glm::vec3& across, const glm::vec3& along) {
-            drawPiece(*this, corner, across, along, masks.leaves(LeafAtlas::choose(cluster, quad)), sampled);
+            const LeafAtlas::Choice choice = LeafAtlas::choose(cluster, quad);
+            drawPiece(*this, corner, across, along, masks.leaves(choice.variant), sampled, choice.mirrored);
         });
         return measured(sampled);
     }
@@ -151,16 +152,13 @@ LeafEdges EdgePicture::cards(int reductions) const {
     TreeModel few;
     few.leaves = thinned.clusters;
     few.leafMesh = _model.leafMesh;
-    Silhouette::Mask masks[2][2];
-    for (int variant = 0; variant < 2; ++variant)
-        for (const bool mirrored : {false, true})
-            masks[variant][mirrored] =
-                LeafMasks::maskOf(*texture, LeafAtlas::bough(thinned.bough, variant), 3, mirrored);
+    const Silhouette::Mask masks[2] = {LeafMasks::maskOf(*texture, LeafAtlas::bough(thinned.bough, 0), 3),
+                                       LeafMasks::maskOf(*texture, LeafAtlas::bough(thinned.bough, 1), 3)};
     forEachLeafQuad(few, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                              const glm::vec3& across, const glm::vec3& along) {
         const LeafAtlas::Choice choice = LeafAtlas::choose(thinned.indices[cluster], 0);
         if (quad == 0)
-            drawPiece(*this, corner, across, along, masks[choice.variant % 2][choice.mirrored], sampled);
+            drawPiece(*this, corner, across, along, masks[choice.variant % 2], sampled, choice.mirrored);
     });
     return measured(sampled);
 }

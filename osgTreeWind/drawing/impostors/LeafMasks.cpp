@@ -4,11 +4,9 @@
 namespace osgTreeWind {
 
 LeafMasks::LeafMasks(const osg::Image& texture) {
-    for (std::size_t i = 0; i < _leaves.size(); ++i) {
-        const LeafAtlas::Cell cell = LeafAtlas::spray(static_cast<int>(i) % LeafAtlas::sprays);
-        const bool mirrored = i >= LeafAtlas::sprays;
-        _leaves[i] = maskOf(texture, cell, 3, mirrored);
-        _twigs[i] = maskOf(texture, cell, 2, mirrored);
+    for (int i = 0; i < LeafAtlas::sprays; ++i) {
+        _leaves[static_cast<std::size_t>(i)] = maskOf(texture, LeafAtlas::spray(i), 3);
+        _twigs[static_cast<std::size_t>(i)] = maskOf(texture, LeafAtlas::spray(i), 2);
     }
 }
 
@@ -20,17 +18,15 @@ float LeafMasks::leafCoverage() const {
     return static_cast<float>(leaves) / static_cast<float>(all);
 }
 
-Silhouette::Mask LeafMasks::maskOf(const osg::Image& texture, const LeafAtlas::Cell& cell, int channel,
-                                   bool mirrored) {
+Silhouette::Mask LeafMasks::maskOf(const osg::Image& texture, const LeafAtlas::Cell& cell, int channel) {
     const auto texels = static_cast<float>(texture.s());
     const glm::ivec2 low = glm::ivec2(cell.low * texels);
     Silhouette::Mask mask;
     mask.size = static_cast<int>(cell.size * texels);
     for (int y = 0; y < mask.size; ++y)
-        for (int x = 0; x < mask.size; ++x) {
-            const int column = low.x + (mirrored ? mask.size - 1 - x : x);
-            mask.solid.push_back(texture.data()[4 * ((low.y + y) * texture.s() + column) + channel] >= 128);
-        }
+        for (int x = 0; x < mask.size; ++x)
+            mask.solid.push_back(texture.data()[4 * ((low.y + y) * texture.s() + low.x + x) + channel] >=
+                                 128);
     return mask;
 }
 

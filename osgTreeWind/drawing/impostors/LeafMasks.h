@@ -13,22 +13,17 @@ struct LeafMasks {
     /// @param texture as of makeLeafAtlas().
     explicit LeafMasks(const osg::Image& texture);
 
-    /// Of the cards of sprays, seen from the front and mirrored.
-    const Silhouette::Mask& leaves(const LeafAtlas::Choice& choice) const {
-        return _leaves[static_cast<std::size_t>(choice.variant + (choice.mirrored ? LeafAtlas::sprays : 0))];
-    }
-    const Silhouette::Mask& twigs(const LeafAtlas::Choice& choice) const {
-        return _twigs[static_cast<std::size_t>(choice.variant + (choice.mirrored ? LeafAtlas::sprays : 0))];
-    }
+    /// Of the cards of sprays.
+    const Silhouette::Mask& leaves(int variant) const { return _leaves[static_cast<std::size_t>(variant)]; }
+    const Silhouette::Mask& twigs(int variant) const { return _twigs[static_cast<std::size_t>(variant)]; }
     /// Share of a card of sprays that leaves cover without their twigs.
     float leafCoverage() const;
 
     /// Where alpha of leaves, channel 3, or of twigs, 2, is solid.
-    static Silhouette::Mask maskOf(const osg::Image& texture, const LeafAtlas::Cell& cell, int channel,
-                                   bool mirrored);
+    static Silhouette::Mask maskOf(const osg::Image& texture, const LeafAtlas::Cell& cell, int channel);
 
 private:
-    std::array<Silhouette::Mask, 2 * LeafAtlas::sprays> _leaves, _twigs;
+    std::array<Silhouette::Mask, LeafAtlas::sprays> _leaves, _twigs;
 };
 
 } // namespace osgTreeWind

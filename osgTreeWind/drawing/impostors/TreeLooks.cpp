@@ -61,13 +61,13 @@ public:
     glm::vec2 operator()(const glm::vec3& p) const { return _scale * (_view(p) - _low); }
 
     /// @param mask that is to be taken of them.
-    Silhouette leaves(const LeafMasks& masks,
-                      const Silhouette::Mask& (LeafMasks::*mask)(const LeafAtlas::Choice&) const) const {
+    Silhouette leaves(const LeafMasks& masks, const Silhouette::Mask& (LeafMasks::*mask)(int) const) const {
         Silhouette silhouette(viewPixels);
         forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                                     const glm::vec3& across, const glm::vec3& along) {
-            drawPiece(*this, corner, across, along, (masks.*mask)(LeafAtlas::choose(cluster, quad)),
-                      silhouette);
+            const LeafAtlas::Choice choice = LeafAtlas::choose(cluster, quad);
+            drawPiece(*this, corner, across, along, (masks.*mask)(choice.variant), silhouette,
+                      choice.mirrored);
         });
         return silhouette;
     }

@@ -16,6 +16,10 @@ void put(const LeafTexels& card, const LeafAtlas::Cell& cell, LeafTexels& level)
             level.at(low.x + x, low.y + y) = card.at(x, y);
 }
 
+glm::vec2 turned(const LeafAtlas::Choice& choice, const glm::vec2& onCard) {
+    return {choice.mirrored ? 1.0f - onCard.x : onCard.x, onCard.y};
+}
+
 } // namespace
 
 LeafAtlas::Cell LeafAtlas::spray(int variant) {
@@ -34,12 +38,12 @@ LeafAtlas::Choice LeafAtlas::choose(std::size_t cluster, std::size_t quad) {
 
 glm::vec2 LeafAtlas::coordinate(std::size_t cluster, std::size_t quad, const glm::vec2& onCard) {
     const Choice choice = choose(cluster, quad);
-    return spray(choice.variant).at({choice.mirrored ? 1.0f - onCard.x : onCard.x, onCard.y});
+    return spray(choice.variant).at(turned(choice, onCard));
 }
 
 glm::vec2 LeafAtlas::onBough(int growth, std::size_t cluster, const glm::vec2& onCard) {
     const Choice choice = choose(cluster, 0);
-    return bough(growth, choice.variant).at({choice.mirrored ? 1.0f - onCard.x : onCard.x, onCard.y});
+    return bough(growth, choice.variant).at(turned(choice, onCard));
 }
 
 osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays,

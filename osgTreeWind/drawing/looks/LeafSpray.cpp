@@ -177,9 +177,9 @@ private:
     void addLeaf(const glm::vec2& foot, float shoot, float lean) {
         const float size = 0.8f + 0.35f * _random.uniform();
         const glm::vec2 off =
-            needles() ? glm::vec2(0.0f) : 0.04f * glm::vec2(_random.symmetric(), _random.symmetric());
+            isNeedles(_form) ? glm::vec2(0.0f) : 0.04f * glm::vec2(_random.symmetric(), _random.symmetric());
         for (int attempt = 0; attempt < 3; ++attempt) {
-            const float own = shoot + lean + (needles() ? 0.25f : 0.6f) * _random.symmetric();
+            const float own = shoot + lean + (isNeedles(_form) ? 0.25f : 0.6f) * _random.symmetric();
             const glm::vec2 place = foot + off + size * _habit.petiole * direction(own);
             if (!fits(place, own, size * _habit.length))
                 continue;
@@ -187,13 +187,12 @@ private:
             _hue = 0.5f + 0.4f * _random.symmetric();
             const std::size_t first = _blades.size();
             addBlades(foot + off, place, own, size * _habit.length);
-            _leaves.push_back({first, _blades.size(),
-                               needles() ? 0.7f * _rank + 0.3f * _random.uniform() : _random.uniform()});
+            _leaves.push_back(
+                {first, _blades.size(),
+                 isNeedles(_form) ? 0.7f * _rank + 0.3f * _random.uniform() : _random.uniform()});
             return;
         }
     }
-
-    bool needles() const { return _form >= LeafForm::Needles && _form <= LeafForm::Tufts; }
 
     /// Faces that are turned up along the card see more of the sky.
     void turnFace() {

@@ -72,13 +72,6 @@ float emptyFor(const LeafTexels& level, int channel, float share) {
 
 } // namespace
 
-float LeafTexels::coverage(int channel, float scale) const {
-    const auto kept = std::count_if(texels.begin(), texels.end(), [=](const glm::vec4& texel) {
-        return texel[channel] * scale >= alphaThreshold;
-    });
-    return static_cast<float>(kept) / static_cast<float>(texels.size());
-}
-
 LeafTexels halved(const LeafTexels& level) {
     LeafTexels half(level.size / 2);
     for (int y = 0; y < half.size; ++y)

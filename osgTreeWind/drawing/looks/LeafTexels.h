@@ -18,9 +18,6 @@ struct LeafTexels {
     explicit LeafTexels(int width) : size(width), texels(static_cast<std::size_t>(width * width)) {}
     glm::vec4& at(int x, int y) { return texels[static_cast<std::size_t>(y * size + x)]; }
     const glm::vec4& at(int x, int y) const { return texels[static_cast<std::size_t>(y * size + x)]; }
-
-    /// Share of texels that the alpha test keeps when a channel is multiplied by `scale`.
-    float coverage(int channel, float scale = 1.0f) const;
 };
 
 /// A card, halved again and again down to one texel, for filters that take the nearest level. On each the

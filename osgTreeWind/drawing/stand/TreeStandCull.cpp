@@ -84,30 +84,15 @@ void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier t
                   {lean.x, lean.y, fade, own}});
         return;
     }
-    const PosePass::Row row =
-        passes[tree.model]->row(frame, number, [&](PoseRequest& request) { ask(tree, number, request); });
-    InstanceList& list = lists.list(band, tree.model, tier, fade < 1.0f, passes[tree.model], row.page);
+    PosePass& pass = *passes[tree.model];
+    const PosePass::Row row = pass.row(frame, number, [&](PoseRequest& request) {
+        pass.ask(modal, number, tree.scale, resources.looks[tree.species].foliage, request);
+    });
+    InstanceList& list = lists.list(band, tree.model, tier, fade < 1.0f, &pass, row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
               {static_cast<float>(row.row), fade, own, tree.leaves}});
-}
-
-void TreeStandCull::ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const {
-    passes[tree.model]->refer(modal.model(number), request);
-    request.across = tree.scale.axes.x;
-    request.upward = tree.scale.axes.z;
-    if (request.firstTexel < 0.0f)
-        return;
-    modal.poseVector(number, request.vector);
-    const Reconfiguration& foliage = resources.looks[tree.species].foliage;
-    request.streamlining = foliage.streamlining;
-    request.streamlinedTo = foliage.streamlinedTo;
-    request.mostPull = foliage.mostPull;
-    glm::vec3 winds[PoseRequest::mostPatches];
-    modal.patchWinds(number, winds);
-    for (std::size_t patch = 0; patch < modal.model(number).patches.size(); ++patch)
-        std::copy_n(&winds[patch].x, 3, request.patchWinds[patch]);
 }
 
 /// Draws and passes, to the camera's render stage.

@@ -35,7 +35,6 @@ private:
     void seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side);
     void seeTree(const TreeCells::Tree& tree, float pixels);
     void addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade);
-    void ask(const PlacedTree& tree, std::uint32_t number, PoseRequest& request) const;
     void handOver();
 };
 

@@ -26,7 +26,10 @@ float leavesOn(const LeafTexels& card) {
 }
 
 float solidTexels(const LeafTexels& card, int channel) {
-    return card.coverage(channel);
+    std::size_t kept = 0;
+    for (const glm::vec4& texel : card.texels)
+        kept += texel[channel] >= LeafTexels::alphaThreshold;
+    return static_cast<float>(kept) / static_cast<float>(card.texels.size());
 }
 
 LeafTexels painted(LeafForm form, int variant) {
