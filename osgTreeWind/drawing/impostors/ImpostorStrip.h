@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
+#include <osgTreeWind/drawing/impostors/PictureCover.h>
 
 #include <osg/Geometry>
 #include <osg/Program>
@@ -21,11 +22,13 @@ public:
     ImpostorStrip(ImpostorPictures pictures, osg::Program* program, int segments = 2);
 
     const ImpostorPictures& pictures() const { return _pictures; }
+    const PictureCover& cover() const { return _cover; }
     osg::Geometry* geometry() const { return _geometry.get(); }
     osg::StateSet* stateSet() const { return _stateSet.get(); }
 
 private:
     ImpostorPictures _pictures;
+    PictureCover _cover;
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<osg::StateSet> _stateSet;
 };

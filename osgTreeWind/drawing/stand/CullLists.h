@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/stand/InstancedDraw.h>
+#include <osgTreeWind/drawing/stand/ScreenCover.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/drawing/stand/ViewFrustum.h>
@@ -53,8 +54,17 @@ public:
         const TreeCells::Cell* cell;
         ViewFrustum::Side side;
     };
-    /// Memory for cells that are seen.
+    struct SeenTree {
+        std::uint32_t number;
+        std::size_t band;
+        float pixels;           ///< Height on the screen.
+        std::uint32_t step = 0; ///< Of the distance to the eye.
+    };
+    /// Memory for cells and trees that are seen, and for what they hide.
     std::vector<SeenCell>& seenCells() { return _seenCells; }
+    std::vector<SeenTree>& seenTrees() { return _seenTrees; }
+    std::vector<ScreenCover::Picture>& pictures() { return _pictures; } ///< Of the latter.
+    ScreenCover& cover() { return _cover; }
 
     /// Trees that are seen from near, for the next update.
     std::vector<std::uint32_t>& near() { return _near; }
@@ -82,6 +92,9 @@ private:
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::array<osg::ref_ptr<osg::StateSet>, bands> _bandStates;
     std::vector<SeenCell> _seenCells;
+    std::vector<SeenTree> _seenTrees;
+    std::vector<ScreenCover::Picture> _pictures;
+    ScreenCover _cover;
     std::vector<List> _lists;
     std::vector<std::size_t>
         _open; ///< By band, model, tier and fading, the list that is filled now; 0: none, else one more.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/TreeStandCull.h>
 
+#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <algorithm>
@@ -28,6 +29,7 @@ void TreeStandCull::run() {
     const osg::Vec3 eye = visitor.getViewPointLocal();
     auto& seen = lists.seenCells();
     seen.clear();
+    lists.seenTrees().clear();
     for (const TreeCells::Cell& cell : cells.cells())
         if (!cell.trees.empty())
             if (const ViewFrustum::Side side = view.sideOf(cell.box); side != ViewFrustum::Outside)
@@ -35,60 +37,95 @@ void TreeStandCull::run() {
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
         return std::tie(a.distance, a.cell) < std::tie(b.distance, b.cell);
     });
-    for (const auto& [distance, cell, side] : seen) {
-        band = CullLists::bandOf(distance);
-        seeCell(view, *cell, side);
+    for (const CullLists::SeenCell& each : seen) {
+        seeCell(view, each);
         if (!nearFar)
             continue;
-        if (distance > 0.0f) {
-            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), cell->box);
+        if (each.distance > 0.0f) {
+            visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), each.cell->box);
             continue;
         }
-        for (const TreeCells::Tree& tree : cell->trees) // not as near as the cell, which is all about the eye
+        for (const TreeCells::Tree& tree : each.cell->trees) // not as near as the cell, which is all about it
             visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::boxOf(tree));
     }
+    if (tiers.on())
+        addThroughOthers();
+    else
+        for (const CullLists::SeenTree& tree : lists.seenTrees())
+            addTree(tree, Tier::Full, 1.0f);
     handOver();
 }
 
-void TreeStandCull::seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side) {
-    for (const TreeCells::Tree& tree : cell.trees) {
+void TreeStandCull::seeCell(const ViewFrustum& view, const CullLists::SeenCell& seen) {
+    const std::size_t band = CullLists::bandOf(seen.distance);
+    for (const TreeCells::Tree& tree : seen.cell->trees) {
         const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, 0.5f * tree.height);
-        if (side == ViewFrustum::Across) {
+        if (seen.side == ViewFrustum::Across) {
             const glm::vec2 lean = modal.lean(tree.number);
             const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
             if (!view.sees(middle, std::hypot(tree.reach, 0.5f * tree.height) + sway))
                 continue;
         }
-        seeTree(tree, view.pixels(middle, tree.height));
+        lists.seenTrees().push_back({tree.number, band, view.pixels(middle, tree.height)});
     }
 }
 
-void TreeStandCull::seeTree(const TreeCells::Tree& seenTree, float pixels) {
-    const PlacedTree& tree = simulation.trees()[seenTree.number];
-    const TierChoice choice = tiers.choose(pixels);
-    addTree(tree, seenTree.number, choice.tier, choice.fade);
-    if (choice.fade < 1.0f)
-        addTree(tree, seenTree.number, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
-    if (choice.tier < Tier::Impostor || pixels > tiers.wakingPixels())
-        lists.near().push_back(seenTree.number);
+/// Front to back, in steps: trees of one step do not hide each other, nor those of the next, as crowns reach
+/// into each other.
+void TreeStandCull::addThroughOthers() {
+    constexpr float step = 6.0f; // metres
+    constexpr std::size_t steps = 128;
+    const PictureView view(visitor);
+    std::vector<CullLists::SeenTree>& seen = lists.seenTrees();
+    for (CullLists::SeenTree& tree : seen) {
+        const float distance = view.distance(toOsg(simulation.trees()[tree.number].position));
+        tree.step = static_cast<std::uint32_t>(std::min(distance / step, static_cast<float>(steps)));
+    }
+    std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
+    ScreenCover& cover = lists.cover();
+    cover.clear();
+    std::vector<ScreenCover::Picture>& pictures = lists.pictures();
+    pictures.clear();
+    std::size_t added = 0;
+    for (const CullLists::SeenTree& tree : seen) {
+        while (added < pictures.size() && seen[added].step + 1 < tree.step)
+            cover.add(pictures[added++]);
+        const PlacedTree& placed = simulation.trees()[tree.number];
+        const ImpostorStrip* impostor = resources.models[placed.model]->impostor(impostorTier(placed.leaves));
+        pictures.push_back(impostor ? view.place(placed, modal.lean(tree.number), *impostor)
+                                    : ScreenCover::Picture{});
+        addTree(tree, cover.clearness(pictures.back()));
+    }
 }
 
-void TreeStandCull::addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade) {
+/// What is seen through gaps of others needs less detail.
+void TreeStandCull::addTree(const CullLists::SeenTree& seen, float clearness) {
+    const float pixels = seen.pixels * std::sqrt(clearness);
+    const TierChoice choice = tiers.choose(pixels);
+    addTree(seen, choice.tier, choice.fade);
+    if (choice.fade < 1.0f)
+        addTree(seen, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
+    if (choice.tier < Tier::Impostor || pixels > tiers.wakingPixels())
+        lists.near().push_back(seen.number);
+}
+
+void TreeStandCull::addTree(const CullLists::SeenTree& seen, Tier tier, float fade) {
+    const PlacedTree& tree = simulation.trees()[seen.number];
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;
     if (tier == Tier::Impostor) {
-        const glm::vec2 lean = modal.lean(number);
-        lists.list(band, tree.model, impostorTier(tree.leaves), fade < 1.0f, nullptr, nullptr)
+        const glm::vec2 lean = modal.lean(seen.number);
+        lists.list(seen.band, tree.model, impostorTier(tree.leaves), fade < 1.0f, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
                   {lean.x, lean.y, fade, own}});
         return;
     }
     PosePass& pass = *passes[tree.model];
-    const PosePass::Row row = pass.row(frame, number, [&](PoseRequest& request) {
-        pass.ask(modal, number, tree.scale, resources.looks[tree.species].foliage, request);
+    const PosePass::Row row = pass.row(frame, seen.number, [&](PoseRequest& request) {
+        pass.ask(modal, seen.number, tree.scale, resources.looks[tree.species].foliage, request);
     });
-    InstanceList& list = lists.list(band, tree.model, tier, fade < 1.0f, &pass, row.page);
+    InstanceList& list = lists.list(seen.band, tree.model, tier, fade < 1.0f, &pass, row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/stand/CullLists.h>
+#include <osgTreeWind/drawing/stand/PictureView.h>
 #include <osgTreeWind/drawing/stand/StandResources.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
@@ -27,14 +28,14 @@ public:
     const TreeCells& cells;
     const std::vector<osg::Vec3>& flutter; ///< By species.
     CullLists& lists;
-    std::size_t band = 0; ///< Of the cell at hand.
 
     void run();
 
 private:
-    void seeCell(const ViewFrustum& view, const TreeCells::Cell& cell, ViewFrustum::Side side);
-    void seeTree(const TreeCells::Tree& tree, float pixels);
-    void addTree(const PlacedTree& tree, std::uint32_t number, Tier tier, float fade);
+    void seeCell(const ViewFrustum& view, const CullLists::SeenCell& seen);
+    void addThroughOthers();
+    void addTree(const CullLists::SeenTree& seen, float clearness);
+    void addTree(const CullLists::SeenTree& seen, Tier tier, float fade);
     void handOver();
 };
 

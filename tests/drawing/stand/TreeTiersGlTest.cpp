@@ -82,6 +82,14 @@ protected:
         frame(time);
         return {image().data(), image().data() + 4 * width * height};
     }
+    /// By tier, of the first trees of a forest.
+    std::vector<std::size_t> listed(ForestDescription forest, std::size_t trees) {
+        forest.trees.resize(trees);
+        show(forest);
+        pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
+        const auto listed = _forest->getStand()->trees()->listedTrees();
+        return {listed.begin(), listed.end()};
+    }
     osg::ref_ptr<Forest> _forest;
 };
 
@@ -126,4 +134,37 @@ TEST_F(TreeTiersGlTest, nothingPopsInAFlight) {
     for (std::size_t i = 0; i < jumps[0].size(); ++i)
         most = std::max(most, jumps[1][i] - jumps[0][i]);
     EXPECT_LT(most, 1.0);
+}
+
+TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
+    ForestDescription forest = wood(0, true);
+    forest.drawing.full = 300.0f;
+    forest.drawing.reduced = 100.0f;
+    forest.drawing.impostor = 40.0f;
+    const auto plant = [&](float x, float y) {
+        TreePlacement tree;
+        tree.species = 1; // spruce, whose crown begins at the ground
+        tree.position = {x, y, 0.0};
+        tree.size.height = 14.0f;
+        tree.seed = static_cast<std::uint32_t>(forest.trees.size());
+        forest.trees.push_back(tree);
+    };
+    const auto tierOfLast = [&] {
+        const std::vector<std::size_t> before = listed(forest, forest.trees.size() - 1);
+        const std::vector<std::size_t> after = listed(forest, forest.trees.size());
+        for (std::size_t tier = 0; tier < after.size(); ++tier)
+            if (after[tier] > before[tier])
+                return static_cast<Tier>(tier);
+        return Tier::BareImpostor;
+    };
+    plant(0.0f, 90.0f);
+    EXPECT_LT(tierOfLast(), Tier::Impostor);
+    forest.trees.clear();
+    for (int row = 0; row < 4; ++row)
+        for (int i = -4; i <= 4; ++i)
+            plant(2.5f * static_cast<float>(i), 12.0f + 15.0f * static_cast<float>(row));
+    plant(0.0f, 90.0f);
+    EXPECT_EQ(tierOfLast(), Tier::Impostor) << "behind four rows";
+    forest.trees.back().size.height = 40.0f;
+    EXPECT_LT(tierOfLast(), Tier::Impostor) << "it stands out above them";
 }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
+#include <osgTreeWind/drawing/stand/ScreenCover.h>
+#include <osgTreeWind/forest/PlacedForest.h>
+
+#include <osg/Matrixf>
+#include <osg/Vec3>
+#include <osgUtil/CullVisitor>
+
+namespace osgTreeWind {
+
+/// Where the pictures of trees are on the screen of one cull, as shaders/impostor.vert puts them.
+class PictureView {
+public:
+    explicit PictureView(osgUtil::CullVisitor& visitor);
+
+    /// Without a cover where none can be told: the tree is about the eye or reaches behind it, or the view is
+    /// turned on its side.
+    ScreenCover::Picture place(const PlacedTree& tree, const glm::vec2& lean,
+                               const ImpostorStrip& impostor) const;
+    /// From the eye to a point, metres; forests' frame.
+    float distance(const osg::Vec3& point) const { return (point - _eye).length(); }
+
+private:
+    osg::Vec3 towardEye(const osg::Vec3& point) const;
+
+    osg::Matrixf _toClip;
+    osg::Vec3 _eye, _parallel; ///< The latter toward the eye of a parallel projection, else null.
+};
+
+} // namespace osgTreeWind
