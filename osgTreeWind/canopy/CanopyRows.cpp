@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/canopy/CanopyRows.h>
+
+#include <osgTreeWind/canopy/CanopyFootprint.h>
+#include <osgTreeWind/canopy/TreeAreas.h>
+#include <osgTreeWind/canopy/TreeBox.h>
+
+#include <algorithm>
+#include <deque>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Areas of the cells of some rows, the first of which moves north.
+class Window {
+public:
+    explicit Window(const CanopyGrid& grid)
+        : _grid(grid),
+          _cells(static_cast<std::size_t>(grid.cells.x) * static_cast<std::size_t>(grid.cells.z)) {}
+
+    /// Makes room for rows up to that one.
+    void reach(int row) {
+        while (_first + static_cast<int>(_rows.size()) <= row)
+            _rows.emplace_back(_cells);
+    }
+    AreaSums& at(int column, int row, int level) {
+        const std::size_t cell = static_cast<std::size_t>(level) * static_cast<std::size_t>(_grid.cells.x) +
+                                 static_cast<std::size_t>(column);
+        return _rows[static_cast<std::size_t>(row - _first)][cell];
+    }
+    /// Hands over the first row, and has the next one as the first.
+    bool handOver(const std::function<bool(const CanopyRow&)>& use) {
+        reach(_first);
+        const auto perVolume = 1.0 / _grid.volume();
+        _leaf.clear();
+        _drag.clear();
+        for (AreaSums& area : _rows.front()) {
+            _leaf.push_back(static_cast<float>(perVolume * area.leaf));
+            _drag.push_back(static_cast<float>(perVolume * area.drag));
+            area = {};
+        }
+        const bool goesOn = use({_first, _leaf, _drag});
+        _rows.push_back(std::move(_rows.front())); // empty again
+        _rows.pop_front();
+        ++_first;
+        return goesOn;
+    }
+
+private:
+    const CanopyGrid& _grid;
+    std::size_t _cells;
+    int _first = 0;
+    std::deque<std::vector<AreaSums>> _rows;
+    std::vector<float> _leaf, _drag;
+};
+
+/// The ground below a tree, by columns of its footprint.
+class GroundBelow {
+public:
+    GroundBelow(const CanopyGrid& grid, const CanopyFootprint& print, const Ground* ground) : _print(print) {
+        if (!grid.aboveGround || !ground)
+            return;
+        for (int row = print.first.y; row <= print.last.y; ++row)
+            for (int column = print.first.x; column <= print.last.x; ++column)
+                _heights.push_back(grid.groundOf(column, row, ground, print.foot));
+    }
+    double at(int column, int row) const {
+        if (_heights.empty())
+            return _print.foot;
+        const int width = _print.last.x - _print.first.x + 1;
+        return _heights[static_cast<std::size_t>((row - _print.first.y) * width + column - _print.first.x)];
+    }
+
+private:
+    const CanopyFootprint& _print;
+    std::vector<double> _heights;
+};
+
+/// A tree that reaches the grid.
+struct Standing {
+    const PlacedTree* tree;
+    CanopyFootprint print;
+};
+
+/// Puts a tree into the rows of the window.
+void put(const Standing& standing, const PlacedForest& forest, const CanopyGrid& grid, TreeAreas& areas,
+         Window& window, CanopyTally& tally) {
+    const CanopyFootprint& print = standing.print;
+    const GroundBelow ground(grid, print, forest.description().ground.get());
+    const glm::dvec3 foot = glm::dvec3(standing.tree->position) + forest.description().origin;
+    window.reach(print.last.y);
+    bool isWithin = false;
+    for (const TreeAreas::Point& point : areas.of(*standing.tree)) {
+        const glm::dvec3 place = foot + glm::dvec3(point.place);
+        const std::int64_t column = grid.index(0, place.x), row = grid.index(1, place.y);
+        if (column < print.first.x || column > print.last.x || row < print.first.y || row > print.last.y) {
+            tally.beyond += point.area;
+            continue;
+        }
+        const int x = static_cast<int>(column), y = static_cast<int>(row);
+        const double height = grid.aboveGround ? place.z - ground.at(x, y) : place.z;
+        const auto level = std::clamp<std::int64_t>(grid.index(2, height), 0, grid.cells.z - 1);
+        window.at(x, y, static_cast<int>(level)) += point.area;
+        tally.within += point.area;
+        isWithin = true;
+    }
+    tally.trees += isWithin;
+}
+
+} // namespace
+
+CanopyTally spreadCanopy(const PlacedForest& forest, const CanopyGrid& grid,
+                         const std::function<bool(const CanopyRow&)>& use) {
+    CanopyTally tally;
+    TreeAreas areas(forest, 0.5 * std::min({grid.cell.x, grid.cell.y, grid.cell.z}));
+    std::vector<Standing> standing;
+    for (const PlacedTree& tree : forest.trees) {
+        if (!tree.alive)
+            continue;
+        const CanopyFootprint print(grid, treeBox(forest, tree));
+        if (print.isEmpty())
+            tally.beyond += areas.sumOf(tree);
+        else
+            standing.push_back({&tree, print});
+    }
+    std::stable_sort(standing.begin(), standing.end(),
+                     [](const Standing& a, const Standing& b) { return a.print.first.y < b.print.first.y; });
+    Window window(grid);
+    auto next = standing.begin();
+    for (int row = 0; row < grid.cells.y && tally.finished; ++row) {
+        for (; next != standing.end() && next->print.first.y <= row; ++next)
+            put(*next, forest, grid, areas, window, tally);
+        tally.finished = window.handOver(use);
+    }
+    return tally;
+}
+
+} // namespace osgTreeWind
