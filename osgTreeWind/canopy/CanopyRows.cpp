@@ -55,26 +55,31 @@ private:
     std::vector<float> _leaf, _drag;
 };
 
-/// The ground below a tree, by columns of its footprint.
-class GroundBelow {
+/// How far the foot of a tree is above the lowest level, in cells, over each column of its footprint.
+class FootLevels {
 public:
-    GroundBelow(const CanopyGrid& grid, const CanopyFootprint& print, const Ground* ground) : _print(print) {
-        if (!grid.aboveGround || !ground)
+    FootLevels(const CanopyGrid& grid, const CanopyFootprint& print, const Ground* ground)
+        : _width(print.last.x - print.first.x + 1) {
+        const auto add = [&](double height) {
+            _levels.push_back(static_cast<float>((height - grid.low.z) / grid.cell.z));
+        };
+        if (!grid.aboveGround || !ground) {
+            add(grid.aboveGround ? 0.0 : print.foot);
             return;
+        }
         for (int row = print.first.y; row <= print.last.y; ++row)
             for (int column = print.first.x; column <= print.last.x; ++column)
-                _heights.push_back(grid.groundOf(column, row, ground, print.foot));
+                add(print.foot - grid.groundOf(column, row, ground, print.foot));
     }
-    double at(int column, int row) const {
-        if (_heights.empty())
-            return _print.foot;
-        const int width = _print.last.x - _print.first.x + 1;
-        return _heights[static_cast<std::size_t>((row - _print.first.y) * width + column - _print.first.x)];
+    /// @param column, row from the first of the footprint.
+    float at(int column, int row) const {
+        return _levels.size() == 1 ? _levels.front()
+                                   : _levels[static_cast<std::size_t>(row * _width + column)];
     }
 
 private:
-    const CanopyFootprint& _print;
-    std::vector<double> _heights;
+    int _width;
+    std::vector<float> _levels;
 };
 
 /// A tree that reaches the grid.
@@ -87,21 +92,22 @@ struct Standing {
 void put(const Standing& standing, const PlacedForest& forest, const CanopyGrid& grid, TreeAreas& areas,
          Window& window, CanopyTally& tally) {
     const CanopyFootprint& print = standing.print;
-    const GroundBelow ground(grid, print, forest.description().ground.get());
-    const glm::dvec3 foot = glm::dvec3(standing.tree->position) + forest.description().origin;
+    const FootLevels foot(grid, print, forest.description().ground.get());
+    const glm::dvec3 from = glm::dvec3(standing.tree->position) + forest.description().origin - grid.low;
+    const glm::vec3 perCell(1.0 / grid.cell);
+    const glm::vec2 start(glm::dvec2(from) / glm::dvec2(grid.cell) - glm::dvec2(print.first)),
+        end(print.last - print.first + 1);
     window.reach(print.last.y);
     bool isWithin = false;
     for (const TreeAreas::Point& point : areas.of(*standing.tree)) {
-        const glm::dvec3 place = foot + glm::dvec3(point.place);
-        const std::int64_t column = grid.index(0, place.x), row = grid.index(1, place.y);
-        if (column < print.first.x || column > print.last.x || row < print.first.y || row > print.last.y) {
+        const glm::vec3 at = glm::vec3(start, 0.0f) + perCell * point.place;
+        if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < end.x && at.y < end.y)) {
             tally.beyond += point.area;
             continue;
         }
-        const int x = static_cast<int>(column), y = static_cast<int>(row);
-        const double height = grid.aboveGround ? place.z - ground.at(x, y) : place.z;
-        const auto level = std::clamp<std::int64_t>(grid.index(2, height), 0, grid.cells.z - 1);
-        window.at(x, y, static_cast<int>(level)) += point.area;
+        const int column = static_cast<int>(at.x), row = static_cast<int>(at.y);
+        const int level = std::clamp(static_cast<int>(at.z + foot.at(column, row)), 0, grid.cells.z - 1);
+        window.at(print.first.x + column, print.first.y + row, level) += point.area;
         tally.within += point.area;
         isWithin = true;
     }
