@@ -4,6 +4,8 @@
 #include "Progress.h"
 #include "WholeFile.h"
 
+#include <osgTreeWind/motion/ForestMemory.h>
+
 #include <nlohmann/json.hpp>
 
 #include <iostream>
@@ -114,6 +116,13 @@ ExitCode writeCanopy(const CanopyOptions& options) {
     const Result<CanopyGrid> grid = gridOf(options, forest);
     if (!grid) {
         std::cerr << options.file << ": --" << grid.problems().front().text() << '\n';
+        return BadInput;
+    }
+    if (const std::uint64_t needed = canopyBytes(forest, grid.value()), limit = memoryLimit();
+        needed > limit) {
+        std::cerr << options.file << ": --cell: cells of this size need " << needed / 1000000
+                  << " MB of memory; the limit is " << limit / 1000000
+                  << " MB (OSGTREEWIND_MAX_MEMORY sets another)\n";
         return BadInput;
     }
     WholeFile whole(options.output);

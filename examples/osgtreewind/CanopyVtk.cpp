@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -11,8 +12,8 @@ namespace {
 
 using namespace osgTreeWind;
 
-std::string triple(double x, double y, double z) {
-    return numberText(x) + ' ' + numberText(y) + ' ' + numberText(z);
+std::string triple(const glm::dvec3& v) {
+    return numberText(v.x) + ' ' + numberText(v.y) + ' ' + numberText(v.z);
 }
 
 const char* byteOrder() {
@@ -32,16 +33,25 @@ public:
         const CanopyGrid& grid = head.grid;
         _bytes = sizeof(float) * static_cast<std::uint64_t>(_cells.x) * static_cast<std::uint64_t>(_cells.y) *
                  static_cast<std::uint64_t>(_cells.z);
-        _file << "<?xml version=\"1.0\"?>\n<!-- m2 of leaves and of drag area (CdA) in a m3 of air -->\n"
-              << "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"" << byteOrder()
-              << "\" header_type=\"UInt64\">\n<ImageData WholeExtent=\"" << extent << "\" Origin=\""
-              << triple(grid.low.x, grid.low.y, grid.low.z) << "\" Spacing=\""
-              << triple(grid.cell.x, grid.cell.y, grid.cell.z) << "\">\n<Piece Extent=\"" << extent
-              << "\">\n<PointData/>\n<CellData Scalars=\"lad\">\n"
-              << "<DataArray type=\"Float32\" Name=\"lad\" format=\"appended\" offset=\"0\"/>\n"
-              << "<DataArray type=\"Float32\" Name=\"cda\" format=\"appended\" offset=\""
-              << sizeof _bytes + _bytes << "\"/>\n"
-              << "</CellData>\n</Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_";
+        _file << R"(<?xml version="1.0"?>
+<!-- m2 of leaves and of drag area (CdA) in a m3 of air -->
+<VTKFile type="ImageData" version="1.0" byte_order=")"
+              << byteOrder() << R"(" header_type="UInt64">
+<ImageData WholeExtent=")"
+              << extent << R"(" Origin=")" << triple(grid.low) << R"(" Spacing=")" << triple(grid.cell)
+              << R"(">
+<Piece Extent=")"
+              << extent << R"(">
+<PointData/>
+<CellData Scalars="lad">
+<DataArray type="Float32" Name="lad" format="appended" offset="0"/>
+<DataArray type="Float32" Name="cda" format="appended" offset=")"
+              << sizeof _bytes + _bytes << R"("/>
+</CellData>
+</Piece>
+</ImageData>
+<AppendedData encoding="raw">
+_)";
         _leaf = _file.tellp();
         _drag = _leaf + static_cast<std::streamoff>(sizeof _bytes + _bytes);
         for (std::streampos* const array : {&_leaf, &_drag}) {

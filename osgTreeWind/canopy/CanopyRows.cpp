@@ -116,6 +116,18 @@ void put(const Standing& standing, const PlacedForest& forest, const CanopyGrid&
 
 } // namespace
 
+std::uint64_t canopyBytes(const PlacedForest& forest, const CanopyGrid& grid) {
+    int rows = 1;
+    for (const PlacedTree& tree : forest.trees)
+        if (tree.alive) {
+            const CanopyFootprint print(grid, treeBox(forest, tree));
+            rows = std::max(rows, print.last.y - print.first.y + 1);
+        }
+    const std::uint64_t cells =
+        static_cast<std::uint64_t>(grid.cells.x) * static_cast<std::uint64_t>(grid.cells.z);
+    return cells * (static_cast<std::uint64_t>(rows) * sizeof(AreaSums) + 2 * sizeof(float));
+}
+
 CanopyTally spreadCanopy(const PlacedForest& forest, const CanopyGrid& grid,
                          const std::function<bool(const CanopyRow&)>& use) {
     CanopyTally tally;

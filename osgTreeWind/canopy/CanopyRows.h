@@ -23,8 +23,10 @@ struct CanopyTally {
     bool finished = true;  ///< No: it was stopped.
 };
 
-/// Spreads the trees of a forest, as they stand at rest, over a grid. In memory are only as many rows as the
-/// widest tree reaches.
+/// Bytes of main memory that spreadCanopy() is going to need: of as many rows as the widest tree reaches.
+std::uint64_t canopyBytes(const PlacedForest& forest, const CanopyGrid& grid);
+
+/// Spreads the trees of a forest, as they stand at rest, over a grid.
 /// @param use called for each row, from the south; false stops.
 CanopyTally spreadCanopy(const PlacedForest& forest, const CanopyGrid& grid,
                          const std::function<bool(const CanopyRow&)>& use);

@@ -259,6 +259,11 @@ TEST_F(CanopyTool, RefusesWhatItCannotDo) {
     EXPECT_EQ(unnamed.exitCode, 2);
     EXPECT_EQ(unnamed.err,
               "--output: expected a name that ends in .nc or .vti, or a --format, found canopy.txt\n");
+    const Outcome huge = runTool({"canopy", forest, "-o", "canopy.nc", "--cell", "0.1"}, folder.path(),
+                                 "OSGTREEWIND_MAX_MEMORY=1M ");
+    EXPECT_EQ(huge.exitCode, 2);
+    EXPECT_NE(huge.err.find("MB of memory; the limit is 1 MB (OSGTREEWIND_MAX_MEMORY"), std::string::npos)
+        << huge.err;
     EXPECT_EQ(files(), std::vector<std::string>{"map.treewind"});
 }
 
