@@ -102,34 +102,32 @@ void noteWhatIsMissing(const CanopyOptions& options, const ForestDescription& fo
                   << options.output << '\n';
 }
 
-ExitCode writeCanopy(const CanopyOptions& options) {
-    if (formatOf(options).empty()) {
-        std::cerr << "--output: expected a name that ends in .nc or .vti, or a --format, found "
-                  << options.output << '\n';
-        return BadInput;
-    }
-    auto description = loadForest(options.file);
-    if (!description)
-        return BadInput;
-    description->season = options.season.value_or(description->season);
-    const PlacedForest forest(std::move(*description));
-    const Result<CanopyGrid> grid = gridOf(options, forest);
-    if (!grid) {
-        std::cerr << options.file << ": --" << grid.problems().front().text() << '\n';
-        return BadInput;
-    }
-    if (const std::uint64_t needed = canopyBytes(forest, grid.value()), limit = memoryLimit();
-        needed > limit) {
-        std::cerr << options.file << ": --cell: cells of this size need " << needed / 1000000
-                  << " MB of memory; the limit is " << limit / 1000000
-                  << " MB (OSGTREEWIND_MAX_MEMORY sets another)\n";
-        return BadInput;
-    }
+/// What is wrong with the name of the output; empty: nothing.
+std::string problemOfOutput(const CanopyOptions& options) {
+    if (formatOf(options).empty())
+        return "--output: expected a name that ends in .nc or .vti, or a --format, found " + options.output;
+    if (WholeFile(options.output).isTaken())
+        return "--output: expected a file or nothing yet at " + options.output + ", found something else";
+    return {};
+}
+
+std::string problemOfSize(const PlacedForest& forest, const CanopyGrid& grid) {
+    constexpr std::uint64_t megabyte = 1000000;
+    const std::uint64_t needed = canopyBytes(forest, grid), limit = memoryLimit();
+    if (needed <= limit)
+        return {};
+    return "--cell: cells of this size need " + std::to_string(needed / megabyte) +
+           " MB of memory; the limit is " + std::to_string(limit / megabyte) +
+           " MB (OSGTREEWIND_MAX_MEMORY sets another)";
+}
+
+/// Writes all of the file or nothing, and tells what is in it.
+ExitCode writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const CanopyGrid& grid) {
     WholeFile whole(options.output);
-    const auto file = create(whole.unfinished(), formatOf(options),
-                             {grid.value(), forest.description().crs, forest.season()});
-    Progress progress("canopy", static_cast<std::size_t>(grid.value().cells.y));
-    const CanopyTally tally = spreadCanopy(forest, grid.value(), [&](const CanopyRow& row) {
+    const auto file =
+        create(whole.unfinished(), formatOf(options), {grid, forest.description().crs, forest.season()});
+    Progress progress("canopy", static_cast<std::size_t>(grid.cells.y));
+    const CanopyTally tally = spreadCanopy(forest, grid, [&](const CanopyRow& row) {
         progress.advance();
         return file->write(row);
     });
@@ -141,10 +139,30 @@ ExitCode writeCanopy(const CanopyOptions& options) {
     }
     noteWhatIsMissing(options, forest.description(), tally);
     if (options.json)
-        std::cout << toJson(grid.value(), tally).dump(2) << '\n';
+        std::cout << toJson(grid, tally).dump(2) << '\n';
     else
-        print(grid.value(), tally);
+        print(grid, tally);
     return Succeeded;
+}
+
+ExitCode run(const CanopyOptions& options) {
+    if (const std::string problem = problemOfOutput(options); !problem.empty()) {
+        std::cerr << problem << '\n';
+        return BadInput;
+    }
+    auto description = loadForest(options.file);
+    if (!description)
+        return BadInput;
+    description->season = options.season.value_or(description->season);
+    const PlacedForest forest(std::move(*description));
+    const Result<CanopyGrid> grid = gridOf(options, forest);
+    const std::string problem =
+        grid ? problemOfSize(forest, grid.value()) : "--" + grid.problems().front().text();
+    if (!problem.empty()) {
+        std::cerr << options.file << ": " << problem << '\n';
+        return BadInput;
+    }
+    return writeCanopy(options, forest, grid.value());
 }
 
 } // namespace
@@ -186,6 +204,6 @@ void addCanopyCommand(CLI::App& app, ExitCode& exitCode) {
             exitCode = BadInput;
             return;
         }
-        exitCode = writeCanopy(*options);
+        exitCode = run(*options);
     });
 }

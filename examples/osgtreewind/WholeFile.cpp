@@ -2,16 +2,25 @@
 #include "WholeFile.h"
 
 #include <cstdio>
-#include <utility>
+#include <filesystem>
 
 #include <unistd.h>
 
-WholeFile::WholeFile(std::string path)
-    : _path(std::move(path)), _unfinished(_path + '.' + std::to_string(getpid()) + ".part") {}
+WholeFile::WholeFile(const std::string& path) {
+    std::error_code problem;
+    const std::filesystem::path target = std::filesystem::canonical(path, problem);
+    _path = problem ? path : target.string();
+    _unfinished = _path + '.' + std::to_string(getpid()) + ".part";
+}
 
 WholeFile::~WholeFile() {
     if (!_unfinished.empty())
         std::remove(_unfinished.c_str());
+}
+
+bool WholeFile::isTaken() const {
+    std::error_code ignored;
+    return std::filesystem::exists(_path, ignored) && !std::filesystem::is_regular_file(_path, ignored);
 }
 
 bool WholeFile::putInPlace() {

@@ -283,3 +283,18 @@ TEST_F(CanopyTool, LeavesNoHalfAFile) {
     EXPECT_EQ(nowhere.exitCode, 1);
     EXPECT_EQ(nowhere.err, "absent/canopy.nc: cannot be written: No such file or directory\n");
 }
+
+TEST_F(CanopyTool, WritesWhereALinkLeadsAndOverNothingElse) {
+    const std::string forest = treeOnMap();
+    std::filesystem::create_directory(at("far"));
+    folder.write("far/canopy.nc", "old");
+    std::filesystem::create_symlink("far/canopy.nc", at("canopy.nc"));
+    write("canopy.nc", {forest, "--cell", "1"});
+    EXPECT_TRUE(std::filesystem::is_symlink(at("canopy.nc")));
+    EXPECT_GT(std::filesystem::file_size(at("far/canopy.nc")), 1000u);
+
+    std::filesystem::create_directory(at("folder.nc"));
+    const Outcome outcome = canopy({forest, "--cell", "1", "-o", "folder.nc"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_EQ(outcome.err, "--output: expected a file or nothing yet at folder.nc, found something else\n");
+}
