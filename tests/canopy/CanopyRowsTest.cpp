@@ -87,8 +87,8 @@ TEST(CanopyRows, APostHasTheDragOfItsOutlineAtEachHeight) {
     }
 }
 
-/// A tree is where it stands: an even forest of one kind, moved by whole cells, gives the same field.
-TEST(CanopyRows, MoveWithTheTree) {
+/// A tree has its leaves about its foot, and turns them with its heading.
+TEST(CanopyRows, TurnWithTheTree) {
     ForestDescription wood = smallWood();
     wood.trees.resize(1);
     const PlacedForest here(wood);
@@ -102,6 +102,29 @@ TEST(CanopyRows, MoveWithTheTree) {
     EXPECT_NEAR(back.x, -arm.x, 0.05);
     EXPECT_NEAR(back.y, -arm.y, 0.05);
     EXPECT_NEAR(back.z, arm.z, 0.05);
+}
+
+/// A measured tree is in the air as high and as wide as it was measured, within a leaf card and two cells.
+TEST(CanopyRows, FillTheSizeThatATreeWasGiven) {
+    for (std::size_t species = 0; species < 3; ++species) {
+        ForestDescription wood = smallWood();
+        wood.trees = {treeAt(wood.origin, species, 14.0f)};
+        wood.trees[0].size.crownWidth = 7.0f;
+        const PlacedForest forest(wood);
+        const WholeCanopy canopy(forest, gridOver(forest, glm::dvec3(0.25)));
+        glm::ivec3 first = canopy.grid.cells, last(0);
+        for (int y = 0; y < canopy.grid.cells.y; ++y)
+            for (int z = 0; z < canopy.grid.cells.z; ++z)
+                for (int x = 0; x < canopy.grid.cells.x; ++x)
+                    if (canopy.at(canopy.drag, x, y, z) > 0.0f) {
+                        first = glm::min(first, glm::ivec3(x, y, z));
+                        last = glm::max(last, glm::ivec3(x, y, z));
+                    }
+        const glm::dvec3 extent = canopy.grid.cell * glm::dvec3(last - first + 1);
+        EXPECT_EQ(first.z, 0) << wood.species[species].name;
+        EXPECT_NEAR(extent.z, 14.0, 0.6) << wood.species[species].name;
+        EXPECT_NEAR(0.5 * (extent.x + extent.y), 7.0, 0.8) << wood.species[species].name;
+    }
 }
 
 TEST(CanopyRows, CountFromTheGroundBelowEachColumn) {
@@ -150,6 +173,23 @@ TEST(CanopyRows, StopWhenTold) {
         spreadCanopy(forest, gridOver(forest, {1.0, 1.0, 1.0}), [&](const CanopyRow&) { return ++rows < 3; });
     EXPECT_EQ(rows, 3);
     EXPECT_FALSE(tally.finished);
+}
+
+/// The rows of one tree do not become more with more trees north of it.
+TEST(CanopyRows, NeedTheMemoryOfTheWidestTree) {
+    ForestDescription wood = smallWood();
+    wood.trees.resize(1);
+    const auto bytes = [&] {
+        const PlacedForest forest(wood);
+        return canopyBytes(forest, gridOver(forest, {1.0, 1.0, 1.0}));
+    };
+    const std::uint64_t one = bytes();
+    TreePlacement more = wood.trees[0];
+    for (int i = 0; i < 20; ++i) {
+        more.position.y += 10.0;
+        wood.trees.push_back(more);
+    }
+    EXPECT_EQ(bytes(), one);
 }
 
 TEST(CanopyRows, LeaveOutTreesThatWereRemoved) {
