@@ -20,6 +20,7 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode);
 void addPortraitCommand(CLI::App& app, ExitCode& exitCode);
 void addBenchCommand(CLI::App& app, ExitCode& exitCode);
 void addWindCommand(CLI::App& app, ExitCode& exitCode);
+void addCanopyCommand(CLI::App& app, ExitCode& exitCode);
 
 /// Adds --season: a word, number or date (species/Season.h).
 void addSeasonOption(CLI::App& command, std::optional<float>& season);

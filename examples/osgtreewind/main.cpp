@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
                "  osgtreewind render forest.treewind -o clip.mp4 --frames 150 --fps 30\n"
                "  osgtreewind simulate forest.treewind --duration 10 --fps 60 -o motion.csv\n"
                "  osgtreewind wind wind.vtk --at 120,40,10\n"
+               "  osgtreewind canopy forest.treewind -o canopy.nc --cell 2\n"
                "  osgtreewind bench -o results.json --chart chart.svg\n"
                "Exit status: 0 done, 1 failed, 2 bad usage or bad input.");
 
@@ -68,6 +69,7 @@ int main(int argc, char** argv) {
     addPortraitCommand(app, exitCode);
     addBenchCommand(app, exitCode);
     addWindCommand(app, exitCode);
+    addCanopyCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

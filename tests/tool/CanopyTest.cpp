@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include <tests/places/Places.h>
+#include <tests/tool/Tool.h>
+
+#include <netcdf.h>
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// What a NetCDF file holds, as the library reads it.
+class NetCdf {
+public:
+    explicit NetCdf(const std::string& path) { check(nc_open(path.c_str(), NC_NOWRITE, &_file), path); }
+    ~NetCdf() { nc_close(_file); }
+    NetCdf(const NetCdf&) = delete;
+    NetCdf& operator=(const NetCdf&) = delete;
+
+    std::vector<std::string> dimensionsOf(const std::string& name) const {
+        int count = 0, ids[NC_MAX_VAR_DIMS];
+        const int array = idOf(name);
+        check(nc_inq_varndims(_file, array, &count), name);
+        check(nc_inq_vardimid(_file, array, ids), name);
+        std::vector<std::string> names;
+        for (int i = 0; i < count; ++i) {
+            char dimension[NC_MAX_NAME + 1] = "";
+            check(nc_inq_dimname(_file, ids[i], dimension), name);
+            names.emplace_back(dimension);
+        }
+        return names;
+    }
+    std::vector<double> numbers(const std::string& name) const {
+        std::size_t size = 1;
+        for (const std::string& dimension : dimensionsOf(name)) {
+            int id = 0;
+            std::size_t length = 0;
+            check(nc_inq_dimid(_file, dimension.c_str(), &id), dimension);
+            check(nc_inq_dimlen(_file, id, &length), dimension);
+            size *= length;
+        }
+        std::vector<double> numbers(size);
+        check(nc_get_var_double(_file, idOf(name), numbers.data()), name);
+        return numbers;
+    }
+    /// @param array empty: of the file.
+    std::string text(const std::string& array, const std::string& name) const {
+        const int of = array.empty() ? NC_GLOBAL : idOf(array);
+        std::size_t length = 0;
+        check(nc_inq_attlen(_file, of, name.c_str(), &length), name);
+        std::string text(length, ' ');
+        check(nc_get_att_text(_file, of, name.c_str(), text.data()), name);
+        return text;
+    }
+    double number(const std::string& array, const std::string& name) const {
+        double number = 0.0;
+        check(nc_get_att_double(_file, array.empty() ? NC_GLOBAL : idOf(array), name.c_str(), &number), name);
+        return number;
+    }
+    nc_type typeOf(const std::string& name) const {
+        nc_type type = 0;
+        check(nc_inq_vartype(_file, idOf(name), &type), name);
+        return type;
+    }
+
+private:
+    static void check(int status, const std::string& of) {
+        EXPECT_EQ(status, NC_NOERR) << of << ": " << nc_strerror(status);
+    }
+    int idOf(const std::string& name) const {
+        int id = 0;
+        check(nc_inq_varid(_file, name.c_str(), &id), name);
+        return id;
+    }
+    int _file = 0;
+};
+
+double sumOf(const std::vector<double>& densities, double volume) {
+    double sum = 0.0;
+    for (const double density : densities)
+        sum += density == -9999.0 ? 0.0 : density * volume;
+    return sum;
+}
+
+/// Both arrays of a .vti, taken apart by hand.
+std::map<std::string, std::vector<double>> arraysOf(const std::string& vti) {
+    std::map<std::string, std::vector<double>> arrays;
+    std::size_t at = vti.find("\n_") + 2;
+    for (const char* name : {"lad", "cda"}) {
+        std::uint64_t bytes = 0;
+        std::memcpy(&bytes, vti.data() + at, sizeof bytes);
+        std::vector<float> numbers(bytes / sizeof(float));
+        EXPECT_LE(at + sizeof bytes + bytes, vti.size());
+        std::memcpy(numbers.data(), vti.data() + at + sizeof bytes, bytes);
+        arrays[name].assign(numbers.begin(), numbers.end());
+        at += sizeof bytes + bytes;
+    }
+    EXPECT_EQ(vti.substr(at), "\n</AppendedData>\n</VTKFile>\n");
+    return arrays;
+}
+
+class CanopyTool : public testing::Test {
+protected:
+    const TemporaryFolder folder;
+
+    Outcome canopy(std::vector<std::string> words) const {
+        words.insert(words.begin(), "canopy");
+        return runTool(words, folder.path());
+    }
+    Json write(const std::string& name, std::vector<std::string> words) const {
+        words.insert(words.end(), {"-o", name, "--json"});
+        const Outcome outcome = canopy(words);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        const Json said = Json::parse(outcome.out, nullptr, false);
+        EXPECT_FALSE(said.is_discarded()) << outcome.out;
+        return said;
+    }
+    std::string at(const std::string& name) const { return folder.path() + '/' + name; }
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+            names.push_back(entry.path().filename());
+        return names;
+    }
+    std::string treeOnMap() const {
+        return folder.write("map.treewind", "version = 1\ncrs = \"EPSG:25832\"\n"
+                                            "origin = [500000.0, 0.0, 0.0]\n"
+                                            "[[tree]]\nposition = [500005.0, 5.0, 30.0]\nspecies = \"oak\"\n"
+                                            "height = 12.0\n");
+    }
+};
+
+} // namespace
+
+TEST_F(CanopyTool, WritesWhatPalmReads) {
+    const Json said = write("canopy.nc", {example("forest.treewind"), "--cell", "2,2,1"});
+    const NetCdf file(at("canopy.nc"));
+    EXPECT_EQ(file.dimensionsOf("lad"), (std::vector<std::string>{"zlad", "y", "x"}));
+    EXPECT_EQ(file.typeOf("lad"), NC_FLOAT);
+    EXPECT_EQ(file.text("lad", "units"), "m2 m-3");
+    EXPECT_EQ(file.text("lad", "long_name"), "leaf area density");
+    EXPECT_EQ(file.number("lad", "_FillValue"), -9999.0);
+    EXPECT_EQ(file.text("zlad", "positive"), "up");
+    for (const char* needed :
+         {"origin_x", "origin_y", "origin_z", "origin_lat", "origin_lon", "rotation_angle"})
+        EXPECT_EQ(file.number("", needed), needed[7] == 'x'   ? said["low"][0].get<double>()
+                                           : needed[7] == 'y' ? said["low"][1].get<double>()
+                                                              : 0.0);
+    EXPECT_EQ(file.text("", "origin_time"), "2001-08-06 12:00:00 +00");
+
+    const std::vector<double> zlad = file.numbers("zlad"), x = file.numbers("x"), lad = file.numbers("lad");
+    EXPECT_EQ(std::vector<double>(zlad.begin(), zlad.begin() + 3), (std::vector<double>{0.0, 0.5, 1.5}));
+    EXPECT_EQ(std::vector<double>(x.begin(), x.begin() + 2), (std::vector<double>{1.0, 3.0}));
+    EXPECT_NEAR(sumOf(lad, 4.0), said["leafArea"], 1e-5 * said["leafArea"].get<double>());
+    EXPECT_NEAR(sumOf(file.numbers("cda"), 4.0), said["dragArea"], 1e-5 * said["dragArea"].get<double>());
+
+    // A column is bare at all levels or at none, and its first level is the ground itself.
+    const std::size_t columns = lad.size() / zlad.size();
+    std::size_t bare = 0;
+    for (std::size_t column = 0; column < columns; ++column) {
+        bare += lad[column] == -9999.0;
+        for (std::size_t level = 0; level < zlad.size(); ++level)
+            EXPECT_EQ(lad[level * columns + column] == -9999.0, lad[column] == -9999.0);
+        EXPECT_TRUE(lad[column] == -9999.0 || lad[column] == 0.0);
+    }
+    EXPECT_GT(bare, 0u);
+    EXPECT_LT(bare, columns);
+}
+
+TEST_F(CanopyTool, WritesTheSameFieldAsCfAndVtk) {
+    const std::string forest = example("forest.treewind");
+    const Json said = write("canopy.vti", {forest, "--cell", "2"});
+    EXPECT_EQ(write("cf.nc", {forest, "--cell", "2", "--format", "cf"}), said);
+    const NetCdf cf(at("cf.nc"));
+    EXPECT_EQ(cf.dimensionsOf("lad"), (std::vector<std::string>{"z", "y", "x"}));
+    const std::string vti = contentOf(at("canopy.vti"));
+    const auto arrays = arraysOf(vti);
+    for (const char* name : {"lad", "cda"})
+        EXPECT_EQ(arrays.at(name), cf.numbers(name)) << name;
+    EXPECT_NEAR(sumOf(arrays.at("lad"), 8.0), said["leafArea"], 1e-5 * said["leafArea"].get<double>());
+    EXPECT_EQ(cf.numbers("x").front(), said["low"][0].get<double>() + 1.0);
+    EXPECT_NE(vti.find("Origin=\"-34 -38 0\" Spacing=\"2 2 2\""), std::string::npos);
+}
+
+/// On the central meridian, at the equator.
+TEST_F(CanopyTool, LiesOnTheMapOfTheForest) {
+    const std::string forest = treeOnMap();
+    write("palm.nc", {forest, "--cell", "1", "--bounds", "500000,0,500010,10"});
+    const NetCdf palm(at("palm.nc"));
+    EXPECT_NEAR(palm.number("", "origin_lon"), 9.0, 1e-9);
+    EXPECT_NEAR(palm.number("", "origin_lat"), 0.0, 1e-9);
+    EXPECT_EQ(palm.number("", "origin_x"), 500000.0);
+    EXPECT_EQ(palm.text("crs", "epsg_code"), "EPSG:25832");
+    EXPECT_EQ(palm.numbers("x").front(), 0.5) << "from the origin";
+    EXPECT_EQ(palm.numbers("zlad")[1], 0.5) << "above the foot";
+
+    write("cf.nc", {forest, "--cell", "1", "--bounds", "500000,0,500010,10", "--format", "cf"});
+    const NetCdf cf(at("cf.nc"));
+    EXPECT_EQ(cf.text("lad", "grid_mapping"), "crs");
+    EXPECT_EQ(cf.text("crs", "grid_mapping_name"), "transverse_mercator");
+    EXPECT_EQ(cf.text("x", "standard_name"), "projection_x_coordinate");
+    EXPECT_EQ(cf.numbers("x").front(), 500000.5);
+    EXPECT_EQ(cf.numbers("z").front(), 30.5);
+    if (hasProgram("gdalinfo")) {
+        const Outcome seen = runShell("gdalinfo NETCDF:cf.nc:lad", folder.path());
+        EXPECT_NE(seen.out.find("ETRS89 / UTM zone 32N"), std::string::npos) << seen.out;
+    }
+}
+
+TEST_F(CanopyTool, HasNoLeavesOfOaksInWinter) {
+    const std::string forest = treeOnMap();
+    const Json summer = write("summer.nc", {forest, "--cell", "1", "--season", "summer"}),
+               winter = write("winter.nc", {forest, "--cell", "1", "--season", "winter"});
+    EXPECT_GT(summer["leafArea"], 10.0);
+    EXPECT_EQ(winter["leafArea"], 0.0);
+    EXPECT_TRUE(winter["dragCoefficient"].is_null());
+    EXPECT_GT(winter["dragArea"], 0.1);
+    EXPECT_LT(winter["dragArea"], summer["dragArea"]);
+    EXPECT_EQ(sumOf(NetCdf(at("winter.nc")).numbers("lad"), 1.0), 0.0);
+}
+
+TEST_F(CanopyTool, SaysWhatLiesBeyondTheBounds) {
+    const std::string forest = treeOnMap();
+    const Outcome outcome =
+        canopy({forest, "-o", "half.nc", "--cell", "1", "--bounds", "500000,0,500005,10"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.err.find("of the trees' drag area lies beyond --bounds"), std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(CanopyTool, RefusesWhatItCannotDo) {
+    const std::string forest = treeOnMap();
+    const std::vector<std::string> output = {forest, "-o", "canopy.nc"};
+    for (const auto& [words, message] :
+         {std::pair<std::vector<std::string>, const char*>{{}, "--cell is required"},
+          {{"--cell", "0"}, "--cell: expected a number from 0.01"},
+          {{"--cell", "nan"}, "--cell: expected a number from 0.01"},
+          {{"--cell", "1,2"}, "--cell: expected DX or DX,DY,DZ, found two numbers"},
+          {{"--cell", "2", "--bounds", "500000,0,500011,10"},
+           "--bounds: expected a whole number of cells of 2 m, at least 1, between 500000 and 500011, found "
+           "5.5"},
+          {{"--cell", "1", "--bounds", "0,0,1e6,1e6"},
+           "--cell: expected a size that makes at most 4000000000"},
+          {{"--cell", "1", "--bounds", "0,0,1"}, "--bounds"},
+          {{"--cell", "1", "--format", "gltf"}, "--format"},
+          {{"--cell", "1", "--season", "monsoon"}, "--season: expected winter"}}) {
+        std::vector<std::string> all = output;
+        all.insert(all.end(), words.begin(), words.end());
+        const Outcome outcome = canopy(all);
+        EXPECT_EQ(outcome.exitCode, 2) << message;
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    }
+    const Outcome unnamed = canopy({forest, "-o", "canopy.txt", "--cell", "1"});
+    EXPECT_EQ(unnamed.exitCode, 2);
+    EXPECT_EQ(unnamed.err,
+              "--output: expected a name that ends in .nc or .vti, or a --format, found canopy.txt\n");
+    const Outcome huge = runTool({"canopy", forest, "-o", "canopy.nc", "--cell", "0.1"}, folder.path(),
+                                 "OSGTREEWIND_MAX_MEMORY=1M ");
+    EXPECT_EQ(huge.exitCode, 2);
+    EXPECT_NE(huge.err.find("MB of memory; the limit is 1 MB (OSGTREEWIND_MAX_MEMORY"), std::string::npos)
+        << huge.err;
+    EXPECT_EQ(files(), std::vector<std::string>{"map.treewind"});
+}
+
+/// A disk that is full after 32 kB: one line, nothing half written, and what was there stays.
+TEST_F(CanopyTool, LeavesNoHalfAFile) {
+    for (const char* name : {"canopy.nc", "canopy.vti"}) {
+        folder.write(name, "old");
+        const Outcome outcome = runShell("trap '' XFSZ; ulimit -f 32; " OSGTREEWIND_TOOL " canopy " +
+                                             quoted(example("forest.treewind")) + " --cell 0.5 -o " + name,
+                                         folder.path());
+        EXPECT_EQ(outcome.exitCode, 1);
+        EXPECT_EQ(outcome.err, std::string(name) + ": cannot be written: File too large\n");
+        EXPECT_EQ(contentOf(at(name)), "old");
+    }
+    EXPECT_EQ(files().size(), 2u);
+    const Outcome nowhere = canopy({example("forest.treewind"), "-o", "absent/canopy.nc", "--cell", "2"});
+    EXPECT_EQ(nowhere.exitCode, 1);
+    EXPECT_EQ(nowhere.err, "absent/canopy.nc: cannot be written: No such file or directory\n");
+}
+
+TEST_F(CanopyTool, WritesWhereALinkLeadsAndOverNothingElse) {
+    const std::string forest = treeOnMap();
+    std::filesystem::create_directory(at("far"));
+    folder.write("far/canopy.nc", "old");
+    std::filesystem::create_symlink("far/canopy.nc", at("canopy.nc"));
+    write("canopy.nc", {forest, "--cell", "1"});
+    EXPECT_TRUE(std::filesystem::is_symlink(at("canopy.nc")));
+    EXPECT_GT(std::filesystem::file_size(at("far/canopy.nc")), 1000u);
+
+    std::filesystem::create_directory(at("folder.nc"));
+    const Outcome outcome = canopy({forest, "--cell", "1", "-o", "folder.nc"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_EQ(outcome.err, "--output: expected a file or nothing yet at folder.nc, found something else\n");
+}
