@@ -9,6 +9,13 @@ uniform vec3 barkColor, twigColor;
 
 const float fineness = 5.0, roughness = 0.3; // of the fine relief: how much smaller, and how high over itself
 
+/// Where bark is on the texture, which reaches twice around. Rings have no vertices to spare for a seam: between two of
+/// them u falls from nearly 2 to 0, and there another u goes on, whose seam is on the other side (Tarini 2012, Cylindrical
+/// and toroidal parameterizations without vertex seams). @param around u, v, the other u.
+vec2 coordOnBark(vec3 around) {
+    return fwidth(around.x) < 1.5 * fwidth(around.z) ? around.xy : around.zy;
+}
+
 /// Rise of the height of texels from a place toward greater u and v. @param height there.
 vec2 texelSlope(float height, vec2 coord, vec2 texels) {
     float beside = textureLod(barkTexture, coord + vec2(1.0 / texels.x, 0.0), 0.0).g;
@@ -25,10 +32,9 @@ vec2 barkRise(float height, vec2 coord, vec2 across, vec2 along) {
     if (pixel < 1.0) {
         vec2 slope = texelSlope(height, coord, texels);
         if (pixel < 0.4) {
-            float part = fract(0.5 * fineness * coord.x); // there and back again
-            vec2 fine = vec2(1.0 - abs(1.0 - 2.0 * part), fineness * coord.y);
+            vec2 fine = fineness * coord;
             vec2 rough = texelSlope(textureLod(barkTexture, fine, 0.0).g, fine, texels);
-            slope += roughness * (1.0 - smoothstep(0.15, 0.4, pixel)) * vec2(part < 0.5 ? rough.x : -rough.x, rough.y);
+            slope += roughness * (1.0 - smoothstep(0.15, 0.4, pixel)) * rough;
         }
         rise = mix(vec2(dot(slope, across), dot(slope, along)), rise, smoothstep(0.6, 1.0, pixel));
     }

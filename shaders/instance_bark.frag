@@ -8,7 +8,7 @@
 #include "scene.glsl"
 #include "surface.glsl"
 
-in vec2 barkCoord;
+in vec3 barkCoord;
 in float barkRadius;
 in vec3 barkLight;
 in vec3 scenePosition;
@@ -20,6 +20,6 @@ void main() {
         discard;
 #endif
     float inside = gl_FrontFacing ? 1.0 : 0.4;
-    vec3 albedo = inside * barkAlbedo(barkCoord, barkRadius);
+    vec3 albedo = inside * barkAlbedo(coordOnBark(barkCoord), barkRadius);
     paintSurface(sceneColor(albedo * shadowed(barkLight, sunLight, scenePosition), scenePosition), albedo, 1.0);
 }

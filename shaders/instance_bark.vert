@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Bark of trees in an instanced draw: a vertex lies `radius` outward of a point of the branch's centre line.
-// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, v, unit;
+// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, from 0 to 2 around, v, unit;
 // gl_MultiTexCoord1: shade, law/shade.glsl.
 
 #include "instance.glsl"
@@ -9,7 +9,7 @@
 #define VERTEX_SHADER
 #include "surface.glsl"
 
-out vec2 barkCoord;
+out vec3 barkCoord; // bark_texture.glsl
 out float barkRadius; // metres
 out vec3 barkLight;
 out vec3 scenePosition;
@@ -20,7 +20,7 @@ void main() {
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), treeHeading());
     vec3 eyeNormal = eyeDirection(pose, gl_Normal);
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
-    barkCoord = gl_MultiTexCoord0.xy;
+    barkCoord = vec3(gl_MultiTexCoord0.xy, gl_MultiTexCoord0.x - 2.0 * step(1.0, gl_MultiTexCoord0.x));
     barkRadius = treeSize.z * gl_Vertex.w;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "PortraitSheet.h"
 #include "OffscreenViewer.h"
+#include "PanelLabel.h"
 #include "Setting.h"
 
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -10,12 +11,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
 
 const char* const portraitLayout =
     "The sheet, from left to right:\n"
     "  summer: bark at 3 m, leaves at 3 m, the tree lit from the front, from behind, its silhouette\n"
     "  winter: the same\n"
-    "  three shapes at 10, 50 and 200 m through the tiers, the tree in --season and in autumn";
+    "  three shapes at 10, 50 and 200 m through the tiers, the tree in --season and in autumn\n"
+    "Each says what it is where that fits, from --panel 128 on.";
 
 namespace {
 
@@ -58,15 +63,15 @@ public:
 
     osg::ref_ptr<osg::Image> draw(float season) {
         _drawing.viewer().getCamera()->setProjectionMatrixAsPerspective(fieldOfView, 1.0, 0.5, 10000.0);
-        drawSeason(midsummer, 0);
-        drawSeason(midwinter, 1);
-        far(10.0, 0);
-        far(50.0, 1);
-        far(200.0, 2);
+        drawSeason("summer", midsummer, 0);
+        drawSeason("winter", midwinter, 1);
+        far(10, 0);
+        far(50, 1);
+        far(200, 2);
         _tree->setSeason(season);
-        whole(_treeSetting, lit, 3, 2);
+        whole(lit, nameOf(season), 3, 2);
         _tree->setSeason(midautumn);
-        whole(_treeSetting, lit, 4, 2);
+        whole(lit, "autumn", 4, 2);
         return _image;
     }
 
@@ -76,31 +81,38 @@ private:
                                        0.0}; ///< Toward an eye that has the sun beside and behind it.
     static inline const osg::Vec3d against{-0.67, 0.74, 0.0};
 
-    void drawSeason(float season, int row) {
+    static std::string nameOf(float season) {
+        std::ostringstream number;
+        number << "season " << std::setprecision(3) << season;
+        return season == midspring ? "spring" : number.str();
+    }
+
+    void drawSeason(const std::string& name, float season, int row) {
         _tree->setSeason(season);
         look(_treeSetting, lit * (3.0 + 0.5 * static_cast<double>(_size.trunkDiameter)) + up(1.6), up(1.9));
-        put(shot(), 0, row);
+        put(shot(), "bark, " + name, 0, row);
         const osg::Vec3d edge = lit * (0.5 * static_cast<double>(_size.crownWidth));
         look(_treeSetting, edge + lit * 3.0 + _leaves - up(1.0), edge * 0.8 + _leaves);
-        put(shot(), 1, row);
-        whole(_treeSetting, lit, 2, row);
-        whole(_treeSetting, against, 3, row);
-        silhouette(row);
+        put(shot(), "leaves, " + name, 1, row);
+        whole(lit, name, 2, row);
+        whole(against, "against the sun", 3, row);
+        silhouette(name, row);
     }
 
-    void far(double distance, int column) {
+    void far(int metres, int column) {
+        const double distance = metres;
         const double rise = std::min(0.45 * static_cast<double>(_size.height), 1.6 + 0.22 * distance);
         look(_treesSetting, lit * distance + up(1.6), up(rise));
-        put(shot(), column, 2);
+        put(shot(), "at " + std::to_string(metres) + " m", column, 2);
     }
 
-    void whole(osg::Node* scene, const osg::Vec3d& toEye, int column, int row) {
-        lookAtWhole(scene, toEye);
-        put(shot(), column, row);
+    void whole(const osg::Vec3d& toEye, const std::string& label, int column, int row) {
+        lookAtWhole(_treeSetting, toEye);
+        put(shot(), label, column, row);
     }
 
     /// Black is what hides a white background and not a black one.
-    void silhouette(int row) {
+    void silhouette(const std::string& name, int row) {
         lookAtWhole(_tree, lit);
         osg::ref_ptr<osg::Image> white, black;
         for (osg::ref_ptr<osg::Image>* image : {&white, &black}) {
@@ -112,7 +124,7 @@ private:
         }
         for (unsigned i = 0; i < white->getTotalSizeInBytes(); ++i)
             white->data()[i] = static_cast<unsigned char>(white->data()[i] - black->data()[i]);
-        put(*white, 4, row);
+        put(*white, "outline, " + name, 4, row);
     }
 
     static osg::Vec3d up(double metres) { return {0.0, 0.0, metres}; }
@@ -130,12 +142,13 @@ private:
         _drawing.viewer().getCamera()->setViewMatrixAsLookAt(eye, center, osg::Z_AXIS);
     }
 
-    const osg::Image& shot() {
+    osg::Image& shot() {
         _drawing.frame(0.0); // what is seen for the first time is there from the next one on
         return _drawing.frame(0.0);
     }
 
-    void put(const osg::Image& panel, int column, int row) {
+    void put(osg::Image& panel, const std::string& label, int column, int row) {
+        writeLabel(panel, label);
         for (int y = 0; y < panel.t(); ++y)
             for (int x = 0; x < panel.s(); ++x)
                 std::copy_n(panel.data(static_cast<unsigned>(x), static_cast<unsigned>(y)), 3,

@@ -36,7 +36,7 @@ void addRings(const Skeleton& skeleton, std::size_t unit, int rings, int sides, 
             vertex.radius = skeleton.radius(unit, ring) * widening;
             vertex.outward = cosine(angle) * e1 + sine(angle) * e2;
             vertex.unit = static_cast<float>(unit);
-            vertex.uv = {aroundBark(part), start + along / circumference};
+            vertex.uv = {2.0f * part, start + along / circumference};
             vertices.push_back(vertex);
         }
     }

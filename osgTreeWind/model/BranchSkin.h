@@ -18,8 +18,9 @@ struct SkinVertex {
     float radius = 0.0f;     ///< Metres.
     glm::vec3 outward{0.0f}; ///< Unit normal; across the tangent of the branch, but along it at a closed tip.
     float unit = 0.0f;       ///< Branch unit it moves with (rigid skinning; exact as a float below 2^24).
-    glm::vec2 uv{
-        0.0f}; ///< Once around the branch; metres along it over its circumference, from its parent's end on.
+    /// From 0 to 2 around the branch, and 0 again: shaders/bark_texture.glsl; metres along it over its
+    /// circumference, from its parent's end on.
+    glm::vec2 uv{0.0f};
 
     glm::vec3 position() const { return centre + radius * outward; }
 };

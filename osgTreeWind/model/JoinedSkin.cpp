@@ -122,7 +122,7 @@ private:
             for (int side = 0; side < plan.sides; ++side) {
                 const float part = partOf(side, plan.sides);
                 _skin.vertices.push_back(collar.vertex(frame.outward(glm::two_pi<float>() * part)));
-                _skin.vertices.back().uv = {aroundBark(part), barkAt(collar.begin())};
+                _skin.vertices.back().uv = {2.0f * part, barkAt(collar.begin())};
             }
         }
         for (std::size_t i = first; i < _skin.vertices.size(); ++i)
@@ -201,7 +201,7 @@ private:
             vertex.radius = (section.radius + wider) * ringWidening(sides);
             vertex.outward = frame.outward(angle);
             vertex.unit = static_cast<float>(_unit);
-            vertex.uv = {aroundBark(part), barkAt(place)};
+            vertex.uv = {2.0f * part, barkAt(place)};
             _skin.vertices.push_back(vertex);
         }
     }
@@ -213,14 +213,14 @@ private:
             _skin.firstVertices[parent + 1] - static_cast<std::size_t>(_plans[parent].sides);
         for (int side = 0; side < sides; ++side) {
             _skin.vertices.push_back(_skin.vertices[first + static_cast<std::size_t>(side * step)]);
-            _skin.vertices.back().uv = {aroundBark(partOf(side, sides)), _bark};
+            _skin.vertices.back().uv = {2.0f * partOf(side, sides), _bark};
         }
     }
 
     void addTip(const Frame& frame) {
         SkinVertex tip = _skin.vertices.back();
         tip.outward = frame.tangent;
-        tip.uv.x = 0.5f;
+        tip.uv.x = 1.0f;
         _skin.vertices.push_back(tip);
     }
 

@@ -6,8 +6,6 @@
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include <cmath>
-
 namespace osgTreeWind {
 namespace {
 
@@ -20,10 +18,6 @@ float perimeter(int sides) {
 
 float ringWidening(int sides) {
     return perimeter(BranchSkin::verticesPerRing) / perimeter(sides);
-}
-
-float aroundBark(float part) {
-    return 1.0f - std::abs(1.0f - 2.0f * part);
 }
 
 float barkStart(const BranchUnit& unit, const BranchSkin& skin) {

@@ -8,10 +8,6 @@ namespace osgTreeWind {
 /// Factor on the radius of a ring of so many sides that gives it the mean width of an octagon.
 float ringWidening(int sides);
 
-/// Bark coordinate at a part of the way around, [0, 1): there and back again, so that the bark closes without
-/// a seam on its few vertices.
-float aroundBark(float part);
-
 /// Bark coordinate at the base of a unit: bark goes on from where the branch springs.
 /// @param skin of all units before it.
 float barkStart(const BranchUnit& unit, const BranchSkin& skin);

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Bark: a vertex lies `radius` outward of a point of the branch's centre line.
-// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, v, unit;
+// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, from 0 to 2 around, v, unit;
 // gl_MultiTexCoord1: shade, law/shade.glsl.
 
 #include "branchwise/tree.glsl"
@@ -11,7 +11,7 @@
 
 uniform float treeOwn; // number of this tree, [0, 1)
 
-out vec2 barkCoord;
+out vec3 barkCoord; // bark_texture.glsl
 out float barkRadius; // metres
 out vec3 barkLight;
 
@@ -23,7 +23,7 @@ void main() {
 
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), vec2(1.0, 0.0));
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
-    barkCoord = gl_MultiTexCoord0.xy;
+    barkCoord = vec3(gl_MultiTexCoord0.xy, gl_MultiTexCoord0.x - 2.0 * step(1.0, gl_MultiTexCoord0.x));
     barkRadius = treeSizes.x * gl_Vertex.w;
     placeSurface(eyePosition, eyeNormal, treeOwn);
 }

@@ -73,7 +73,8 @@ std::uint64_t hashOf(const Species& species) {
 } // namespace
 
 TEST(BuiltInSpecies, AreWhatTheyWereToTheLastBit) {
-    // Of the tables in C++ that species.treewind took the place of, but for the cards of palms and lindens.
+    // Of the tables in C++ that species.treewind took the place of, but for the cards of palms and lindens
+    // and the leaves of sycamores, Norway maples and red oaks.
     const std::vector<std::pair<const char*, std::uint64_t>> were = {{"Norway spruce", 0xc33fcce02622824e},
                                                                      {"Sitka spruce", 0x84eac131a0ee769a},
                                                                      {"Douglas fir", 0x969e356436b1eff4},
@@ -90,15 +91,15 @@ TEST(BuiltInSpecies, AreWhatTheyWereToTheLastBit) {
                                                                      {"beech", 0x1df1692368a9b8ae},
                                                                      {"oak", 0x015a42147df55009},
                                                                      {"ash", 0xf2154b687f0614b4},
-                                                                     {"sycamore", 0x3f100b1230bf7705},
+                                                                     {"sycamore", 0x935198c89450780e},
                                                                      {"red maple", 0x999b17f4138b4912},
-                                                                     {"red oak", 0x081cc8e10af853cb},
+                                                                     {"red oak", 0x70aa68bc33a04d80},
                                                                      {"aspen", 0x5566a2077e768cc2},
                                                                      {"linden", 0xca461087099db661},
                                                                      {"poplar", 0x87fb2a58ae06d868},
                                                                      {"London plane", 0xd01d65b95d2643eb},
                                                                      {"honey locust", 0x5bd65a4e18f0a7de},
-                                                                     {"Norway maple", 0x898054adaeef46da},
+                                                                     {"Norway maple", 0x5d5d3055155dcb53},
                                                                      {"horse chestnut", 0xb4c80d16c66ee561},
                                                                      {"ginkgo", 0x8c51bc1772c0c354},
                                                                      {"palm", 0x5fe263d71be8e637},

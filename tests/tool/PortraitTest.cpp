@@ -62,6 +62,27 @@ TEST(Portrait, LinesSayTheSame) {
     EXPECT_NE(outcome.out.find("leafAreaMechanics, m2"), std::string::npos);
 }
 
+TEST(Portrait, EveryPictureSaysWhatItIs) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(runTool({"portrait", "palm", "-o", "palm.png", "--panel", "128"}, folder.path()).exitCode, 0);
+    const osg::ref_ptr<osg::Image> sheet = osgDB::readRefImageFile(folder.path() + "/palm.png");
+    ASSERT_TRUE(sheet);
+    for (int panel = 0; panel < 15; ++panel) {
+        int letters = 0, strip = 0;
+        for (int x = 0; x < 60; ++x)
+            for (int y = 1; y <= 16; ++y) {
+                const float green = sheet
+                                        ->getColor(static_cast<unsigned>(panel % 5 * 128 + x),
+                                                   static_cast<unsigned>((3 - panel / 5) * 128 - y))
+                                        .g();
+                letters += green > 0.99f;
+                strip += green < 0.5f;
+            }
+        EXPECT_GT(letters, 50) << panel;
+        EXPECT_GT(strip, 400) << panel;
+    }
+}
+
 TEST(Portrait, TheSheetHasAllItsPictures) {
     const TemporaryFolder folder;
     const Outcome outcome =

@@ -17,10 +17,10 @@ namespace {
 
 constexpr int width = 128, height = 256;
 
-/// In [0, 1), of a point of a grid that repeats after `rows` rows.
-float random(int column, int row, int rows, unsigned stream) {
-    auto n = static_cast<unsigned>(column) * 0x9e3779b9u ^
-             static_cast<unsigned>((row % rows + rows) % rows) * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
+/// In [0, 1), of a point of a grid that repeats after its columns and rows.
+float random(const glm::ivec2& point, const glm::ivec2& grid, unsigned stream) {
+    const glm::uvec2 own((point % grid + grid) % grid);
+    auto n = own.x * 0x9e3779b9u ^ own.y * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
     n = (n ^ (n >> 16)) * 0x7feb352du;
     n = (n ^ (n >> 15)) * 0x846ca68bu;
     return static_cast<float>((n ^ (n >> 16)) >> 8) * (1.0f / 16777216.0f);
@@ -30,8 +30,9 @@ float random(int column, int row, int rows, unsigned stream) {
 float noise(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
     const glm::vec2 place = at * glm::vec2(grid), cell = glm::floor(place);
     const glm::vec2 part = glm::smoothstep(0.0f, 1.0f, place - cell);
-    const int x = static_cast<int>(cell.x), y = static_cast<int>(cell.y);
-    const auto corner = [&](int i, int j) { return random(x + i, y + j, grid.y, stream); };
+    const auto corner = [&](int i, int j) {
+        return random(glm::ivec2(cell) + glm::ivec2(i, j), grid, stream);
+    };
     return glm::mix(glm::mix(corner(0, 0), corner(1, 0), part.x),
                     glm::mix(corner(0, 1), corner(1, 1), part.x), part.y);
 }
@@ -46,14 +47,14 @@ Plate plateAt(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
     float nearest = 9.0f, next = 9.0f, own = 0.0f;
     for (int i = -1; i <= 1; ++i)
         for (int j = -1; j <= 1; ++j) {
-            const int x = static_cast<int>(cell.x) + i, y = static_cast<int>(cell.y) + j;
-            const glm::vec2 point = cell + glm::vec2(i, j) +
-                                    glm::vec2(random(x, y, grid.y, stream), random(x, y, grid.y, stream + 1));
+            const glm::ivec2 near = glm::ivec2(cell) + glm::ivec2(i, j);
+            const glm::vec2 point =
+                glm::vec2(near) + glm::vec2(random(near, grid, stream), random(near, grid, stream + 1));
             const float away = glm::distance(place, point);
             next = glm::min(next, glm::max(away, nearest));
             if (away < nearest) {
                 nearest = away;
-                own = random(x, y, grid.y, stream + 2);
+                own = random(near, grid, stream + 2);
             }
         }
     return {next - nearest, own};
@@ -80,7 +81,7 @@ glm::vec3 barkAt(BarkForm form, const glm::vec2& at) {
         // Lenticels in lines across, and black cracked patches.
         const float line = noise(at, {5, 44}, 3) * glm::smoothstep(0.3f, 0.6f, noise(at, {2, 11}, 4));
         const float band = glm::smoothstep(0.52f, 0.62f, line);
-        const float patch = glm::smoothstep(0.64f, 0.76f, noise(warped, {3, 6}, 5) + 0.12f * grain);
+        const float patch = glm::smoothstep(0.64f, 0.76f, noise(warped, {3, 6}, 10) + 0.12f * grain);
         const float dark = glm::max(0.75f * band, patch);
         return {glm::mix(0.95f + 0.06f * grain, 0.14f + 0.1f * grain, dark),
                 0.6f - 0.2f * band - patch * (0.3f + grain), 0.5f + 0.1f * noise(at, {3, 5}, 6)};

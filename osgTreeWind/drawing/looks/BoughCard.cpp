@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/BoughCard.h>
 
+#include <osgTreeWind/drawing/looks/Parallelogram.h>
 #include <osgTreeWind/model/Random.h>
 
 #include <glm/common.hpp>
@@ -48,26 +49,28 @@ std::vector<SprayPlace> placesOf(std::size_t sprays, int rows, int growth, int v
 }
 
 void paint(const LeafTexels& spray, const SprayPlace& place, float size, LeafTexels& card) {
-    const auto texels = static_cast<float>(card.size);
-    const float reach = 0.71f * size;
-    const glm::ivec2 low = glm::max(glm::ivec2(glm::floor((place.middle - reach) * texels)), 0),
-                     high = glm::min(glm::ivec2(glm::ceil((place.middle + reach) * texels)), card.size);
+    const auto texels = static_cast<float>(card.size), sprayTexels = static_cast<float>(spray.size);
     const glm::vec2 right{place.up.y, -place.up.x};
-    for (int y = low.y; y < high.y; ++y)
-        for (int x = low.x; x < high.x; ++x) {
-            const glm::vec2 away = ((glm::vec2(x, y) + 0.5f) / texels - place.middle) / size;
-            const glm::vec2 at{place.hand * glm::dot(away, right) + 0.5f, glm::dot(away, place.up) + 0.5f};
-            const glm::ivec2 texel = glm::ivec2(glm::floor(at * static_cast<float>(spray.size)));
-            if (glm::min(texel.x, texel.y) < 0 || glm::max(texel.x, texel.y) >= spray.size)
-                continue;
-            const glm::vec4& over = spray.at(texel.x, texel.y);
-            if (over.a == 0.0f)
-                continue;
-            glm::vec4& under = card.at(x, y);
-            const float left = under.a * (1.0f - over.a), whole = over.a + left;
-            under = {glm::mix(glm::vec2(under), glm::vec2(over), over.a / whole), glm::max(under.b, over.b),
-                     whole};
-        }
+    constexpr float reach = 1.01f; // rounding leaves out none
+    const glm::vec2 across = reach * texels * size * right, along = reach * texels * size * place.up;
+    visitParallelogram(
+        texels * place.middle - 0.5f * (across + along), across, along, 1, card.size, [&](const auto& row) {
+            for (int x = row.first; x < row.end; ++x) {
+                const glm::vec2 away = ((glm::vec2(x, row.y) + 0.5f) / texels - place.middle) / size;
+                const glm::vec2 at{place.hand * glm::dot(away, right) + 0.5f,
+                                   glm::dot(away, place.up) + 0.5f};
+                const glm::vec2 texel = at * sprayTexels;
+                if (glm::min(texel.x, texel.y) < 0.0f || glm::max(texel.x, texel.y) >= sprayTexels)
+                    continue;
+                const glm::vec4& over = spray.at(static_cast<int>(texel.x), static_cast<int>(texel.y));
+                if (over.a == 0.0f)
+                    continue;
+                glm::vec4& under = card.at(x, row.y);
+                const float left = under.a * (1.0f - over.a), whole = over.a + left;
+                under = {glm::mix(glm::vec2(under), glm::vec2(over), over.a / whole),
+                         glm::max(under.b, over.b), whole};
+            }
+        });
 }
 
 } // namespace

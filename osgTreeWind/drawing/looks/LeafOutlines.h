@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/looks/SprayCanvas.h>
+#include <osgTreeWind/drawing/looks/SprayPieces.h>
 #include <osgTreeWind/species/Appearance.h>
 
 namespace osgTreeWind {

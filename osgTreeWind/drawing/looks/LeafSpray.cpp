@@ -2,6 +2,8 @@
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
+#include <osgTreeWind/drawing/looks/SprayCanvas.h>
+#include <osgTreeWind/drawing/looks/SprayCover.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
@@ -92,14 +94,14 @@ public:
             }
         std::sort(_leaves.begin(), _leaves.end(),
                   [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
-        SprayCanvas canvas;
-        spray.twigs = canvas.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
+        SprayCover cover;
+        spray.twigs = cover.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
         // Leaves grow where there is light: first those with room, then what else there is.
         for (const float room : {0.75f, 0.4f, 0.0f})
             for (Leaf& leaf : _leaves)
-                if (canvas.leafCoverage() < _share * leafCoverage(_form) && hasRoom(canvas, leaf, room))
+                if (cover.leaves() < _share * leafCoverage(_form) && hasRoom(cover, leaf, room))
                     for (; leaf.first < leaf.end; ++leaf.first) {
-                        canvas.addLeaf(_outline, _blades[leaf.first]);
+                        cover.addLeaf(_outline, _blades[leaf.first]);
                         spray.blades.push_back(_blades[leaf.first]);
                     }
         // What hangs behind is darker.
@@ -109,10 +111,10 @@ public:
     }
 
 private:
-    bool hasRoom(SprayCanvas& canvas, const Leaf& leaf, float room) const {
+    bool hasRoom(SprayCover& cover, const Leaf& leaf, float room) const {
         float sum = 0.0f;
         for (std::size_t i = leaf.first; i < leaf.end; ++i)
-            sum += canvas.freeShare(_outline, _blades[i]);
+            sum += cover.freeShare(_outline, _blades[i]);
         return sum >= room * static_cast<float>(leaf.end - leaf.first);
     }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/looks/LeafTexels.h>
-#include <osgTreeWind/drawing/looks/SprayCanvas.h>
+#include <osgTreeWind/drawing/looks/SprayPieces.h>
 #include <osgTreeWind/species/Appearance.h>
 
 namespace osgTreeWind {

@@ -78,12 +78,12 @@ osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
 }
 
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
-                                             osg::Texture::WrapMode along) {
+                                             osg::Texture::WrapMode along, osg::Texture::WrapMode around) {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setName(name);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_S, around);
     texture->setWrap(osg::Texture::WRAP_T, along);
     return texture;
 }
@@ -102,7 +102,8 @@ osg::Texture2D* TreeTextures::bark(const Appearance& appearance) {
     const osg::ref_ptr<osg::Image> image = barkImage(appearance);
     osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
     if (!texture)
-        texture = makeTreeTexture("bark", image, osg::Texture::REPEAT);
+        texture = makeTreeTexture("bark", image, osg::Texture::REPEAT,
+                                  appearance.barkImage.empty() ? osg::Texture::REPEAT : osg::Texture::MIRROR);
     return texture;
 }
 

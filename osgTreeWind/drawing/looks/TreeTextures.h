@@ -16,12 +16,14 @@ namespace osgTreeWind {
 
 /// Leaf cards: LeafAtlas.h says where they lie, LeafTexels.h what the channels are.
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance);
-/// Bark, to be repeated along the branch and mirrored around it; BarkRelief.h says what its channels are.
+/// Bark, to be repeated along the branch and, twice, around it, where pictures of files are mirrored;
+/// BarkRelief.h says what its channels are.
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance);
 
-/// An image as a texture with mipmaps. @param along how it goes on along the branch.
+/// An image as a texture with mipmaps. @param along how it goes on along the branch. @param around likewise.
 osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image,
-                                             osg::Texture::WrapMode along);
+                                             osg::Texture::WrapMode along,
+                                             osg::Texture::WrapMode around = osg::Texture::CLAMP_TO_EDGE);
 
 /// One texture for each image, for kinds of trees that share it.
 class TreeTextures {

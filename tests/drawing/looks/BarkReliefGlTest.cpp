@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
+#include <tests/io/TemporaryFolder.h>
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgDB/WriteFile>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 using namespace osgTreeWind;
 
@@ -14,8 +19,8 @@ constexpr int size = 128;
 /// A bare pole before black.
 class BarkReliefGlTest : public GlTest {
 protected:
-    /// @param width of the picture, metres.
-    osg::ref_ptr<osg::Image> pole(BarkForm form, float radius, double width) {
+    /// @param width of the picture, metres. @param file of bark.
+    osg::ref_ptr<osg::Image> pole(BarkForm form, float radius, double width, const std::string& file = {}) {
         GrownTreeParameters wood;
         wood.height = 4.0f;
         wood.radius = radius;
@@ -28,13 +33,20 @@ protected:
         species.tree.leaves.clustersPerBranch = 0;
         species.appearance.bark = glm::vec3(0.7f);
         species.appearance.barkForm = form;
+        species.appearance.barkImage = file;
         open(size, size);
         viewer().setSceneData(new Forest(oneTree(species, 0.0f)));
         osg::Camera& camera = *viewer().getCamera();
         camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(0.5 * width / 5.0)),
                                                 1.0, 1.0, 20.0);
-        camera.setViewMatrixAsLookAt(osg::Vec3d(0, -5, 2), osg::Vec3d(0, 0, 2), osg::Vec3d(0, 0, 1));
         viewer().getLight()->setPosition(osg::Vec4(1, 0.5f, 1, 0)); // of the camera
+        return poleFrom(0.0);
+    }
+
+    /// The same one. @param side radians about it.
+    osg::ref_ptr<osg::Image> poleFrom(double side) {
+        const osg::Vec3d eye(5.0 * std::sin(side), -5.0 * std::cos(side), 2.0);
+        viewer().getCamera()->setViewMatrixAsLookAt(eye, osg::Vec3d(0, 0, 2), osg::Vec3d(0, 0, 1));
         frame(0.0);
         return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
     }
@@ -71,4 +83,32 @@ TEST_F(BarkReliefGlTest, closeByItIsFineAndHasNoSteps) {
         }
     EXPECT_GT(within, 30000) << "fine relief is missing: it more than doubles this";
     EXPECT_LT(across, 1.2 * within);
+}
+
+// There and back again around the pole: once from light to dark and once from dark to light. Where a seam
+// shows, all of the bark comes once more between two vertices.
+TEST_F(BarkReliefGlTest, closesAroundWithoutASeam) {
+    const TemporaryFolder folder;
+    const osg::ref_ptr<osg::Image> halves = new osg::Image;
+    halves->allocateImage(64, 64, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            std::fill_n(halves->data(static_cast<unsigned>(x), static_cast<unsigned>(y)), 3,
+                        x < 32 ? 255 : 0);
+    const std::string file = folder.path() + "/halves.png";
+    ASSERT_TRUE(osgDB::writeImageFile(*halves, file));
+    pole(BarkForm::Furrowed, 0.3f, 0.9, file);
+    constexpr int sides = 90;
+    std::vector<bool> light;
+    for (int i = 0; i < sides; ++i) {
+        const double side = (i + 0.3) * 2.0 * osg::PI / sides;
+        light.push_back(brightness(*poleFrom(side), size / 2, size / 2) > 50);
+    }
+    int changes = 0, lit = 0;
+    for (std::size_t i = 0; i < sides; ++i) {
+        changes += light[i] != light[(i + 1) % sides];
+        lit += light[i];
+    }
+    EXPECT_EQ(changes, 2);
+    EXPECT_NEAR(lit, sides / 2, 3);
 }

@@ -11,12 +11,16 @@ namespace {
 
 constexpr int forms = static_cast<int>(BarkForm::Ringed) + 1;
 
-/// Mean difference between a row and the next one up, of a channel.
-double step(const osg::Image& image, int row, int channel) {
+/// Mean difference between a row and the next one up, or a column and the next one right, of a channel.
+double step(const osg::Image& image, bool across, int line, int channel) {
+    const int length = across ? image.t() : image.s(), lines = across ? image.s() : image.t();
+    const auto value = [&](int i, int j) {
+        return across ? image.data(i, j)[channel] : image.data(j, i)[channel];
+    };
     double sum = 0.0;
-    for (int x = 0; x < image.s(); ++x)
-        sum += std::abs(image.data(x, row)[channel] - image.data(x, (row + 1) % image.t())[channel]);
-    return sum / image.s();
+    for (int j = 0; j < length; ++j)
+        sum += std::abs(value(line, j) - value((line + 1) % lines, j));
+    return sum / length;
 }
 
 /// Standard deviation of the brightness along a row or up a column, in the mean of all.
@@ -40,12 +44,15 @@ double variation(const osg::Image& image, bool across) {
 TEST(BarkRelief, GoesOnWithoutASeam) {
     for (int form = 0; form < forms; ++form) {
         const osg::ref_ptr<osg::Image> image = paintBark(static_cast<BarkForm>(form));
-        for (int channel = 0; channel < 3; ++channel) {
-            double largest = 0.0;
-            for (int row = 0; row + 1 < image->t(); ++row)
-                largest = std::max(largest, step(*image, row, channel));
-            EXPECT_LE(step(*image, image->t() - 1, channel), largest) << form << ", " << channel;
-        }
+        for (const bool across : {false, true})
+            for (int channel = 0; channel < 3; ++channel) {
+                const int last = (across ? image->s() : image->t()) - 1;
+                double largest = 0.0;
+                for (int line = 0; line < last; ++line)
+                    largest = std::max(largest, step(*image, across, line, channel));
+                EXPECT_LE(step(*image, across, last, channel), largest)
+                    << form << ", " << channel << (across ? " around" : " along");
+            }
     }
 }
 
