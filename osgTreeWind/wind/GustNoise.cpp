@@ -110,20 +110,20 @@ float held(float x) {
 
 } // namespace
 
-GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch) {
+GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch, std::size_t octaves) {
     Random random(seed);
     _noise = latticeNoise(random);
 
     // Variance falls with the cell to the power 2/3. An octave's own length scale is cell / (2
     // smoothVariance).
     double variance = 0.0, lengths = 0.0;
-    for (int i = 0; i < octaves; ++i) {
+    for (int i = 0; i < static_cast<int>(octaves); ++i) {
         variance += std::pow(octaveRatio, -2.0 / 3.0 * i);
         lengths += std::pow(octaveRatio, -5.0 / 3.0 * i);
     }
     const double largest = lengthScale * 2.0 * smoothVariance * variance / lengths;
-    for (int i = 0; i < octaves; ++i) {
-        Octave& octave = _octaves[static_cast<std::size_t>(i)];
+    for (int i = 0; i < static_cast<int>(octaves); ++i) {
+        Octave& octave = _octaves.emplace_back();
         octave.toCells = randomRotation(random) * (std::pow(octaveRatio, i) / largest) * stretch;
         octave.offset = {side * random.uniform(), side * random.uniform(), side * random.uniform()};
         octave.amplitude = static_cast<float>(std::pow(octaveRatio, -1.0 / 3.0 * i) /
@@ -136,7 +136,7 @@ GustNoise::At GustNoise::at(const glm::dvec3& travelled) const {
 }
 
 GustNoise::At::At(const GustNoise& noise, const glm::dvec3& travelled) : _noise(noise) {
-    for (std::size_t i = 0; i < octaves; ++i) {
+    for (std::size_t i = 0; i < noise._octaves.size(); ++i) {
         const Octave& octave = noise._octaves[i];
         const glm::dvec3 start = octave.offset - octave.toCells * travelled;
         const glm::dvec3 offset = start - glm::floor(start / double(side)) * double(side);
@@ -156,7 +156,8 @@ void GustNoise::At::sample(const WindPlace* places, std::size_t count, NoisePoin
         near.axis[2][n] = held(places[n].height);
         out[n] = {};
     }
-    for (const Frame& frame : _frames) {
+    for (std::size_t i = 0; i < _noise._octaves.size(); ++i) {
+        const Frame& frame = _frames[i];
         for (int axis = 0; axis < 3; ++axis)
             locate(near, count, frame.toCells[axis], cells.corner[axis], cells.share[axis]);
         addNoise(_noise._noise.data(), cells, count, frame.amplitude, out);

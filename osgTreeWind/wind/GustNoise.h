@@ -23,28 +23,31 @@ struct alignas(16) NoisePoint {
 ///
 /// A sum of octaves of smooth noise, each half as large as the one before, in its own orientation, so that
 /// nothing repeats visibly. Its spectrum along a line is flat below the length scale and falls with frequency
-/// to the power -5/3 above (Kolmogorov), over two decades. One seed gives one noise. Immutable.
+/// to the power -5/3 above (Kolmogorov), over two decades with all octaves. One seed gives one noise.
+/// Immutable.
 class GustNoise {
 public:
     static constexpr std::size_t block = 64; ///< The most places at once.
+    static constexpr std::size_t mostOctaves = 8;
 
     /// @param lengthScale integral length scale, metres. @param stretch taken of places before, for scales
     /// that differ with direction.
-    GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch = glm::dmat3(1.0));
+    /// @param octaves 1 to mostOctaves, the large ones first.
+    GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch = glm::dmat3(1.0),
+              std::size_t octaves = mostOctaves);
 
     /// The octaves where the noise has travelled to.
     class At;
     At at(const glm::dvec3& travelled) const;
 
 private:
-    static constexpr int octaves = 8;
     struct Octave {
         glm::dmat3 toCells; ///< From metres to cells of the noise.
         glm::dvec3 offset;
         float amplitude;
     };
 
-    std::array<Octave, octaves> _octaves;
+    std::vector<Octave> _octaves;
     std::vector<NoisePoint> _noise; ///< Mean 0 and variance 1 in each component.
 };
 
@@ -64,7 +67,7 @@ private:
     };
 
     const GustNoise& _noise;
-    std::array<Frame, octaves> _frames;
+    std::array<Frame, mostOctaves> _frames;
 };
 
 } // namespace osgTreeWind

@@ -48,19 +48,27 @@ glm::vec3 GustWind::velocity(const WindPlace& place, double time) const {
     return result;
 }
 
+WindFieldPtr GustWind::withoutGusts() const {
+    Parameters mean = _parameters;
+    mean.intensity = 0.0;
+    return std::shared_ptr<const GustWind>(new GustWind(mean));
+}
+
 void GustWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const glm::dvec3 travelled =
         glm::dvec3(_parameters.mean) * (std::isfinite(time) ? glm::clamp(time, -1e12, 1e12) : 0.0);
     const GustNoise::At noise = _noise->at(travelled);
     for (std::size_t first = 0; first < count; first += GustNoise::block) {
         const std::size_t size = std::min(count - first, GustNoise::block);
-        NoisePoint turbulence[GustNoise::block];
-        noise.sample(places + first, size, turbulence);
+        NoisePoint turbulence[GustNoise::block] = {};
+        if (_parameters.intensity > 0.0)
+            noise.sample(places + first, size, turbulence);
+        float factor = 1.0f;
         for (std::size_t n = 0; n < size; ++n) {
             const float* u = turbulence[n].values;
-            const double height = static_cast<double>(places[first + n].height);
-            const float factor =
-                _parameters.profile ? static_cast<float>(_parameters.profile->factor(height)) : 1.0f;
+            const float height = places[first + n].height;
+            if (_parameters.profile && (n == 0 || height != places[first + n - 1].height))
+                factor = static_cast<float>(_parameters.profile->factor(static_cast<double>(height)));
             out[first + n] = (_parameters.mean + _axes * glm::vec3(u[0], u[1], u[2])) * factor;
         }
     }
