@@ -86,7 +86,7 @@ Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
     if (!slot)
         return slot.problems();
     _forest.put(slot.value(), *tree, placement.name);
-    _amongTrees->treesChanged();
+    _amongTrees->treeChanged(slot.value());
     return idOf(slot.value());
 }
 
@@ -96,7 +96,7 @@ Diagnostics ForestSimulation::removeTree(TreeId tree) {
     Diagnostics problems = _motion->remove(slotOf(tree));
     if (problems.empty()) {
         _forest.remove(slotOf(tree));
-        _amongTrees->treesChanged();
+        _amongTrees->treeChanged(slotOfTree(tree));
     }
     return problems;
 }
@@ -111,7 +111,7 @@ Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& place
     Diagnostics problems = _motion->replace(slot, *other);
     if (problems.empty()) {
         _forest.put(slot, *other, placement.name);
-        _amongTrees->treesChanged();
+        _amongTrees->treeChanged(slot);
     }
     return problems;
 }
@@ -119,7 +119,7 @@ Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& place
 void ForestSimulation::setSeason(float season) {
     _forest.setSeason(season);
     _motion->followSeason();
-    _amongTrees->treesChanged();
+    _amongTrees->allTreesChanged();
 }
 
 std::optional<TreeId> ForestSimulation::findTree(const std::string& name) const {

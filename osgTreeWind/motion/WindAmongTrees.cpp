@@ -1,40 +1,50 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/WindAmongTrees.h>
 
-#include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/wind/CanopyWind.h>
-
-#include <algorithm>
 
 namespace osgTreeWind {
 
-namespace {
-
-std::vector<StandTree> standTrees(const PlacedForest& forest) {
-    std::vector<StandTree> trees;
-    trees.reserve(forest.trees.size());
-    for (const PlacedTree& tree : forest.trees)
-        if (tree.alive)
-            trees.emplace_back(forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves,
-                               glm::vec2(tree.position));
-    return trees;
+void WindAmongTrees::treeChanged(std::size_t slot) {
+    if (slot < _trees.size())
+        _trees[slot].reset();
+    _canopy.reset();
 }
 
-} // namespace
+void WindAmongTrees::allTreesChanged() {
+    _trees.clear();
+    _canopy.reset();
+}
+
+std::shared_ptr<const CanopyMap> WindAmongTrees::canopyOfForest(const PlacedForest& forest) {
+    const WindCanopy& canopy = forest.description().windCanopy;
+    _trees.resize(forest.trees.size());
+    std::vector<StandTree> alive;
+    alive.reserve(_trees.size());
+    for (std::size_t slot = 0; slot < _trees.size(); ++slot) {
+        const PlacedTree& tree = forest.trees[slot];
+        if (!tree.alive)
+            continue;
+        if (!_trees[slot])
+            _trees[slot].emplace(forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves,
+                                 glm::vec2(tree.position));
+        alive.push_back(*_trees[slot]);
+    }
+    return canopy.source == CanopySource::Forest
+               ? canopyOf(alive)
+               : canopyOf(alive, static_cast<float>(canopy.height), static_cast<float>(canopy.frontalArea));
+}
 
 WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest& forest) {
     const WindCanopy& canopy = forest.description().windCanopy;
     if (!given || canopy.source == CanopySource::None)
         return given;
-    if (given == _given)
+    if (given == _given && _canopy)
         return _met;
-    const std::vector<StandTree> trees = standTrees(forest);
-    const auto map =
-        canopy.source == CanopySource::Forest
-            ? canopyOf(trees)
-            : canopyOf(trees, static_cast<float>(canopy.height), static_cast<float>(canopy.frontalArea));
+    if (!_canopy)
+        _canopy = canopyOfForest(forest);
     _given = given;
-    _met = std::make_shared<CanopyWind>(given, map, static_cast<float>(canopy.reference), canopy.seed);
+    _met = std::make_shared<CanopyWind>(given, *_canopy, static_cast<float>(canopy.reference), canopy.seed);
     return _met;
 }
 

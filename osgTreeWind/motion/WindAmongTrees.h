@@ -2,7 +2,11 @@
 #pragma once
 
 #include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/wind/WindField.h>
+
+#include <optional>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -13,11 +17,15 @@ public:
     /// @param given null: calm. @return the same object while nothing changes.
     WindFieldPtr from(const WindFieldPtr& given, const PlacedForest& forest);
 
-    /// Trees have come, gone or changed: who shelters whom is worked out anew with the next wind, which takes
-    /// some 20 microseconds a tree.
-    void treesChanged() { _given.reset(); }
+    /// A tree has come, gone or changed: who shelters whom is worked out anew with the next wind.
+    void treeChanged(std::size_t slot);
+    void allTreesChanged();
 
 private:
+    std::shared_ptr<const CanopyMap> canopyOfForest(const PlacedForest& forest);
+
+    std::vector<std::optional<StandTree>> _trees; ///< By slot; none of those that changed.
+    std::shared_ptr<const CanopyMap> _canopy;     ///< Null: trees have changed.
     WindFieldPtr _given, _met;
 };
 

@@ -11,9 +11,20 @@ float CanopyCell::shelterAt(float speed) const {
     return shelter[low] + (at - static_cast<float>(low)) * (shelter[low + 1] - shelter[low]);
 }
 
+void CanopyMap::refer(float height) {
+    reference = std::max(height, usual.profile.height);
+    for (const CanopyCell& one : cells)
+        reference = std::max(reference, one.profile.height);
+    const auto scale = [&](CanopyCell& one) {
+        one.top = one.closure > 0.0f ? 1.0f / one.profile.mean(reference) : 1.0f;
+    };
+    scale(usual);
+    std::for_each(cells.begin(), cells.end(), scale);
+}
+
 CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
     if (everywhere)
-        return {usual.closure, usual.profile, usual.shelterAt(speed)};
+        return {usual.closure, usual.profile, usual.top, usual.shelterAt(speed)};
     const glm::vec2 at = (place - corner) / cell;
     CanopyAt sum;
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width - 1) &&
@@ -25,7 +36,7 @@ CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
                              east * north};
     const CanopyCell* low = &cells[y * static_cast<std::size_t>(width) + x];
     const CanopyCell* corners[4] = {low, low + 1, low + width, low + width + 1};
-    float shelter = 0.0f;
+    float top = 0.0f, shelter = 0.0f;
     for (int i = 0; i < 4; ++i) { // what a stand is like counts as far as there is one
         const float weight = shares[i] * corners[i]->closure;
         if (weight > 0.0f) {
@@ -33,6 +44,7 @@ CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
             sum.profile.height += weight * corners[i]->profile.height;
             sum.profile.friction += weight * corners[i]->profile.friction;
             sum.profile.attenuation += weight * corners[i]->profile.attenuation;
+            top += weight * corners[i]->top;
             shelter += weight * corners[i]->shelterAt(speed);
         }
     }
@@ -44,6 +56,7 @@ CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
     sum.profile.height *= each;
     sum.profile.friction *= each;
     sum.profile.attenuation *= each;
+    sum.top = top * each;
     sum.shelter = shelter * each;
     return sum;
 }

@@ -46,11 +46,10 @@ WindPlace raisedTo(const WindPlace& place, float height) {
     return raised;
 }
 
-float tallest(const CanopyMap& map) {
-    float height = map.usual.profile.height;
-    for (const CanopyCell& cell : map.cells)
-        height = std::max(height, cell.profile.height);
-    return height;
+std::shared_ptr<const CanopyMap> referredTo(float reference, const CanopyMap& map) {
+    auto referred = std::make_shared<CanopyMap>(map);
+    referred->refer(reference);
+    return referred;
 }
 
 WindFieldPtr meanOf(const WindFieldPtr& wind) {
@@ -81,17 +80,11 @@ float skewed(float noise, float skewness) {
 
 } // namespace
 
-CanopyWind::CanopyWind(WindFieldPtr open, std::shared_ptr<const CanopyMap> map, float reference,
-                       std::uint32_t seed)
-    : _open(std::move(open)), _mean(meanOf(_open)), _map(std::move(map)),
-      _reference(std::max(reference, tallest(*_map))),
+CanopyWind::CanopyWind(WindFieldPtr open, const CanopyMap& map, float reference, std::uint32_t seed)
+    : _open(std::move(open)), _mean(meanOf(_open)), _map(referredTo(reference, map)),
+      _pace(usualWind(*_mean, _map->reference) * (pace * _map->usual.top)),
       _noise(seed, static_cast<double>(pace * std::max(_map->usual.profile.height, 1.0f)),
-             stretchAlong(LevelWind(usualWind(*_mean, _reference)).along), octaves) {
-    const CanopyProfile& profile = _map->usual.profile;
-    if (_map->usual.closure > 0.0f)
-        _usualTop = 1.0f / profile.mean(_reference);
-    _pace = usualWind(*_mean, _reference) * (pace * _usualTop);
-}
+             stretchAlong(LevelWind(_pace).along), octaves) {}
 
 glm::vec3 CanopyWind::velocity(const WindPlace& place, double time) const {
     glm::vec3 result;
@@ -110,7 +103,7 @@ glm::vec3 CanopyWind::among(const CanopyAt& stand, const WindPlace& place, const
     const float angle = wind.swing() * noise.values[1];
     const float down =
         skewed(sweep * noise.values[0] + std::sqrt(1.0f - sweep * sweep) * noise.values[2], skewness);
-    float factor = given.speed / profile.mean(_reference);
+    float factor = given.speed * stand.top;
     if (place.inCrown) { // to half a height above, where no crown shelters another
         const float free = std::clamp(2.0f * (z / profile.height - 1.0f), 0.0f, 1.0f);
         factor *= stand.shelter + (1.0f - stand.shelter) * free;
@@ -132,14 +125,14 @@ void CanopyWind::sample(const WindPlace* places, std::size_t count, double time,
     for (std::size_t first = 0; first < count; first += block) {
         const std::size_t size = std::min(count - first, block);
         for (std::size_t n = 0; n < size; ++n)
-            raised[n] = raisedTo(places[first + n], _reference);
+            raised[n] = raisedTo(places[first + n], _map->reference);
         _mean->sample(raised, size, time, given);
         std::size_t among[block], amongCount = 0;
         bool open = false;
         for (std::size_t n = 0; n < size; ++n) {
             level[n] = LevelWind(given[n]);
             const glm::vec3 from = places[first + n].position - _map->fetch * level[n].along;
-            stands[n] = _map->at(glm::vec2(from), _usualTop * level[n].speed);
+            stands[n] = _map->at(glm::vec2(from), _map->usual.top * level[n].speed);
             open |= stands[n].closure < 1.0f;
             if (stands[n].closure > 0.0f) {
                 canopied[amongCount] = places[first + n];

@@ -20,7 +20,7 @@ namespace osgTreeWind {
 class CanopyWind final : public WindField {
 public:
     /// @param open not null. @param reference metres above the ground, at least the highest canopy's top.
-    CanopyWind(WindFieldPtr open, std::shared_ptr<const CanopyMap> map, float reference, std::uint32_t seed);
+    CanopyWind(WindFieldPtr open, const CanopyMap& map, float reference, std::uint32_t seed);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
@@ -32,9 +32,7 @@ private:
 
     WindFieldPtr _open, _mean; ///< As given, and without the gusts that it makes up.
     std::shared_ptr<const CanopyMap> _map;
-    float _reference;
-    float _usualTop = 1.0f; ///< Mean at the top of a usual stand over that at the reference.
-    glm::vec3 _pace{0.0f};  ///< Of gusts, m/s.
+    glm::vec3 _pace; ///< Of gusts, m/s.
     GustNoise _noise;
 };
 

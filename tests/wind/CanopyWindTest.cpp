@@ -23,7 +23,7 @@ std::shared_ptr<const CanopyMap> stand(float frontalArea = 2.0f) {
 }
 
 CanopyWind windOf(float speed, std::uint32_t seed = 1) {
-    return CanopyWind(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)), stand(), height, seed);
+    return CanopyWind(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)), *stand(), height, seed);
 }
 
 /// Of hours at one height, at places far apart.
@@ -155,7 +155,7 @@ TEST(CanopyWind, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithou
     gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east: the edge lies open to it
     gusts.profile = LogProfile{10.0, 0.05};
     const WindFieldPtr open = GustWind::create(gusts).value();
-    const CanopyWind wind(open, edge(), 60.0f, 1);
+    const CanopyWind wind(open, *edge(), 60.0f, 1);
     const WindPlace at(30.0f, 0.0f, 12.0f);
     EXPECT_EQ(wind.velocity(at, 9.0), open->velocity(at, 9.0));
     EXPECT_LT(glm::length(wind.velocity(WindPlace(-200.0f, 0.0f, 2.0f), 9.0)),
@@ -169,8 +169,8 @@ TEST(CanopyWind, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithou
 }
 
 TEST(CanopyWind, IsFiniteForAnyPlaceAndTime) {
-    const CanopyWind all(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), stand(), 60.0f, 1),
-        some(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), edge(), 60.0f, 1);
+    const CanopyWind all(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *stand(), 60.0f, 1),
+        some(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *edge(), 60.0f, 1);
     for (const float x : {-1e30f, -40.0f, 0.0f, 3e38f})
         for (const float z : {-1e30f, 0.0f, 20.0f, 3e38f})
             for (const double time : {-1e300, 0.0, 1e300})

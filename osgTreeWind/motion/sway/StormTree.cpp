@@ -53,9 +53,9 @@ WindFieldPtr windInTheOpen(double height, const Storm& storm) {
 
 WindFieldPtr windInTheStand(const StandTree& tree, const Storm& storm) {
     const auto spacing = static_cast<float>(storm.spacing);
-    return std::make_shared<CanopyWind>(std::make_shared<UniformWind>(glm::vec3(storm.speed, 0.0f, 0.0f)),
-                                        canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing)),
-                                        tree.height, storm.seed);
+    return std::make_shared<CanopyWind>(
+        std::make_shared<UniformWind>(glm::vec3(storm.speed, 0.0f, 0.0f)),
+        *canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing)), tree.height, storm.seed);
 }
 
 WindFieldPtr windOf(const PlacedForest& forest, const Storm& storm) {
