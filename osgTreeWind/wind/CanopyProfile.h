@@ -9,7 +9,7 @@ struct WindSpread {
 };
 
 /// How wind grows with height in and over a stand of trees, over its mean at their tops: exponential below
-/// (Cionco 1965), even within the roughness sublayer, logarithmic above it (Raupach 1994 and 1995).
+/// (Cionco 1965), even within the roughness sublayer, logarithmic above it (Raupach 1994).
 struct CanopyProfile {
     float height = 0.0f;      ///< Of the canopy's top, metres, above 0.
     float friction = 0.0f;    ///< u*, over the mean at the top.

@@ -10,7 +10,8 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Raupach 1994, with the sign of the sublayer as his corrigendum of 1995 has it: d/h, z0/h and u*/U(h).
+/// Raupach 1994: d/h, z0/h and u*/U(h). The sign of 0.193 is that by which U(h) is more than the logarithmic
+/// law has there, as an even slope through the sublayer gives.
 struct Raupach {
     double displacement, roughness, friction;
     explicit Raupach(double area) {
