@@ -54,6 +54,7 @@ set(public_headers
     osgTreeWind/wind/StreamedWind.h
     osgTreeWind/wind/TimeSeriesWind.h
     osgTreeWind/wind/UniformWind.h
+    osgTreeWind/wind/WindCanopy.h
     osgTreeWind/wind/WindDirection.h
     osgTreeWind/wind/WindField.h
     osgTreeWind/wind/WindFrame.h

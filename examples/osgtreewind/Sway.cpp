@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "OneTree.h"
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/motion/sway/SwayModes.h>
-#include <osgTreeWind/species/GrowthLaws.h>
 
 #include <osgTreeWind/base/CsvTable.h>
 
@@ -14,16 +14,13 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <set>
 
 namespace {
 
 using namespace osgTreeWind;
 
-struct SwayOptions {
-    std::string species = "broadleaf";
-    double diameter = 0.0, height = 0.0, crownWidth = 0.0, leaves = 1.0, pull = 0.05;
-    bool open = false;
+struct SwayOptions : OneTree {
+    double pull = 0.05;
     bool json = false;
     std::optional<float> season;
     std::string table;
@@ -38,41 +35,11 @@ void listSpecies() {
     }
 }
 
-/// Sizes that were not given, as the tree has them.
-void fillIn(SwayOptions& options, const Species& species, const TreePlacement& tree) {
-    if (options.diameter > 0.0 && options.height > 0.0 && options.crownWidth > 0.0)
-        return;
-    const TreeModel model = makeTreeModel(species.tree, 0);
-    const TreeSize actual =
-        measureTree(model, fitTree(model, withCrown(tree.size, species.crown, tree.openGrown)));
-    if (options.diameter == 0.0)
-        options.diameter = 100.0 * static_cast<double>(actual.trunkDiameter);
-    if (options.height == 0.0)
-        options.height = actual.height;
-    if (options.crownWidth == 0.0)
-        options.crownWidth = actual.crownWidth;
-}
-
-Species speciesOf(const std::string& name) {
-    static std::set<std::string> unknown;
-    const std::optional<Species> species = findSpecies(name);
-    if (!species && unknown.insert(name).second)
-        std::cerr << "note: no built-in species \"" << name << "\"; \"" << defaultSpecies().name
-                  << "\" stands for it\n";
-    return species.value_or(defaultSpecies());
-}
-
 /// The tree that the options ask for; fills in what they leave open.
 TreePlacement treeOf(SwayOptions& options, const Species& species) {
-    TreePlacement tree;
-    tree.size.height = static_cast<float>(options.height);
-    tree.size.trunkDiameter = static_cast<float>(0.01 * options.diameter);
-    tree.size.crownWidth = static_cast<float>(options.crownWidth);
-    tree.openGrown = options.open;
-    tree.leaves = static_cast<float>(options.leaves);
+    TreePlacement tree = options.grown(species);
     if (options.season)
         tree.leaves *= leafShare(species.appearance, *options.season);
-    fillIn(options, species, tree);
     return tree;
 }
 
@@ -105,7 +72,7 @@ void printLines(const SwayOptions& options, const Species& species, const FreeSw
 }
 
 ExitCode sway(SwayOptions options) {
-    const Species species = speciesOf(options.species);
+    const Species species = options.kind();
     const TreePlacement tree = treeOf(options, species);
     const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
     if (!free) {
@@ -136,7 +103,7 @@ public:
             options.open = open > 0.0;
             if (const std::string* name = cell(row, "species"))
                 options.species = *name;
-            const Species species = speciesOf(options.species);
+            const Species species = options.kind();
             const TreePlacement tree = treeOf(options, species);
             const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
             std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
@@ -197,17 +164,7 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
     CLI::App* command =
         app.add_subcommand("sway", "Pull one tree, let go in a calm and measure how it sways");
     auto options = std::make_shared<SwayOptions>();
-    command->add_option("--species", options->species, "Common or scientific name of a built-in species")
-        ->capture_default_str();
-    command->add_option("--dbh", options->diameter, "Diameter of the trunk at breast height, cm")
-        ->check(within(0.1, 2000.0));
-    command->add_option("--height", options->height, "Height of the tree, m")->check(within(0.1, 150.0));
-    command->add_option("--crown-width", options->crownWidth, "Mean width of the crown, m")
-        ->check(within(0.1, 150.0));
-    command->add_flag("--open", options->open, "It stands by itself: its crown is wider than in a forest");
-    command->add_option("--leaves", options->leaves, "Share of its leaves that it bears, 0 to 1")
-        ->check(within(0.0, 1.0))
-        ->capture_default_str();
+    addTreeOptions(*command, *options);
     addSeasonOption(*command, options->season);
     command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
         ->check(within(1e-4, 0.2))

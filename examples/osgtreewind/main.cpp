@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
     addRenderCommand(app, exitCode);
     addSimulateCommand(app, exitCode);
     addSwayCommand(app, exitCode);
+    addStormCommand(app, exitCode);
     addPortraitCommand(app, exitCode);
     addBenchCommand(app, exitCode);
     addWindCommand(app, exitCode);

@@ -6,6 +6,7 @@
 #include <osgTreeWind/places/Ground.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/species/Species.h>
+#include <osgTreeWind/wind/WindCanopy.h>
 #include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/wind/WindFrame.h>
 
@@ -55,6 +56,7 @@ struct ForestDescription {
     std::optional<float> noiseExponent;
     WindFieldPtr wind; ///< Null: calm.
     WindFrame windFrame = WindFrame::Forest;
+    WindCanopy windCanopy;    ///< Of whatever wind the forest is given.
     float season = midsummer; ///< Of the year (Season.h).
     DrawingOptions drawing;
 

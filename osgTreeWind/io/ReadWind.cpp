@@ -287,6 +287,7 @@ void readWind(TableReader& table, ForestReading& reading) {
     RetimedWind::Clock clock;
     readFields(table, clock);
     table.readChoice("frame", reading.forest.windFrame, windFrames());
+    readFields(table, reading.forest.windCanopy);
     reading.forest.wind = kind(table, reading);
     std::string date;
     if (table.readScalar("date", date) && (reading.forest.wind || kind == readCalm))

@@ -7,6 +7,7 @@
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -108,9 +109,17 @@ private:
 } // namespace
 
 std::string writeWind(std::ostream& output, const ForestDescription& forest) {
-    if (!forest.wind)
+    const WindCanopy usual;
+    const Fields& canopy = fieldsOf<WindCanopy>();
+    const bool alone = std::all_of(canopy.begin(), canopy.end(), [&](const Field& field) {
+        return sameField(field, &forest.windCanopy, &usual);
+    });
+    if (!forest.wind && alone)
         return {};
     output << "\n[wind]\n";
+    writeFields(output, "wind", canopy, &forest.windCanopy, &usual);
+    if (!forest.wind)
+        return output << "kind = \"calm\"\n", std::string();
     for (const auto& [name, frame] : windFrames())
         if (frame == forest.windFrame && frame != WindFrame::Forest)
             output << "frame = " << tomlText(name) << '\n';

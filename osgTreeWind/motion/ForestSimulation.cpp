@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/motion/WindAmongTrees.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalForest.h>
 #include <osgTreeWind/wind/GivenWind.h>
@@ -55,11 +56,13 @@ Diagnostics noSuchSpecies(const TreePlacement& placement, const ForestDescriptio
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
     : _forest(placed(std::move(description), options)), _lent(options.executor),
       _motion(motionOf(_forest, options)),
-      _wind(options.wind ? options.wind : std::make_shared<GivenWind>(givenBy(this->description()))) {}
+      _wind(options.wind ? options.wind : std::make_shared<GivenWind>(givenBy(this->description()))),
+      _amongTrees(std::make_unique<WindAmongTrees>()) {}
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
     : _forest(other._forest), _lent(other._lent), _motion(other._motion->restarted(_forest)),
-      _wind(std::make_shared<GivenWind>(other._wind->get())) {}
+      _wind(std::make_shared<GivenWind>(other._wind->get())),
+      _amongTrees(std::make_unique<WindAmongTrees>()) {}
 
 ForestSimulation::~ForestSimulation() = default;
 
@@ -83,6 +86,7 @@ Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
     if (!slot)
         return slot.problems();
     _forest.put(slot.value(), *tree, placement.name);
+    _amongTrees->treeChanged(slot.value());
     return idOf(slot.value());
 }
 
@@ -90,8 +94,10 @@ Diagnostics ForestSimulation::removeTree(TreeId tree) {
     if (!holds(tree))
         return noSuchTree();
     Diagnostics problems = _motion->remove(slotOf(tree));
-    if (problems.empty())
+    if (problems.empty()) {
         _forest.remove(slotOf(tree));
+        _amongTrees->treeChanged(slotOfTree(tree));
+    }
     return problems;
 }
 
@@ -103,14 +109,17 @@ Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& place
     if (!other)
         return noSuchSpecies(placement, description());
     Diagnostics problems = _motion->replace(slot, *other);
-    if (problems.empty())
+    if (problems.empty()) {
         _forest.put(slot, *other, placement.name);
+        _amongTrees->treeChanged(slot);
+    }
     return problems;
 }
 
 void ForestSimulation::setSeason(float season) {
     _forest.setSeason(season);
     _motion->followSeason();
+    _amongTrees->allTreesChanged();
 }
 
 std::optional<TreeId> ForestSimulation::findTree(const std::string& name) const {
@@ -154,10 +163,14 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
     return static_cast<float>(elapsed);
 }
 
+WindFieldPtr ForestSimulation::windHere() {
+    return _amongTrees->from(_wind->here(), _forest);
+}
+
 std::optional<float> ForestSimulation::beginStep(double time) {
     const std::optional<float> elapsed = elapsedAt(time);
     if (elapsed)
-        _motion->meet(_wind->here().get(), time);
+        _motion->meet(windHere().get(), time);
     return elapsed && *elapsed > 0.0f ? elapsed : std::nullopt;
 }
 
@@ -165,7 +178,7 @@ bool ForestSimulation::advance(double time) {
     const std::optional<float> elapsed = elapsedAt(time);
     if (!elapsed)
         return false;
-    const WindFieldPtr wind = _wind->here();
+    const WindFieldPtr wind = windHere();
     if (*elapsed > 0.0f)
         _motion->step(wind.get(), time, *elapsed);
     else

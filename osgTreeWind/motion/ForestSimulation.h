@@ -15,6 +15,7 @@ namespace osgTreeWind {
 
 class BranchwiseMotion;
 class ModalMotion;
+class WindAmongTrees;
 class Motion;
 
 /// A forest in motion, without graphics (docs/frame.md).
@@ -116,12 +117,14 @@ public:
 private:
     ForestSimulation(const ForestSimulation& other);
     std::optional<float> elapsedAt(double time);
+    WindFieldPtr windHere();
 
     PlacedForest _forest;
     Executor _lent;
     std::unique_ptr<Motion> _motion;
     std::optional<double> _time;
     std::shared_ptr<GivenWind> _wind;
+    std::unique_ptr<WindAmongTrees> _amongTrees;
 };
 
 } // namespace osgTreeWind

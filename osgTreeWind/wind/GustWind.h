@@ -8,26 +8,20 @@
 
 #include <glm/mat3x3.hpp>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace osgTreeWind {
 
-/// Noise at one point of a lattice: three components, and a fourth for the processor's sake.
-struct alignas(16) NoisePoint {
-    float values[4];
-};
+class GustNoise;
 
 /// A mean wind with turbulence that it carries along unchanged (Taylor's frozen turbulence).
 ///
-/// The turbulence is a sum of octaves of smooth noise, each half as large as the one before, in its own
-/// orientation, so that nothing repeats visibly. Its spectrum along the wind is flat below the length scale
-/// and falls with frequency to the power -5/3 above (Kolmogorov), over two decades. Standard deviations
-/// across the wind and upward are 0.8 and 0.5 of that along it (IEC 61400-1, Kaimal). One seed gives one
-/// wind. The whole follows the ground: what counts is the height of a place above it.
+/// Its spectrum along the wind is flat below the length scale and falls with frequency to the power -5/3
+/// above (Kolmogorov), over two decades. Standard deviations across the wind and upward are 0.8 and 0.5 of
+/// that along it (IEC 61400-1, Kaimal). One seed gives one wind. The whole follows the ground: what counts is
+/// the height of a place above it.
 class OSGTREEWIND_EXPORT GustWind final : public WindField {
 public:
     struct Parameters {
@@ -47,21 +41,13 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+    WindFieldPtr withoutGusts() const override;
 
 private:
-    static constexpr int octaves = 8;
-
-    struct Octave {
-        glm::dmat3 toCells; ///< From metres to cells of the noise.
-        glm::dvec3 offset;
-        float amplitude;
-    };
-
     explicit GustWind(const Parameters& parameters);
 
     Parameters _parameters;
-    std::array<Octave, octaves> _octaves;
-    std::vector<NoisePoint> _noise; ///< Mean 0 and variance 1 in each component.
+    std::shared_ptr<const GustNoise> _noise;
     glm::mat3 _axes; ///< Columns: along the wind, to its left, up; scaled by standard deviation.
 };
 

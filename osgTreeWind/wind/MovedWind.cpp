@@ -41,7 +41,8 @@ WindPlace MovedWind::inWorld(const WindPlace& place) const {
     const glm::dvec3 at(place.position);
     const glm::dvec3 position(_frameToWorld * glm::dvec4(at, 1.0));
     const glm::dvec3 rise(_frameToWorld[2] * static_cast<double>(place.height)); // from the foot
-    WindPlace moved{glm::vec3(position)};
+    WindPlace moved = place;
+    moved.position = glm::vec3(position);
     moved.height =
         static_cast<float>(_up == Up::OfTheWorld ? rise.z : std::copysign(glm::length(rise), place.height));
     return moved;
@@ -55,6 +56,11 @@ void MovedWind::sample(const WindPlace* places, std::size_t count, double time, 
     sampleElsewhere(
         *_world, places, count, time, out, [&](const WindPlace& place) { return inWorld(place); },
         [&](const glm::vec3& v, const WindPlace&) { return glm::vec3(_turnBack * glm::dvec3(v)); });
+}
+
+WindFieldPtr MovedWind::withoutGusts() const {
+    WindFieldPtr world = _world->withoutGusts();
+    return world ? std::make_shared<MovedWind>(std::move(world), _frameToWorld, _up) : nullptr;
 }
 
 } // namespace osgTreeWind

@@ -55,4 +55,9 @@ void RetimedWind::sample(const WindPlace* places, std::size_t count, double time
         _inner->sample(places, count, innerTime(0.0, time), out);
 }
 
+WindFieldPtr RetimedWind::withoutGusts() const {
+    WindFieldPtr inner = _inner->withoutGusts();
+    return inner ? std::make_shared<RetimedWind>(std::move(inner), _clock) : nullptr;
+}
+
 } // namespace osgTreeWind

@@ -28,6 +28,7 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+    WindFieldPtr withoutGusts() const override;
 
     const WindFieldPtr& inner() const { return _inner; } ///< Never null.
     const Clock& clock() const { return _clock; }

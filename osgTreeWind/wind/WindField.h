@@ -30,6 +30,9 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             out[i] = velocity(places[i], time);
     }
+
+    /// The same wind without turbulence that is made up and not known; null where it makes up none.
+    virtual std::shared_ptr<const WindField> withoutGusts() const { return nullptr; }
 };
 
 using WindFieldPtr = std::shared_ptr<const WindField>;

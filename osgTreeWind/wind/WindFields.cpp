@@ -68,6 +68,31 @@ const Fields& fieldsOf<LogProfile>() {
 }
 
 template <>
+const Fields& fieldsOf<WindCanopy>() {
+    using P = WindCanopy;
+    static const Fields fields = {
+        {"canopy",
+         at<&P::source>,
+         {},
+         "whether the wind is continued down into the trees: `\"none\"` takes it as it is, which is right "
+         "for one that knows of trees; `\"forest\"` has the forest's own trees shelter one another; "
+         "`\"given\"` puts each into a stand that goes on to all sides",
+         "",
+         {{"none", static_cast<int>(CanopySource::None)},
+          {"forest", static_cast<int>(CanopySource::Forest)},
+          {"given", static_cast<int>(CanopySource::Given)}}},
+        {"canopy_height", at<&P::height>, within(1, 150), "of a given stand", "m"},
+        {"canopy_frontal_area", at<&P::frontalArea>, within(0.01, 20),
+         "frontal area index of a given stand: half of the area of its leaves, and that of its wood seen "
+         "from the side, over the ground's"},
+        {"canopy_reference", at<&P::reference>, within(1, 1000),
+         "height above the ground at which the wind is given; at least the top of the trees", "m"},
+        {"canopy_seed", at<&P::seed>, {}, "one seed, one turbulence"},
+    };
+    return fields;
+}
+
+template <>
 const Fields& fieldsOf<RetimedWind::Clock>() {
     using P = RetimedWind::Clock;
     static const Fields fields = {

@@ -7,6 +7,7 @@
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/RetimedWind.h>
+#include <osgTreeWind/wind/WindCanopy.h>
 #include <osgTreeWind/wind/WindSeries.h>
 
 namespace osgTreeWind {
@@ -28,6 +29,8 @@ template <>
 const Fields& fieldsOf<WindSeries>();
 template <>
 const Fields& fieldsOf<LogProfile>();
+template <>
+const Fields& fieldsOf<WindCanopy>();
 /// But for the plane.
 template <>
 const Fields& fieldsOf<RetimedWind::Clock>();

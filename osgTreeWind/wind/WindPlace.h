@@ -8,7 +8,8 @@ namespace osgTreeWind {
 /// Where wind is asked for: a position, and how far above the ground that is. Metres.
 struct WindPlace {
     glm::vec3 position{0.0f};
-    float height = 0.0f; ///< Above the ground below it.
+    float height = 0.0f;  ///< Above the ground below it.
+    bool inCrown = false; ///< Between the leaves of a tree: a stand shelters them from the air around it.
 
     WindPlace() = default;
     /// @param ground z of the ground below it.

@@ -317,6 +317,10 @@ const BadInput badInputs[] = {
     // [wind]
     {"WindKindless", head + tree + "@[wind]\nspeed = 3.0\n", "wind.kind", "missing"},
     {"WindKindUnknown", wind("kind = @\"gale\"\nspeed = 3.0\n"), "wind.kind", "\"calm\", \"uniform\""},
+    {"WindCanopyUnknown", wind("kind = \"calm\"\ncanopy = @\"dense\"\n"), "wind.canopy",
+     "\"none\", \"forest\" or \"given\""},
+    {"WindCanopyBare", wind("kind = \"calm\"\ncanopy_frontal_area = @0\n"), "wind.canopy_frontal_area",
+     "0.01"},
     {"WindNothing", head + tree + "@[wind]\nkind = \"uniform\"\n", "wind", "either velocity, or speed"},
     {"WindDirectionless", wind("kind = \"uniform\"\nspeed = @3.0\n"), "wind.speed", "direction_from"},
     {"WindBothDirections",

@@ -172,6 +172,7 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     std::vector<std::string> rows;
     addRows<GustWind::Parameters>(rows, "wind");
     addRows<RetimedWind::Clock>(rows, "wind");
+    addRows<WindCanopy>(rows, "wind");
     const ForestDescription forest;
     addRows(rows, fieldsOfFile(), {{"", &forest}});
     addRows<ForestDescription>(rows, "motion");

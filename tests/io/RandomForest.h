@@ -41,6 +41,7 @@ public:
         for (int i = 0, count = whole(0, 4); i < count; ++i)
             forest.trees.push_back(tree(forest, i));
         forest.wind = wind();
+        fill(forest.windCanopy);
         forest.windFrame = static_cast<WindFrame>(whole(0, 2));
         if (forest.wind && maybe(0.3))
             forest.wind = std::make_shared<RetimedWind>(

@@ -94,6 +94,7 @@ std::string differenceOf(const ForestDescription& a, const ForestDescription& b)
     found.wind(a.wind, b.wind);
     if (a.wind)
         found.compare("wind.frame", a.windFrame, b.windFrame);
+    found.fields("wind", a.windCanopy, b.windCanopy);
     found.compare("species", a.species.size(), b.species.size());
     found.compare("trees", a.trees.size(), b.trees.size());
     if (!found.keys.empty())

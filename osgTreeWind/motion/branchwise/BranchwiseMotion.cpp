@@ -45,9 +45,11 @@ void BranchwiseMotion::addBranches(const PlacedTree& tree) {
     const TreeModel& model = _forest.modelOf(tree);
     const Species& species = _forest.speciesOf(tree);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
-    for (const BranchUnit& unit : model.skeleton.units)
+    for (const BranchUnit& unit : model.skeleton.units) {
         _windPlaces.emplace_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine),
                                  tree.position.z);
+        _windPlaces.back().inCrown = true;
+    }
     if (damped()) {
         for (const Laws::DampedBranch& branch : makeDampedBranches(model, tree.scale, species, tree.leaves)) {
             _windPlaces[_dampedBranches.size()].position.z = tree.position.z + branch.windHeight;

@@ -104,6 +104,7 @@ void ModalMotion::addPlaces(const Work& work, std::vector<WindPlace>& places) co
             places.emplace_back(place.foot +
                                     glm::vec3(cosine * at.x - sine * at.y, sine * at.x + cosine * at.y, at.z),
                                 place.foot.z);
+            places.back().inCrown = true;
         }
     }
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/species/Species.h>
+#include <osgTreeWind/wind/CanopyMap.h>
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// What one tree is to the stand around it.
+struct StandTree {
+    static constexpr std::size_t layers = 8;
+
+    glm::vec2 place{0.0f};            ///< Metres.
+    float height = 0.0f;              ///< Metres.
+    float frontalArea = 0.0f;         ///< Half of its leaf area, and its wood seen from the side, m^2.
+    std::array<float, layers> drag{}; ///< Half CdA by eighths of its height, m^2.
+    float streamlining = 0.0f;        ///< Exponent of all of its drag, up to
+    float streamlinedTo = 25.0f;      ///< m/s.
+
+    StandTree() = default;
+    StandTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
+              const glm::vec2& at);
+};
+
+/// The stands that these trees make around each other.
+///
+/// A stand takes no more momentum out of the air than flows down into it: where crowns would, they shelter
+/// each other until the mean drag of the trees on the ground that is theirs is rho u*^2. That is solved at
+/// each wind, since crowns streamline.
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees);
+
+/// One stand that goes on to all sides, of trees like these. @param height of it, metres.
+/// @param frontalArea its index: m^2 over m^2 of ground.
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, float height,
+                                          float frontalArea);
+
+} // namespace osgTreeWind

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/sway/StormTree.h>
+
+#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/motion/laws/UnitPose.h>
+#include <osgTreeWind/wind/CanopyWind.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double longestStep = 0.1; // seconds from one sample of the wind to the next
+constexpr double pi = 3.141592653589793;
+
+ForestDescription forestOf(const Species& species, const TreePlacement& tree) {
+    ForestDescription forest;
+    forest.species = {species};
+    forest.trees = {tree};
+    forest.trees[0].species = 0;
+    forest.trees[0].position = glm::dvec3(0.0);
+    forest.trees[0].heading = 0.0f;
+    return forest;
+}
+
+ModalTree swaying(const PlacedForest& forest) {
+    const PlacedTree& tree = forest.trees.front();
+    return {{&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves}, glm::vec3(0.0f), 0.0f};
+}
+
+StandTree standTree(const PlacedForest& forest) {
+    const PlacedTree& tree = forest.trees.front();
+    return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
+}
+
+/// Open country of short grass, z0 3 cm (Wieringa 1993), where the deviation along the wind is 2.4 u*
+/// (Panofsky and Dutton 1984).
+WindFieldPtr windInTheOpen(double height, const Storm& storm) {
+    GustWind::Parameters gusts;
+    gusts.profile = LogProfile{height, 0.03};
+    gusts.mean = glm::vec3(storm.speed, 0.0f, 0.0f);
+    gusts.intensity = std::min(2.4 * 0.4 / std::log(height / gusts.profile->roughness), 1.0);
+    gusts.seed = storm.seed;
+    return GustWind::create(gusts).value();
+}
+
+WindFieldPtr windInTheStand(const StandTree& tree, const Storm& storm) {
+    const auto spacing = static_cast<float>(storm.spacing);
+    return std::make_shared<CanopyWind>(
+        std::make_shared<UniformWind>(glm::vec3(storm.speed, 0.0f, 0.0f)),
+        *canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing)), tree.height, storm.seed);
+}
+
+WindFieldPtr windOf(const PlacedForest& forest, const Storm& storm) {
+    const StandTree tree = standTree(forest);
+    return storm.spacing > 0.0 ? windInTheStand(tree, storm)
+                               : windInTheOpen(std::max(static_cast<double>(tree.height), 0.1), storm);
+}
+
+} // namespace
+
+StormTree::StormTree(const Species& species, const TreePlacement& given, const Storm& storm)
+    : _forest(forestOf(species, given)), _motion({swaying(_forest)}, 1.0f, {}, true),
+      _wind(windOf(_forest, storm)) {
+    const PlacedTree& tree = _forest.trees.front();
+    const TreeModel& model = _forest.modelOf(tree);
+    const std::vector<UnitLoad> loads = makeUnitLoads(model, tree.scale, species, tree.leaves);
+    const std::vector<BranchUnit>& units = model.skeleton.units;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (units[i].level == 0) {
+            _top = i;
+            if (units[i].base.z <= 0.5f * model.skeleton.height())
+                _middle = i;
+        }
+    _stiffness = static_cast<double>(loads.front().stiffness);
+    const double diameter = breastDiameter(model, tree.scale);
+    _strain = 32.0 / (pi * static_cast<double>(loads.front().modulus) * diameter * diameter * diameter);
+    _motion.meet(_wind.get(), 0.0);
+}
+
+StormMoment StormTree::advance(double time) {
+    const double from = _time;
+    const int steps = std::max(static_cast<int>(std::ceil((time - from) / longestStep - 1e-6)), 1);
+    for (int i = 1; i <= steps; ++i) {
+        const double next = from + (time - from) * i / steps;
+        _motion.step(_wind.get(), next, static_cast<float>(next - _time));
+        _time = next;
+    }
+    const PlacedTree& tree = _forest.trees.front();
+    const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
+    const std::size_t count = skeleton.units.size();
+    std::vector<glm::vec2> angles(count);
+    std::vector<glm::quat> rotations(count);
+    std::vector<UnitPose> poses(count);
+    _motion.angles(0, angles.data());
+    swingPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
+    const auto turned = [&](std::size_t unit) {
+        const glm::vec3 up(0.0f, 0.0f, 1.0f);
+        return glm::vec2(poses[unit].rotation * up - up);
+    };
+    StormMoment now;
+    const glm::dvec2 foot(turned(0));
+    const double sine = std::min(glm::length(foot), 1.0);
+    now.moment = foot * (_stiffness * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
+    now.strain = now.moment * _strain;
+    now.tilt = turned(_middle);
+    const glm::vec3 top = tree.scale.axes * skeleton.units[_top].tip;
+    now.tip = glm::vec2(poses[_top].apply(top) - top);
+    now.wind = glm::vec2(_wind->velocity(WindPlace(0.0f, 0.0f, tree.scale.axes.z * skeleton.height()), time));
+    return now;
+}
+
+double frontalAreaOf(const Species& species, const TreePlacement& tree) {
+    return static_cast<double>(standTree(PlacedForest(forestOf(species, tree))).frontalArea);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/CanopyWind.h>
+
+#include <osgTreeWind/wind/FiniteVelocity.h>
+#include <osgTreeWind/wind/SwingingWind.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace osgTreeWind {
+
+/// What of a wind is level: toward east in a calm.
+struct CanopyWind::LevelWind {
+    float speed = 0.0f;
+    glm::vec3 along{1.0f, 0.0f, 0.0f};
+
+    LevelWind() = default;
+    explicit LevelWind(const glm::vec3& wind) : speed(std::sqrt(wind.x * wind.x + wind.y * wind.y)) {
+        if (speed > 1e-6f)
+            along = glm::vec3(wind.x / speed, wind.y / speed, 0.0f);
+    }
+};
+
+namespace {
+
+/// Gusts travel faster than the air around the trees does (Raupach, Finnigan and Brunet 1996), for h / U(h)
+/// at one place (the same: an integral length of h, as the mean wind counts it).
+constexpr float pace = 1.8f;
+/// Integral length along the wind over that across it and upward, as of isotropic turbulence (Batchelor
+/// 1953).
+constexpr double slenderness = 2.0;
+/// Down to a thirtieth of the largest gusts, which is less than a tree notices.
+constexpr std::size_t octaves = 6;
+/// Correlation of the wind along and upward: -u*^2 over both deviations at the top.
+constexpr float sweep = 1.0f / (2.0f * 1.1f);
+
+WindPlace raisedTo(const WindPlace& place, float height) {
+    WindPlace raised = place;
+    raised.position.z += height - place.height;
+    raised.height = height;
+    return raised;
+}
+
+std::shared_ptr<const CanopyMap> referredTo(float reference, const CanopyMap& map) {
+    auto referred = std::make_shared<CanopyMap>(map);
+    referred->refer(reference);
+    return referred;
+}
+
+WindFieldPtr meanOf(const WindFieldPtr& wind) {
+    WindFieldPtr mean = wind->withoutGusts();
+    return mean ? mean : wind;
+}
+
+/// The wind as it mostly is: over an hour.
+glm::vec3 usualWind(const WindField& wind, float reference) {
+    constexpr int samples = 60;
+    glm::vec3 sum(0.0f);
+    for (int i = 0; i < samples; ++i)
+        sum += calmUnlessFinite(wind.velocity(WindPlace(0.0f, 0.0f, reference), 60.0 * i));
+    return glm::vec3(sum.x, sum.y, 0.0f) / static_cast<float>(samples);
+}
+
+/// Across the wind and upward gusts are shorter.
+glm::dmat3 stretchAlong(const glm::dvec3& along) {
+    return glm::dmat3(slenderness) - (slenderness - 1.0) * glm::outerProduct(along, along);
+}
+
+/// Nearly Gaussian noise of mean 0 and variance 1 made skewed: that of a gamma distribution (Wilson and
+/// Hilferty 1931), with the same mean and variance.
+float skewed(float noise, float skewness) {
+    const float s = std::max(skewness, 0.01f), root = 1.0f - s * s / 36.0f + s / 6.0f * noise;
+    return (root * root * root - 1.0f) * 2.0f / s;
+}
+
+} // namespace
+
+CanopyWind::CanopyWind(WindFieldPtr open, const CanopyMap& map, float reference, std::uint32_t seed)
+    : _open(std::move(open)), _mean(meanOf(_open)), _map(referredTo(reference, map)),
+      _pace(usualWind(*_mean, _map->reference) * (pace * _map->usual.top)),
+      _noise(seed, static_cast<double>(pace * std::max(_map->usual.profile.height, 1.0f)),
+             stretchAlong(LevelWind(_pace).along), octaves) {}
+
+glm::vec3 CanopyWind::velocity(const WindPlace& place, double time) const {
+    glm::vec3 result;
+    sample(&place, 1, time, &result);
+    return result;
+}
+
+/// @param given the wind at the reference.
+glm::vec3 CanopyWind::among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
+                            const NoisePoint& noise) const {
+    const CanopyProfile& profile = stand.profile;
+    const float z = place.height, skewness = profile.skewness(z);
+    const WindSpread spread = profile.spread(z);
+    const SwingingWind wind(profile.mean(z), spread, skewness);
+    const float speed = wind.mean + wind.deviation * skewed(noise.values[0], wind.skewness);
+    const float angle = wind.swing() * noise.values[1];
+    const float down =
+        skewed(sweep * noise.values[0] + std::sqrt(1.0f - sweep * sweep) * noise.values[2], skewness);
+    float factor = given.speed * stand.top;
+    if (place.inCrown) { // to half a height above, where no crown shelters another
+        const float free = std::clamp(2.0f * (z / profile.height - 1.0f), 0.0f, 1.0f);
+        factor *= stand.shelter + (1.0f - stand.shelter) * free;
+    }
+    const glm::vec3 left(-given.along.y, given.along.x, 0.0f);
+    return factor * (speed * (std::cos(angle) * given.along + std::sin(angle) * left) -
+                     glm::vec3(0.0f, 0.0f, spread.up * down));
+}
+
+void CanopyWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    const GustNoise::At noise =
+        _noise.at(glm::dvec3(_pace) * (std::isfinite(time) ? glm::clamp(time, -1e12, 1e12) : 0.0));
+    constexpr std::size_t block = GustNoise::block;
+    WindPlace raised[block], canopied[block];
+    glm::vec3 given[block];
+    LevelWind level[block];
+    CanopyAt stands[block];
+    NoisePoint turbulence[block];
+    for (std::size_t first = 0; first < count; first += block) {
+        const std::size_t size = std::min(count - first, block);
+        for (std::size_t n = 0; n < size; ++n)
+            raised[n] = raisedTo(places[first + n], _map->reference);
+        _mean->sample(raised, size, time, given);
+        std::size_t among[block], amongCount = 0;
+        bool open = false;
+        for (std::size_t n = 0; n < size; ++n) {
+            level[n] = LevelWind(given[n]);
+            const glm::vec3 from = places[first + n].position - _map->fetch * level[n].along;
+            stands[n] = _map->at(glm::vec2(from), _map->usual.top * level[n].speed);
+            open |= stands[n].closure < 1.0f;
+            if (stands[n].closure > 0.0f) {
+                canopied[amongCount] = places[first + n];
+                among[amongCount++] = n;
+            }
+        }
+        if (open)
+            _open->sample(places + first, size, time, out + first);
+        noise.sample(canopied, amongCount, turbulence);
+        for (std::size_t i = 0; i < amongCount; ++i) {
+            const std::size_t n = among[i];
+            const glm::vec3 v = this->among(stands[n], places[first + n], level[n], turbulence[i]);
+            const float closure = stands[n].closure;
+            out[first + n] = closure < 1.0f ? glm::mix(out[first + n], v, closure) : v;
+        }
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/CanopyMap.h>
+#include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/WindField.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace osgTreeWind {
+
+/// A wind that does not know of the trees, continued down among them.
+///
+/// At `reference` above the ground it is the mean of a canopy's wind, which is scaled from there as the
+/// stand's profile says. Turbulence is the canopy's own: about as long as trees are high, carried along at
+/// 1.8 times the mean at their tops (Raupach, Finnigan and Brunet 1996), with sweeps, rare and strong, that
+/// come from above and swing in direction. Toward open country the given wind takes over with its own gusts.
+/// A function of place and time, finite for finite arguments.
+class CanopyWind final : public WindField {
+public:
+    /// @param open not null. @param reference metres above the ground, at least the highest canopy's top.
+    CanopyWind(WindFieldPtr open, const CanopyMap& map, float reference, std::uint32_t seed);
+
+    glm::vec3 velocity(const WindPlace& place, double time) const override;
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+
+private:
+    struct LevelWind;
+    glm::vec3 among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
+                    const NoisePoint& noise) const;
+
+    WindFieldPtr _open, _mean; ///< As given, and without the gusts that it makes up.
+    std::shared_ptr<const CanopyMap> _map;
+    glm::vec3 _pace; ///< Of gusts, m/s.
+    GustNoise _noise;
+};
+
+} // namespace osgTreeWind

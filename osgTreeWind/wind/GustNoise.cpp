@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/GustNoise.h>
+
+#include <osgTreeWind/model/Random.h>
+
+#include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr int side = 32;         // of the lattice, a power of two
+constexpr int stride = side + 1; // with its first points again at the end, so that every cell has all corners
+constexpr std::size_t block = GustNoise::block;
+constexpr float farthest = 1e7f;
+constexpr double octaveRatio = 2.03; // not a fraction of small numbers
+/// Mean variance of noise between two lattice points, under smoothstep.
+constexpr double smoothVariance = 26.0 / 35.0;
+
+std::vector<NoisePoint> latticeNoise(Random& random) {
+    std::vector<NoisePoint> noise(side * side * side), padded;
+    for (int component = 0; component < 3; ++component) {
+        double sum = 0.0, squares = 0.0;
+        for (NoisePoint& point : noise) {
+            point.values[component] = random.symmetric();
+            sum += point.values[component];
+            squares += static_cast<double>(point.values[component]) * point.values[component];
+        }
+        const double count = static_cast<double>(noise.size()), mean = sum / count;
+        const double deviation = std::sqrt(squares / count - mean * mean);
+        for (NoisePoint& point : noise)
+            point.values[component] = static_cast<float>((point.values[component] - mean) / deviation);
+    }
+    for (int z = 0; z < stride; ++z)
+        for (int y = 0; y < stride; ++y)
+            for (int x = 0; x < stride; ++x)
+                padded.push_back(
+                    noise[static_cast<std::size_t>(((z % side) * side + y % side) * side + x % side)]);
+    return padded;
+}
+
+/// A uniformly random rotation (Shoemake).
+glm::dmat3 randomRotation(Random& random) {
+    constexpr double turn = 6.283185307179586;
+    const double share = random.uniform(), a = turn * random.uniform(), b = turn * random.uniform();
+    const double low = std::sqrt(1.0 - share), high = std::sqrt(share);
+    return glm::mat3_cast(
+        glm::dquat(high * std::cos(b), low * std::sin(a), low * std::cos(a), high * std::sin(b)));
+}
+
+NoisePoint lerp(const NoisePoint& low, const NoisePoint& high, float share) {
+    NoisePoint result;
+    for (int i = 0; i < 4; ++i)
+        result.values[i] = low.values[i] + (high.values[i] - low.values[i]) * share;
+    return result;
+}
+
+/// A block of places, east, north and above the ground, number by number so that the processor does four at
+/// once.
+struct Positions {
+    float axis[3][block];
+};
+
+/// The same in the cells of one octave.
+struct Cells {
+    int corner[3][block];  ///< Of the cell, within the lattice.
+    float share[3][block]; ///< Of the far corner, smoothed.
+};
+
+/// One axis of the cells.
+void locate(const Positions& near, std::size_t count, const glm::vec4& toCells, int* corner, float* share) {
+    const float *x = near.axis[0], *y = near.axis[1], *z = near.axis[2];
+    const float a = toCells.x, b = toCells.y, c = toCells.z, offset = toCells.w;
+    for (std::size_t n = 0; n < count; ++n) {
+        const float place = a * x[n] + b * y[n] + c * z[n] + offset;
+        const int towardZero = static_cast<int>(place);
+        const int cell = towardZero - (place < static_cast<float>(towardZero) ? 1 : 0);
+        const float t = place - static_cast<float>(cell);
+        corner[n] = cell & (side - 1);
+        share[n] = t * t * (3.0f - 2.0f * t);
+    }
+}
+
+/// Adds the noise at these places, times a factor.
+void addNoise(const NoisePoint* noise, const Cells& cells, std::size_t count, float factor,
+              NoisePoint* sums) {
+    for (std::size_t n = 0; n < count; ++n) {
+        const NoisePoint* corner =
+            noise + (cells.corner[2][n] * stride + cells.corner[1][n]) * stride + cells.corner[0][n];
+        const float x = cells.share[0][n], y = cells.share[1][n], z = cells.share[2][n];
+        constexpr int north = stride, up = stride * stride;
+        const NoisePoint low =
+            lerp(lerp(corner[0], corner[1], x), lerp(corner[north], corner[north + 1], x), y);
+        const NoisePoint high =
+            lerp(lerp(corner[up], corner[up + 1], x), lerp(corner[up + north], corner[up + north + 1], x), y);
+        const NoisePoint all = lerp(low, high, z);
+        for (int i = 0; i < 4; ++i)
+            sums[n].values[i] += factor * all.values[i];
+    }
+}
+
+float held(float x) {
+    return x >= -farthest ? std::min(x, farthest) : x < 0.0f ? -farthest : 0.0f;
+}
+
+} // namespace
+
+GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch, std::size_t octaves) {
+    Random random(seed);
+    _noise = latticeNoise(random);
+
+    // Variance falls with the cell to the power 2/3. An octave's own length scale is cell / (2
+    // smoothVariance).
+    double variance = 0.0, lengths = 0.0;
+    for (int i = 0; i < static_cast<int>(octaves); ++i) {
+        variance += std::pow(octaveRatio, -2.0 / 3.0 * i);
+        lengths += std::pow(octaveRatio, -5.0 / 3.0 * i);
+    }
+    const double largest = lengthScale * 2.0 * smoothVariance * variance / lengths;
+    for (int i = 0; i < static_cast<int>(octaves); ++i) {
+        Octave& octave = _octaves.emplace_back();
+        octave.toCells = randomRotation(random) * (std::pow(octaveRatio, i) / largest) * stretch;
+        octave.offset = {side * random.uniform(), side * random.uniform(), side * random.uniform()};
+        octave.amplitude = static_cast<float>(std::pow(octaveRatio, -1.0 / 3.0 * i) /
+                                              std::sqrt(variance * std::pow(smoothVariance, 3)));
+    }
+}
+
+GustNoise::At GustNoise::at(const glm::dvec3& travelled) const {
+    return At(*this, travelled);
+}
+
+GustNoise::At::At(const GustNoise& noise, const glm::dvec3& travelled) : _noise(noise) {
+    for (std::size_t i = 0; i < noise._octaves.size(); ++i) {
+        const Octave& octave = noise._octaves[i];
+        const glm::dvec3 start = octave.offset - octave.toCells * travelled;
+        const glm::dvec3 offset = start - glm::floor(start / double(side)) * double(side);
+        const glm::dmat3 axes = glm::transpose(octave.toCells);
+        for (int axis = 0; axis < 3; ++axis)
+            _frames[i].toCells[axis] = glm::vec4(axes[axis], offset[axis]);
+        _frames[i].amplitude = octave.amplitude;
+    }
+}
+
+void GustNoise::At::sample(const WindPlace* places, std::size_t count, NoisePoint* out) const {
+    Positions near = {};
+    Cells cells;
+    for (std::size_t n = 0; n < count; ++n) {
+        near.axis[0][n] = held(places[n].position.x);
+        near.axis[1][n] = held(places[n].position.y);
+        near.axis[2][n] = held(places[n].height);
+        out[n] = {};
+    }
+    for (std::size_t i = 0; i < _noise._octaves.size(); ++i) {
+        const Frame& frame = _frames[i];
+        for (int axis = 0; axis < 3; ++axis)
+            locate(near, count, frame.toCells[axis], cells.corner[axis], cells.share[axis]);
+        addNoise(_noise._noise.data(), cells, count, frame.amplitude, out);
+    }
+}
+
+} // namespace osgTreeWind

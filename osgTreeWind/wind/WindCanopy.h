@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace osgTreeWind {
+
+/// Whether a wind knows of the trees in it.
+enum class CanopySource {
+    None,   ///< It is taken as it is: it knows, or trees stand as if alone.
+    Forest, ///< It does not, and is continued into stands as the forest's own trees make them.
+    Given,  ///< It does not, and is continued into one stand that goes on to all sides.
+};
+
+/// The stand into which a wind from above is continued (CanopyWind).
+struct WindCanopy {
+    CanopySource source = CanopySource::None;
+    double height = 20.0; ///< Of a given stand, metres.
+    double frontalArea =
+        2.0; ///< Of a given stand: half of its leaf area, and wood from the side, over the ground's.
+    /// Metres above the ground where the wind is that of open country still. 60 is where roughness below is
+    /// blended (Wieringa 1986); at least the canopy's top counts.
+    double reference = 60.0;
+    std::uint32_t seed = 1; ///< Of the turbulence.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/wind/SwingingWind.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace osgTreeWind;
+
+namespace {
+
+StandTree treeAt(float x, float y) {
+    StandTree tree;
+    tree.place = {x, y};
+    tree.height = 20.0f;
+    tree.frontalArea = 40.0f;
+    tree.drag.fill(1.5f);
+    tree.streamlining = 0.5f;
+    return tree;
+}
+
+/// 240 m by 240 m, a tree every four metres, with its middle at 0.
+std::vector<StandTree> plantation(float spacing = 4.0f) {
+    std::vector<StandTree> trees;
+    for (float x = -120.0f; x <= 120.0f; x += spacing)
+        for (float y = -120.0f; y <= 120.0f; y += spacing)
+            trees.push_back(treeAt(x, y));
+    return trees;
+}
+
+/// rho u*^2 over the air's density, and what the trees of a square metre take with that shelter.
+double balance(const CanopyAt& stand, float speed, double trees) {
+    double taken = 0.0, pressure = 0.0;
+    for (std::size_t i = 0; i < StandTree::layers; ++i) {
+        const float z = 20.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(StandTree::layers);
+        const SwingingWind wind(stand.profile.mean(z), stand.profile.spread(z), stand.profile.skewness(z));
+        pressure += static_cast<double>(wind.push()) / static_cast<double>(StandTree::layers);
+    }
+    const double felt = static_cast<double>(stand.shelter * speed);
+    const double typical = felt * std::sqrt(pressure); // crowns streamline by it from 10 m/s on, u^-0.5
+    const double left = std::pow(std::clamp(typical, 10.0, 25.0) / 10.0, -0.5);
+    taken = trees * 1.5 * static_cast<double>(StandTree::layers) * pressure * felt * felt * left;
+    const double friction = static_cast<double>(stand.profile.friction * speed);
+    return taken / (friction * friction);
+}
+
+TEST(CanopyOfTrees, AClosedStandTakesTheMomentumThatFlowsIntoIt) {
+    const auto map = canopyOf(plantation());
+    for (const float speed : {4.0f, 8.0f, 16.0f, 24.0f, 40.0f}) {
+        const CanopyAt stand = map->at({0.0f, 0.0f}, speed);
+        EXPECT_EQ(stand.closure, 1.0f);
+        EXPECT_LT(stand.shelter, 1.0f);
+        EXPECT_NEAR(balance(stand, speed, 1.0 / 16.0), 1.0, 0.05) << speed;
+    }
+    EXPECT_GT(map->at({0.0f, 0.0f}, 40.0f).shelter, map->at({0.0f, 0.0f}, 8.0f).shelter)
+        << "as crowns streamline the wind goes deeper";
+}
+
+TEST(CanopyOfTrees, KnowsTheFrontalAreaAndHeightOfTheStand) {
+    const CanopyAt stand = canopyOf(plantation())->at({0.0f, 0.0f}, 5.0f);
+    const CanopyProfile wanted = CanopyProfile::over(20.0f, 40.0f / 16.0f);
+    EXPECT_NEAR(stand.profile.height, 20.0f, 1e-3f);
+    EXPECT_NEAR(stand.profile.attenuation / wanted.attenuation, 1.0f, 0.03f);
+}
+
+TEST(CanopyOfTrees, ATreeAloneHasTheWindOfTheOpen) {
+    const auto map = canopyOf({treeAt(0.0f, 0.0f)});
+    for (float angle = 0.0f; angle < 6.3f; angle += 0.1f) {
+        const glm::vec2 upwind = map->fetch * glm::vec2(std::cos(angle), std::sin(angle));
+        EXPECT_LT(map->at(upwind, 5.0f).closure, 0.01f) << angle;
+    }
+}
+
+TEST(CanopyOfTrees, AGapIsOpenAndAnEdgeHalfSo) {
+    std::vector<StandTree> trees;
+    for (const StandTree& tree : plantation())
+        if (tree.place.x < -60.0f || tree.place.x > 60.0f)
+            trees.push_back(tree);
+    const auto map = canopyOf(trees);
+    EXPECT_EQ(map->at({0.0f, 0.0f}, 5.0f).closure, 0.0f);
+    EXPECT_EQ(map->at({-100.0f, 0.0f}, 5.0f).closure, 1.0f);
+    EXPECT_LT(map->at({-60.0f, 0.0f}, 5.0f).profile.attenuation,
+              map->at({-90.0f, 0.0f}, 5.0f).profile.attenuation);
+}
+
+TEST(CanopyOfTrees, AThinStandSheltersLess) {
+    EXPECT_GT(canopyOf(plantation(12.0f))->at({0.0f, 0.0f}, 8.0f).shelter,
+              1.5f * canopyOf(plantation(4.0f))->at({0.0f, 0.0f}, 8.0f).shelter);
+}
+
+TEST(CanopyOfTrees, NoTreesAreOpenCountryAndFarTreesFitIntoMemory) {
+    EXPECT_EQ(canopyOf({})->at({0.0f, 0.0f}, 5.0f).closure, 0.0f);
+    const auto map = canopyOf({treeAt(-1e5f, -1e5f), treeAt(1e5f, 1e5f)});
+    EXPECT_LE(map->cells.size(), std::size_t(1) << 20);
+}
+
+TEST(CanopyOfTrees, AGivenStandGoesOnToAllSides) {
+    const auto map = canopyOf({treeAt(0.0f, 0.0f)}, 20.0f, 2.5f);
+    const CanopyAt here = map->at({0.0f, 0.0f}, 8.0f), there = map->at({1e6f, -1e6f}, 8.0f);
+    EXPECT_EQ(here.shelter, there.shelter);
+    EXPECT_NEAR(here.shelter, canopyOf(plantation())->at({0.0f, 0.0f}, 8.0f).shelter, 0.01f);
+}
+
+} // namespace

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <tests/motion/OneTree.h>
+
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/wind/GustWind.h>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+TreePlacement spruceAt(double x, double y) {
+    TreePlacement tree;
+    tree.position = {x, y, 0.0};
+    tree.size.height = 20.0f;
+    tree.size.trunkDiameter = 0.24f;
+    return tree;
+}
+
+/// Spruces every four metres, the first one in their middle.
+ForestDescription stand(CanopySource source, double reach = 100.0) {
+    ForestDescription forest;
+    forest.species = {*findSpecies("Sitka spruce")};
+    forest.trees.push_back(spruceAt(0.0, 0.0));
+    for (double x = -reach; x <= reach; x += 4.0)
+        for (double y = -reach; y <= reach; y += 4.0)
+            if (x != 0.0 || y != 0.0)
+                forest.trees.push_back(spruceAt(x, y));
+    GustWind::Parameters gusts;
+    gusts.mean = {12.0f, 0.0f, 0.0f};
+    gusts.profile = LogProfile{20.0, 0.05};
+    forest.wind = GustWind::create(gusts).value();
+    forest.windCanopy.source = source;
+    return forest;
+}
+
+/// Of the first tree over half a minute.
+float meanLean(ForestSimulation& simulation) {
+    float sum = 0.0f;
+    for (int i = 0; i <= 400; ++i) {
+        simulation.advance(0.1 * i);
+        sum += i > 100 ? simulation.modal()->lean(0).x / 300.0f : 0.0f;
+    }
+    return sum;
+}
+
+TEST(WindAmongTrees, AStandSheltersATreeInIt) {
+    ForestSimulation sheltered(stand(CanopySource::Forest)), open(stand(CanopySource::None));
+    const float among = meanLean(sheltered);
+    EXPECT_GT(among, 0.0f);
+    EXPECT_LT(among, 0.5f * meanLean(open));
+}
+
+TEST(WindAmongTrees, ATreeAloneHasTheWindAsItIsGiven) {
+    ForestSimulation alone(stand(CanopySource::Forest, 0.0)), open(stand(CanopySource::None, 0.0));
+    EXPECT_NEAR(meanLean(alone) / meanLean(open), 1.0f, 0.02f);
+}
+
+TEST(WindAmongTrees, TreesThatGoLeaveTheOthersToTheWind) {
+    ForestSimulation felled(stand(CanopySource::Forest)), alone(stand(CanopySource::Forest, 0.0));
+    felled.advance(0.0);
+    for (std::size_t slot = 1; slot < felled.trees().size(); ++slot)
+        ASSERT_TRUE(felled.removeTree(felled.idOf(slot)).empty());
+    felled.reset();
+    EXPECT_NEAR(meanLean(felled) / meanLean(alone), 1.0f, 1e-3f);
+}
+
+TEST(WindAmongTrees, TreesThatComeShelterTheOthers) {
+    ForestSimulation grown(stand(CanopySource::Forest, 0.0)), sheltered(stand(CanopySource::Forest));
+    grown.advance(0.0);
+    for (const TreePlacement& tree : stand(CanopySource::Forest).trees)
+        if (tree.position != glm::dvec3(0.0)) {
+            ASSERT_TRUE(grown.addTree(tree));
+        }
+    grown.reset();
+    EXPECT_NEAR(meanLean(grown) / meanLean(sheltered), 1.0f, 1e-3f);
+}
+
+TEST(WindAmongTrees, AGivenStandSheltersASingleTree) {
+    ForestSimulation given(stand(CanopySource::Given, 0.0)), open(stand(CanopySource::None, 0.0));
+    EXPECT_LT(meanLean(given), 0.5f * meanLean(open));
+}
+
+} // namespace

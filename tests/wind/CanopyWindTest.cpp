@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/CanopyWind.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr float height = 20.0f, shelter = 0.5f;
+
+std::shared_ptr<const CanopyMap> stand(float frontalArea = 2.0f) {
+    auto map = std::make_shared<CanopyMap>();
+    map->usual.closure = closureOf(frontalArea);
+    map->usual.profile = CanopyProfile::over(height, frontalArea);
+    map->usual.shelter.fill(shelter);
+    map->everywhere = true;
+    return map;
+}
+
+CanopyWind windOf(float speed, std::uint32_t seed = 1) {
+    return CanopyWind(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)), *stand(), height, seed);
+}
+
+/// Of hours at one height, at places far apart.
+struct Statistics {
+    double count = 0.0, mean = 0.0, along = 0.0, across = 0.0, up = 0.0, third = 0.0, stress = 0.0,
+           thirdUp = 0.0;
+
+    Statistics(const WindField& wind, float z) {
+        std::vector<glm::dvec3> winds;
+        for (int i = 0; i < 200; ++i)
+            for (int t = 0; t < 500; ++t) {
+                winds.emplace_back(
+                    wind.velocity(WindPlace(0.0f, 977.0f * static_cast<float>(i), z), 7.3 * t));
+                mean += winds.back().x;
+                ++count;
+            }
+        mean /= count;
+        for (const glm::dvec3& v : winds) {
+            const double u = v.x - mean;
+            along += u * u / count;
+            across += v.y * v.y / count;
+            up += v.z * v.z / count;
+            third += u * u * u / count;
+            thirdUp += v.z * v.z * v.z / count;
+            stress += u * v.z / count;
+        }
+    }
+    double skewness() const { return third / std::pow(along, 1.5); }
+};
+
+TEST(CanopyWind, HasTheMeanSpreadAndSkewnessOfItsProfile) {
+    const CanopyWind wind = windOf(10.0f);
+    const CanopyProfile profile = CanopyProfile::over(height, 2.0f);
+    for (const float z : {20.0f, 15.0f, 10.0f, 30.0f}) {
+        const Statistics found(wind, z);
+        const WindSpread spread = profile.spread(z);
+        EXPECT_NEAR(found.mean / static_cast<double>(10.0f * profile.mean(z)), 1.0, 0.03) << z;
+        EXPECT_NEAR(std::sqrt(found.along) / static_cast<double>(10.0f * spread.along), 1.0, 0.1) << z;
+        EXPECT_NEAR(std::sqrt(found.across) / static_cast<double>(10.0f * spread.across), 1.0, 0.1) << z;
+        EXPECT_NEAR(std::sqrt(found.up) / static_cast<double>(10.0f * spread.up), 1.0, 0.1) << z;
+        EXPECT_NEAR(found.skewness(), static_cast<double>(profile.skewness(z)), 0.15) << z;
+    }
+}
+
+TEST(CanopyWind, ItsSweepsComeFromAbove) {
+    const Statistics found(windOf(10.0f), height);
+    EXPECT_NEAR(found.stress / -9.0, 1.0, 0.15) << "-u*^2, u* three tenths of 10 m/s";
+    EXPECT_LT(found.thirdUp, 0.0);
+}
+
+/// Correlation of the wind along at two places.
+double correlation(const WindField& wind, const glm::vec3& apart, double later) {
+    double product = 0.0, squares = 0.0, sum = 0.0;
+    constexpr int count = 40000;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 at(0.0f, 613.0f * static_cast<float>(i % 200), height);
+        const double time = 11.7 * (i / 200);
+        const double a = wind.velocity(WindPlace(at), time).x - 10.0f;
+        const double b = wind.velocity(WindPlace(at + apart), time + later).x - 10.0f;
+        product += a * b;
+        squares += a * a;
+        sum += a;
+    }
+    return (product - sum * sum / count) / (squares - sum * sum / count);
+}
+
+TEST(CanopyWind, GustsTravelAtNearlyTwiceTheWindAtTheTop) {
+    const CanopyWind wind = windOf(10.0f);
+    EXPECT_NEAR(correlation(wind, {36.0f, 0.0f, 0.0f}, 2.0), 1.0, 0.02) << "18 m/s";
+    EXPECT_LT(correlation(wind, {36.0f, 0.0f, 0.0f}, 0.0), 0.5);
+}
+
+TEST(CanopyWind, AGustLastsAsLongAsTheAirTakesPastATreesHeight) {
+    const CanopyWind wind = windOf(10.0f);
+    double scale = 0.0;
+    for (double lag = 0.0; lag < 12.0; lag += 0.25)
+        scale += 0.25 * std::max(correlation(wind, {}, lag), 0.0);
+    EXPECT_NEAR(scale - 0.125, 2.0, 0.4) << "h / U(h), 20 m by 10 m/s";
+}
+
+TEST(CanopyWind, ALineOfTreesDoesNotMoveAsOne) {
+    const CanopyWind wind = windOf(10.0f);
+    EXPECT_LT(correlation(wind, {0.0f, 20.0f, 0.0f}, 0.0), 0.4);
+    EXPECT_LT(std::abs(correlation(wind, {0.0f, 60.0f, 0.0f}, 0.0)), 0.1);
+}
+
+TEST(CanopyWind, LeavesShelterTheAirBetweenThemAndNoneAbove) {
+    const CanopyWind wind = windOf(10.0f);
+    WindPlace among(0.0f, 0.0f, 15.0f), over(0.0f, 0.0f, 30.0f);
+    const glm::vec3 free = wind.velocity(among, 3.0), high = wind.velocity(over, 3.0);
+    among.inCrown = over.inCrown = true;
+    EXPECT_NEAR(glm::length(wind.velocity(among, 3.0)) / glm::length(free), shelter, 1e-4f);
+    EXPECT_EQ(wind.velocity(over, 3.0), high);
+}
+
+TEST(CanopyWind, IsAFunctionOfPlaceTimeAndSeed) {
+    const CanopyWind a = windOf(10.0f), b = windOf(10.0f), c = windOf(10.0f, 2);
+    const WindPlace place(3.0f, 4.0f, 12.0f);
+    EXPECT_EQ(a.velocity(place, 5.0), b.velocity(place, 5.0));
+    EXPECT_NE(a.velocity(place, 5.0), c.velocity(place, 5.0));
+    std::vector<WindPlace> many(150, place);
+    std::vector<glm::vec3> out(many.size());
+    a.sample(many.data(), many.size(), 5.0, out.data());
+    for (const glm::vec3& v : out)
+        EXPECT_EQ(v, a.velocity(place, 5.0));
+}
+
+TEST(CanopyWind, ACalmAboveIsACalmBelow) {
+    EXPECT_EQ(windOf(0.0f).velocity(WindPlace(1.0f, 2.0f, 3.0f), 4.0), glm::vec3(0.0f));
+}
+
+/// Stands to the west of x = 0, none east of it.
+std::shared_ptr<const CanopyMap> edge() {
+    auto map = std::make_shared<CanopyMap>(*stand());
+    map->everywhere = false;
+    map->corner = {-500.0f, -500.0f};
+    map->cell = 10.0f;
+    map->width = map->length = 100;
+    map->cells.resize(10000);
+    map->fetch = 40.0f;
+    for (std::size_t i = 0; i < map->cells.size(); ++i)
+        if (i % 100 > 0 && i % 100 < 50 && i / 100 > 0 && i / 100 < 99)
+            map->cells[i] = map->usual;
+    return map;
+}
+
+TEST(CanopyWind, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithoutAStep) {
+    GustWind::Parameters gusts;
+    gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east: the edge lies open to it
+    gusts.profile = LogProfile{10.0, 0.05};
+    const WindFieldPtr open = GustWind::create(gusts).value();
+    const CanopyWind wind(open, *edge(), 60.0f, 1);
+    const WindPlace at(30.0f, 0.0f, 12.0f);
+    EXPECT_EQ(wind.velocity(at, 9.0), open->velocity(at, 9.0));
+    EXPECT_LT(glm::length(wind.velocity(WindPlace(-200.0f, 0.0f, 2.0f), 9.0)),
+              0.5f * glm::length(open->velocity(at, 9.0)));
+    glm::vec3 last = wind.velocity(at, 9.0);
+    for (float x = 30.0f; x > -150.0f; x -= 0.02f) {
+        const glm::vec3 next = wind.velocity(WindPlace(x, 0.0f, 12.0f), 9.0);
+        EXPECT_LT(glm::length(next - last), 0.25f) << x;
+        last = next;
+    }
+}
+
+TEST(CanopyWind, IsFiniteForAnyPlaceAndTime) {
+    const CanopyWind all(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *stand(), 60.0f, 1),
+        some(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *edge(), 60.0f, 1);
+    for (const float x : {-1e30f, -40.0f, 0.0f, 3e38f})
+        for (const float z : {-1e30f, 0.0f, 20.0f, 3e38f})
+            for (const double time : {-1e300, 0.0, 1e300})
+                for (const WindField* wind :
+                     {static_cast<const WindField*>(&all), static_cast<const WindField*>(&some)}) {
+                    const glm::vec3 v = wind->velocity(WindPlace(x, x, z), time);
+                    EXPECT_TRUE(std::isfinite(v.x + v.y + v.z)) << x << ' ' << z << ' ' << time;
+                }
+}
+
+} // namespace
