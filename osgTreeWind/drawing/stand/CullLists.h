@@ -60,7 +60,7 @@ public:
         float pixels;           ///< Height on the screen.
         std::uint32_t step = 0; ///< Of the distance to the eye.
     };
-    /// Memory for cells and trees that are seen, and for what they hide.
+    /// Memory for cells that are seen, for trees in them that others may hide, and for what those hide.
     std::vector<SeenCell>& seenCells() { return _seenCells; }
     std::vector<SeenTree>& seenTrees() { return _seenTrees; }
     std::vector<ScreenCover::Picture>& pictures() { return _pictures; } ///< Of the latter.

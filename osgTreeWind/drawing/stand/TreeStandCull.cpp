@@ -48,11 +48,7 @@ void TreeStandCull::run() {
         for (const TreeCells::Tree& tree : each.cell->trees) // not as near as the cell, which is all about it
             visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::boxOf(tree));
     }
-    if (tiers.on())
-        addThroughOthers();
-    else
-        for (const CullLists::SeenTree& tree : lists.seenTrees())
-            addTree(tree, Tier::Full, 1.0f);
+    addThroughOthers();
     handOver();
 }
 
@@ -66,7 +62,11 @@ void TreeStandCull::seeCell(const ViewFrustum& view, const CullLists::SeenCell& 
             if (!view.sees(middle, std::hypot(tree.reach, 0.5f * tree.height) + sway))
                 continue;
         }
-        lists.seenTrees().push_back({tree.number, band, view.pixels(middle, tree.height)});
+        const CullLists::SeenTree seenTree{tree.number, band, view.pixels(middle, tree.height)};
+        if (tiers.on() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
+            lists.seenTrees().push_back(seenTree);
+        else // nothing before it would change how it is drawn
+            addTree(seenTree, 1.0f);
     }
 }
 
