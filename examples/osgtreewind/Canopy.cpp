@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <osgDB/FileNameUtils>
+
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -24,14 +26,11 @@ struct CanopyOptions {
     bool json = false;
 };
 
-bool endsWith(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 std::string formatOf(const CanopyOptions& options) {
     if (!options.format.empty())
         return options.format;
-    return endsWith(options.output, ".nc") ? "palm" : endsWith(options.output, ".vti") ? "vtk" : "";
+    const std::string extension = osgDB::getFileExtension(options.output);
+    return extension == "nc" ? "palm" : extension == "vti" ? "vtk" : "";
 }
 
 Result<CanopyGrid> gridOf(const CanopyOptions& options, const PlacedForest& forest) {
@@ -111,16 +110,6 @@ std::string problemOfOutput(const CanopyOptions& options) {
     return {};
 }
 
-std::string problemOfSize(const PlacedForest& forest, const CanopyGrid& grid) {
-    constexpr std::uint64_t megabyte = 1000000;
-    const std::uint64_t needed = canopyBytes(forest, grid), limit = memoryLimit();
-    if (needed <= limit)
-        return {};
-    return "--cell: cells of this size need " + std::to_string(needed / megabyte) +
-           " MB of memory; the limit is " + std::to_string(limit / megabyte) +
-           " MB (OSGTREEWIND_MAX_MEMORY sets another)";
-}
-
 /// Writes all of the file or nothing, and tells what is in it.
 ExitCode writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const CanopyGrid& grid) {
     WholeFile whole(options.output);
@@ -157,7 +146,8 @@ ExitCode run(const CanopyOptions& options) {
     const PlacedForest forest(std::move(*description));
     const Result<CanopyGrid> grid = gridOf(options, forest);
     const std::string problem =
-        grid ? problemOfSize(forest, grid.value()) : "--" + grid.problems().front().text();
+        grid ? problemOfMemory("--cell: cells of this size", canopyBytes(forest, grid.value()))
+             : "--" + grid.problems().front().text();
     if (!problem.empty()) {
         std::cerr << options.file << ": " << problem << '\n';
         return BadInput;

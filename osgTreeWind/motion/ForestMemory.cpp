@@ -125,14 +125,18 @@ std::uint64_t memoryLimit() {
     return limit;
 }
 
+std::string problemOfMemory(const std::string& what, std::uint64_t bytes) {
+    const std::uint64_t limit = memoryLimit();
+    if (bytes <= limit)
+        return {};
+    return what + " need about " + bytesText(bytes) + " of memory; the limit is " + bytesText(limit) +
+           " (OSGTREEWIND_MAX_MEMORY sets another)";
+}
+
 std::string problemOfMemory(const ForestDescription& description, bool withNodes) {
     const ForestMemory memory = forestMemory(description);
-    const std::uint64_t needed = memory.simulation + (withNodes ? memory.nodes : 0), limit = memoryLimit();
-    if (needed <= limit)
-        return {};
-    return std::to_string(description.trees.size()) + " trees of these species need about " +
-           bytesText(needed) + " of memory; the limit is " + bytesText(limit) +
-           " (OSGTREEWIND_MAX_MEMORY sets another)";
+    return problemOfMemory(std::to_string(description.trees.size()) + " trees of these species",
+                           memory.simulation + (withNodes ? memory.nodes : 0));
 }
 
 } // namespace osgTreeWind

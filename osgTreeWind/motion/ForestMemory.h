@@ -28,7 +28,10 @@ std::size_t simulatedTreeBytes(ModalLevel level);
 /// is known.
 std::uint64_t memoryLimit();
 
-/// How much is needed and what the limit is; empty where it fits. @param withNodes for a Forest, else for a
+/// How much `what` need and what the limit is; empty where it fits. @param what several of them.
+std::string problemOfMemory(const std::string& what, std::uint64_t bytes);
+
+/// The same of a forest's trees. @param withNodes for a Forest, else for a
 /// ForestSimulation alone.
 std::string problemOfMemory(const ForestDescription& description, bool withNodes);
 

@@ -117,8 +117,4 @@ StormMoment StormTree::advance(double time) {
     return now;
 }
 
-double frontalAreaOf(const Species& species, const TreePlacement& tree) {
-    return static_cast<double>(standTree(PlacedForest(forestOf(species, tree))).frontalArea);
-}
-
 } // namespace osgTreeWind

@@ -44,7 +44,4 @@ private:
     std::size_t _middle = 0, _top = 0; ///< Of the trunk's units.
 };
 
-/// Half of the leaf area and the wood of a tree seen from the side, m^2.
-double frontalAreaOf(const Species& species, const TreePlacement& tree);
-
 } // namespace osgTreeWind
