@@ -16,7 +16,7 @@ namespace osgTreeWind {
 namespace {
 
 // Steps between rungs: of logarithms, and of the leaves' share.
-constexpr float heightStep = 0.7f, girthStep = 0.7f, widthStep = 0.2f, leavesStep = 0.25f;
+constexpr float heightStep = 0.7f, supportStep = 0.7f, widthStep = 0.2f, leavesStep = 0.25f;
 
 JointTree jointsOf(const SwayingTree& tree) {
     return makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves);
@@ -60,14 +60,21 @@ constexpr double little = 0.1; // of a logarithm
 
 /// The powers by which the modes follow one quantity: what is left on `other`, which has e^change as much of
 /// it.
+void addStiffnessPowers(std::vector<ModalModel>& models, const JointTree& other, double change,
+                        float SizePowers::*size) {
+    const std::vector<double> ratios = stiffnessRatios(models.front(), other);
+    for (ModalModel& model : models)
+        for (std::size_t k = 0; k < model.modes.size(); ++k)
+            model.modes[k].stiffness.*size = static_cast<float>(std::log(ratios[k]) / change);
+}
+
 void addPowers(std::vector<ModalModel>& models, const JointTree& other, double change,
                float SizePowers::*size) {
-    const ModalRatios ratios = modalRatios(models.front(), other);
+    addStiffnessPowers(models, other, change, size);
+    const std::vector<double> ratios = massRatios(models.front(), other);
     for (ModalModel& model : models)
-        for (std::size_t k = 0; k < model.modes.size(); ++k) {
-            model.modes[k].stiffness.*size = static_cast<float>(std::log(ratios.stiffness[k]) / change);
-            model.modes[k].mass.*size = static_cast<float>(std::log(ratios.mass[k]) / change);
-        }
+        for (std::size_t k = 0; k < model.modes.size(); ++k)
+            model.modes[k].mass.*size = static_cast<float>(std::log(ratios[k]) / change);
 }
 
 /// The tree with more wood in its branches.
@@ -99,16 +106,27 @@ JointTree withWidth(const SwayingTree& tree, float factor) {
 
 void addPowers(std::vector<ModalModel>& models, const SwayingTree& tree) {
     const double more = std::exp(little);
-    Species stiffer = *tree.species;
-    stiffer.wood.elasticModulus *= static_cast<float>(more);
-    SwayingTree other = tree;
-    other.species = &stiffer;
-    addPowers(models, jointsOf(other), little, &SizePowers::modulus);
+    Species other = *tree.species;
+    other.wood.elasticModulus *= static_cast<float>(more);
+    SwayingTree changed = tree;
+    changed.species = &other;
+    addStiffnessPowers(models, jointsOf(changed), little, &SizePowers::modulus);
+    other = *tree.species;
+    other.wood.anchorage *= static_cast<float>(more);
+    addStiffnessPowers(models, jointsOf(changed), little, &SizePowers::roots);
+    for (ModalModel& model : models) // what is stiff neither by its wood nor by its roots
+        for (ModalModel::Mode& mode : model.modes)
+            mode.stiffness.support = 1.0f - mode.stiffness.modulus - mode.stiffness.roots;
     addPowers(models, withBranches(tree, more), little, &SizePowers::branches);
     addPowers(models, withWidth(tree, static_cast<float>(more)), little, &SizePowers::width);
-    other = tree;
-    other.leaves *= static_cast<float>(1.0 / more);
-    addPowers(models, jointsOf(other), -little, &SizePowers::leaves);
+    changed = tree;
+    changed.leaves *= static_cast<float>(1.0 / more);
+    addPowers(models, jointsOf(changed), -little, &SizePowers::leaves);
+}
+
+/// How heavy for its stiffness a tree of its form is: weight times length over what its wood can hold.
+float supportOf(const TreeScale& scale) {
+    return std::log(scale.axes.z) - 2.0f * std::log(girthOver(scale));
 }
 
 } // namespace
@@ -117,7 +135,7 @@ ArchetypeRung nearestRung(const SwayingTree& tree) {
     return {tree.model,
             tree.species,
             steps(std::log(tree.scale.axes.z), heightStep),
-            steps(std::log(girthOver(tree.scale)), girthStep),
+            steps(supportOf(tree.scale), supportStep),
             steps(std::log(widthOver(tree.scale)), widthStep),
             steps(tree.leaves, leavesStep)};
 }
@@ -125,7 +143,10 @@ ArchetypeRung nearestRung(const SwayingTree& tree) {
 SwayingTree treeOn(const ArchetypeRung& rung) {
     SwayingTree tree{rung.model, rung.species, {}, leavesStep * static_cast<float>(rung.leaves)};
     tree.scale.axes.z = std::exp(heightStep * static_cast<float>(rung.height));
-    tree.scale.radius = tree.scale.axes.z * std::exp(girthStep * static_cast<float>(rung.girth));
+    const float girth =
+        0.5f * (heightStep * static_cast<float>(rung.height) -
+                supportStep * static_cast<float>(rung.support)); // of its logarithm, over height
+    tree.scale.radius = tree.scale.axes.z * std::exp(girth);
     tree.scale.axes.x = tree.scale.axes.y =
         tree.scale.axes.z * std::exp(widthStep * static_cast<float>(rung.width));
     tree.scale.leaf = std::cbrt(tree.scale.axes.x * tree.scale.axes.y * tree.scale.axes.z);
@@ -161,6 +182,8 @@ TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
     f.logs.modulus = logs.modulus - _logs.modulus;
     f.logs.branches = logs.branches - _logs.branches;
     f.logs.width = logs.width - _logs.width;
+    f.logs.support = std::log(l * l * l / (r * r)); // weight times length over stiffness of wood,
+    f.logs.roots = std::log(l * l / (r * r));       // and weight over it
     f.logs.leaves = leaves > 0.0f && _leafArea > 0.0f ? logs.leaves - _logs.leaves : 0.0f;
     f.stillDrag = _leafArea > 0.0f ? leaves / _leafArea : 0.0f;
     f.leafDrag = tree.species->wood.crownDrag > 0.0f && _tree.leaves > 0.0f

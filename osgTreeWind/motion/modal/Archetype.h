@@ -23,16 +23,18 @@ struct SwayingTree {
 struct ArchetypeRung {
     const TreeModel* model = nullptr;
     const Species* species = nullptr;
-    /// Steps of height, of girth and crown width over height, of the leaves' share.
-    int height = 0, girth = 0, width = 0, leaves = 0;
+    /// Steps of height, of weight times length over the stiffness of wood, of crown width over height, of the
+    /// leaves' share.
+    int height = 0, support = 0, width = 0, leaves = 0;
 
     bool operator<(const ArchetypeRung& o) const {
-        return std::tie(model, species, height, girth, width, leaves) <
-               std::tie(o.model, o.species, o.height, o.girth, o.width, o.leaves);
+        return std::tie(model, species, height, support, width, leaves) <
+               std::tie(o.model, o.species, o.height, o.support, o.width, o.leaves);
     }
 };
 
-/// The rung nearest to a tree: heights and girths a factor of 2 apart, widths of 1.22, leaves by quarters.
+/// The rung nearest to a tree: heights a factor of 2 apart, so girths over them of 1.42, widths of 1.22,
+/// leaves by quarters.
 ArchetypeRung nearestRung(const SwayingTree& tree);
 /// The tree that stands on a rung.
 SwayingTree treeOn(const ArchetypeRung& rung);
@@ -49,7 +51,7 @@ public:
 
     /// 0: near. 1: far.
     static constexpr std::size_t levels = 2;
-    static constexpr ModalDetail details[levels] = {{12, 10}, {4, 4}};
+    static constexpr ModalDetail details[levels] = {{12, 12}, {4, 4}};
     const ModalModel& model(std::size_t level) const { return _models[level]; }
     /// Nearest patch of the other level to each patch of `level`.
     const std::vector<std::size_t>& otherPatches(std::size_t level) const { return _other[level]; }

@@ -28,7 +28,7 @@ private:
 template <typename Lanes>
 struct LaneFactors {
     using Number = typename Lanes::Number;
-    Number cosine, sine, length, pace, modulus, branches, width, leaves, leafDrag, stillDrag;
+    Number cosine, sine, length, pace, modulus, branches, width, leaves, support, roots, leafDrag, stillDrag;
     Number reach;  ///< Speed of a patch by that of modes: lengths over the gain.
     Number drive;  ///< Force on a mode, times the gain.
     Number weight; ///< On the shares of weight.
@@ -36,7 +36,7 @@ struct LaneFactors {
 
     LaneFactors(const LaneColumn<Lanes>& c, float gain)
         : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), modulus(c[4]), branches(c[5]), width(c[6]),
-          leaves(c[7]), leafDrag(c[8]), stillDrag(c[9]) {
+          leaves(c[7]), support(c[8]), roots(c[9]), leafDrag(c[10]), stillDrag(c[11]) {
         const Number cube = length * length * length;
         reach = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
         drive = gain / (pace * cube * cube);
@@ -47,10 +47,11 @@ struct LaneFactors {
     /// What has those powers, over what it is on a tree that was only scaled.
     Number grown(const SizePowers& p) const {
         return typename Lanes::Laws().nearExponential(p.modulus * modulus + p.branches * branches +
-                                                      p.width * width + p.leaves * leaves);
+                                                      p.width * width + p.leaves * leaves +
+                                                      p.support * support + p.roots * roots);
     }
 };
-static_assert(sizeof(TreeFactors) == 10 * sizeof(float), "LaneFactors takes them in their order");
+static_assert(sizeof(TreeFactors) == 12 * sizeof(float), "LaneFactors takes them in their order");
 
 /// The air at the patches of the trees from `first` on.
 template <typename Lanes>

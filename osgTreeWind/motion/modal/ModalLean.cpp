@@ -25,31 +25,62 @@ std::vector<CrownPoint> crownOf(const TreeModel& model, const TreeScale& scale) 
     return crown;
 }
 
-} // namespace
-
-std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale, const JointTree& joints,
-                                  const ModalModel& modal, float power) {
-    const double height = std::max(static_cast<double>(measureTree(model, scale).height), 1.0e-6);
-    std::vector<glm::dvec2> sums(modal.modes.size(), glm::dvec2(0.0));
-    double squares = 1.0e-30;
-    for (const CrownPoint& point : crownOf(model, scale)) {
-        const double share = std::pow(std::max(point.place.z / height, 0.0), static_cast<double>(power));
-        squares += share * share;
+/// How far the crown moves, as the mean over its points, per number that poses a tree: amplitudes of the
+/// modes, then forces on patches. Metres.
+std::vector<glm::dvec2> crownMoves(const std::vector<CrownPoint>& crown, const JointTree& joints,
+                                   const ModalModel& modal) {
+    std::vector<glm::dvec2> moves(modal.columns(), glm::dvec2(0.0));
+    for (const CrownPoint& point : crown)
         for (int i = static_cast<int>(point.unit); i >= 0;
              i = joints.links[static_cast<std::size_t>(i)].parent)
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 const auto carrier = static_cast<std::size_t>(i);
                 const JointTree::Link& link = joints.links[carrier];
-                const glm::dvec2 moved =
-                    share * glm::dvec2(glm::cross(link.axes[axis], point.place - link.base));
+                const glm::dvec2 arm(glm::cross(link.axes[axis], point.place - link.base));
                 const float* angles = modal.poses.data() + (2 * carrier + axis) * modal.columns();
-                for (std::size_t k = 0; k < sums.size(); ++k)
-                    sums[k] += static_cast<double>(angles[k]) * moved;
+                for (std::size_t c = 0; c < moves.size(); ++c)
+                    moves[c] += static_cast<double>(angles[c]) * arm;
             }
-    }
+    for (glm::dvec2& move : moves)
+        move /= static_cast<double>(std::max<std::size_t>(crown.size(), 1));
+    return moves;
+}
+
+/// How far all of a crown moves in a steady wind over how far its modes do: what is bent beside them follows
+/// the same wind.
+double wholeOverModes(const std::vector<glm::dvec2>& moves, const ModalModel& modal) {
+    const std::size_t modes = modal.modes.size();
+    double byModes = 0.0, beside = 0.0;
+    for (int axis = 0; axis < 2; ++axis)
+        for (std::size_t p = 0; p < modal.patches.size(); ++p) {
+            const auto c = static_cast<std::size_t>(axis);
+            const double force = static_cast<double>(modal.patches[p].woodDrag) +
+                                 static_cast<double>(modal.patches[p].leafDrag);
+            for (std::size_t k = 0; k < modes; ++k) {
+                const double pace = modal.modes[k].pace;
+                byModes += force * static_cast<double>(modal.levers[(3 * p + c) * modes + k]) /
+                           (pace * pace) * moves[k][axis];
+            }
+            beside += force * moves[modes + 3 * p + c][axis];
+        }
+    return byModes > 0.0 ? std::max(1.0 + beside / byModes, 0.0) : 1.0;
+}
+
+} // namespace
+
+std::vector<glm::vec2> modalLeans(const TreeModel& model, const TreeScale& scale, const JointTree& joints,
+                                  const ModalModel& modal) {
+    const double height = std::max(static_cast<double>(measureTree(model, scale).height), 1.0e-6);
+    const std::vector<CrownPoint> crown = crownOf(model, scale);
+    double shares = 1.0e-30;
+    for (const CrownPoint& point : crown)
+        shares += std::pow(std::max(point.place.z / height, 0.0), static_cast<double>(leanPower));
+    const double mean = shares / static_cast<double>(std::max<std::size_t>(crown.size(), 1));
+    const std::vector<glm::dvec2> moves = crownMoves(crown, joints, modal);
+    const double whole = wholeOverModes(moves, modal);
     std::vector<glm::vec2> leans;
-    for (const glm::dvec2& sum : sums)
-        leans.emplace_back(sum / squares);
+    for (std::size_t k = 0; k < modal.modes.size(); ++k)
+        leans.emplace_back(whole / mean * moves[k]);
     return leans;
 }
 

@@ -228,22 +228,28 @@ std::vector<std::size_t> nearestPatches(const ModalModel& model, float length, c
     return nearest;
 }
 
-ModalRatios modalRatios(const ModalModel& model, const JointTree& other) {
-    const JointMasses masses(other);
-    ModalRatios ratios;
+std::vector<double> stiffnessRatios(const ModalModel& model, const JointTree& other) {
+    std::vector<double> ratios;
     for (std::size_t k = 0; k < model.modes.size(); ++k) {
-        std::vector<double> angles(model.joints);
-        double stiffness = 0.0, mass = 0.0;
+        double stiffness = 0.0;
         for (std::size_t i = 0; i < model.joints; ++i) {
-            angles[i] = model.poses[i * model.columns() + k];
-            stiffness += angles[i] * angles[i] * other.links[i / 2].stiffness;
+            const double angle = model.poses[i * model.columns() + k];
+            stiffness += angle * angle * other.links[i / 2].stiffness;
         }
-        const std::vector<double> momenta = masses.times(angles);
-        for (std::size_t i = 0; i < model.joints; ++i)
-            mass += angles[i] * momenta[i];
         const double pace = model.modes[k].pace;
-        ratios.stiffness.push_back(stiffness / (pace * pace));
-        ratios.mass.push_back(mass);
+        ratios.push_back(stiffness / (pace * pace));
+    }
+    return ratios;
+}
+
+std::vector<double> massRatios(const ModalModel& model, const JointTree& other) {
+    const JointMasses masses(other);
+    std::vector<double> ratios, angles(model.joints);
+    for (std::size_t k = 0; k < model.modes.size(); ++k) {
+        for (std::size_t i = 0; i < model.joints; ++i)
+            angles[i] = model.poses[i * model.columns() + k];
+        const std::vector<double> momenta = masses.times(angles);
+        ratios.push_back(std::inner_product(angles.begin(), angles.end(), momenta.begin(), 0.0));
     }
     return ratios;
 }

@@ -20,9 +20,10 @@ struct ModalDetail {
 };
 
 /// Powers of what does not follow a tree's scale: the modulus of its wood, how much wood its branches have
-/// over what is drawn, the width of its crown over its height, the mass of its leaves over that of wood.
+/// over what is drawn, the width of its crown over its height, the mass of its leaves over that of wood; and,
+/// over how stiff its wood is, how stiff branches are to hold themselves up, and its roots.
 struct SizePowers {
-    float modulus = 0.0f, branches = 0.0f, width = 0.0f, leaves = 0.0f;
+    float modulus = 0.0f, branches = 0.0f, width = 0.0f, leaves = 0.0f, support = 0.0f, roots = 0.0f;
 };
 
 /// What the law `modal` knows of a tree: a few modes and a few patches of its crown. Shared by all trees of
@@ -82,10 +83,9 @@ std::vector<ModalModel> makeModalModels(const JointTree& tree, const ModalMateri
 std::vector<std::size_t> nearestPatches(const ModalModel& model, float length, const ModalModel& other,
                                         float otherLength);
 
-/// Stiffness and mass of each mode of `model` on another tree of as many joints, over those on its own.
-struct ModalRatios {
-    std::vector<double> stiffness, mass;
-};
-ModalRatios modalRatios(const ModalModel& model, const JointTree& other);
+/// Stiffness of each mode of `model` on another tree of as many joints, over that on its own.
+std::vector<double> stiffnessRatios(const ModalModel& model, const JointTree& other);
+/// Mass of each, likewise.
+std::vector<double> massRatios(const ModalModel& model, const JointTree& other);
 
 } // namespace osgTreeWind

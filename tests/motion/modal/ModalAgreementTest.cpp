@@ -260,8 +260,8 @@ TEST_P(ModalAgreement, FollowsAFullIntegration) {
     record("at60Hz", fast);
     record("at30Hz", slow);
     record("far", far);
-    expectBelow(fast, 0.12, 0.15, "at 60 Hz");
-    expectBelow(slow, 0.12, 0.15, "at 30 Hz");
+    expectBelow(fast, 0.10, 0.15, "at 60 Hz");
+    expectBelow(slow, 0.10, 0.15, "at 30 Hz");
     expectBelow(far, 0.25, 0.25, "far away");
 }
 
