@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace osgTreeWind {
@@ -53,6 +54,8 @@ public:
         if (_said || Clock::now() - _start < std::chrono::seconds(1))
             return;
         _said = true;
+        static std::mutex speaking; // OSG's stream has no lock, and several threads may load
+        const std::lock_guard<std::mutex> lock(speaking);
         OSG_NOTICE << "osgTreeWind: growing a forest, " << _done << " of " << _trees << " trees so far"
                    << std::endl;
     }
