@@ -118,8 +118,8 @@ ExitCode write(const PointTable& table, const std::string& output) {
                              ? (problems = writeGeoPackage(table, whole.unfinished())).empty()
                              : writeCsv(table, whole.unfinished());
     if (!written || !whole.putInPlace()) {
-        std::cerr << output << ": cannot be written"
-                  << (problems.empty() ? "" : ": " + problems.front().message) << '\n';
+        std::cerr << output << ": " << (problems.empty() ? "cannot be written" : problems.front().message)
+                  << '\n';
         return Failed;
     }
     std::cout << table.rows.size() << " trees in " << output << '\n';

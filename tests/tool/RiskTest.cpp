@@ -63,6 +63,9 @@ TEST(Risk, RefusesWhatItCannotWrite) {
               std::string::npos)
         << text.err;
     EXPECT_EQ(runTool({"risk", file, "-o", "risk.csv", "--speed", "-3"}).exitCode, 2);
+    const Outcome nowhere = runTool({"risk", file, "-o", "/nowhere/risk.gpkg"});
+    EXPECT_EQ(nowhere.exitCode, 1);
+    EXPECT_EQ(nowhere.err.rfind("/nowhere/risk.gpkg: cannot be written: sqlite3_open", 0), 0u) << nowhere.err;
     EXPECT_EQ(runTool({"risk", "/nowhere.treewind", "-o", "risk.csv"}).exitCode, 2);
 }
 
