@@ -18,6 +18,7 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode);
 void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
 void addSwayCommand(CLI::App& app, ExitCode& exitCode);
 void addStormCommand(CLI::App& app, ExitCode& exitCode);
+void addRiskCommand(CLI::App& app, ExitCode& exitCode);
 void addPortraitCommand(CLI::App& app, ExitCode& exitCode);
 void addBenchCommand(CLI::App& app, ExitCode& exitCode);
 void addWindCommand(CLI::App& app, ExitCode& exitCode);

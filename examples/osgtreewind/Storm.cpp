@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "CsvCell.h"
 #include "OneTree.h"
+#include "TreeTable.h"
+#include "WholeFile.h"
 
+#include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/motion/sway/StormTree.h>
 #include <osgTreeWind/motion/sway/SwayFeatures.h>
@@ -10,22 +14,38 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
 namespace {
 
 using namespace osgTreeWind;
+using Json = nlohmann::ordered_json;
 
 constexpr double settling = 60.0; // seconds before the first that counts
 
 struct StormOptions : OneTree {
     double spacing = 0.0, speed = 10.0, duration = 3600.0, step = 0.125;
     std::uint32_t seed = 1;
-    std::string trace;
+    std::string output, table;
     bool json = false;
+};
+
+/// One of them, ready to be put into it.
+struct StormJob {
+    StormOptions options;
+    Species species;
+    TreePlacement tree;
+
+    explicit StormJob(const StormOptions& given)
+        : options(given), species(given.kind()), tree(options.grown(species)) {
+        if (options.spacing == 0.0) // their crowns are as large as the ground: sqrt(pi / 4)
+            options.spacing = 0.886 * options.crownWidth;
+    }
 };
 
 /// Mean, deviation and largest of the way along and across the wind together.
@@ -40,7 +60,7 @@ public:
     double mean() const { return glm::length(_sum) / count(); }
     double deviation() const { return std::sqrt(std::max(_squares / count() - mean() * mean(), 0.0)); }
     double max() const { return _max; }
-    nlohmann::ordered_json json() const { return {{"mean", mean()}, {"sd", deviation()}, {"max", _max}}; }
+    Json json() const { return {{"mean", mean()}, {"sd", deviation()}, {"max", _max}}; }
 
 private:
     double count() const { return static_cast<double>(std::max<std::size_t>(_count, 1)); }
@@ -56,59 +76,32 @@ void writeRow(std::FILE* trace, double time, const StormMoment& m) {
 }
 
 /// Null where there are none.
-nlohmann::ordered_json json(const std::optional<SwayFeatures>& features) {
+Json json(const std::optional<SwayFeatures>& features) {
     if (!features)
         return nullptr;
-    nlohmann::ordered_json object{{"snr", features->signalToNoise},
-                                  {"f0_hz", features->frequency},
-                                  {"damping", nullptr},
-                                  {"skewness", features->skewness},
-                                  {"kurtosis", features->kurtosis},
-                                  {"p999_over_sd", features->peak},
-                                  {"f0_share", features->share},
-                                  {"along_over_across", features->alongOverAcross}};
+    Json object{{"snr", features->signalToNoise},
+                {"f0_hz", features->frequency},
+                {"damping", nullptr},
+                {"skewness", features->skewness},
+                {"kurtosis", features->kurtosis},
+                {"p999_over_sd", features->peak},
+                {"f0_share", features->share},
+                {"along_over_across", features->alongOverAcross}};
     if (features->damping)
         object["damping"] = *features->damping;
     return object;
 }
 
-void print(const StormOptions& options, const Species& species, const Extent& moment, const Extent& tip,
-           const std::optional<FreeSway>& free, const std::optional<SwayFeatures>& features) {
-    if (!options.json) {
-        std::printf("%s, %.4g cm, %.4g m, %s, %.4g m/s at the top\n", species.name.c_str(), options.diameter,
-                    options.height, options.open ? "in the open" : "in a stand", options.speed);
-        std::printf("            mean        sd       max\n");
-        std::printf("moment %9.4g %9.4g %9.4g N m at the ground\n", moment.mean(), moment.deviation(),
-                    moment.max());
-        std::printf("tip    %9.4g %9.4g %9.4g m\n", tip.mean(), tip.deviation(), tip.max());
-        return;
-    }
-    nlohmann::ordered_json object{{"species", species.name},    {"dbh_cm", options.diameter},
-                                  {"height_m", options.height}, {"crown_width_m", options.crownWidth},
-                                  {"spacing_m", nullptr},       {"leaves", options.leaves},
-                                  {"speed_ms", options.speed},  {"moment", moment.json()},
-                                  {"tip", tip.json()},          {"features", json(features)},
-                                  {"frequency_hz", nullptr}};
-    if (!options.open)
-        object["spacing_m"] = options.spacing;
-    if (free)
-        object["frequency_hz"] = free->frequency;
-    std::cout << object.dump(2) << '\n';
+/// Null where it is not known, or faster than any wind.
+Json json(const std::optional<double>& speed) {
+    return speed ? Json(*speed) : nullptr;
 }
 
-ExitCode storm(StormOptions options) {
-    const Species species = options.kind();
-    const TreePlacement tree = options.grown(species);
-    if (options.spacing == 0.0)
-        options.spacing = 0.886 * options.crownWidth; // their crowns are as large as the ground: sqrt(pi / 4)
-    StormTree stormy(species, tree, {options.speed, options.open ? 0.0 : options.spacing, options.seed});
-    std::FILE* trace = options.trace.empty() ? nullptr : std::fopen(options.trace.c_str(), "w");
-    if (!options.trace.empty() && !trace) {
-        std::cerr << options.trace << ": cannot be written\n";
-        return Failed;
-    }
-    if (trace)
-        std::fprintf(trace, "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");
+/// Puts the tree into its storm. @param trace null: none.
+Json measured(const StormJob& job, std::FILE* trace) {
+    const StormOptions& options = job.options;
+    const Storm company{options.speed, options.open ? 0.0 : options.spacing, options.seed};
+    StormTree stormy(job.species, job.tree, company);
     stormy.advance(settling);
     Extent moment, tip;
     std::vector<glm::dvec2> strains;
@@ -122,16 +115,145 @@ ExitCode storm(StormOptions options) {
         if (trace)
             writeRow(trace, time, now);
     }
+    const std::optional<FreeSway> free = pullAndRelease(job.species, job.tree);
+    const CriticalSpeeds critical = criticalSpeedsOf(job.species, job.tree, company);
+    return {
+        {"species", job.species.name},
+        {"dbh_cm", options.diameter},
+        {"height_m", options.height},
+        {"crown_width_m", options.crownWidth},
+        {"spacing_m", options.open ? Json() : Json(options.spacing)},
+        {"leaves", options.leaves},
+        {"speed_ms", options.speed},
+        {"moment", moment.json()},
+        {"tip", tip.json()},
+        {"features", json(free ? swayFeatures(strains, 1.0 / options.step, free->frequency) : std::nullopt)},
+        {"frequency_hz", free ? Json(free->frequency) : Json()},
+        {"critical", {{"uproot", json(critical.uproot)}, {"break", json(critical.breaking)}}}};
+}
+
+void print(const Json& storm) {
+    const auto extent = [&](const char* name, const char* unit) {
+        const Json& of = storm[name];
+        std::printf("%-6s %9.4g %9.4g %9.4g %s\n", name, of["mean"].get<double>(), of["sd"].get<double>(),
+                    of["max"].get<double>(), unit);
+    };
+    const auto critical = [&](const char* name) {
+        const Json& speed = storm["critical"][name];
+        if (speed.is_null())
+            std::printf(" %9s", "-");
+        else
+            std::printf(" %9.3g", speed.get<double>());
+    };
+    std::printf("%s, %.4g cm, %.4g m, %s, %.4g m/s at the top\n", storm["species"].get<std::string>().c_str(),
+                storm["dbh_cm"].get<double>(), storm["height_m"].get<double>(),
+                storm["spacing_m"].is_null() ? "in the open" : "in a stand", storm["speed_ms"].get<double>());
+    std::printf("            mean        sd       max\n");
+    extent("moment", "N m at the ground");
+    extent("tip", "m");
+    std::printf("          uproot     break\ncritical");
+    critical("uproot");
+    critical("break");
+    std::printf(" m/s at the top\n");
+}
+
+ExitCode storm(const StormOptions& options) {
+    const StormJob job(options);
+    std::FILE* trace = options.output.empty() ? nullptr : std::fopen(options.output.c_str(), "w");
+    if (!options.output.empty() && !trace) {
+        std::cerr << options.output << ": cannot be written\n";
+        return Failed;
+    }
+    if (trace)
+        std::fprintf(trace, "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");
+    const Json object = measured(job, trace);
     bool failed = trace && (std::fflush(trace) != 0 || std::ferror(trace) != 0);
     if (trace)
         failed |= std::fclose(trace) != 0;
     if (failed) {
-        std::cerr << options.trace << ": writing failed\n";
+        std::cerr << options.output << ": writing failed\n";
         return Failed;
     }
-    const std::optional<FreeSway> free = pullAndRelease(species, tree);
-    print(options, species, moment, tip, free,
-          free ? swayFeatures(strains, 1.0 / options.step, free->frequency) : std::nullopt);
+    if (options.json)
+        std::cout << object.dump(2) << '\n';
+    else
+        print(object);
+    return Succeeded;
+}
+
+/// What a table has of each storm: the places in its object, which are called as they are, "moment_max".
+const char* const columns[] = {"/species",
+                               "/dbh_cm",
+                               "/height_m",
+                               "/crown_width_m",
+                               "/spacing_m",
+                               "/leaves",
+                               "/speed_ms",
+                               "/moment/mean",
+                               "/moment/sd",
+                               "/moment/max",
+                               "/tip/mean",
+                               "/tip/sd",
+                               "/tip/max",
+                               "/features/snr",
+                               "/features/f0_hz",
+                               "/features/damping",
+                               "/features/skewness",
+                               "/features/kurtosis",
+                               "/features/p999_over_sd",
+                               "/features/f0_share",
+                               "/features/along_over_across",
+                               "/frequency_hz",
+                               "/critical/uproot",
+                               "/critical/break"};
+
+std::string headOfTable() {
+    std::string head;
+    for (const std::string column : columns)
+        head += (head.empty() ? "" : ",") + column.substr(1);
+    std::replace(head.begin(), head.end(), '/', '_');
+    return head + '\n';
+}
+
+std::string rowOfTable(const Json& storm) {
+    std::string row;
+    for (const char* const column : columns) {
+        const Json::json_pointer place(column);
+        const Json value = storm.contains(place) ? storm[place] : Json();
+        row += column == columns[0] ? "" : ",";
+        row += value.is_string() ? csvCell(value.get<std::string>()) : value.is_null() ? "" : value.dump();
+    }
+    return row + '\n';
+}
+
+ExitCode stormTable(const StormOptions& usual) {
+    const std::optional<TreeTable> table = TreeTable::read(usual.table);
+    if (!table)
+        return BadInput;
+    std::vector<StormJob> jobs;
+    for (const CsvTable::Row& row : table->rows()) {
+        StormOptions options = usual;
+        if (!table->read(row, options) || !table->read(row, "spacing_m", 0.1, 1000.0, options.spacing) ||
+            !table->read(row, "speed_ms", 0.0, 80.0, options.speed))
+            return BadInput;
+        jobs.emplace_back(options);
+    }
+    std::vector<std::string> rows(jobs.size());
+    ThreadPool::executor()(jobs.size(),
+                           [&](std::size_t i) { rows[i] = rowOfTable(measured(jobs[i], nullptr)); });
+    std::string text = headOfTable();
+    for (const std::string& row : rows)
+        text += row;
+    if (usual.output.empty()) {
+        std::cout << text;
+        return Succeeded;
+    }
+    WholeFile whole(usual.output);
+    std::ofstream file(whole.unfinished(), std::ios::binary);
+    if (!(file << text).flush() || !whole.putInPlace()) {
+        std::cerr << usual.output << ": cannot be written\n";
+        return Failed;
+    }
     return Succeeded;
 }
 
@@ -159,14 +281,24 @@ void addStormCommand(CLI::App& app, ExitCode& exitCode) {
         ->check(within(1e-3, 0.125))
         ->capture_default_str();
     command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
-    command->add_option("-o,--output", options->trace, "CSV file for the trace of wind and sway");
-    command->add_flag("--json", options->json, "Print an object instead of lines");
+    command->add_option("-o,--output", options->output,
+                        "CSV file for the trace of wind and sway; with --table for its rows");
+    CLI::Option* const json = command->add_flag("--json", options->json, "Print an object instead of lines");
+    command
+        ->add_option("--table", options->table,
+                     "CSV file of trees, put into storms on all processors: species, dbh_cm, height_m, "
+                     "crown_width_m, open, leaves, spacing_m, speed_ms; prints one of what --json says")
+        ->excludes(json);
     command->footer(
         "The trace: time (s), wind at the top (m/s), strain of the wood at the foot of the trunk, tilt of "
         "the\n"
         "trunk at half its height (sine), shift of its top (m); x along the mean wind, y across it.\n"
         "Features are those of the strain, from twenty minutes on, at steps of 1/8 s or other parts of 1/4 "
         "s.\n"
+        "Critical: the mean winds at the top in which the largest moment in an hour is what roots and stem "
+        "bear;\n"
+        "the mean of three hours.\n"
         "Example: osgtreewind storm --species \"Sitka spruce\" --dbh 24 --height 20 --speed 10 --json");
-    command->callback([options, &exitCode] { exitCode = storm(*options); });
+    command->callback(
+        [options, &exitCode] { exitCode = options->table.empty() ? storm(*options) : stormTable(*options); });
 }

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 #include "OneTree.h"
+#include "TreeTable.h"
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/motion/sway/SwayModes.h>
 
-#include <osgTreeWind/base/CsvTable.h>
-
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -84,78 +82,26 @@ ExitCode sway(SwayOptions options) {
 }
 
 /// A tree for each row; what a row or the table does not say is as in the options.
-class SwayTable {
-public:
-    SwayTable(const CsvTable& csv, SwayOptions usual) : _csv(csv), _usual(std::move(usual)) {}
-
-    ExitCode print() {
-        std::printf("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,damping_ratio\n");
-        for (const CsvTable::Row& row : _csv.rows) {
-            SwayOptions options = _usual;
-            double open = options.open ? 1.0 : 0.0;
-            const bool right = read(row, "dbh_cm", 0.1, 2000.0, options.diameter) &&
-                               read(row, "height_m", 0.1, 150.0, options.height) &&
-                               read(row, "crown_width_m", 0.1, 150.0, options.crownWidth) &&
-                               read(row, "leaves", 0.0, 1.0, options.leaves) &&
-                               read(row, "open", 0.0, 1.0, open);
-            if (!right)
-                return BadInput;
-            options.open = open > 0.0;
-            if (const std::string* name = cell(row, "species"))
-                options.species = *name;
-            const Species species = options.kind();
-            const TreePlacement tree = treeOf(options, species);
-            const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
-            std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
-                        options.crownWidth, options.open ? 1 : 0, options.leaves);
-            if (free)
-                std::printf("%.4f,%.4f\n", free->frequency, free->dampingRatio);
-            else
-                std::printf(",\n"); // it does not swing
-        }
-        return Succeeded;
-    }
-
-private:
-    /// Null where there is nothing.
-    const std::string* cell(const CsvTable::Row& row, const char* name) const {
-        const std::optional<std::size_t> column = _csv.column(name);
-        return column && !row.cells[*column].empty() ? &row.cells[*column] : nullptr;
-    }
-
-    bool read(const CsvTable::Row& row, const char* name, double low, double high, double& value) const {
-        if (!cell(row, name))
-            return true;
-        const Result<double> number = _csv.number(row, *_csv.column(name));
-        if (!number.ok()) {
-            std::cerr << number.problems().front().text() << '\n';
-            return false;
-        }
-        if (number.value() < low || number.value() > high) {
-            std::cerr << _csv.file << ':' << row.line << ": " << name << " is not within " << low << " to "
-                      << high << '\n';
-            return false;
-        }
-        value = number.value();
-        return true;
-    }
-
-    const CsvTable& _csv;
-    SwayOptions _usual;
-};
-
-ExitCode swayTable(const SwayOptions& options) {
-    std::ifstream file(options.table);
-    if (!file) {
-        std::cerr << "cannot open " << options.table << '\n';
+ExitCode swayTable(const SwayOptions& usual) {
+    const std::optional<TreeTable> table = TreeTable::read(usual.table);
+    if (!table)
         return BadInput;
+    std::printf("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,damping_ratio\n");
+    for (const CsvTable::Row& row : table->rows()) {
+        SwayOptions options = usual;
+        if (!table->read(row, options))
+            return BadInput;
+        const Species species = options.kind();
+        const TreePlacement tree = treeOf(options, species);
+        const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
+        std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
+                    options.crownWidth, options.open ? 1 : 0, options.leaves);
+        if (free)
+            std::printf("%.4f,%.4f\n", free->frequency, free->dampingRatio);
+        else
+            std::printf(",\n"); // it does not swing
     }
-    const Result<CsvTable> csv = readCsvTable(file, options.table);
-    if (!csv.ok()) {
-        std::cerr << csv.problems().front().text() << '\n';
-        return BadInput;
-    }
-    return SwayTable(csv.value(), options).print();
+    return Succeeded;
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "TreeList.h"
+
+#include "CsvCell.h"
 #include "Progress.h"
 
 #include <osgTreeWind/base/Number.h>
@@ -11,16 +13,6 @@
 namespace {
 
 using namespace osgTreeWind;
-
-/// As a cell of CSV.
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
 
 /// The shortest text that reads back as the same float.
 std::string cell(float number) {
@@ -38,7 +30,7 @@ bool writeTrees(const ForestDescription& forest, const std::string& path) {
     const PlacedForest placed(std::move(shapes));
     Progress progress("measure", forest.trees.size());
     for (const TreePlacement& tree : forest.trees) {
-        output << cell(tree.name) << ',' << cell(forest.species[tree.species].name);
+        output << csvCell(tree.name) << ',' << csvCell(forest.species[tree.species].name);
         for (int axis = 0; axis < 3; ++axis)
             output << ',' << numberText(tree.position[axis]);
         const TreeSize stands = placed.measured(*placed.fitted(tree));

@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
                "  osgtreewind simulate forest.treewind --duration 10 --fps 60 -o motion.csv\n"
                "  osgtreewind wind wind.vtk --at 120,40,10\n"
                "  osgtreewind canopy forest.treewind -o canopy.nc --cell 2\n"
+               "  osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225\n"
                "  osgtreewind bench -o results.json --chart chart.svg\n"
                "Exit status: 0 done, 1 failed, 2 bad usage or bad input.");
 
@@ -67,6 +68,7 @@ int main(int argc, char** argv) {
     addSimulateCommand(app, exitCode);
     addSwayCommand(app, exitCode);
     addStormCommand(app, exitCode);
+    addRiskCommand(app, exitCode);
     addPortraitCommand(app, exitCode);
     addBenchCommand(app, exitCode);
     addWindCommand(app, exitCode);

@@ -25,6 +25,10 @@ double share(double a, double b, double d) {
     return std::exp(a + b / d);
 }
 
+double stemMass(const WoodParameters& wood, double diameter, double height) {
+    return stemForm * wood.density * 0.25 * pi * diameter * diameter * height;
+}
+
 } // namespace
 
 TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
@@ -53,9 +57,16 @@ double branchWoodMass(const WoodParameters& wood, double diameter, double trunk,
     return drawn;
 }
 
+double overturningMoment(const WoodParameters& wood, double diameter, double height) {
+    return wood.anchorage * stemMass(wood, diameter, height);
+}
+
+double breakingMoment(const WoodParameters& wood, double diameter) {
+    return wood.knotFactor * wood.bendingStrength * pi * diameter * diameter * diameter / 32.0;
+}
+
 double rootGive(const WoodParameters& wood, double diameter, double height) {
-    const double stem = stemForm * wood.density * 0.25 * pi * diameter * diameter * height;
-    const double moment = earlyShare * wood.anchorage * stem;
+    const double moment = earlyShare * wood.anchorage * stemMass(wood, diameter, height);
     return moment > 0.0 ? earlyTurn / moment : 0.0;
 }
 

@@ -21,6 +21,15 @@ double stemModulus(const WoodParameters& wood, double slenderness);
 /// branches of the model, kg.
 double branchWoodMass(const WoodParameters& wood, double diameter, double trunk, double drawn);
 
+/// Moment at the foot of a trunk that overturns the tree, in proportion to the mass of its stem, N m; 0: it
+/// stands on rock.
+/// @param diameter at breast height, metres. @param height metres.
+double overturningMoment(const WoodParameters& wood, double diameter, double height);
+
+/// Moment that breaks a stem where it has that diameter, bark and all (metres), N m; 0: not known. Gardiner
+/// et al. 2000.
+double breakingMoment(const WoodParameters& wood, double diameter);
+
 /// How far roots and soil let the foot of a trunk turn, rad/(N m).
 double rootGive(const WoodParameters& wood, double diameter, double height);
 

@@ -39,6 +39,10 @@ struct WoodParameters {
     float modulusPower = 0.0f;  ///< Power of the slenderness that the modulus follows.
     float anchorage = 0.0f;     ///< Moment that overturns a tree over its stem, N m/kg; 0: rock.
     WoodAllometry branchWood = WoodAllometry::Drawn; ///< How much wood is in branches.
+
+    // What a stem bears.
+    float bendingStrength = 0.0f; ///< Modulus of rupture of green clear wood, Pa; 0: not known.
+    float knotFactor = 1.0f;      ///< What knots leave of it.
 };
 
 /// Height from the diameter of the trunk at breast height: scale * diameter^power, metres. A scale of 0: not

@@ -59,6 +59,9 @@ const Fields& fieldsOf<WoodParameters>() {
          "0.78 in built-in species"},
         {"anchorage", at<&P::anchorage>, within(0, 1e4),
          "moment that overturns the tree over the mass of its stem; 0 is rigid ground", "N m/kg"},
+        {"bending_strength", at<&P::bendingStrength>, within(0, 1e9),
+         "modulus of rupture of green clear wood, for moments that break a stem; 0 is not known", "Pa"},
+        {"knot_factor", at<&P::knotFactor>, within(0.1, 1), "what knots leave of it in a stem"},
         {"leaf_area", at<&P::leafArea>, within(0, 1e5),
          "area of all leaves of a tree over the cross-section of its trunk at breast height; a branch bears "
          "its share of what is drawn"},

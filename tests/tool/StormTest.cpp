@@ -67,6 +67,42 @@ TEST(Storm, ACalmMovesNothing) {
     EXPECT_EQ(stormOf({"--speed", "0", "--duration", "10"})["moment"]["max"], 0.0);
 }
 
+TEST(Storm, ItsCriticalWindsAreWhereItsLargestMomentIsWhatItBears) {
+    const json storm = stormOf({"--speed", "6", "--duration", "1"});
+    const double uproot = storm["critical"]["uproot"], breaks = storm["critical"]["break"];
+    EXPECT_LT(breaks, uproot); // of a slender spruce on mineral soil
+    const json there = stormOf({"--speed", std::to_string(breaks), "--duration", "3600"});
+    // 34 MPa pi d^3 / 32; one of the three hours whose mean counts
+    EXPECT_NEAR(there["moment"]["max"].get<double>() / 46143.0, 1.0, 0.35);
+}
+
+TEST(Storm, ATableStandsEveryTreeInItsStorm) {
+    const TemporaryFolder folder;
+    const std::string trees = folder.write("trees.csv", "species,dbh_cm,height_m,spacing_m,speed_ms,open\n"
+                                                        "Sitka spruce,24,20,3,6,0\n"
+                                                        "oak,40,18,,8,1\n"),
+                      out = folder.path() + "/out.csv";
+    const Outcome outcome = runTool({"storm", "--table", trees, "--duration", "30", "-o", out});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const std::string text = contentOf(out);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+    EXPECT_EQ(text.rfind("species,dbh_cm,height_m,crown_width_m,spacing_m,leaves,speed_ms,moment_mean,", 0),
+              0u);
+    const json one = stormOf({"--spacing", "3", "--speed", "6", "--duration", "30"});
+    EXPECT_NE(text.find("," + one["moment"]["max"].dump() + ","), std::string::npos) << text;
+    EXPECT_NE(text.find("\noak,40.0,18.0,"), std::string::npos) << text;
+}
+
+TEST(Storm, RefusesATableThatIsNone) {
+    const TemporaryFolder folder;
+    const std::string trees = folder.write("trees.csv", "species,speed_ms\noak,90\n");
+    const Outcome outcome = runTool({"storm", "--table", trees});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_NE(outcome.err.find("trees.csv:2: speed_ms is not within 0 to 80"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(runTool({"storm", "--table", "/nowhere.csv"}).exitCode, 2);
+}
+
 TEST(Storm, RefusesWhatIsNoStorm) {
     EXPECT_EQ(runTool({"storm", "--speed", "-1"}).exitCode, 2);
     EXPECT_EQ(runTool({"storm", "--step", "0.5"}).exitCode, 2);

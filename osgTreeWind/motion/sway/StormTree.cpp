@@ -4,8 +4,8 @@
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
+#include <osgTreeWind/motion/strength/OpenCountry.h>
 #include <osgTreeWind/wind/CanopyWind.h>
-#include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>
@@ -40,17 +40,6 @@ StandTree standTree(const PlacedForest& forest) {
     return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
 }
 
-/// Open country of short grass, z0 3 cm (Wieringa 1993), where the deviation along the wind is 2.4 u*
-/// (Panofsky and Dutton 1984).
-WindFieldPtr windInTheOpen(double height, const Storm& storm) {
-    GustWind::Parameters gusts;
-    gusts.profile = LogProfile{height, 0.03};
-    gusts.mean = glm::vec3(storm.speed, 0.0f, 0.0f);
-    gusts.intensity = std::min(2.4 * 0.4 / std::log(height / gusts.profile->roughness), 1.0);
-    gusts.seed = storm.seed;
-    return GustWind::create(gusts).value();
-}
-
 WindFieldPtr windInTheStand(const StandTree& tree, const Storm& storm) {
     const auto spacing = static_cast<float>(storm.spacing);
     return std::make_shared<CanopyWind>(
@@ -61,14 +50,15 @@ WindFieldPtr windInTheStand(const StandTree& tree, const Storm& storm) {
 WindFieldPtr windOf(const PlacedForest& forest, const Storm& storm) {
     const StandTree tree = standTree(forest);
     return storm.spacing > 0.0 ? windInTheStand(tree, storm)
-                               : windInTheOpen(std::max(static_cast<double>(tree.height), 0.1), storm);
+                               : openCountryWind(std::max(static_cast<double>(tree.height), 0.1),
+                                                 glm::vec3(storm.speed, 0.0f, 0.0f), storm.seed);
 }
 
 } // namespace
 
 StormTree::StormTree(const Species& species, const TreePlacement& given, const Storm& storm)
     : _forest(forestOf(species, given)), _motion({swaying(_forest)}, 1.0f, {}, true),
-      _wind(windOf(_forest, storm)) {
+      _wind(windOf(_forest, storm)), _foot(swaying(_forest).form) {
     const PlacedTree& tree = _forest.trees.front();
     const TreeModel& model = _forest.modelOf(tree);
     const std::vector<UnitLoad> loads = makeUnitLoads(model, tree.scale, species, tree.leaves);
@@ -85,14 +75,30 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
     _motion.meet(_wind.get(), 0.0);
 }
 
-StormMoment StormTree::advance(double time) {
+void StormTree::advance(double time, const std::function<void()>& stepped) {
     const double from = _time;
     const int steps = std::max(static_cast<int>(std::ceil((time - from) / longestStep - 1e-6)), 1);
     for (int i = 1; i <= steps; ++i) {
         const double next = from + (time - from) * i / steps;
         _motion.step(_wind.get(), next, static_cast<float>(next - _time));
         _time = next;
+        stepped();
     }
+}
+
+double StormTree::largestMoment(double time) {
+    double largest = 0.0;
+    advance(time, [&] { largest = std::max(largest, _foot.of(_motion, 0)); });
+    return largest;
+}
+
+TreeStrength StormTree::strength() const {
+    const PlacedTree& tree = _forest.trees.front();
+    return {_forest.modelOf(tree), tree.scale, _forest.speciesOf(tree)};
+}
+
+StormMoment StormTree::advance(double time) {
+    advance(time, [] {});
     const PlacedTree& tree = _forest.trees.front();
     const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
     const std::size_t count = skeleton.units.size();
@@ -115,6 +121,21 @@ StormMoment StormTree::advance(double time) {
     now.tip = glm::vec2(poses[_top].apply(top) - top);
     now.wind = glm::vec2(_wind->velocity(WindPlace(0.0f, 0.0f, tree.scale.axes.z * skeleton.height()), time));
     return now;
+}
+
+CriticalSpeeds criticalSpeedsOf(const Species& species, const TreePlacement& tree, const Storm& storm) {
+    constexpr std::uint32_t hours = 3;
+    constexpr double settling = 60.0, hour = 3600.0; // seconds
+    const auto largest = [&](double speed) {
+        double mean = 0.0;
+        for (std::uint32_t i = 0; i < hours; ++i) {
+            StormTree stormy(species, tree, {speed, storm.spacing, storm.seed + i});
+            stormy.advance(settling);
+            mean += stormy.largestMoment(settling + hour) / hours;
+        }
+        return mean;
+    };
+    return findCriticalSpeeds(largest, StormTree(species, tree, storm).strength());
 }
 
 } // namespace osgTreeWind

@@ -3,10 +3,13 @@
 
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/motion/strength/CriticalSpeeds.h>
+#include <osgTreeWind/motion/strength/FootMoment.h>
 
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <functional>
 
 namespace osgTreeWind {
 
@@ -36,12 +39,23 @@ public:
     /// Moves on to `time` > the last (seconds, 0 at first), in small steps.
     StormMoment advance(double time);
 
+    /// Likewise. @return the largest moment on the way, N m.
+    double largestMoment(double time);
+    TreeStrength strength() const;
+
 private:
+    void advance(double time, const std::function<void()>& stepped);
+
     PlacedForest _forest;
     ModalMotion _motion;
     WindFieldPtr _wind;
+    FootMoment _foot;
     double _time = 0.0, _stiffness = 0.0, _strain = 0.0;
     std::size_t _middle = 0, _top = 0; ///< Of the trunk's units.
 };
+
+/// Those of a tree in a storm of that company, whatever its speed: the largest moment to be expected in an
+/// hour is the mean of the largest ones in three hours, with seeds from `seed` on.
+CriticalSpeeds criticalSpeedsOf(const Species& species, const TreePlacement& tree, const Storm& storm);
 
 } // namespace osgTreeWind

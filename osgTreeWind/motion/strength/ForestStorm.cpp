@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/strength/ForestStorm.h>
+
+#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/motion/strength/OpenCountry.h>
+#include <osgTreeWind/wind/CanopyWind.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double step = 0.2, settling = 60.0, hour = 3600.0; // seconds
+constexpr std::size_t batch = 256;
+
+std::shared_ptr<const CanopyMap> canopyAround(const std::vector<StandTree>& trees, const WindCanopy& canopy) {
+    const auto map = canopy.source == CanopySource::Given ? canopyOf(trees, static_cast<float>(canopy.height),
+                                                                     static_cast<float>(canopy.frontalArea))
+                                                          : canopyOf(trees);
+    auto referred = std::make_shared<CanopyMap>(*map);
+    referred->refer(static_cast<float>(canopy.reference));
+    return referred;
+}
+
+} // namespace
+
+ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor)
+    : _forest(forest), _toward(toward), _executor(executor) {
+    std::vector<ModalTree> swaying;
+    std::vector<StandTree> standing;
+    for (std::size_t slot = 0; slot < forest.trees.size(); ++slot) {
+        const PlacedTree& tree = forest.trees[slot];
+        if (!tree.alive)
+            continue;
+        const TreeModel& model = forest.modelOf(tree);
+        const Species& species = forest.speciesOf(tree);
+        _slots.push_back(slot);
+        swaying.push_back(
+            {{&model, &species, tree.scale, tree.leaves}, tree.position, tree.heading, ModalLevel::Far});
+        _feet.emplace_back(swaying.back().form);
+        standing.emplace_back(model, tree.scale, species, tree.leaves, glm::vec2(tree.position));
+    }
+    _canopy = canopyAround(standing, forest.description().windCanopy);
+    _resting = std::make_shared<const ModalMotion>(swaying, 1.0f, std::move(executor));
+}
+
+std::vector<double> ForestStorm::hourOf(double speed, std::uint32_t seed) const {
+    const CanopyWind wind(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed), *_canopy,
+                          _canopy->reference, seed);
+    ModalMotion motion(*_resting);
+    motion.meet(&wind, 0.0);
+    std::vector<float> leans(_slots.size(), 0.0f);
+    std::vector<double> largest(_slots.size(), 0.0);
+    const auto meetBatch = [&](std::size_t job) {
+        for (std::size_t i = job * batch; i < std::min(_slots.size(), (job + 1) * batch); ++i) {
+            const float lean = glm::length(motion.lean(i));
+            if (lean < 0.8f * leans[i]) // no moment is at its largest where the top is not nearly so
+                continue;
+            leans[i] = std::max(leans[i], lean);
+            largest[i] = std::max(largest[i], _feet[i].of(motion, i));
+        }
+    };
+    const int steps = static_cast<int>((settling + hour) / step);
+    for (int i = 1; i <= steps; ++i) {
+        motion.step(&wind, step * i, static_cast<float>(step));
+        if (step * i > settling)
+            _executor((_slots.size() + batch - 1) / batch, meetBatch);
+    }
+    std::vector<double> bySlot(_forest.trees.size(), 0.0);
+    for (std::size_t i = 0; i < _slots.size(); ++i)
+        bySlot[_slots[i]] = largest[i];
+    return bySlot;
+}
+
+std::vector<float> ForestStorm::topWinds() const {
+    std::vector<float> winds(_forest.trees.size(), 0.0f);
+    const LogProfile open = openCountry(10.0);
+    for (const std::size_t slot : _slots) {
+        const PlacedTree& tree = _forest.trees[slot];
+        const CanopyAt stand = _canopy->at(glm::vec2(tree.position - _canopy->fetch * _toward), 10.0f);
+        const double above = open.factor(_canopy->reference) * static_cast<double>(stand.top),
+                     alone = open.factor(_forest.measured(tree).height);
+        winds[slot] = static_cast<float>(alone + static_cast<double>(stand.closure) * (above - alone));
+    }
+    return winds;
+}
+
+} // namespace osgTreeWind

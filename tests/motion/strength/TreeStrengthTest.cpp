@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/motion/strength/TreeStrength.h>
+
+#include <tests/motion/GrownTree.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+TreeStrength strengthOf(const Species& species, float diameter, float height) {
+    TreeSize size;
+    size.trunkDiameter = diameter;
+    size.height = height;
+    const GrownTree tree(species, size);
+    return {tree.model, tree.scale, tree.species};
+}
+
+} // namespace
+
+// ForestGALES' Sitka spruce, as fgr has it: 34 MPa without knots; 162.5 N m/kg as the mean of its rooting
+// depths on freely draining mineral soil, 850 kg/m3, volume of the stem 6.8e-5 d^1.827 h^0.981 m3 by cm and
+// m.
+TEST(TreeStrength, IsThatOfForestGales) {
+    const TreeStrength spruce = strengthOf(*findSpecies("Sitka spruce"), 0.24f, 20.0f);
+    EXPECT_NEAR(spruce.breaking, 46143.0, 0.02 * 46143.0);
+    const double stem = 850.0 * 6.8e-5 * std::pow(24.0, 1.827421) * std::pow(20.0, 0.981362);
+    EXPECT_NEAR(spruce.uproot / (162.5 * stem), 1.0, 0.15);
+}
+
+TEST(TreeStrength, KnotsTakeTheirShare) {
+    Species pine = *findSpecies("Scots pine");
+    const double knotty = strengthOf(pine, 0.3f, 20.0f).breaking;
+    pine.wood.knotFactor = 1.0f;
+    EXPECT_NEAR(knotty / strengthOf(pine, 0.3f, 20.0f).breaking, 0.85, 1e-6);
+}
+
+TEST(TreeStrength, WhatIsNotKnownIsNothing) {
+    Species palm = *findSpecies("palm");
+    EXPECT_EQ(strengthOf(palm, 0.3f, 10.0f).breaking, 0.0);
+    palm.wood.anchorage = 0.0f;
+    EXPECT_EQ(strengthOf(palm, 0.3f, 10.0f).uproot, 0.0);
+}
+
+} // namespace osgTreeWind

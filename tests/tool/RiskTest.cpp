@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <tests/tool/Tool.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace {
+
+const std::string three = R"(version = 1
+[[species]]
+name = "spruce"
+like = "Sitka spruce"
+[[tree]]
+position = [0, 0]
+[[tree]]
+position = [300, 0]
+[[tree]]
+position = [600, 0]
+)";
+
+std::vector<std::vector<std::string>> cellsOf(const std::string& csv) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line + ',');
+        for (std::string cell; std::getline(cells, cell, ',');)
+            rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+TEST(Risk, SaysInWhichWindsTreesFall) {
+    const TemporaryFolder folder;
+    const std::string path = folder.path() + "/risk.csv";
+    const Outcome outcome =
+        runTool({"risk", folder.write("three.treewind", three), "-o", path, "--speed", "20"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto rows = cellsOf(contentOf(path));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "species", "x", "y", "height_m", "dbh_cm", "uproot_ms",
+                                                 "break_ms", "top_wind", "uproot_ratio", "break_ratio"}));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        ASSERT_EQ(rows[i].size(), 11u);
+        for (const int kind : {0, 1}) { // a storm faster than the critical one is more than it bears
+            const double critical = std::atof(rows[i][6 + kind].c_str()),
+                         ratio = std::atof(rows[i][9 + kind].c_str());
+            EXPECT_GT(critical, 2.0);
+            EXPECT_EQ(ratio > 1.0, critical < 20.0) << ratio << ' ' << critical;
+        }
+    }
+    EXPECT_EQ(rows[2][2], "300.000");
+}
+
+TEST(Risk, RefusesWhatItCannotWrite) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("three.treewind", three);
+    const Outcome text = runTool({"risk", file, "-o", "risk.txt"});
+    EXPECT_EQ(text.exitCode, 2);
+    EXPECT_NE(text.err.find("--output: expected a name that ends in .csv or .gpkg, found risk.txt"),
+              std::string::npos)
+        << text.err;
+    EXPECT_EQ(runTool({"risk", file, "-o", "risk.csv", "--speed", "-3"}).exitCode, 2);
+    const Outcome nowhere = runTool({"risk", file, "-o", "/nowhere/risk.gpkg"});
+    EXPECT_EQ(nowhere.exitCode, 1);
+    EXPECT_EQ(nowhere.err.rfind("/nowhere/risk.gpkg: cannot be written: sqlite3_open", 0), 0u) << nowhere.err;
+    EXPECT_EQ(runTool({"risk", "/nowhere.treewind", "-o", "risk.csv"}).exitCode, 2);
+}
+
+} // namespace
