@@ -2,6 +2,7 @@
 #include "Command.h"
 #include "TreeList.h"
 
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/places/Crs.h>
@@ -65,16 +66,17 @@ const char* lawName(MotionLaw law) {
 Json boundsOf(const ForestDescription& forest) {
     if (forest.trees.empty())
         return nullptr;
-    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> natural; // by species and shape
+    const ShapeFamilies families(forest);
+    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> natural; // by family and shape
     glm::dvec3 low = forest.trees.front().position, high = low;
     for (const TreePlacement& tree : forest.trees) {
         TreeSize size = tree.size;
         if (size.height <= 0.0f || size.crownWidth <= 0.0f) { // not given: in proportion to the shape
-            const Species& species = forest.species[tree.species];
-            const std::uint32_t shape = tree.seed % static_cast<std::uint32_t>(species.shapes);
-            const auto [found, isNew] = natural.try_emplace({tree.species, shape});
+            const std::size_t family = families.indexOf(tree);
+            const std::uint32_t shape = tree.seed % families.all()[family].shapes;
+            const auto [found, isNew] = natural.try_emplace({family, shape});
             if (isNew)
-                found->second = measureTree(makeTreeModel(species.tree, shape));
+                found->second = measureTree(makeTreeModel(families.all()[family].tree, shape));
             const float height = size.height > 0.0f ? size.height : found->second.height;
             if (size.crownWidth <= 0.0f)
                 size.crownWidth = found->second.crownWidth * height / found->second.height;
@@ -108,30 +110,46 @@ Json memoryOf(const TreeCounts& shapes, const TreeCounts& all) {
             {"textureBytes", all.units * unitTexels + all.leafVertices / verticesPerLeafCluster * leafTexel}};
 }
 
-Json describe(const ForestDescription& forest) {
-    std::vector<std::vector<std::size_t>> trees; // of each species and shape
-    for (const Species& species : forest.species)
-        trees.emplace_back(static_cast<std::size_t>(species.shapes), 0);
-    for (const TreePlacement& tree : forest.trees)
-        ++trees[tree.species][tree.seed % trees[tree.species].size()];
+/// All trees of a species, and the shapes they have.
+struct SpeciesCounts {
+    TreeCounts trees, shapes;
+    std::size_t count = 0; ///< Of trees.
+};
 
+std::vector<SpeciesCounts> countSpecies(const ForestDescription& forest) {
+    const ShapeFamilies families(forest);
+    std::vector<std::vector<std::size_t>> trees; // of each family and shape
+    for (const ShapeFamilies::Family& family : families.all())
+        trees.emplace_back(family.shapes, 0);
+    for (const TreePlacement& tree : forest.trees) {
+        std::vector<std::size_t>& shapes = trees[families.indexOf(tree)];
+        ++shapes[tree.seed % shapes.size()];
+    }
+    std::vector<SpeciesCounts> counts(forest.species.size());
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const ShapeFamilies::Family& family = families.all()[i];
+        SpeciesCounts& sum = counts[family.species];
+        for (std::uint32_t shape = 0; shape < family.shapes; ++shape) {
+            const TreeCounts one = countTree(family.tree, shape);
+            for (std::size_t n = 0; n < trees[i][shape]; ++n)
+                sum.trees += one;
+            sum.shapes += one;
+            sum.count += trees[i][shape];
+        }
+    }
+    return counts;
+}
+
+Json describe(const ForestDescription& forest) {
     Json species = Json::array();
     TreeCounts all, shapes;
-    for (std::size_t i = 0; i < forest.species.size(); ++i) {
-        TreeCounts ofSpecies, ofShapes;
-        std::size_t count = 0;
-        for (std::uint32_t shape = 0; shape < trees[i].size(); ++shape) {
-            const TreeCounts one = countTree(forest.species[i].tree, shape);
-            for (std::size_t n = 0; n < trees[i][shape]; ++n)
-                ofSpecies += one;
-            ofShapes += one;
-            count += trees[i][shape];
-        }
-        if (count > 0)
-            shapes += ofShapes;
-        all += ofSpecies;
+    const std::vector<SpeciesCounts> counts = countSpecies(forest);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i].count > 0)
+            shapes += counts[i].shapes;
+        all += counts[i].trees;
         Json entry = {{"name", forest.species[i].name}, {"shapes", forest.species[i].shapes}};
-        entry.update(toJson(ofSpecies, count));
+        entry.update(toJson(counts[i].trees, counts[i].count));
         if (const auto& scans = forest.species[i].tree.scans)
             for (const ScannedTree& scan : *scans)
                 entry["scans"].push_back(toJson(scan.report));

@@ -29,7 +29,7 @@ TreePlacement OneTree::grown(const Species& kind) {
     tree.leaves = static_cast<float>(leaves);
     if (diameter > 0.0 && height > 0.0 && crownWidth > 0.0)
         return tree;
-    const TreeModel model = makeTreeModel(kind.tree, 0);
+    const TreeModel model = makeTreeModel(growthOf(kind, open));
     const TreeSize actual =
         measureTree(model, fitTree(model, withCrown(tree.size, kind.crown, tree.openGrown)));
     if (diameter == 0.0)

@@ -10,6 +10,7 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>
@@ -28,10 +29,15 @@ using namespace osgTreeWind;
 
 struct PortraitOptions {
     std::string species, output, backend = offscreenBackendName();
-    bool json = false, edges = false;
+    bool json = false, edges = false, forest = false;
     int panel = 256;
     std::optional<float> season;
 };
+
+/// What it is shown grown in.
+const char* companyOf(const PortraitOptions& options) {
+    return options.forest ? "a forest" : "the open";
+}
 
 /// A built-in species, or FILE.treewind:name. Nothing, said on standard error, where there is none.
 std::optional<Species> speciesCalled(const std::string& name) {
@@ -98,11 +104,11 @@ nlohmann::ordered_json edgesJson(const Species& species) {
     return rows;
 }
 
-void print(const Species& species, const TreeLooks& looks) {
+void print(const Species& species, const char* company, const TreeLooks& looks) {
     const auto line = [](const char* name, float value) {
         std::printf("%-24s %8.3f\n", name, static_cast<double>(value));
     };
-    std::printf("%s\n", species.name.c_str());
+    std::printf("%s, grown in %s\n", species.name.c_str(), company);
     line("skyThroughCrown, summer", looks.skyThroughCrownSummer);
     line("skyThroughCrown, winter", looks.skyThroughCrownWinter);
     line("crownOverStem", looks.crownOverStem);
@@ -114,14 +120,15 @@ void print(const Species& species, const TreeLooks& looks) {
 }
 
 ExitCode portrait(const PortraitOptions& options) {
-    const std::optional<Species> species = speciesCalled(options.species);
+    std::optional<Species> species = speciesCalled(options.species);
     if (!species)
         return BadInput;
+    species->tree = growthOf(*species, !options.forest);
     if (!options.output.empty()) {
         if (options.backend != offscreenBackendName())
             return runOtherBackend(options.backend);
         const osg::ref_ptr<osg::Image> sheet =
-            drawPortrait(*species, options.panel, options.season.value_or(midspring));
+            drawPortrait(*species, !options.forest, options.panel, options.season.value_or(midspring));
         if (!sheet)
             return Failed;
         if (!osgDB::writeImageFile(*sheet, options.output)) {
@@ -131,12 +138,13 @@ ExitCode portrait(const PortraitOptions& options) {
     }
     const TreeLooks looks = measureLooks(*species);
     nlohmann::ordered_json json = toJson(*species, looks);
+    json["grown"] = companyOf(options);
     if (options.edges)
         json["edges"] = edgesJson(*species);
     if (options.json || options.edges)
         std::cout << json.dump(2) << '\n';
     else
-        print(*species, looks);
+        print(*species, companyOf(options), looks);
     return Succeeded;
 }
 
@@ -146,6 +154,8 @@ void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
     CLI::App* command = app.add_subcommand("portrait", "Draw a species on a sheet, and measure its looks");
     auto options = std::make_shared<PortraitOptions>();
     command->add_option("species", options->species, "A built-in species, or FILE.treewind:name")->required();
+    command->add_flag("--forest", options->forest,
+                      "As it grows in a forest, with what is left of its crown there; else as in the open");
     command->add_flag("--json", options->json, "Print JSON");
     command->add_flag(
         "--edges", options->edges,

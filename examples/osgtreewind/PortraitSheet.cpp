@@ -6,6 +6,7 @@
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/SizeLaws.h>
 
 #include <osg/Math>
 
@@ -28,8 +29,16 @@ using namespace osgTreeWind;
 
 constexpr int columns = 5, rows = 3, samplesAcross = 3;
 
+/// Of a tree in a forest by the species' own laws, as high as it grows; nothing where they do not tell.
+TreeSize forestSize(Species species) {
+    species.height.spread = species.crown.spread = 0.0f;
+    return species.tree.grown && species.height.scale > 0.0f
+               ? estimateSize({species.tree.grown->height, 0.0f, 0.0f}, species, false, "").size
+               : TreeSize{};
+}
+
 /// Trees of different shapes side by side across the view, the first at the origin.
-osg::ref_ptr<Forest> row(const Species& species, int trees, bool tiers) {
+osg::ref_ptr<Forest> row(const Species& species, bool openGrown, int trees, bool tiers) {
     ForestDescription forest;
     forest.species = {species};
     forest.species[0].shapes = std::max(species.shapes, trees);
@@ -40,6 +49,9 @@ osg::ref_ptr<Forest> row(const Species& species, int trees, bool tiers) {
         const double place = apart * pair * (i % 2 ? 1.0 : -1.0);
         tree.position = {0.74 * place, 0.67 * place, 0.0};
         tree.seed = static_cast<std::uint32_t>(i);
+        tree.openGrown = openGrown;
+        if (!openGrown)
+            tree.size = forestSize(species);
         forest.trees.push_back(tree);
     }
     forest.drawing.tiers = tiers;
@@ -48,14 +60,16 @@ osg::ref_ptr<Forest> row(const Species& species, int trees, bool tiers) {
 
 class Sheet {
 public:
-    Sheet(const Species& species, int panel)
-        : _drawing(panel, panel, samplesAcross), _tree(row(species, 1, false)), _trees(row(species, 3, true)),
+    Sheet(const Species& species, bool openGrown, int panel)
+        : _company(openGrown ? "open-grown" : "in a forest"), _drawing(panel, panel, samplesAcross),
+          _tree(row(species, openGrown, 1, false)), _trees(row(species, openGrown, 3, true)),
           _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
         const PlacedTree& tree = _tree->getSimulation().trees().front();
         _size = _tree->getSimulation().forest().measured(tree);
         const auto& leaves = _tree->getSimulation().models().front().leaves;
         for (const LeafCluster& leaf : leaves)
-            _leaves += osg::Vec3d(0, 0, leaf.anchor.z) / static_cast<double>(leaves.size());
+            _leaves +=
+                osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());
         _image->allocateImage(columns * panel, rows * panel, 1, GL_RGB, GL_UNSIGNED_BYTE);
     }
 
@@ -94,7 +108,7 @@ private:
         const osg::Vec3d edge = lit * (0.5 * static_cast<double>(_size.crownWidth));
         look(_treeSetting, edge + lit * 3.0 + _leaves - up(1.0), edge * 0.8 + _leaves);
         put(shot(), "leaves, " + name, 1, row);
-        whole(lit, name, 2, row);
+        whole(lit, name + ", " + _company, 2, row);
         whole(against, "against the sun", 3, row);
         silhouette(name, row);
     }
@@ -156,6 +170,7 @@ private:
                                          static_cast<unsigned>((rows - 1 - row) * panel.t() + y)));
     }
 
+    std::string _company;
     OffscreenViewer _drawing;
     osg::ref_ptr<Forest> _tree, _trees;
     osg::ref_ptr<osg::Group> _treeSetting, _treesSetting;
@@ -166,7 +181,7 @@ private:
 
 } // namespace
 
-osg::ref_ptr<osg::Image> drawPortrait(const Species& species, int panel, float season) {
-    Sheet sheet(species, panel);
+osg::ref_ptr<osg::Image> drawPortrait(const Species& species, bool openGrown, int panel, float season) {
+    Sheet sheet(species, openGrown, panel);
     return sheet.valid() ? sheet.draw(season) : osg::ref_ptr<osg::Image>();
 }

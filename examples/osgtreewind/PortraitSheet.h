@@ -8,6 +8,8 @@
 /// What pictures of a portrait are, for --help.
 extern const char* const portraitLayout;
 
-/// Draws the sheet of a species. @param panel width and height of each picture, pixels. @param season of the
-/// whole tree at the lower right. Null where there is no graphics context, said on standard error.
-osg::ref_ptr<osg::Image> drawPortrait(const osgTreeWind::Species& species, int panel, float season);
+/// Draws the sheet of a species. @param openGrown as it grows by itself; else as in a forest, of the sizes
+/// that its laws have for its height. @param panel width and height of each picture, pixels. @param season of
+/// the whole tree at the lower right. Null where there is no graphics context, said on standard error.
+osg::ref_ptr<osg::Image> drawPortrait(const osgTreeWind::Species& species, bool openGrown, int panel,
+                                      float season);

@@ -35,7 +35,7 @@ struct TreePlacement {
     TreeSize size;              ///< A crown not given follows the trunk, other sizes follow the model.
     float leaves = 1.0f;        ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
     std::uint32_t seed = 0;     ///< Picks one of the species' shapes, and the noise streams.
-    bool openGrown = false;     ///< Stands by itself: such a crown is wider than in a forest.
+    bool openGrown = false;     ///< Stands by itself: such a crown is wider and deeper than in a forest.
     std::string name{};         ///< An inventory's id; empty: none. Where two have one, it is the first's.
     EstimatedSizes estimated{}; ///< Of `size`.
 };

@@ -76,8 +76,8 @@ const Fields& fieldsOf<TreePlacement>() {
         {"open_grown",
          at<&P::openGrown>,
          {},
-         "it stands by itself: the crown of a built-in species, where `crown_width` is not given, is wider "
-         "than in a forest"},
+         "it stands by itself: its crown is as deep as its species grows, whatever `[species.crown]` says of "
+         "a forest; that of a built-in species, where `crown_width` is not given, is wider than there"},
         {"leaves", at<&P::leaves>, within(0, 1),
          "share of its leaves that it bears: their mass, drag and damping; else `motion.leaves`"},
         {"heading", at<&P::heading>, within(-360, 360),

@@ -2,8 +2,8 @@
 #include <osgTreeWind/forest/PlacedForest.h>
 
 #include <osgTreeWind/base/RoomFor.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
-#include <osgTreeWind/species/ShapeCount.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -21,13 +21,14 @@ bool same(const TreeSize& a, const TreeSize& b) {
 
 } // namespace
 
-PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed) {
+PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed)
+    : _families(std::make_shared<const ShapeFamilies>(given)) {
     const std::vector<TreePlacement> placements = std::exchange(given.trees, {});
     std::vector<TreeModel> models;
-    for (const Species& species : given.species) {
+    for (const ShapeFamilies::Family& family : _families->all()) {
         _firstModels.push_back(static_cast<std::uint32_t>(models.size()));
-        for (std::uint32_t shape = 0; shape < shapeCount(species); ++shape)
-            models.push_back(makeTreeModel(species.tree, shape));
+        for (std::uint32_t shape = 0; shape < family.shapes; ++shape)
+            models.push_back(makeTreeModel(family.tree, shape));
     }
     _description = std::make_shared<const ForestDescription>(std::move(given));
     _models = std::make_shared<const std::vector<TreeModel>>(std::move(models));
@@ -54,7 +55,8 @@ std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
     PlacedTree tree;
     tree.species = static_cast<std::uint32_t>(placement.species);
     const Species& species = speciesOf(tree);
-    tree.model = _firstModels[tree.species] + placement.seed % shapeCount(species);
+    const std::size_t family = _families->indexOf(placement);
+    tree.model = _firstModels[family] + placement.seed % _families->all()[family].shapes;
     const bool kept = before && before->model == tree.model && same(placement.size, measured(*before));
     tree.given = kept ? before->given : placement.size;
     tree.estimated = kept ? before->estimated : placement.estimated;
@@ -77,6 +79,7 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     placement.heading = tree.heading;
     placement.size = measured(tree);
     placement.leaves = tree.summerLeaves;
+    placement.openGrown = tree.openGrown;
     placement.seed = tree.seed;
     placement.name = names.of(static_cast<std::uint32_t>(slot));
     return placement;
@@ -134,7 +137,7 @@ bool PlacedForest::holds(TreeId id) const {
 
 std::size_t PlacedForest::speciesOfModel(std::size_t model) const {
     const auto after = std::upper_bound(_firstModels.begin(), _firstModels.end(), model);
-    return static_cast<std::size_t>(after - _firstModels.begin()) - 1;
+    return _families->all()[static_cast<std::size_t>(after - _firstModels.begin()) - 1].species;
 }
 
 glm::vec3 turnHeading(const glm::vec3& v, float sine, float cosine) {

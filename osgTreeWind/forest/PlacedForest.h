@@ -12,6 +12,8 @@
 
 namespace osgTreeWind {
 
+class ShapeFamilies;
+
 /// A tree where it stands.
 struct PlacedTree {
     std::uint32_t model = 0; ///< Index into PlacedForest::models().
@@ -52,8 +54,9 @@ struct OSGTREEWIND_EXPORT PlacedForest {
     std::size_t unitsOf(const PlacedTree& tree) const { return modelOf(tree).skeleton.units.size(); }
     std::size_t leavesOf(const PlacedTree& tree) const { return modelOf(tree).leaves.size(); }
 
-    /// A tree as it would stand; nothing if there is no such species. @param before keeps its scale where the
-    /// placement gives its model and measured sizes.
+    /// A tree as it would stand; nothing if there is no such species. Of a species whose trees all stood in a
+    /// forest, or all in the open, as the forest was made, it takes their shapes. @param before keeps its
+    /// scale where the placement gives its model and measured sizes.
     std::optional<PlacedTree> fitted(const TreePlacement& placement,
                                      const PlacedTree* before = nullptr) const;
     TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
@@ -77,7 +80,8 @@ struct OSGTREEWIND_EXPORT PlacedForest {
 private:
     std::shared_ptr<const ForestDescription> _description;
     std::shared_ptr<const std::vector<TreeModel>> _models;
-    std::vector<std::uint32_t> _firstModels; ///< Per species.
+    std::shared_ptr<const ShapeFamilies> _families;
+    std::vector<std::uint32_t> _firstModels; ///< Per family.
     float _season = midsummer;
     std::vector<float> _seasonLeaves; ///< Per species, share of what its trees bear in summer.
 };

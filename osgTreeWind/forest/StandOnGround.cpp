@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/species/ShapeCount.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 
 #include <map>
 
@@ -15,23 +15,24 @@ namespace {
 /// Radii of trunks, for which shapes are grown where a tree's own is not measured.
 class Trunks {
 public:
-    explicit Trunks(const std::vector<Species>& species) : _species(species) {}
+    explicit Trunks(const ForestDescription& forest) : _families(forest) {}
 
     double radius(const TreePlacement& tree) {
         if (tree.size.trunkDiameter > 0.0f)
             return 0.5 * static_cast<double>(tree.size.trunkDiameter);
-        const Species& species = _species[tree.species];
-        const auto [found, isNew] = _natural.try_emplace({tree.species, tree.seed % shapeCount(species)});
+        const std::size_t index = _families.indexOf(tree);
+        const ShapeFamilies::Family& family = _families.all()[index];
+        const auto [found, isNew] = _natural.try_emplace({index, tree.seed % family.shapes});
         TreeSize& natural = found->second;
         if (isNew)
-            natural = measureTree(makeTreeModel(species.tree, found->first.second));
+            natural = measureTree(makeTreeModel(family.tree, found->first.second));
         const float scale = tree.size.height > 0.0f ? tree.size.height / natural.height : 1.0f;
         return 0.5 * static_cast<double>(natural.trunkDiameter * scale);
     }
 
 private:
-    const std::vector<Species>& _species;
-    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> _natural; ///< By species and shape.
+    ShapeFamilies _families;
+    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> _natural; ///< By family and shape.
 };
 
 std::string nameOf(const ForestDescription& forest, std::size_t index) {
@@ -46,7 +47,7 @@ std::string nameOf(const ForestDescription& forest, std::size_t index) {
 Diagnostics standOnGround(ForestDescription& forest, const std::vector<std::size_t>& trees) {
     if (!forest.ground)
         return {};
-    Trunks trunks(forest.species);
+    Trunks trunks(forest);
     std::vector<std::size_t> groundless;
     for (const std::size_t index : trees) {
         TreePlacement& tree = forest.trees[index];

@@ -2,9 +2,9 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
-#include <osgTreeWind/species/ShapeCount.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,17 +68,17 @@ std::optional<std::uint64_t> environmentLimit() {
 } // namespace
 
 ForestMemory forestMemory(const ForestDescription& description) {
-    std::vector<std::uint64_t> trees(description.species.size(), 0);
+    const ShapeFamilies families(description);
+    std::vector<std::uint64_t> trees(families.all().size(), 0);
     for (const TreePlacement& tree : description.trees)
-        if (tree.species < trees.size())
-            ++trees[tree.species];
+        if (tree.species < description.species.size())
+            ++trees[families.indexOf(tree)];
     const bool modal = description.law == MotionLaw::Modal;
     ForestMemory memory;
     for (std::size_t i = 0; i < trees.size(); ++i) {
-        const Species& species = description.species[i];
-        const TreeCounts counts = countLargest(species.tree, species.shapes);
+        const auto shapes = std::uint64_t(families.all()[i].shapes);
+        const TreeCounts counts = countLargest(families.all()[i].tree, static_cast<int>(shapes));
         const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
-        const auto shapes = std::uint64_t(shapeCount(species));
         memory.simulation +=
             shapes * shapeBytes(counts) +
             trees[i] *

@@ -8,6 +8,16 @@ namespace osgTreeWind {
 
 namespace {
 
+constexpr float shallowest = 0.1f; // crown over height
+
+/// Of the crown of a grown species in a forest, over its height; 0 is not known.
+float forestBase(const Species& species) {
+    const CrownAllometry& law = species.crown;
+    const float height = species.tree.grown->height;
+    const float depth = law.depth + law.depthPerHeight * height;
+    return depth > 0.0f ? 1.0f - std::max(depth / height, shallowest) : 0.0f;
+}
+
 constexpr double pi = 3.141592653589793;
 
 // The modulus follows the slenderness where that was measured; clear wood is cut from usual trees.
@@ -37,6 +47,22 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
     size.crownWidth = openGrown ? crown.openBase + crown.openPerDiameter * size.trunkDiameter
                                 : crown.base + crown.perDiameter * size.trunkDiameter;
     return size;
+}
+
+bool growsByCompany(const Species& species) {
+    return species.tree.grown && !species.tree.scans && forestBase(species) > species.tree.grown->crownBase;
+}
+
+TreeParameters growthOf(const Species& species, bool openGrown) {
+    TreeParameters tree = species.tree;
+    if (openGrown || !growsByCompany(species))
+        return tree;
+    float& base = tree.grown->crownBase;
+    const float raised = forestBase(species);
+    const float squeezed = (1.0f - raised) / (1.0f - base);
+    tree.grown->trunk = 1.0f - (1.0f - tree.grown->trunk) * squeezed;
+    base = raised;
+    return tree;
 }
 
 double stemModulus(const WoodParameters& wood, double slenderness) {

@@ -11,6 +11,13 @@ namespace osgTreeWind {
 /// The size with its crown's width where that is not given, but known from the diameter of the trunk.
 TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown);
 
+/// How trees of a species grow: with room on all sides as it says, in a forest with a crown of the depth that
+/// its law has for its own height, where that is shallower. What the crown holds keeps its place in it:
+/// boughs and leaves are as many, closer to each other; those below are gone.
+TreeParameters growthOf(const Species& species, bool openGrown);
+/// Whether these are two.
+bool growsByCompany(const Species& species);
+
 /// Modulus of a living trunk: that of clear wood, less what knots and young wood take, and less where it is
 /// stout for its height, Pa.
 /// @param slenderness height over diameter at breast height.

@@ -53,12 +53,15 @@ struct HeightAllometry {
     std::string source;                                          ///< Of its numbers, for people.
 };
 
-/// Width of a crown from the diameter of its trunk at breast height: base + perDiameter * diameter, metres.
-/// All 0: not known.
+/// Width of a crown from the diameter of its trunk at breast height: base + perDiameter * diameter, metres;
+/// and its depth from the height of the tree. All 0: not known.
 struct CrownAllometry {
     float base = 0.0f, perDiameter = 0.0f;         ///< In a forest.
     float openBase = 0.0f, openPerDiameter = 0.0f; ///< With room on all sides.
     float spread = 0.0f, openSpread = 0.0f;        ///< Of trees about that.
+    /// From the lowest green bough to the top, in a forest; with room on all sides it is as the species
+    /// grows.
+    float depth = 0.0f, depthPerHeight = 0.0f;
 };
 
 /// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.

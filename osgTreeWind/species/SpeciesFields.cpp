@@ -34,6 +34,11 @@ const Fields& fieldsOf<CrownAllometry>() {
         {"spread", at<&P::spread>, within(0, 2),
          "standard deviation of the natural logarithm of measured widths about it, in a forest"},
         {"open_spread", at<&P::openSpread>, within(0, 2), "likewise with room on all sides"},
+        {"depth", at<&P::depth>, within(-50, 50),
+         "lowest green bough to top in a forest, of a grown tree: `depth` and `depth_per_height` times the "
+         "height; both 0, or deeper than it grows: as it grows",
+         "m"},
+        {"depth_per_height", at<&P::depthPerHeight>, within(0, 1), ""},
     };
     return fields;
 }

@@ -21,8 +21,8 @@ struct GrownTree {
     float leaves;
 
     GrownTree(Species kind, const TreeSize& size, float leafShare = 1.0f)
-        : species(std::move(kind)), model(makeTreeModel(species.tree)), scale(fitTree(model, size)),
-          leaves(leafShare) {}
+        : species(std::move(kind)), model(makeTreeModel(growthOf(species, false))),
+          scale(fitTree(model, size)), leaves(leafShare) {}
     GrownTree(const std::string& name, const TreeSize& size, float leafShare = 1.0f)
         : GrownTree(*findSpecies(name), size, leafShare) {}
 

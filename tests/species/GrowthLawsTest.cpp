@@ -5,6 +5,8 @@
 
 #include <tests/TestData.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -61,6 +63,76 @@ TEST(GrowthLaws, OpenCrownsAreAsWideAsThoseOfACampus) {
     const double median = ratios[ratios.size() / 2];
     EXPECT_GT(median, 0.7) << median;
     EXPECT_LT(median, 1.1) << median;
+}
+
+namespace {
+
+/// With a crown as deep in a forest as ForestGALES has it of Sitka spruce.
+Species withForestCrown(const std::string& name) {
+    Species kind = *findSpecies(name);
+    kind.crown.depth = 2.4682f;
+    kind.crown.depthPerHeight = 0.3667f;
+    return kind;
+}
+
+} // namespace
+
+TEST(GrowthLaws, CrownsOfTheForestAreAsDeepAsForestGalesHasThem) {
+    const Species sitka = withForestCrown("Sitka spruce");
+    ASSERT_TRUE(sitka.tree.grown);
+    const float height = sitka.tree.grown->height;
+    const TreeParameters tree = growthOf(sitka, false);
+    const float depth = 2.4682f + 0.3667f * height;
+    EXPECT_NEAR(tree.grown->crownBase * height, height - depth, 0.02f);
+    float lowest = height;
+    for (const BranchUnit& unit : makeTreeModel(tree).skeleton.units)
+        if (unit.level == 1)
+            lowest = std::min(lowest, unit.base.z);
+    EXPECT_NEAR(lowest, height - depth, 0.5f);
+    // 9.8 m on 20 m: the shape is that of its own height, and stretched.
+    EXPECT_NEAR(20.0f * (1.0f - tree.grown->crownBase), 9.8f, 0.3f);
+}
+
+TEST(GrowthLaws, TheCrownKeepsItsPartsWhereItIsRaised) {
+    const Species oak = withForestCrown("oak");
+    const GrownTreeParameters open = *growthOf(oak, true).grown, forest = *growthOf(oak, false).grown;
+    EXPECT_EQ(open.crownBase, oak.tree.grown->crownBase);
+    EXPECT_EQ(open.trunk, oak.tree.grown->trunk);
+    EXPECT_GT(forest.crownBase, open.crownBase + 0.2f);
+    EXPECT_NEAR((forest.trunk - forest.crownBase) / (1.0f - forest.crownBase),
+                (open.trunk - open.crownBase) / (1.0f - open.crownBase), 1e-5f);
+    EXPECT_EQ(forest.boughs.count, open.boughs.count);
+}
+
+TEST(GrowthLaws, ARaisedCrownBearsTheLeavesOfItsTrunk) {
+    const Species oak = withForestCrown("oak");
+    const TreeModel open = makeTreeModel(growthOf(oak, true)), forest = makeTreeModel(growthOf(oak, false));
+    EXPECT_EQ(open.leaves.size(), forest.leaves.size());
+    const auto area = [](const TreeModel& model) {
+        float sum = 0.0f;
+        for (const LeafCluster& leaf : model.leaves)
+            sum += leaf.size * leaf.size;
+        return sum * glm::distance(model.leafMesh[0].corner, model.leafMesh[1].corner) *
+               glm::distance(model.leafMesh[1].corner, model.leafMesh[2].corner);
+    };
+    EXPECT_NEAR(area(forest) / area(open), trunkSection(forest.skeleton) / trunkSection(open.skeleton),
+                0.01f);
+}
+
+TEST(GrowthLaws, WithoutALawOrShallowerThanItATreeGrowsAlikeEverywhere) {
+    Species kind = withForestCrown("oak");
+    ASSERT_TRUE(growsByCompany(kind));
+    kind.tree.grown->crownBase = 0.8f;
+    EXPECT_FALSE(growsByCompany(kind));
+    EXPECT_EQ(growthOf(kind, false).grown->crownBase, 0.8f);
+    EXPECT_FALSE(growsByCompany(*findSpecies("palm")));
+    EXPECT_FALSE(growsByCompany({})) << "a tree of levels";
+    kind = withForestCrown("oak");
+    kind.crown.depth = 0.01f;
+    kind.crown.depthPerHeight = 0.0f;
+    EXPECT_NEAR(growthOf(kind, false).grown->crownBase, 0.9f, 1e-5f) << "some crown is left";
+    kind.crown.depth = 0.0f;
+    EXPECT_FALSE(growsByCompany(kind));
 }
 
 TEST(GrowthLaws, StoutTreesHaveSofterWood) {

@@ -42,6 +42,24 @@ TEST(Portrait, JsonHasTheNumbersAndNeedsNoGraphics) {
     EXPECT_EQ(outcome.out, runTool({"portrait", "silver birch", "--json"}).out);
 }
 
+TEST(Portrait, NamesTheCompanyOfTheTree) {
+    const TemporaryFolder folder;
+    const std::string beech =
+        folder.write("beech.treewind", "version = 1\n[[species]]\nname = \"beech\"\nlike = \"beech\"\n"
+                                       "[species.crown]\ndepth = 0.9\ndepth_per_height = 0.47\n") +
+        ":beech";
+    const Outcome open = runTool({"portrait", beech, "--json"}),
+                  forest = runTool({"portrait", beech, "--json", "--forest"});
+    ASSERT_EQ(open.exitCode, 0) << open.err;
+    ASSERT_EQ(forest.exitCode, 0) << forest.err;
+    EXPECT_EQ(Json::parse(open.out)["grown"], "the open");
+    EXPECT_EQ(Json::parse(forest.out)["grown"], "a forest");
+    EXPECT_NE(Json::parse(open.out)["skyThroughCrown"], Json::parse(forest.out)["skyThroughCrown"]);
+    EXPECT_NE(runTool({"portrait", beech, "--forest"}).out.find("a forest"), std::string::npos);
+    EXPECT_EQ(Json::parse(open.out)["skyThroughCrown"],
+              Json::parse(runTool({"portrait", "beech", "--json"}).out)["skyThroughCrown"]);
+}
+
 TEST(Portrait, EdgesAreThoseOfSingleLeavesOrNearly) {
     const Outcome outcome = runTool({"portrait", "oak", "--edges"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;

@@ -6,6 +6,7 @@
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
@@ -58,17 +59,18 @@ osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, 
 std::string BranchwiseForest::problemOf(const ForestDescription& description) {
     if (description.law == MotionLaw::Modal)
         return {};
+    const ShapeFamilies families(description);
     std::vector<std::size_t> units, leaves;
-    for (const Species& species : description.species) {
-        const TreeCounts counts = countLargest(species.tree, species.shapes);
+    for (const ShapeFamilies::Family& family : families.all()) {
+        const TreeCounts counts = countLargest(family.tree, static_cast<int>(family.shapes));
         units.push_back(counts.units);
         leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
     }
     std::size_t branchTexels = 0, leafTexels = 0;
     for (const TreePlacement& tree : description.trees)
-        if (tree.species < units.size()) {
-            branchTexels += 3 * units[tree.species]; // branch parameters are the largest
-            leafTexels += leaves[tree.species];
+        if (tree.species < description.species.size()) {
+            branchTexels += 3 * units[families.indexOf(tree)]; // branch parameters are the largest
+            leafTexels += leaves[families.indexOf(tree)];
         }
     if (std::max(branchTexels, leafTexels) <= DataTexture::mostTexels)
         return {};

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/forest/ShapeFamilies.h>
+
+#include <osgTreeWind/species/GrowthLaws.h>
+#include <osgTreeWind/species/ShapeCount.h>
+
+#include <array>
+
+namespace osgTreeWind {
+
+ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
+    std::vector<std::array<bool, 2>> stand(forest.species.size(), {false, false}); // in a forest, in the open
+    for (const TreePlacement& tree : forest.trees)
+        if (tree.species < stand.size())
+            stand[tree.species][tree.openGrown ? 1 : 0] = true;
+    for (std::size_t i = 0; i < stand.size(); ++i) {
+        const Species& species = forest.species[i];
+        const bool open = stand[i][1];
+        bool inForest = stand[i][0] || !open;
+        if (open && inForest)
+            inForest = growsByCompany(species);
+        const auto add = [&](bool openGrown) {
+            _all.push_back({i, openGrown, growthOf(species, openGrown), shapeCount(species)});
+            return _all.size() - 1;
+        };
+        const std::size_t first = add(!inForest);
+        _ofSpecies.emplace_back(first, inForest && open ? add(true) : first);
+    }
+}
+
+} // namespace osgTreeWind
