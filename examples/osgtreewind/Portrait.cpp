@@ -108,7 +108,7 @@ void print(const Species& species, const char* company, const TreeLooks& looks) 
     const auto line = [](const char* name, float value) {
         std::printf("%-24s %8.3f\n", name, static_cast<double>(value));
     };
-    std::printf("%s, grown in %s\n", species.name.c_str(), company);
+    std::printf("%s\ngrown in %s\n", species.name.c_str(), company);
     line("skyThroughCrown, summer", looks.skyThroughCrownSummer);
     line("skyThroughCrown, winter", looks.skyThroughCrownWinter);
     line("crownOverStem", looks.crownOverStem);

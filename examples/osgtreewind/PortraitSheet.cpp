@@ -61,7 +61,7 @@ osg::ref_ptr<Forest> row(const Species& species, bool openGrown, int trees, bool
 class Sheet {
 public:
     Sheet(const Species& species, bool openGrown, int panel)
-        : _company(openGrown ? "open-grown" : "in a forest"), _drawing(panel, panel, samplesAcross),
+        : _company(openGrown ? "open" : "forest"), _drawing(panel, panel, samplesAcross),
           _tree(row(species, openGrown, 1, false)), _trees(row(species, openGrown, 3, true)),
           _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
         const PlacedTree& tree = _tree->getSimulation().trees().front();

@@ -46,7 +46,8 @@ TEST(Portrait, NamesTheCompanyOfTheTree) {
     const TemporaryFolder folder;
     const std::string beech =
         folder.write("beech.treewind", "version = 1\n[[species]]\nname = \"beech\"\nlike = \"beech\"\n"
-                                       "[species.crown]\ndepth = 0.9\ndepth_per_height = 0.47\n") +
+                                       "[species.crown]\ndepth = 0.9\ndepth_per_height = "
+                                       "0.47\n[[tree]]\nspecies = \"beech\"\nposition = [0.0, 0.0, 0.0]\n") +
         ":beech";
     const Outcome open = runTool({"portrait", beech, "--json"}),
                   forest = runTool({"portrait", beech, "--json", "--forest"});
@@ -55,7 +56,7 @@ TEST(Portrait, NamesTheCompanyOfTheTree) {
     EXPECT_EQ(Json::parse(open.out)["grown"], "the open");
     EXPECT_EQ(Json::parse(forest.out)["grown"], "a forest");
     EXPECT_NE(Json::parse(open.out)["skyThroughCrown"], Json::parse(forest.out)["skyThroughCrown"]);
-    EXPECT_NE(runTool({"portrait", beech, "--forest"}).out.find("a forest"), std::string::npos);
+    EXPECT_NE(runTool({"portrait", beech, "--forest"}).out.find("grown in a forest\n"), std::string::npos);
     EXPECT_EQ(Json::parse(open.out)["skyThroughCrown"],
               Json::parse(runTool({"portrait", "beech", "--json"}).out)["skyThroughCrown"]);
 }
