@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 #include "Offscreen.h"
+#include "PortraitMotion.h"
 #include "PortraitSheet.h"
 
 #include <osgTreeWind/base/Number.h>
@@ -29,7 +30,7 @@ using namespace osgTreeWind;
 
 struct PortraitOptions {
     std::string species, output, backend = offscreenBackendName();
-    bool json = false, edges = false, forest = false;
+    bool json = false, edges = false, motion = false, forest = false;
     int panel = 256;
     std::optional<float> season;
 };
@@ -104,6 +105,14 @@ nlohmann::ordered_json edgesJson(const Species& species) {
     return rows;
 }
 
+nlohmann::ordered_json toJson(const PortraitMotion& motion) {
+    const auto rounded = [](double value) { return std::round(1000.0 * value) / 1000.0; };
+    nlohmann::ordered_json pops = nlohmann::ordered_json::array();
+    for (const PortraitMotion::Pop& pop : motion.pops)
+        pops.push_back({{"pixels", pop.pixels}, {"apart", rounded(pop.apart)}, {"pop", rounded(pop.pop)}});
+    return {{"flicker", rounded(motion.flicker)}, {"pops", pops}};
+}
+
 void print(const Species& species, const char* company, const TreeLooks& looks) {
     const auto line = [](const char* name, float value) {
         std::printf("%-24s %8.3f\n", name, static_cast<double>(value));
@@ -124,9 +133,9 @@ ExitCode portrait(const PortraitOptions& options) {
     if (!species)
         return BadInput;
     species->tree = growthOf(*species, !options.forest);
+    if ((!options.output.empty() || options.motion) && options.backend != offscreenBackendName())
+        return runOtherBackend(options.backend);
     if (!options.output.empty()) {
-        if (options.backend != offscreenBackendName())
-            return runOtherBackend(options.backend);
         const osg::ref_ptr<osg::Image> sheet =
             drawPortrait(*species, !options.forest, options.panel, options.season.value_or(midspring));
         if (!sheet)
@@ -141,7 +150,13 @@ ExitCode portrait(const PortraitOptions& options) {
     json["grown"] = companyOf(options);
     if (options.edges)
         json["edges"] = edgesJson(*species);
-    if (options.json || options.edges)
+    if (options.motion) {
+        const std::optional<PortraitMotion> motion = measureMotion(*species);
+        if (!motion)
+            return Failed;
+        json["motion"] = toJson(*motion);
+    }
+    if (options.json || options.edges || options.motion)
         std::cout << json.dump(2) << '\n';
     else
         print(*species, companyOf(options), looks);
@@ -161,6 +176,10 @@ void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
         "--edges", options->edges,
         "Print JSON, also of how finely the crown is cut against the sky at 10, 20, 40 and 80 m, and "
         "single leaves in its place: seconds");
+    command->add_flag(
+        "--motion", options->motion,
+        "Print JSON, also of how restless its picture is: flicker in a breeze at 40 m over that "
+        "of ever so many samples a pixel, and what changes from tier to tier: a minute");
     command->add_option("-o,--output", options->output, "sheet.png; without it nothing is drawn")
         ->check([](const std::string& name) {
             return osgDB::getLowerCaseFileExtension(name) == "png"

@@ -21,6 +21,10 @@ constexpr float goldenAngle = 2.3999632f;
 /// Faces of leaves are inclined by what their clusters are, by how their quads are turned within them, and by
 /// how they stand on these: as variances, these shares of the first two leave the third one its own.
 constexpr float clusterShare = 0.2f, quadShare = 1.0f;
+/// Of shoots that hang, over the mean inclination, so that with the one upon them they have that mean.
+constexpr float hangingShare = 1.2f, lyingShare = 0.3f;
+constexpr float slim = 0.75f;     ///< Width of such a shoot over that of a spray, which is as large.
+constexpr float onward = 0.7f;    ///< Radians by which one that hangs leans the way its twig goes.
 constexpr float halfV = 1.22f;    ///< Radians between the rows of a frond and upright.
 constexpr float leastRoll = 0.4f; ///< Radians: flat crowns too are seen from the side.
 
@@ -213,6 +217,24 @@ QuadPlace sprayQuad(int quad, float inclination) {
     return {0.0f, cosine(roll) * across + sine(roll) * glm::cross(along, across), along};
 }
 
+/// Shoots of a twig: two hang, one on each side of it, the third lies upon it.
+void addHangingQuad(const LeafParameters& parameters, int quad, LeafVertex* corners) {
+    const float hand = quad == 0 ? 1.0f : -1.0f;
+    const float steep = (quad == 2 ? lyingShare : hangingShare) * parameters.inclination;
+    const glm::vec3 aside{hand * cosine(steep), sine(steep), 0.0f}, ahead{0.0f, 0.0f, 1.0f};
+    const glm::vec3 along = quad == 2 ? ahead : cosine(onward) * aside + sine(onward) * ahead;
+    const glm::vec3 side = quad == 2 ? -aside : hand * (sine(onward) * aside - cosine(onward) * ahead);
+    const float start = quad == 0 ? 0.25f : quad == 1 ? 0.6f : 0.0f;
+    const glm::vec3 normal = glm::cross(side, along);
+    for (int corner = 0; corner < 4; ++corner) {
+        const glm::vec2 uv{corner == 1 || corner == 2 ? 1.0f : 0.0f, corner >= 2 ? 1.0f : 0.0f};
+        corners[corner] = {start * parameters.length * ahead +
+                               (uv.x - 0.5f) * slim * parameters.width * side +
+                               uv.y / slim * parameters.length * along,
+                           normal, uv};
+    }
+}
+
 /// A row of leaflets along a segment of a frond: to the right and to the left, in a V, or hanging.
 void addFrondRow(const LeafParameters& parameters, int row, LeafVertex* corners) {
     const float lean = row == 0 ? halfV : row == 1 ? -halfV : 2.9f; // from upright
@@ -274,6 +296,10 @@ std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters
     for (int quad = 0; quad < quadsPerLeafCluster; ++quad) {
         if (parameters.frond) {
             addFrondRow(parameters, quad, &mesh[static_cast<std::size_t>(4 * quad)]);
+            continue;
+        }
+        if (parameters.hanging && parameters.inclination > 0.0f) {
+            addHangingQuad(parameters, quad, &mesh[static_cast<std::size_t>(4 * quad)]);
             continue;
         }
         const auto [start, side, along] =

@@ -32,6 +32,9 @@ struct LeafParameters {
     /// Of `clusters`: each is a segment of a frond, which is the branch, with rows of leaflets on both sides
     /// and one that hangs. `length` is along the branch, `width` that of a row.
     bool frond = false;
+    /// Of `clusters` with an inclination: each is drawn as a twig with two rows of shoots that hang, more
+    /// than twice as long as wide, and one upon it. How wide a crown is does not follow from it.
+    bool hanging = false;
     float area = 0.0f; ///< Of all quads over the trunk's cross-section at breast height; 0: length
                        ///< and width hold as they are, else they tell the proportions.
     std::uint32_t seed = 1;
@@ -70,7 +73,7 @@ constexpr int verticesPerLeafCluster = quadsPerLeafCluster * 4;
 constexpr int trianglesPerLeafCluster = quadsPerLeafCluster * 2;
 
 /// The one mesh all clusters share (the thesis' display list, §2.4.1): quads 4i .. 4i+3. A fan about the
-/// petiole, or with an inclination a flat spray.
+/// petiole, or with an inclination a flat spray, or shoots that hang.
 std::array<LeafVertex, verticesPerLeafCluster> makeLeafMesh(const LeafParameters& parameters);
 
 } // namespace osgTreeWind

@@ -137,6 +137,12 @@ const Fields& fieldsOf<LeafParameters>() {
          "with `clusters`: each is a segment of a frond, which is the branch: `length` along it, `width` of "
          "the "
          "rows of leaflets on both sides, and of one that hangs"},
+        {"hanging",
+         at<&P::hanging>,
+         {},
+         "with `clusters` and an `inclination`: each is drawn as a twig of a conifer, from which shoots hang "
+         "on "
+         "both sides; the tree is as wide as without"},
         {"thin_wood", at<&P::thinWood>, within(0, 1),
          "with `clusters`: share of the length of all wood, the thinnest, that bears some"},
         {"area", at<&P::area>, within(0, 1e6),

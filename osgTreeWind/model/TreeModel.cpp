@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace osgTreeWind {
 namespace {
@@ -46,10 +47,18 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
     model.skeleton = makeSkeleton(parameters, variant);
     model.skin = makeBranchSkin(model.skeleton);
     model.leaves = makeLeafClusters(model.skeleton, leaves);
-    model.leafMesh = makeLeafMesh(leaves);
-    if (leaves.area > 0.0f)
-        setArea(model, leaves.area * trunkSection(model.skeleton));
+    const auto setMesh = [&] {
+        model.leafMesh = makeLeafMesh(leaves);
+        if (leaves.area > 0.0f)
+            setArea(model, leaves.area * trunkSection(model.skeleton));
+    };
+    const bool hanging = std::exchange(leaves.hanging, false);
+    setMesh();
     model.extents = makeTreeExtents(model);
+    if (hanging) {
+        leaves.hanging = true;
+        setMesh();
+    }
     return model;
 }
 

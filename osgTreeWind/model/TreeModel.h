@@ -33,7 +33,7 @@ struct TreeModel {
     BranchSkin skin;
     std::vector<LeafCluster> leaves;
     std::array<LeafVertex, verticesPerLeafCluster> leafMesh;
-    TreeExtents extents; ///< makeTreeExtents() of the above, for measureTree() and fitTree().
+    TreeExtents extents; ///< makeTreeExtents() of the above without `hanging`: measureTree(), fitTree().
 };
 
 /// Grows skeleton, skin and leaves. All seeds of `parameters` are offset by `variant`.

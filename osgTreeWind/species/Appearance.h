@@ -24,7 +24,9 @@ enum class LeafForm {
     Bundles,  ///< Pine.
     Tufts,    ///< Larch.
     Frond,    ///< Palm.
+    Pointed,  ///< Red oak: lobes with teeth.
 };
+constexpr int leafForms = 15;
 
 constexpr bool isNeedles(LeafForm form) {
     return form >= LeafForm::Needles && form <= LeafForm::Tufts;

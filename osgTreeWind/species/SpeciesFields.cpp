@@ -148,7 +148,7 @@ const Fields& fieldsOf<Appearance>() {
          "leaves on the texture",
          "",
          inOrder({"blade", "lobed", "ovate", "rhombic", "palmate", "pinnate", "heart", "round", "fingered",
-                  "fan", "needles", "bundles", "tufts", "frond"})},
+                  "fan", "needles", "bundles", "tufts", "frond", "pointed"})},
         {"bark_form",
          at<&P::barkForm>,
          {},

@@ -37,6 +37,8 @@ TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
               Texts{"motion.noise_exponent: expected a finite number in [0, 3]"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.season = -1.0f; }),
               Texts{"season: expected a finite number in [0, 4]"});
+    EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.drawing.budget = NAN; }),
+              Texts{"drawing.budget: expected a finite number in [0, 10000], found nan"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.drawing.full = 50.0f; }),
               Texts{"drawing.reduced: expected reduced below full, found 250 and 50"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].name.clear(); }),

@@ -98,7 +98,7 @@ TEST(BuiltInSpecies, AreWhatTheyWereToTheLastBit) {
                                                                      {"ash", 0xf2154b687f0614b4},
                                                                      {"sycamore", 0x935198c89450780e},
                                                                      {"red maple", 0x999b17f4138b4912},
-                                                                     {"red oak", 0x70aa68bc33a04d80},
+                                                                     {"red oak", 0x415c1243d7a5a56f},
                                                                      {"aspen", 0x5566a2077e768cc2},
                                                                      {"linden", 0xca461087099db661},
                                                                      {"poplar", 0x87fb2a58ae06d868},

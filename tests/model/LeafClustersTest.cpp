@@ -282,5 +282,35 @@ TEST(Fronds, HaveTwoRowsOfLeafletsInAVAndOneThatHangs) {
     }
 }
 
+TEST(HangingShoots, HangOnBothSidesOfATwigAndOneLiesUponIt) {
+    for (const float inclination : {25.0f, 45.0f}) {
+        LeafParameters leaves = sprays(glm::radians(inclination));
+        const auto spray = makeLeafMesh(leaves);
+        leaves.hanging = true;
+        const auto mesh = makeLeafMesh(leaves);
+        float sum = 0.0f;
+        for (std::size_t quad = 0; quad < 3; ++quad) {
+            const LeafVertex* v = &mesh[4 * quad];
+            const glm::vec3 across = v[1].corner - v[0].corner, along = v[3].corner - v[0].corner;
+            EXPECT_NEAR(glm::dot(across, along), 0.0f, 1e-6f);
+            EXPECT_GT(glm::length(along), 1.9f * glm::length(across));
+            EXPECT_NEAR(glm::length(along) * glm::length(across),
+                        glm::distance(spray[0].corner, spray[1].corner) *
+                            glm::distance(spray[0].corner, spray[3].corner),
+                        1e-5f)
+                << "as large as a spray";
+            EXPECT_NEAR(glm::length(v->normal - glm::normalize(glm::cross(across, along))), 0.0f, 1e-5f);
+            EXPECT_LT(v->normal.y, 0.0f) << "up is -y";
+            sum += glm::degrees(std::acos(-v->normal.y)) / 3.0f;
+            if (quad < 2) {
+                EXPECT_GT(along.y, 0.25f * glm::length(along)) << "it hangs";
+                EXPECT_GT((quad == 0 ? 1.0f : -1.0f) * along.x, 0.0f);
+                EXPECT_GT(along.z, 0.0f);
+            }
+        }
+        EXPECT_NEAR(sum, inclination, 0.15f * inclination);
+    }
+}
+
 } // namespace
 } // namespace osgTreeWind

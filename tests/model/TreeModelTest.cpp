@@ -99,5 +99,27 @@ TEST(TreeModel, LeafCardsHaveTheAreaThatIsAskedFor) {
     }
 }
 
+TEST(TreeModel, ShootsThatHangChangeNoSizeAndNoArea) {
+    TreeParameters p;
+    p.grown.emplace();
+    p.leaves.clusters = 300;
+    p.leaves.inclination = 0.8f;
+    for (const float area : {0.0f, 2000.0f}) {
+        p.leaves.area = area;
+        p.leaves.hanging = false;
+        const TreeModel flat = makeTreeModel(p);
+        p.leaves.hanging = true;
+        const TreeModel hanging = makeTreeModel(p);
+        const auto card = [](const TreeModel& model) {
+            return glm::distance(model.leafMesh[0].corner, model.leafMesh[1].corner) *
+                   glm::distance(model.leafMesh[0].corner, model.leafMesh[3].corner);
+        };
+        EXPECT_NEAR(card(hanging) / card(flat), 1.0f, 1e-4f);
+        EXPECT_NE(hanging.leafMesh[2].corner, flat.leafMesh[2].corner);
+        for (std::size_t side = 0; side < 5; ++side)
+            EXPECT_EQ(hanging.extents.sides[side].leaves, flat.extents.sides[side].leaves) << side;
+    }
+}
+
 } // namespace
 } // namespace osgTreeWind

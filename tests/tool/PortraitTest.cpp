@@ -74,6 +74,21 @@ TEST(Portrait, EdgesAreThoseOfSingleLeavesOrNearly) {
     EXPECT_LT(edges[0]["tier"], edges[3]["tier"]);
 }
 
+TEST(Portrait, MotionSaysHowRestlessThePictureIs) {
+    const Outcome outcome = runTool({"portrait", "palm", "--motion"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const Json motion = Json::parse(outcome.out)["motion"];
+    EXPECT_GT(motion["flicker"].get<double>(), 0.9) << "fewer samples are no calmer";
+    EXPECT_LT(motion["flicker"].get<double>(), 5.0);
+    ASSERT_EQ(motion["pops"].size(), 5u);
+    EXPECT_EQ(motion["pops"][0]["pixels"], 800.0);
+    EXPECT_EQ(motion["pops"][4]["pixels"], 80.0);
+    for (const Json& pop : motion["pops"]) {
+        EXPECT_GT(pop["apart"].get<double>(), 0.01) << "no other tier: " << pop;
+        EXPECT_LT(pop["pop"].get<double>(), 0.3 * pop["apart"].get<double>()) << "tiers cross over: " << pop;
+    }
+}
+
 TEST(Portrait, LinesSayTheSame) {
     const Outcome outcome = runTool({"portrait", "beech"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;

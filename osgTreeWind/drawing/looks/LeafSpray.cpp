@@ -59,6 +59,7 @@ constexpr Habit habits[] = {
     {9, 4, 0.75f, false, 0.3f, 0.009f, 0.55f, 0.13f, 0.0f, 0.6f},  // bundles
     {8, 4, 0.9f, false, 0.05f, 0.06f, 0.9f, 0.06f, 0.0f, 0.8f},    // tufts
     {0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},       // frond
+    {10, 5, 1.0f, false, 0.2f, 0.045f, 0.9f, 0.19f, 0.03f, 0.55f}, // pointed
 };
 
 /// Within a rounded outline, which shoots seldom reach, so that the eye does not take it for a card.
@@ -169,7 +170,7 @@ private:
             const float t = at / shoot.length;
             const float lean = _habit.leafLean * (1.0f - 0.35f * t);
             addLeaf(shoot.at(t), shoot.leanAt(t), hand * lean);
-            if (_habit.opposite || _form >= LeafForm::Needles)
+            if (_habit.opposite || isNeedles(_form))
                 addLeaf(shoot.at(t), shoot.leanAt(t), -hand * lean);
         }
         addLeaf(shoot.at(1.0f), shoot.leanAt(1.0f), 0.0f);

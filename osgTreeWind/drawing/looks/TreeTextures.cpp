@@ -58,7 +58,7 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
         if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
             return picture;
     constexpr float sparse = 0.4f; // so that none shows as a whole on a bough
-    static PaintedOnce<LeafForm, static_cast<std::size_t>(LeafForm::Frond) + 1> images;
+    static PaintedOnce<LeafForm, leafForms> images;
     return images.image(appearance.leafForm, [](LeafForm form) {
         const auto card = [&](int variant, float share) {
             return paintSpray(form, growSpray(form, variant, share));

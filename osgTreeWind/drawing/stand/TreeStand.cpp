@@ -112,10 +112,11 @@ void TreeStand::update(unsigned frame, double time) {
             }
             each.lists->near().clear();
         }
-        _lists.erase(
-            std::remove_if(_lists.begin(), _lists.end(), // cull visitors may be no more
-                           [&](const Lists& each) { return frame > each.lists->frame() + framesNear; }),
-            _lists.end());
+        const auto forget = [](auto& past, const auto& isPast) { // those culled for may be no more
+            past.erase(std::remove_if(past.begin(), past.end(), isPast), past.end());
+        };
+        forget(_lists, [&](const Lists& each) { return frame > each.lists->frame() + framesNear; });
+        forget(_views, [&](const View& each) { return frame > each.frame + framesNear; });
     }
     // Without a viewer all stay.
     if (!_tiers.on() || frame % 8 != 0 || _culledFrame == ~0u || frame > _culledFrame + framesNear)
@@ -168,12 +169,32 @@ osg::ref_ptr<CullLists> TreeStand::freeLists(const osgUtil::CullVisitor& visitor
     return _lists.back().lists;
 }
 
+/// What its view's budget leaves of the trees' detail; shadow cameras and the like are part of a view.
+float TreeStand::detailOf(osgUtil::CullVisitor& visitor, unsigned frame) {
+    const float budget = _simulation->description().drawing.budget;
+    const osg::Camera* camera = budget > 0.0f ? visitor.getRenderStage()->getCamera() : nullptr;
+    osg::Stats* stats = camera ? const_cast<osg::Stats*>(camera->getStats()) : nullptr;
+    if (!stats || !_tiers.on())
+        return 1.0f;
+    if (!stats->collectStats("rendering"))
+        stats->collectStats("rendering", true);
+    const std::lock_guard<std::mutex> lock(_listsMutex);
+    const auto known =
+        std::find_if(_views.begin(), _views.end(), [&](const View& each) { return each.camera == camera; });
+    View& view = known != _views.end() ? *known : _views.emplace_back(View{camera, {}, frame});
+    view.frame = frame;
+    const float detail = view.budget.follow(*stats, frame, budget);
+    stats->setAttribute(frame, "Tree detail", static_cast<double>(detail));
+    return detail;
+}
+
 void TreeStand::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
     const osg::ref_ptr<CullLists> lists = freeLists(visitor);
-    TreeStandCull{visitor, frame,    *_simulation, *_simulation->modal(), _resources, _passes, _tiers,
-                  _cells,  _flutter, *lists}
+    TreeStandCull{visitor,    frame,    *_simulation, *_simulation->modal(),
+                  _resources, _passes,  _tiers,       detailOf(visitor, frame),
+                  _cells,     _flutter, *lists}
         .run();
 }
 

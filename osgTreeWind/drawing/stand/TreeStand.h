@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/stand/CullLists.h>
+#include <osgTreeWind/drawing/stand/DetailBudget.h>
 #include <osgTreeWind/drawing/stand/StandResources.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
@@ -75,6 +76,7 @@ private:
     void follow(std::uint32_t tree);
     void cull(osgUtil::CullVisitor& visitor);
     osg::ref_ptr<CullLists> freeLists(const osgUtil::CullVisitor& visitor);
+    float detailOf(osgUtil::CullVisitor& visitor, unsigned frame);
 
     std::shared_ptr<ForestSimulation> _simulation;
     StandResources _resources;
@@ -94,12 +96,18 @@ private:
     unsigned _frame = 0;               ///< Of the last update.
     std::atomic<unsigned> _culledFrame{~0u};
 
-    mutable std::mutex _listsMutex; ///< Guards the next one.
+    mutable std::mutex _listsMutex; ///< Guards what follows.
     struct Lists {
         const osgUtil::CullVisitor* visitor; ///< Whose they are.
         osg::ref_ptr<CullLists> lists;
     };
     std::vector<Lists> _lists;
+    struct View {
+        const osg::Camera* camera;
+        DetailBudget budget;
+        unsigned frame; ///< In which it was seen last.
+    };
+    std::vector<View> _views; ///< Where there is a budget.
 };
 
 } // namespace osgTreeWind

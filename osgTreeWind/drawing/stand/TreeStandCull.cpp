@@ -62,7 +62,7 @@ void TreeStandCull::seeCell(const ViewFrustum& view, const CullLists::SeenCell& 
             if (!view.sees(middle, std::hypot(tree.reach, 0.5f * tree.height) + sway))
                 continue;
         }
-        const CullLists::SeenTree seenTree{tree.number, band, view.pixels(middle, tree.height)};
+        const CullLists::SeenTree seenTree{tree.number, band, detail * view.pixels(middle, tree.height)};
         if (tiers.on() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
             lists.seenTrees().push_back(seenTree);
         else // nothing before it would change how it is drawn

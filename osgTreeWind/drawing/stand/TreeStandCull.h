@@ -25,6 +25,7 @@ public:
     const StandResources& resources;
     const std::vector<osg::ref_ptr<PosePass>>& passes; ///< By model.
     const TreeTiers& tiers;
+    float detail; ///< On the trees' heights on the screen.
     const TreeCells& cells;
     const std::vector<osg::Vec3>& flutter; ///< By species.
     CullLists& lists;

@@ -15,7 +15,6 @@ using namespace osgTreeWind;
 namespace {
 
 constexpr int twigs = 2, all = 3;
-constexpr int forms = static_cast<int>(LeafForm::Frond) + 1;
 
 /// Share of texels that the alpha test keeps: of leaves without the twigs among them, or of bare twigs.
 float leavesOn(const LeafTexels& card) {
@@ -131,10 +130,10 @@ TEST_P(LeafSprayOf, BoughsBearAsManyLeavesAsTheirSize) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayOf, testing::Range(0, forms));
+INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayOf, testing::Range(0, leafForms));
 
 TEST(LeafSpray, EveryFormLooksDifferent) {
-    for (int a = 0; a < forms; ++a)
+    for (int a = 0; a < leafForms; ++a)
         for (int b = 0; b < a; ++b) {
             const LeafTexels one = painted(static_cast<LeafForm>(a), 0),
                              other = painted(static_cast<LeafForm>(b), 0);

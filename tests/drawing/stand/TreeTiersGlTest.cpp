@@ -168,3 +168,35 @@ TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
     forest.trees.back().size.height = 40.0f;
     EXPECT_LT(tierOfLast(), Tier::Impostor) << "it stands out above them";
 }
+
+TEST_F(TreeTiersGlTest, eachViewKeepsToTheBudget) {
+    struct Case {
+        float budget;
+        double detail;
+    };
+    std::vector<std::size_t> full, least;
+    for (const Case& each : {Case{10000.0f, 1.0}, Case{1e-3f, DetailBudget::least}}) {
+        ForestDescription description = wood(12, true);
+        description.drawing.budget = each.budget;
+        show(description);
+        for (int i = 0; i < 40; ++i)
+            pictureFrom({0, -20, 3}, {0, 140, 8}, i / 30.0);
+        double detail = 0.0;
+        const unsigned frame = viewer().getFrameStamp()->getFrameNumber();
+        ASSERT_TRUE(viewer().getCamera()->getStats()->getAttribute(frame, "Tree detail", detail));
+        EXPECT_EQ(detail, each.detail) << each.budget << " ms";
+        const auto listed = _forest->getStand()->trees()->listedTrees();
+        (each.detail == 1.0 ? full : least).assign(listed.begin(), listed.end());
+    }
+    ForestDescription without = wood(12, true);
+    show(without);
+    pictureFrom({0, -20, 3}, {0, 140, 8}, 0.0);
+    const auto listed = _forest->getStand()->trees()->listedTrees();
+    EXPECT_EQ(full, std::vector<std::size_t>(listed.begin(), listed.end()));
+    double detail = 0.0;
+    EXPECT_FALSE(viewer().getCamera()->getStats()->getAttribute(1, "Tree detail", detail))
+        << "without a budget";
+    EXPECT_GT(least[static_cast<std::size_t>(Tier::Impostor)],
+              full[static_cast<std::size_t>(Tier::Impostor)]);
+    EXPECT_EQ(least[static_cast<std::size_t>(Tier::Full)], 0u);
+}
