@@ -49,6 +49,11 @@ struct LaneFactors {
         return typename Lanes::Laws().nearExponential(p.modulus * modulus + p.branches * branches +
                                                       p.width * width + p.leaves * leaves);
     }
+    /// Share of its stiffness that weight leaves a mode: what slows it deepens its lean as well.
+    Number leftByWeight(const ModalModel::Mode& mode) const {
+        return typename Lanes::Laws().weightLeaves(mode.weightShare * weight * grown(mode.mass) /
+                                                   grown(mode.stiffness));
+    }
 };
 static_assert(sizeof(TreeFactors) == 10 * sizeof(float), "LaneFactors takes them in their order");
 

@@ -254,16 +254,7 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     }
     _groups[after].setWinds(_slots[tree].place, numbers.data() + 2 * from.modes.size(),
                             _groups[after].archetype->otherPatches(_groups[after].level));
-    if (modes < to.modes.size()) {
-        float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-        poseVector(tree, vector);
-        for (std::size_t k = modes; k < to.modes.size(); ++k) { // the new ones are where the air holds them
-            float force = 0.0f;
-            for (std::size_t i = 0; i < 3 * to.patches.size(); ++i)
-                force += to.levers[i * to.modes.size() + k] * vector[to.modes.size() + i];
-            number(tree, k) = force / (to.modes[k].pace * to.modes[k].pace);
-        }
-    }
+    settle(tree, modes);
     refreshLean(tree);
 }
 

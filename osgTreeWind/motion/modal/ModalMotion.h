@@ -111,6 +111,7 @@ private:
     float number(std::size_t tree, std::size_t index) const;
     void advance(const WindField* wind, double time);
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
+    void settle(std::size_t tree, std::size_t first);
     void refreshLean(std::size_t tree);
 
     Executor _executor;
