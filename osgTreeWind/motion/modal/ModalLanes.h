@@ -106,7 +106,8 @@ private:
         start.angle = number(k);
         start.speed = number(_modes + k);
         return _laws.modeStep(start, mode.drive * _force[k], mode.drive * _air.factors().reach * _brake[k],
-                              mode.pace, every(_model.dampingRatio), mode.limit, every(seconds));
+                              mode.pace, _air.factors().contact + _model.dampingRatio, mode.limit,
+                              every(seconds));
     }
 
     LaneLaws _laws;

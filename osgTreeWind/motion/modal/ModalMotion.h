@@ -60,6 +60,8 @@ public:
 
     /// From the next step on. What modes and patches have in common is kept.
     void setLevel(std::size_t tree, Level level);
+    /// Crowns in contact damp each other. @param crowns share of the ground around a tree that is under them.
+    void setCompany(std::size_t tree, float crowns);
     Level level(std::size_t tree) const;
 
     /// Takes the wind of this time as that of now, without moving. @param wind null: calm.

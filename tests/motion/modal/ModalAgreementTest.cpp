@@ -133,11 +133,10 @@ private:
             const Eigen::Index first = 3 * static_cast<Eigen::Index>(s);
             const glm::dvec3 v(air[s]), u(own[first], own[first + 1], own[first + 2]);
             const double area = point.woodDrag + point.leafDrag;
-            const double streamlined =
-                area *
-                std::pow(std::clamp(glm::length(v), 10.0, static_cast<double>(_material.streamlinedTo)) /
-                             10.0,
-                         -static_cast<double>(_material.streamlining) * point.leafDrag / area);
+            const double speed =
+                std::clamp(glm::length(v), 1.6, static_cast<double>(_material.streamlinedTo)) / 10.0;
+            const double power = speed < 1.0 ? _material.breezeStreamlining : _material.streamlining;
+            const double streamlined = area * std::pow(speed, -power * point.leafDrag / area);
             const double more = std::max(point.woodDrag + point.stillDrag - streamlined, 0.0);
             const double swings = glm::dot(u, u) / (glm::dot(u, u) + glm::dot(v, v) + 1e-6);
             const double brake =

@@ -236,12 +236,14 @@ void expectSameTrunk(const GrownTree& tree, const glm::vec3& wind) {
 // that the two laws stand alike where there is no weight, units are upright and the wind is along an axis.
 // Beyond 10 m/s they streamline otherwise: by axis there, by patch here.
 
-/// Of wood that weighs next to nothing, and no heavier for what an allometry says or a root holds.
+/// Of wood that weighs next to nothing, and no heavier for what an allometry says or a root holds. In a
+/// breeze its leaves do as under `damped`.
 Species weightless(Species species) {
     species.wood.density = 0.01f;
     species.wood.leafMass = 0.0f;
     species.wood.branchWood = WoodAllometry::Drawn;
     species.wood.anchorage = 0.0f;
+    species.wood.breezeStreamlining = 0.0f;
     return species;
 }
 
