@@ -11,8 +11,8 @@ vec4 request(int tree, int texel) { return texelFetch(poseRequests, ivec2(texel,
 /// First texel of the tree's matrix, texels of one of its rows, largest angle.
 vec3 matrixOf(int tree) { return request(tree, 0).xyz; }
 vec3 axesOf(int tree) { return request(tree, 1).xxy; }
-/// Of its foliage: exponent of streamlining, the speed up to which that holds, pull in a storm.
-vec3 foliageOf(int tree) { return vec3(request(tree, 0).w, request(tree, 1).zw); }
+/// Of its foliage: exponents of streamlining from and below 10 m/s, the speed up to which that holds, pull in a storm.
+vec4 foliageOf(int tree) { return vec4(request(tree, 0).w, request(tree, 25).x, request(tree, 1).zw); }
 vec4 shortVector(int tree, int texel) { return request(tree, 2 + texel); }
 /// In the tree's own axes, m/s.
 vec3 patchWind(int tree, int patchIndex) { return request(tree, 13 + patchIndex).xyz; }

@@ -33,7 +33,7 @@ void main() {
     gl_FragData[0] = rotation;
     vec3 wind = texelFetch(unitWinds, texelOfUnit(at.x, at.y), 0).xyz;
     gl_FragData[1] = vec4(translation, length(wind));
-    vec3 foliage = foliageOf(at.x);
-    vec4 pull = foliagePull(wind, foliage.x, foliage.y, foliage.z);
+    vec4 foliage = foliageOf(at.x);
+    vec4 pull = foliagePull(wind, foliage.x, foliage.y, foliage.z, foliage.w);
     gl_FragData[2] = vec4(turnVector(vec4(-rotation.xyz, rotation.w), pull.xyz), pull.w);
 }

@@ -13,7 +13,7 @@ namespace osgTreeWind {
 
 /// What the passes need of one tree: a row of the texture `poseRequests` (shaders/pose_request.glsl).
 struct PoseRequest {
-    static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 25;
+    static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 26;
 
     float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::ask() has it; negative: at rest.
     float rowTexels = 0.0f;   ///< Of a row of that matrix.
@@ -24,6 +24,8 @@ struct PoseRequest {
     float mostPull = 0.0f;                 ///< and mostPull.
     float vector[mostColumns] = {};        ///< Amplitudes, then forces on patches; the rest 0.
     float patchWinds[mostPatches][4] = {}; ///< In the tree's own axes, m/s; 0.
+    float breezeStreamlining = 0.0f;       ///< Reconfiguration's; 0, 0, 0.
+    float unused[3] = {};
 };
 static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 

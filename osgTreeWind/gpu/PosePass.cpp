@@ -124,6 +124,7 @@ void PosePass::ask(const ModalMotion& motion, std::size_t tree, const TreeScale&
         return;
     motion.poseVector(tree, request.vector);
     request.streamlining = foliage.streamlining;
+    request.breezeStreamlining = foliage.breezeStreamlining;
     request.streamlinedTo = foliage.streamlinedTo;
     request.mostPull = foliage.mostPull;
     glm::vec3 winds[PoseRequest::mostPatches];

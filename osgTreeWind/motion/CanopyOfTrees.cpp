@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 
+#include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
@@ -24,17 +25,21 @@ constexpr int mostCells = 1 << 20;
 
 /// What trees around a place add up to, over the ground.
 struct StandSum {
+    float crownArea = 0.0f;
     float frontalArea = 0.0f, height = 0.0f; ///< The latter times the former.
     std::array<float, StandTree::layers> drag{};
-    float streamlining = 0.0f, streamlinedTo = 0.0f, allDrag = 0.0f; ///< The former two times the latter.
+    /// The former three times the latter.
+    float streamlining = 0.0f, breezeStreamlining = 0.0f, streamlinedTo = 0.0f, allDrag = 0.0f;
 
     void add(const StandTree& tree, float share) {
+        crownArea += share * tree.crownArea;
         frontalArea += share * tree.frontalArea;
         height += share * tree.frontalArea * tree.height;
         for (std::size_t i = 0; i < drag.size(); ++i) {
             drag[i] += share * tree.drag[i];
             allDrag += share * tree.drag[i];
             streamlining += share * tree.drag[i] * tree.streamlining;
+            breezeStreamlining += share * tree.drag[i] * tree.breezeStreamlining;
             streamlinedTo += share * tree.drag[i] * tree.streamlinedTo;
         }
     }
@@ -44,6 +49,7 @@ struct StandSum {
 CanopyCell cellOf(const StandSum& sum, float height, float frontalArea, float factor) {
     CanopyCell cell;
     cell.closure = closureOf(frontalArea);
+    cell.crowns = std::min(factor * sum.crownArea, 1.0f);
     cell.profile = CanopyProfile::over(height, frontalArea);
     cell.shelter.fill(1.0f);
     float taken = 0.0f; // over the mean's square at the top, if crowns stood in free air
@@ -61,8 +67,9 @@ CanopyCell cellOf(const StandSum& sum, float height, float frontalArea, float fa
         float low = 0.0f, high = 1.0f;
         for (int i = 0; i < 20; ++i) {
             const float shelter = 0.5f * (low + high);
-            const float share = Laws().streamlinedShare(
-                sum.streamlining / sum.allDrag, sum.streamlinedTo / sum.allDrag, shelter * felt * top);
+            const float share =
+                Laws().streamlinedShare(sum.streamlining / sum.allDrag, sum.breezeStreamlining / sum.allDrag,
+                                        sum.streamlinedTo / sum.allDrag, shelter * felt * top);
             (shelter * shelter * taken * share < flows ? low : high) = shelter;
         }
         cell.shelter[s] = high;
@@ -120,6 +127,8 @@ struct StandGround {
 StandTree::StandTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
                      const glm::vec2& at)
     : place(at), height(scale.axes.z * model.skeleton.height()), streamlinedTo(species.wood.streamlinedTo) {
+    const float width = measureTree(model, scale).crownWidth;
+    crownArea = 0.25f * pi * width * width;
     const std::vector<UnitLoad> loads = makeUnitLoads(model, scale, species, leaves);
     float leafDrag = 0.0f, allDrag = 0.0f;
     for (std::size_t i = 0; i < loads.size(); ++i) {
@@ -131,7 +140,9 @@ StandTree::StandTree(const TreeModel& model, const TreeScale& scale, const Speci
         leafDrag += 0.5f * loads[i].leafDrag;
         frontalArea += 0.5f * loads[i].leafArea + 0.5f * (unit.baseDiameter + unit.tipDiameter) * unit.length;
     }
-    streamlining = allDrag > 0.0f ? species.wood.streamlining * leafDrag / allDrag : 0.0f;
+    const float foliage = allDrag > 0.0f ? leafDrag / allDrag : 0.0f;
+    streamlining = foliage * species.wood.streamlining;
+    breezeStreamlining = foliage * species.wood.breezeStreamlining;
 }
 
 std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees) {

@@ -19,10 +19,12 @@ struct StandTree {
 
     glm::vec2 place{0.0f};            ///< Metres.
     float height = 0.0f;              ///< Metres.
+    float crownArea = 0.0f;           ///< Ground under its crown, m^2.
     float frontalArea = 0.0f;         ///< Half of its leaf area, and its wood seen from the side, m^2.
     std::array<float, layers> drag{}; ///< Half CdA by eighths of its height, m^2.
-    float streamlining = 0.0f;        ///< Exponent of all of its drag, up to
-    float streamlinedTo = 25.0f;      ///< m/s.
+    float streamlining = 0.0f;        ///< Exponent of all of its drag from 10 m/s on, up to
+    float streamlinedTo = 25.0f;      ///< m/s,
+    float breezeStreamlining = 0.0f;  ///< and below 10 m/s.
 
     StandTree() = default;
     StandTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,

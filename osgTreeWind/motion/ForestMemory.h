@@ -20,7 +20,7 @@ ForestMemory forestMemory(const ForestDescription& description);
 /// Of that, the vertices and indices of a tree's bark and leaves as they are drawn in full.
 std::uint64_t geometryBytes(const TreeCounts& counts);
 
-/// Of that, what each tree adds to a simulation under `modal`: 254 bytes far, 413 near.
+/// Of that, what each tree adds to a simulation under `modal`: 262 bytes far, 421 near.
 std::size_t simulatedTreeBytes(ModalLevel level);
 
 /// What may be asked for: the environment's OSGTREEWIND_MAX_MEMORY, bytes or a number with k, M, G or T, else

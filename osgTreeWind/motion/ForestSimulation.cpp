@@ -164,7 +164,12 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
 }
 
 WindFieldPtr ForestSimulation::windHere() {
-    return _amongTrees->from(_wind->here(), _forest);
+    const WindFieldPtr wind = _amongTrees->from(_wind->here(), _forest);
+    if (_amongTrees->canopy() && _amongTrees->canopy() != _canopy) {
+        _canopy = _amongTrees->canopy();
+        _motion->standIn(*_canopy);
+    }
+    return wind;
 }
 
 std::optional<float> ForestSimulation::beginStep(double time) {

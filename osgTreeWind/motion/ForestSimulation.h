@@ -17,6 +17,7 @@ class BranchwiseMotion;
 class ModalMotion;
 class WindAmongTrees;
 class Motion;
+struct CanopyMap;
 
 /// A forest in motion, without graphics (docs/frame.md).
 ///
@@ -125,6 +126,7 @@ private:
     std::optional<double> _time;
     std::shared_ptr<GivenWind> _wind;
     std::unique_ptr<WindAmongTrees> _amongTrees;
+    std::shared_ptr<const CanopyMap> _canopy; ///< In which the trees stand; null: alone.
 };
 
 } // namespace osgTreeWind

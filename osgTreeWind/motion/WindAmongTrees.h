@@ -17,6 +17,9 @@ public:
     /// @param given null: calm. @return the same object while nothing changes.
     WindFieldPtr from(const WindFieldPtr& given, const PlacedForest& forest);
 
+    /// The stands that the last wind was continued into; null: none yet, or it was left as given.
+    const std::shared_ptr<const CanopyMap>& canopy() const { return _canopy; }
+
     /// A tree has come, gone or changed: who shelters whom is worked out anew with the next wind.
     void treeChanged(std::size_t slot);
     void allTreesChanged();

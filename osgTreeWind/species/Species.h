@@ -21,17 +21,18 @@ enum class WoodAllometry {
 struct WoodParameters {
     float elasticModulus = 9.0e9f; ///< Of green wood, Pa.
     // The rest is for the laws in SI units.
-    float density = 900.0f;      ///< Of green wood with its bark, kg/m^3.
-    float underBark = 1.0f;      ///< Diameter of the wood that bends, over that with its bark.
-    float dampingRatio = 0.05f;  ///< Of wood, without air.
-    float leafArea = 1800.0f;    ///< Of a tree with leaves, over its trunk's cross-section at breast height.
-    float leafMass = 0.2f;       ///< Fresh leaves over their area, kg/m^2.
-    float woodDrag = 1.0f;       ///< Drag coefficient of a bare branch.
-    float leafDrag = 0.25f;      ///< Of leaves by their area, where no crownDrag is known.
-    float stillDrag = 0.9f;      ///< Of leaves by their area that move through still air.
-    float crownDrag = 0.0f;      ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
-    float streamlining = 0.0f;   ///< n: drag falls with the wind speed from 10 m/s on.
-    float streamlinedTo = 25.0f; ///< The highest speed at which it was measured, m/s.
+    float density = 900.0f;     ///< Of green wood with its bark, kg/m^3.
+    float underBark = 1.0f;     ///< Diameter of the wood that bends, over that with its bark.
+    float dampingRatio = 0.05f; ///< Of wood, without air.
+    float leafArea = 1800.0f;   ///< Of a tree with leaves, over its trunk's cross-section at breast height.
+    float leafMass = 0.2f;      ///< Fresh leaves over their area, kg/m^2.
+    float woodDrag = 1.0f;      ///< Drag coefficient of a bare branch.
+    float leafDrag = 0.25f;     ///< Of leaves by their area, where no crownDrag is known.
+    float stillDrag = 0.9f;     ///< Of leaves by their area that move through still air.
+    float crownDrag = 0.0f;     ///< C of a whole crown by its outline, C u^-n; 0: not known. >= 0.
+    float streamlining = 0.0f;  ///< n: drag falls with the wind speed from 10 m/s on,
+    float breezeStreamlining = 0.0f; ///< and with this power below, from 1.6 m/s on (law `modal`).
+    float streamlinedTo = 25.0f;     ///< The highest speed at which it was measured, m/s.
 
     // How a living tree differs from clear wood on rock (GrowthLaws.h).
     float wholeStem = 1.0f;     ///< Modulus of a living stem over elasticModulus.

@@ -81,6 +81,10 @@ const Fields& fieldsOf<WoodParameters>() {
          "C of the whole crown by its outline, as measured: drag coefficient C·u^-n at u m/s; 0 is not "
          "known"},
         {"streamlining", at<&P::streamlining>, within(0, 2), "that n: drag falls with speed from 10 m/s on"},
+        {"breeze_streamlining", at<&P::breezeStreamlining>, within(0, 2),
+         "that n from 1.6 to 10 m/s, at the same drag at 10 m/s (law `\"modal\"`, and what one sees); 0.35 "
+         "in "
+         "built-in broadleaves, 0.36 in conifers"},
         {"streamlined_to", at<&P::streamlinedTo>, within(10, 200),
          "the highest speed of that measurement; C·u^-n stays as it is beyond", "m/s"},
         {"branch_wood",

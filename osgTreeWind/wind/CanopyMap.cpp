@@ -22,6 +22,18 @@ void CanopyMap::refer(float height) {
     std::for_each(cells.begin(), cells.end(), scale);
 }
 
+float CanopyMap::crownsAt(const glm::vec2& place) const {
+    if (everywhere)
+        return usual.crowns;
+    const glm::vec2 at = (place - corner) / cell + 0.5f;
+    if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width) &&
+          at.y < static_cast<float>(length)))
+        return 0.0f;
+    return cells[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(width) +
+                 static_cast<std::size_t>(at.x)]
+        .crowns;
+}
+
 CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
     if (everywhere)
         return {usual.closure, usual.profile, usual.top, usual.shelterAt(speed)};

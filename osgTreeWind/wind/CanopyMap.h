@@ -17,6 +17,7 @@ struct CanopyCell {
     static constexpr float speedStep = 8.0f; ///< m/s
 
     float closure = 0.0f; ///< closureOf() it: 0 is open country.
+    float crowns = 0.0f;  ///< Share of the ground that is under crowns, at most 1.
     CanopyProfile profile;
     float top = 1.0f; ///< Mean at the top over that at CanopyMap::reference.
     /// The wind between leaves over that of free air there, for mean speeds at the top of 0, speedStep, ...
@@ -51,6 +52,8 @@ struct CanopyMap {
 
     /// The stand at a place; outside of the map it is open country. @param speed mean at the top, m/s.
     CanopyAt at(const glm::vec2& place, float speed) const;
+    /// Share of the ground around a place that is under crowns, [0, 1].
+    float crownsAt(const glm::vec2& place) const;
 };
 
 } // namespace osgTreeWind

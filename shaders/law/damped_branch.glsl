@@ -69,7 +69,7 @@ vec4 dampedBranchStep(vec4 state, vec2 windBefore, vec2 windNow, DampedBranch gi
     vec2 second = vec2(bounded(state.y, branch.maxAngle), bounded(state.w, 1.0e3f));
     for (int i = 0; i < steps; ++i) {
         vec2 air = start + (float(i) + 0.5f) / float(steps) * (end - start);
-        streamlined.drag = branch.drag * streamlinedShare(branch.streamlining, branch.streamlinedTo, length(air));
+        streamlined.drag = branch.drag * streamlinedShare(branch.streamlining, 0.0f, branch.streamlinedTo, length(air));
         first = dampedAxisStep(first, air.x, streamlined, time / float(steps));
         second = dampedAxisStep(second, air.y, streamlined, time / float(steps));
     }

@@ -32,8 +32,12 @@ Swing swungFreely(Swing start, real pace, real rate, real h) {
     return end;
 }
 
-/// Share of its drag that a crown keeps once leaves and twigs have turned out of a wind of this speed: u^-exponent
-/// as measured in wind tunnels, constant outside the range of the measurements, from 10 m/s to `upTo`.
-real streamlinedShare(real exponent, real upTo, real speed) {
-    return decayed(exponent * logarithm(min(max(speed, every(10.0f)), upTo) / 10.0f));
+/// Drag of a crown over that at 10 m/s, as leaves and twigs turn out of a wind of this speed: u^-exponent from 10 m/s
+/// to `upTo`, as measured in wind tunnels, and u^-breeze below, down to 1.6 m/s, where leaves begin to stir (Beaufort's
+/// light breeze). @param exponent, breeze in [0, 2].
+real streamlinedShare(real exponent, real breeze, real upTo, real speed) {
+    real gentle = max(speed, every(1.6f));
+    real much = logarithm(gentle < 10.0f ? 10.0f / gentle : min(gentle, upTo) / 10.0f);
+    real share = decayed((gentle < 10.0f ? breeze : exponent) * much);
+    return gentle < 10.0f ? 1.0f / share : share;
 }

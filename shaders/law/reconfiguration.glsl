@@ -3,11 +3,9 @@
 // petioles turn downwind and the blades of a cluster close to a cone about them (Vogel 1989), together as far as the
 // drag falls that the law of motion reckons with (Rudnicki et al. 2004).
 
-/// Drag of foliage by the wind's pressure, over that in a calm: from 10 m/s on it falls as the drag does (streamlinedShare()); below,
-/// where that is not known, on the parabola that begins flat and meets it in value and slope.
-float foliageDrag(float exponent, float upTo, float speed) {
-    float begun = min(speed, 10.0f) * 0.1f;
-    return (1.0f - exponent / (2.0f + exponent) * begun * begun) * streamlinedShare(exponent, upTo, speed);
+/// Drag of foliage by the wind's pressure, over that in a calm: as that of the crown falls (streamlinedShare()).
+float foliageDrag(float exponent, float breeze, float upTo, float speed) {
+    return streamlinedShare(exponent, breeze, upTo, speed) / streamlinedShare(exponent, breeze, upTo, 0.0f);
 }
 
 /// What a wind does to foliage: toward where it draws petioles, and how wide blades stay open, 1 in a calm.
@@ -16,13 +14,13 @@ float foliageDrag(float exponent, float upTo, float speed) {
 /// area (numerically, within 0.015 up to a pull of 2.2); closing takes off the rest of the drag, which goes with the
 /// square of how wide a cone is open: its area, and the sine of its half-angle (Hoerner 1965: 1.17 flat, 0.55 at 30
 /// degrees).
-vec4 foliagePull(vec3 wind, float exponent, float upTo, float mostPull) {
+vec4 foliagePull(vec3 wind, float exponent, float breeze, float upTo, float mostPull) {
     vec3 air = vec3(bounded(wind.x, 200.0f), bounded(wind.y, 200.0f), bounded(wind.z, 200.0f));
     float square = dot(air, air);
     float speed = sqrt(square);
     vec3 lifted = air + vec3(0.0f, 0.0f, 0.3f * speed); // blades are blown up rather than down
     float pull = mostPull * square / (square + 100.0f);
-    float open = min(foliageDrag(exponent, upTo, speed) / (1.0f - 0.165f * pull), 1.0f);
+    float open = min(foliageDrag(exponent, breeze, upTo, speed) / (1.0f - 0.165f * pull), 1.0f);
     return vec4(lifted * (pull / max(length(lifted), 1.0e-9f)), sqrt(open));
 }
 

@@ -35,10 +35,12 @@ public:
         const auto* first = reinterpret_cast<const unsigned char*>(&wood);
         return bytes(first, flare).bytes(first + after, sizeof wood - after);
     }
-    /// But for its strength, which came later.
+    /// But for its strength and what it does in a breeze, which came later.
     Hash& add(const WoodParameters& wood) {
-        return bytes(reinterpret_cast<const unsigned char*>(&wood),
-                     offsetof(WoodParameters, bendingStrength));
+        constexpr std::size_t breeze = offsetof(WoodParameters, breezeStreamlining),
+                              after = breeze + sizeof wood.breezeStreamlining;
+        const auto* first = reinterpret_cast<const unsigned char*>(&wood);
+        return bytes(first, breeze).bytes(first + after, offsetof(WoodParameters, bendingStrength) - after);
     }
     /// But for the area of cards, which follows LeafCoverage.h, and fronds, which came later.
     Hash& add(const LeafParameters& leaves) {

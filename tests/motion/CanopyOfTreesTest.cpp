@@ -15,8 +15,10 @@ StandTree treeAt(float x, float y) {
     tree.place = {x, y};
     tree.height = 20.0f;
     tree.frontalArea = 40.0f;
+    tree.crownArea = 12.0f;
     tree.drag.fill(1.5f);
     tree.streamlining = 0.5f;
+    tree.breezeStreamlining = 0.3f;
     return tree;
 }
 
@@ -38,8 +40,10 @@ double balance(const CanopyAt& stand, float speed, double trees) {
         pressure += static_cast<double>(wind.push()) / static_cast<double>(StandTree::layers);
     }
     const double felt = static_cast<double>(stand.shelter * speed);
-    const double typical = felt * std::sqrt(pressure); // crowns streamline by it from 10 m/s on, u^-0.5
-    const double left = std::pow(std::clamp(typical, 10.0, 25.0) / 10.0, -0.5);
+    const double typical =
+        felt * std::sqrt(pressure); // crowns streamline by it: u^-0.5 from 10 m/s on, u^-0.3 below
+    const double left = typical < 10.0 ? std::pow(std::max(typical, 1.6) / 10.0, -0.3)
+                                       : std::pow(std::min(typical, 25.0) / 10.0, -0.5);
     taken = trees * 1.5 * static_cast<double>(StandTree::layers) * pressure * felt * felt * left;
     const double friction = static_cast<double>(stand.profile.friction * speed);
     return taken / (friction * friction);
@@ -51,7 +55,7 @@ TEST(CanopyOfTrees, AClosedStandTakesTheMomentumThatFlowsIntoIt) {
         const CanopyAt stand = map->at({0.0f, 0.0f}, speed);
         EXPECT_EQ(stand.closure, 1.0f);
         EXPECT_LT(stand.shelter, 1.0f);
-        EXPECT_NEAR(balance(stand, speed, 1.0 / 16.0), 1.0, 0.05) << speed;
+        EXPECT_NEAR(balance(stand, speed, 1.0 / 16.0), 1.0, 0.055) << speed;
     }
     EXPECT_GT(map->at({0.0f, 0.0f}, 40.0f).shelter, map->at({0.0f, 0.0f}, 8.0f).shelter)
         << "as crowns streamline the wind goes deeper";
@@ -62,6 +66,16 @@ TEST(CanopyOfTrees, KnowsTheFrontalAreaAndHeightOfTheStand) {
     const CanopyProfile wanted = CanopyProfile::over(20.0f, 40.0f / 16.0f);
     EXPECT_NEAR(stand.profile.height, 20.0f, 1e-3f);
     EXPECT_NEAR(stand.profile.attenuation / wanted.attenuation, 1.0f, 0.03f);
+}
+
+TEST(CanopyOfTrees, KnowsHowMuchOfTheGroundIsUnderCrowns) {
+    EXPECT_NEAR(canopyOf(plantation())->crownsAt({1.0f, 2.0f}), 12.0f / 16.0f, 0.03f);
+    EXPECT_EQ(canopyOf(plantation(3.0f))->crownsAt({1.0f, 2.0f}), 1.0f) << "crowns of 12 m^2 on 9 m^2 each";
+    EXPECT_NEAR(canopyOf(plantation())->crownsAt({121.0f, 0.0f}), 0.5f * 12.0f / 16.0f, 0.06f) << "the edge";
+    EXPECT_LT(canopyOf({treeAt(0.0f, 0.0f)})->crownsAt({0.0f, 0.0f}), 0.02f) << "alone";
+    EXPECT_EQ(canopyOf(plantation())->crownsAt({1.0e4f, 0.0f}), 0.0f);
+    const auto everywhere = canopyOf({treeAt(0.0f, 0.0f)}, 20.0f, 40.0f / 16.0f);
+    EXPECT_NEAR(everywhere->crownsAt({5.0f, 7.0f}), 12.0f / 16.0f, 1e-5f);
 }
 
 TEST(CanopyOfTrees, ATreeAloneHasTheWindOfTheOpen) {

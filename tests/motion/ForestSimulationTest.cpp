@@ -406,7 +406,7 @@ TEST(ForestSimulation, UnderModalAHostsThreadsDoTheWork) {
 
 TEST(ForestSimulation, UnderModalABareTreeStandsMoreStillInTheWind) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
-    forest.wind = uniform({4, 0, 0});
+    forest.wind = uniform({1, 0, 0});
     ForestSimulation leafy(forest);
     forest.trees[0].leaves = 0.0f;
     ForestSimulation bare(forest);

@@ -31,7 +31,7 @@ struct GrownTree {
     JointTree joints() const { return makeJointTree(model, scale, species, leaves); }
     ModalMaterial material() const {
         return {species.wood.dampingRatio, species.wood.streamlining, species.wood.streamlinedTo,
-                species.branch.maxAngle};
+                species.branch.maxAngle, species.wood.breezeStreamlining};
     }
     /// Index of the trunk's last unit.
     std::size_t top() const {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace osgTreeWind;
 
 namespace {
@@ -51,6 +53,25 @@ TEST(WindAmongTrees, AStandSheltersATreeInIt) {
     const float among = meanLean(sheltered);
     EXPECT_GT(among, 0.0f);
     EXPECT_LT(among, 0.5f * meanLean(open));
+}
+
+float contactOf(ForestSimulation& simulation) {
+    simulation.advance(0.0);
+    return simulation.modal()->factors(0).contact;
+}
+
+TEST(WindAmongTrees, CrownsInContactDampEachOther) {
+    ForestSimulation closed(stand(CanopySource::Forest)), alone(stand(CanopySource::Forest, 0.0)),
+        open(stand(CanopySource::None));
+    const float width = closed.forest().measured(closed.forest().trees[0]).crownWidth;
+    const float share = 0.25f * 3.14159265f * width * width / 16.0f;
+    EXPECT_NEAR(contactOf(closed), 0.05f * std::min(share, 1.0f), 0.003f);
+    EXPECT_LT(contactOf(alone), 0.001f);
+    EXPECT_EQ(contactOf(open), 0.0f);
+    for (std::size_t slot = 1; slot < closed.forest().trees.size(); ++slot)
+        EXPECT_TRUE(closed.removeTree(closed.forest().idOf(slot)).empty());
+    closed.advance(0.1);
+    EXPECT_LT(closed.modal()->factors(0).contact, 0.001f) << "its neighbours are gone";
 }
 
 TEST(WindAmongTrees, ATreeAloneHasTheWindAsItIsGiven) {

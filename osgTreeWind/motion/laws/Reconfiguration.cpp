@@ -12,12 +12,13 @@ namespace osgTreeWind {
 Reconfiguration::Reconfiguration(const Species& species) {
     const WoodParameters wood = clampedFields(species.wood);
     streamlining = wood.streamlining;
+    breezeStreamlining = wood.breezeStreamlining;
     streamlinedTo = wood.streamlinedTo;
     mostPull = std::tan(clampedFields(species.leaf).maxDownwind);
 }
 
 glm::vec4 Reconfiguration::pull(const glm::vec3& wind) const {
-    return Laws().foliagePull(wind, streamlining, streamlinedTo, mostPull);
+    return Laws().foliagePull(wind, streamlining, breezeStreamlining, streamlinedTo, mostPull);
 }
 
 glm::quat drawnLeafTurn(const glm::quat& orientation, const glm::vec4& state, const glm::vec4& pull) {

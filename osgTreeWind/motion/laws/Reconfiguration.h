@@ -12,9 +12,10 @@ namespace osgTreeWind {
 /// How the foliage of a species gives way to a wind under the law `modal` (shaders/law/reconfiguration.glsl,
 /// which the pose pass and vertex shaders share).
 struct Reconfiguration {
-    float streamlining = 0.0f;   ///< WoodParameters', within [0, 2],
-    float streamlinedTo = 25.0f; ///< and m/s, [10, 200].
-    float mostPull = 0.0f;       ///< Tangent of LeafMotion::maxDownwind.
+    float streamlining = 0.0f;       ///< WoodParameters', within [0, 2],
+    float breezeStreamlining = 0.0f; ///< [0, 2],
+    float streamlinedTo = 25.0f;     ///< and m/s, [10, 200].
+    float mostPull = 0.0f;           ///< Tangent of LeafMotion::maxDownwind.
 
     Reconfiguration() = default;
     /// Within the ranges of WoodParameters and LeafMotion, whatever it says.

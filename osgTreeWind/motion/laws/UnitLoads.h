@@ -14,7 +14,7 @@ struct UnitLoad {
     float leafArea = 0.0f;  ///< m^2.
     float leafMass = 0.0f;  ///< Fresh, kg.
     float woodDrag = 0.0f;  ///< CdA that keeps its form, m^2.
-    float leafDrag = 0.0f;  ///< CdA that streamlines, up to 10 m/s: of leaves, or of the measured crown, m^2.
+    float leafDrag = 0.0f;  ///< CdA that streamlines, at 10 m/s: of leaves, or of the measured crown, m^2.
     float modulus = 1.0f;   ///< Of its section as if it were all wood, Pa.
     float rootGive = 0.0f;  ///< Of what holds its base, rad/(N m): roots and soil under a trunk, else 0.
     float stiffness = 1.0f; ///< K of the joint at its base (jointStiffness()) and of its roots, N m/rad.

@@ -158,7 +158,7 @@ Archetype::Archetype(const SwayingTree& tree)
       _logs(growthOf(tree, _leafArea)) {
     const WoodParameters& wood = tree.species->wood;
     const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
-                                 tree.species->branch.maxAngle};
+                                 tree.species->branch.maxAngle, wood.breezeStreamlining};
     const JointTree joints = jointsOf(tree);
     _models = makeModalModels(joints, material, {std::begin(details), std::end(details)});
     for (ModalModel& model : _models) {

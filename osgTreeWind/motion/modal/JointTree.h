@@ -33,7 +33,7 @@ struct JointTree {
         glm::dvec3 lever{0.0};
         double mass = 0.0;      ///< kg
         double woodDrag = 0.0;  ///< CdA of bare wood, m^2.
-        double leafDrag = 0.0;  ///< CdA of leaves in the wind, up to 10 m/s, m^2.
+        double leafDrag = 0.0;  ///< CdA of leaves in a wind of 10 m/s, m^2.
         double stillDrag = 0.0; ///< CdA of leaves that move through still air, m^2.
     };
 

@@ -28,7 +28,8 @@ private:
 template <typename Lanes>
 struct LaneFactors {
     using Number = typename Lanes::Number;
-    Number cosine, sine, length, pace, modulus, branches, width, leaves, support, roots, leafDrag, stillDrag;
+    Number cosine, sine, length, pace, modulus, branches, width, leaves, support, roots, leafDrag, stillDrag,
+        contact;
     Number reach;  ///< Speed of a patch by that of modes: lengths over the gain.
     Number drive;  ///< Force on a mode, times the gain.
     Number weight; ///< On the shares of weight.
@@ -36,7 +37,7 @@ struct LaneFactors {
 
     LaneFactors(const LaneColumn<Lanes>& c, float gain)
         : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), modulus(c[4]), branches(c[5]), width(c[6]),
-          leaves(c[7]), support(c[8]), roots(c[9]), leafDrag(c[10]), stillDrag(c[11]) {
+          leaves(c[7]), support(c[8]), roots(c[9]), leafDrag(c[10]), stillDrag(c[11]), contact(c[12]) {
         const Number cube = length * length * length;
         reach = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
         drive = gain / (pace * cube * cube);
@@ -50,8 +51,13 @@ struct LaneFactors {
                                                       p.width * width + p.leaves * leaves +
                                                       p.support * support + p.roots * roots);
     }
+    /// Share of its stiffness that weight leaves a mode: what slows it deepens its lean as well.
+    Number leftByWeight(const ModalModel::Mode& mode) const {
+        return typename Lanes::Laws().weightLeaves(mode.weightShare * weight * grown(mode.mass) /
+                                                   grown(mode.stiffness));
+    }
 };
-static_assert(sizeof(TreeFactors) == 12 * sizeof(float), "LaneFactors takes them in their order");
+static_assert(sizeof(TreeFactors) == 13 * sizeof(float), "LaneFactors takes them in their order");
 
 /// The air at the patches of the trees from `first` on.
 template <typename Lanes>
@@ -75,9 +81,9 @@ public:
         _square[p] = x * x + y * y + z * z;
         const Number wood = patch.woodDrag * _factors.woodDrag;
         _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) *
-                       typename Lanes::Laws().streamlinedShare(Lanes::every(patch.streamlining),
-                                                               Lanes::every(_model.streamlinedTo),
-                                                               Lanes::root(_square[p]));
+                       typename Lanes::Laws().streamlinedShare(
+                           Lanes::every(patch.streamlining), Lanes::every(patch.breezeStreamlining),
+                           Lanes::every(_model.streamlinedTo), Lanes::root(_square[p]));
         _stillDrag[p] = wood + patch.stillDrag * _factors.stillDrag;
         _brake[p] = brakeAt(p, _speed, _past + 3 * p);
     }

@@ -4,6 +4,7 @@
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
+#include <osgTreeWind/wind/CanopyMap.h>
 
 #include <cmath>
 #include <utility>
@@ -63,6 +64,12 @@ void ModalForest::step(const WindField* wind, double time, float seconds) {
 void ModalForest::reset() {
     _time = 0.0;
     _sway.reset();
+}
+
+void ModalForest::standIn(const CanopyMap& canopy) {
+    for (std::size_t slot = 0; slot < _forest.trees.size(); ++slot)
+        if (_sway.holds(slot))
+            _sway.setCompany(slot, canopy.crownsAt(glm::vec2(_forest.trees[slot].position)));
 }
 
 void ModalForest::followSeason() {

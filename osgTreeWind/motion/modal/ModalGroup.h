@@ -20,8 +20,9 @@ struct ModalMotion::Slot {
 };
 
 struct ModalMotion::Place {
-    glm::vec3 foot;
-    float width; ///< Lengths across over its archetype's.
+    glm::vec3 foot{0.0f};
+    float width = 1.0f;   ///< Lengths across over its archetype's.
+    float contact = 0.0f; ///< TreeFactors::contact
 };
 
 /// A block to be stepped.

@@ -65,10 +65,8 @@ private:
         for (std::size_t k = 0; k < _modes; ++k) {
             const ModalModel::Mode& mode = _model.modes[k];
             const real stiffness = factors.grown(mode.stiffness), mass = factors.grown(mode.mass);
-            // Weight slows a tree as more mass would.
-            const real left = _laws.weightLeaves(mode.weightShare * factors.weight * mass / stiffness);
-            _mode[k].pace = mode.pace * sqrt(factors.pace * stiffness * left / mass);
-            _mode[k].drive = factors.drive * left / mass;
+            _mode[k].pace = mode.pace * sqrt(factors.pace * stiffness * factors.leftByWeight(mode) / mass);
+            _mode[k].drive = factors.drive / mass;
             _mode[k].limit = every(mode.limit);
         }
     }
@@ -108,7 +106,8 @@ private:
         start.angle = number(k);
         start.speed = number(_modes + k);
         return _laws.modeStep(start, mode.drive * _force[k], mode.drive * _air.factors().reach * _brake[k],
-                              mode.pace, every(_model.dampingRatio), mode.limit, every(seconds));
+                              mode.pace, _air.factors().contact + _model.dampingRatio, mode.limit,
+                              every(seconds));
     }
 
     LaneLaws _laws;

@@ -67,10 +67,9 @@ Patches partIntoPatches(const JointTree& tree, const ModalMaterial& material, st
         patch.woodDrag = static_cast<float>(half * wood[p]);
         patch.leafDrag = static_cast<float>(half * leaves[p]);
         patch.stillDrag = static_cast<float>(half * still[p]);
-        patch.streamlining =
-            area[p] > 0.0
-                ? static_cast<float>(static_cast<double>(material.streamlining) * leaves[p] / area[p])
-                : 0.0f;
+        const auto foliage = area[p] > 0.0 ? static_cast<float>(leaves[p] / area[p]) : 0.0f;
+        patch.streamlining = foliage * material.streamlining;
+        patch.breezeStreamlining = foliage * material.breezeStreamlining;
     }
     patches.ofLink = std::move(ofLink);
     return patches;

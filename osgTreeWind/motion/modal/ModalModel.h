@@ -42,11 +42,12 @@ struct ModalModel {
     };
     /// A part of the crown on which one wind acts.
     struct Patch {
-        glm::vec3 place{0.0f};     ///< Middle of its drag, metres, the tree's frame.
-        float woodDrag = 0.0f;     ///< Half the air's density times CdA of wood, kg/m;
-        float leafDrag = 0.0f;     ///< of leaves in wind,
-        float stillDrag = 0.0f;    ///< of leaves in still air.
-        float streamlining = 0.0f; ///< Exponent of its drag above 10 m/s.
+        glm::vec3 place{0.0f};  ///< Middle of its drag, metres, the tree's frame.
+        float woodDrag = 0.0f;  ///< Half the air's density times CdA of wood, kg/m;
+        float leafDrag = 0.0f;  ///< of leaves in wind,
+        float stillDrag = 0.0f; ///< of leaves in still air.
+        /// Exponents of its drag above and below 10 m/s.
+        float streamlining = 0.0f, breezeStreamlining = 0.0f;
     };
 
     std::size_t joints = 0;
@@ -71,6 +72,7 @@ struct ModalMaterial {
     float dampingRatio = 0.05f;
     float streamlining = 0.0f, streamlinedTo = 25.0f; ///< Of leaves (WoodParameters).
     float maxAngle = 0.5f;
+    float breezeStreamlining = 0.0f; ///< As the former two.
 };
 
 /// Takes the modes with most energy under gusts out of the slowest ones: at least 8 (where there are as

@@ -60,6 +60,8 @@ public:
 
     /// From the next step on. What modes and patches have in common is kept.
     void setLevel(std::size_t tree, Level level);
+    /// Crowns in contact damp each other. @param crowns share of the ground around a tree that is under them.
+    void setCompany(std::size_t tree, float crowns);
     Level level(std::size_t tree) const;
 
     /// Takes the wind of this time as that of now, without moving. @param wind null: calm.
@@ -111,6 +113,7 @@ private:
     float number(std::size_t tree, std::size_t index) const;
     void advance(const WindField* wind, double time);
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
+    void settle(std::size_t tree, std::size_t first);
     void refreshLean(std::size_t tree);
 
     Executor _executor;

@@ -55,6 +55,26 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
     }
 }
 
+/// The modes from `first` on are where the air of now holds them.
+void ModalMotion::settle(std::size_t tree, std::size_t first) {
+    const Group& group = groupOf(tree);
+    const ModalModel& model = group.model();
+    const std::size_t modes = model.modes.size(), place = _slots[tree].place;
+    if (first >= modes)
+        return;
+    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+    poseVector(tree, vector);
+    const LaneFactors<OneLane> factors(
+        {group.block(place / Group::lanes) + group.firstFactor(), place % Group::lanes}, _gain);
+    for (std::size_t k = first; k < modes; ++k) {
+        float force = 0.0f;
+        for (std::size_t i = 0; i < 3 * model.patches.size(); ++i)
+            force += model.levers[i * modes + k] * vector[modes + i];
+        const ModalModel::Mode& mode = model.modes[k];
+        number(tree, k) = force / (mode.pace * mode.pace * factors.leftByWeight(mode));
+    }
+}
+
 void ModalMotion::patchWinds(std::size_t tree, glm::vec3* winds) const {
     const ModalModel& model = this->model(tree);
     for (std::size_t p = 0; p < model.patches.size(); ++p) {

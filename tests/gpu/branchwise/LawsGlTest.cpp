@@ -141,9 +141,10 @@ TEST_F(LawsGlTest, PullAgreesWithTheCpu) {
         for (const float y : {0.0f, 4.0f, -17.0f})
             for (const float z : {0.0f, 1.0f, -3.0f})
                 winds.emplace_back(x, y, z, 0.0f);
-    const Texels gpu = step(winds, {}, "foliagePull(state.xyz, 0.88, 20.0, 1.2)");
+    const Texels gpu = step(winds, {}, "foliagePull(state.xyz, 0.88, 0.35, 20.0, 1.2)");
     for (std::size_t i = 0; i < gpu.size(); ++i)
-        ASSERT_LT(difference(gpu[i], Laws().foliagePull(glm::vec3(winds[i]), 0.88f, 20.0f, 1.2f)), 1e-5f)
+        ASSERT_LT(difference(gpu[i], Laws().foliagePull(glm::vec3(winds[i]), 0.88f, 0.35f, 20.0f, 1.2f)),
+                  1e-5f)
             << i;
 }
 
@@ -178,8 +179,9 @@ TEST_F(LawsGlTest, AModeAgreesWithTheCpu) {
                     air.emplace_back(2.0f * pace, 0.5f * brake, 3.0f + force * force, 5.0f * pace);
                 }
     const std::string mode = "modeStep(Swing(state.x, state.y), n.x, n.y, n.z, n.w, 5.0, 0.0166667)";
-    std::string body = "vec4(" + mode + ".angle, " + mode +
-                       ".speed, airBrake(2.0, 7.0, air.x, air.y, air.z), streamlinedShare(0.8, 30.0, air.w))";
+    std::string body =
+        "vec4(" + mode + ".angle, " + mode +
+        ".speed, airBrake(2.0, 7.0, air.x, air.y, air.z), streamlinedShare(0.8, 0.4, 30.0, air.w))";
     const Texels gpu = step(states, {{"n", numbers}, {"air", air}}, body);
     for (std::size_t i = 0; i < gpu.size(); ++i) {
         const glm::vec4 &n = numbers[i], &a = air[i];
@@ -189,7 +191,7 @@ TEST_F(LawsGlTest, AModeAgreesWithTheCpu) {
         ASSERT_NEAR(gpu[i].x, swing.angle, 3e-5f) << i;
         ASSERT_NEAR(gpu[i].y, swing.speed, 1e-4f) << i;
         ASSERT_NEAR(gpu[i].z / brake, 1.0f, 1e-5f) << i;
-        ASSERT_NEAR(gpu[i].w, laws.streamlinedShare(0.8f, 30.0f, a.w), 1e-5f) << i;
+        ASSERT_NEAR(gpu[i].w, laws.streamlinedShare(0.8f, 0.4f, 30.0f, a.w), 1e-5f) << i;
     }
 }
 

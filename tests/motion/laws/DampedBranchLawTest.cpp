@@ -222,8 +222,18 @@ TEST(DampedBranchLaw, GustsAreFollowedAtAnyFrameRate) {
 
 TEST(DampedBranchLaw, StreamliningIsThePowerLawBetweenTenAndItsEnd) {
     Laws laws;
-    EXPECT_EQ(laws.streamlinedShare(0.75f, 25.0f, 3.0f), 1.0f);
-    EXPECT_NEAR(laws.streamlinedShare(0.75f, 25.0f, 20.0f), std::pow(2.0f, -0.75f), 1e-6f);
-    EXPECT_NEAR(laws.streamlinedShare(0.75f, 25.0f, 60.0f), std::pow(2.5f, -0.75f), 1e-6f);
-    EXPECT_EQ(laws.streamlinedShare(0.0f, 25.0f, 60.0f), 1.0f);
+    EXPECT_EQ(laws.streamlinedShare(0.75f, 0.0f, 25.0f, 3.0f), 1.0f);
+    EXPECT_NEAR(laws.streamlinedShare(0.75f, 0.0f, 25.0f, 20.0f), std::pow(2.0f, -0.75f), 1e-6f);
+    EXPECT_NEAR(laws.streamlinedShare(0.75f, 0.0f, 25.0f, 60.0f), std::pow(2.5f, -0.75f), 1e-6f);
+    EXPECT_EQ(laws.streamlinedShare(0.0f, 0.0f, 25.0f, 60.0f), 1.0f);
+}
+
+TEST(DampedBranchLaw, StreamliningGoesOnDownToALightBreeze) {
+    Laws laws;
+    EXPECT_EQ(laws.streamlinedShare(0.75f, 0.35f, 25.0f, 10.0f), 1.0f) << "where it is anchored";
+    EXPECT_NEAR(laws.streamlinedShare(0.75f, 0.35f, 25.0f, 20.0f), std::pow(2.0f, -0.75f), 1e-6f);
+    EXPECT_NEAR(laws.streamlinedShare(0.75f, 0.35f, 25.0f, 5.0f), std::pow(2.0f, 0.35f), 2e-6f);
+    EXPECT_NEAR(laws.streamlinedShare(0.75f, 0.35f, 25.0f, 1.6f), std::pow(6.25f, 0.35f), 4e-6f);
+    EXPECT_EQ(laws.streamlinedShare(0.75f, 0.35f, 25.0f, 0.0f),
+              laws.streamlinedShare(0.75f, 0.35f, 25.0f, 1.6f));
 }

@@ -2,6 +2,8 @@
 #include <osgTreeWind/motion/modal/ModalModel.h>
 
 #include <osgTreeWind/motion/branchwise/DampedBranches.h>
+#include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/modal/DragPatches.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -48,7 +50,7 @@ std::vector<double> staticAngles(const JointTree& tree, std::size_t patches, con
     return angles;
 }
 
-/// [Phi R](q, F) with each mode where F holds it.
+/// [Phi R](q, F) with each mode where F and its weight hold it.
 std::vector<double> modalAngles(const ModalModel& model, const PatchForces& forces) {
     std::vector<double> vector(model.columns(), 0.0);
     const std::size_t modes = model.modes.size();
@@ -58,8 +60,9 @@ std::vector<double> modalAngles(const ModalModel& model, const PatchForces& forc
             vector[modes + 3 * p + c] = force;
             for (std::size_t k = 0; k < modes; ++k) {
                 const double pace = model.modes[k].pace;
+                const double left = Laws().weightLeaves(model.modes[k].weightShare);
                 vector[k] +=
-                    static_cast<double>(model.levers[(3 * p + c) * modes + k]) * force / (pace * pace);
+                    static_cast<double>(model.levers[(3 * p + c) * modes + k]) * force / (pace * pace * left);
             }
         }
     std::vector<double> angles(model.joints, 0.0);
@@ -81,7 +84,9 @@ TEST(ModalModel, StandsInAForceAsItsSpringsSay) {
         const GrownTree tree(name, {18, 0.25f, 0});
         const JointTree joints = tree.joints();
         for (const ModalDetail detail : {ModalDetail{12, 10}, ModalDetail{2, 3}, ModalDetail{16, 28}}) {
-            const ModalModel model = makeModalModel(joints, tree.material(), detail);
+            ModalModel model = makeModalModel(joints, tree.material(), detail);
+            for (ModalModel::Mode& mode : model.modes)
+                mode.weightShare = 0.0f;
             ASSERT_EQ(model.patches.size(), detail.patches);
             const PatchForces forces = mixedForces(detail.patches);
             const std::vector<double> expected = staticAngles(joints, detail.patches, forces),
@@ -227,12 +232,24 @@ void expectSameTrunk(const GrownTree& tree, const glm::vec3& wind) {
         }
 }
 
-// `damped` takes |v| by axis and nothing of the torque of a wind along a slanted branch, so that the two laws
-// stand alike where units are upright and the wind is along an axis. Beyond 10 m/s they streamline otherwise:
-// by axis there, by patch here.
+// `damped` knows no weight, takes |v| by axis and nothing of the torque of a wind along a slanted branch, so
+// that the two laws stand alike where there is no weight, units are upright and the wind is along an axis.
+// Beyond 10 m/s they streamline otherwise: by axis there, by patch here.
+
+/// Of wood that weighs next to nothing, and no heavier for what an allometry says or a root holds. In a
+/// breeze its leaves do as under `damped`.
+Species weightless(Species species) {
+    species.wood.density = 0.01f;
+    species.wood.leafMass = 0.0f;
+    species.wood.branchWood = WoodAllometry::Drawn;
+    species.wood.anchorage = 0.0f;
+    species.wood.breezeStreamlining = 0.0f;
+    return species;
+}
 
 TEST(ModalModel, APoleStandsInTheWindAsUnderDamped) {
     GrownTree pole = smallTree();
+    pole.species = weightless(pole.species);
     pole.species.wood.dampingRatio = 0.3f;
     pole.model = TreeModel();
     for (int i = 0; i < 5; ++i) {
@@ -245,9 +262,53 @@ TEST(ModalModel, APoleStandsInTheWindAsUnderDamped) {
     expectSameTrunk(pole, {0.0f, -6.0f, 0.0f});
 }
 
+/// A light pole with a weight on its top, and the force of a wind there.
+JointTree weightedPole(int links, double length, double bending, double mass) {
+    JointTree tree;
+    for (int i = 0; i < links; ++i) {
+        JointTree::Link link;
+        link.parent = i - 1;
+        link.base = {0.0, 0.0, i * length / links};
+        // The first half of a link bends before its joint, the second after it: the foot's joint has one
+        // half.
+        link.stiffness = bending * links / length * (i == 0 ? 2.0 : 1.0);
+        tree.links.push_back(link);
+        JointTree::Point point;
+        point.link = static_cast<std::size_t>(i);
+        point.place = {0.0, 0.0, (i + 1) * length / links};
+        point.lever = point.place - link.base;
+        point.mass = 1e-3 * mass / links;
+        if (i == links - 1) {
+            point.mass = mass;
+            point.woodDrag = 1.0;
+        }
+        tree.points.push_back(point);
+    }
+    return tree;
+}
+
+TEST(ModalModel, AColumnLeansUnderItsWeightAsTimoshenkoSays) {
+    // A column of length l that bears P and is pushed by Q at its top moves there by Q l^3 / (3 E I) times
+    // 3 (tan u - u) / u^3, u = l sqrt(P / (E I)) (Timoshenko and Gere 1961). The
+    // pole's own weight is a thousandth of P.
+    const double length = 12.0, bending = 2.0e5, push = 20.0, pi = 3.141592653589793;
+    for (const double share : {0.1, 0.3, 0.6}) {
+        const double load = share * 0.25 * pi * pi * bending / (length * length);
+        const JointTree tree = weightedPole(100, length, bending, load / gravity);
+        const ModalModel model = makeModalModel(tree, ModalMaterial(), {12, 1});
+        const std::vector<double> angles = modalAngles(model, {glm::dvec3(push, 0.0, 0.0)});
+        double top = 0.0;
+        for (std::size_t i = 0; i < angles.size(); ++i)
+            top += angles[i] * tree.displacement(tree.points.back(), i / 2, i % 2).x;
+        const double u = length * std::sqrt(load / bending);
+        const double expected = push * std::pow(length, 3.0) / bending * (std::tan(u) - u) / std::pow(u, 3.0);
+        EXPECT_NEAR(top / expected, 1.0, 0.015) << "weight is " << share << " of what buckles";
+    }
+}
+
 TEST(ModalModel, TheTrunkOfATreeStandsInTheWindAsUnderDamped) {
     for (const char* name : {"oak", "Norway spruce"}) {
-        Species species = *findSpecies(name);
+        Species species = weightless(*findSpecies(name));
         species.tree.grown.reset();
         species.tree.wood.crook = species.tree.wood.jitter = 0.0f; // an upright trunk
         species.wood.dampingRatio = 0.3f;                          // comes to rest sooner

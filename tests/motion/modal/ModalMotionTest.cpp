@@ -134,6 +134,27 @@ TEST(ModalMotion, GainLeavesPaceAndDampingAlone) {
     }
 }
 
+TEST(ModalMotion, CrownsAllAroundTakeTheirShareOfASway) {
+    // x e^(-ratio pace t): 0.05 more of critical damping take e^(-0.05 pace t) more, whatever else there is.
+    GrownTree oak("oak", {16, 0.3f, 0});
+    oak.species.wood.dampingRatio = 0.01f;
+    ModalMotion alone({placed(oak)}, 1.0f, runInTurn, true), among({placed(oak)}, 1.0f, runInTurn, true);
+    among.setCompany(0, 1.0f);
+    double taken[2] = {}; // logarithm of what is left of the sway
+    double time = 0.0, pace = 0.0;
+    for (ModalMotion* motion : {&alone, &among}) {
+        motion->setAmplitudes(0, {1.0e-3f}); // so little that air takes nothing
+        const ModalModel::Mode& mode = motion->model(0).modes[0];
+        pace = static_cast<double>(mode.pace) * std::sqrt(1.0 - static_cast<double>(mode.weightShare));
+        const int steps = static_cast<int>(std::round(2.0 * 6.283185307 / pace * 240.0));
+        time = steps / 240.0;
+        for (int i = 0; i < steps; ++i)
+            motion->step(nullptr, i / 240.0, 1.0f / 240.0f);
+        taken[motion == &among] = std::log(1.0e-3 / static_cast<double>(motion->amplitudes(0)[0]));
+    }
+    EXPECT_NEAR((taken[1] - taken[0]) / (pace * time), 0.05, 0.003);
+}
+
 TEST(ModalMotion, WithoutGainNothingMoves) {
     const GrownTree oak("oak", {16, 0.3f, 0});
     ModalMotion motion({placed(oak)}, 0.0f, runInTurn);
