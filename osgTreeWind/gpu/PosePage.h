@@ -13,7 +13,7 @@ namespace osgTreeWind {
 
 /// What the passes need of one tree: a row of the texture `poseRequests` (shaders/pose_request.glsl).
 struct PoseRequest {
-    static constexpr std::size_t mostColumns = 44, mostPatches = 12, texels = 26;
+    static constexpr std::size_t mostColumns = 48, mostPatches = 12, texels = 27;
 
     float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::ask() has it; negative: at rest.
     float rowTexels = 0.0f;   ///< Of a row of that matrix.

@@ -13,6 +13,9 @@
 #include <array>
 
 namespace osgTreeWind {
+static_assert(Archetype::details[0].patches <= PoseRequest::mostPatches &&
+              Archetype::details[0].modes + 3 * Archetype::details[0].patches <= PoseRequest::mostColumns);
+
 namespace {
 
 constexpr std::size_t mostPageTrees = 4096;
