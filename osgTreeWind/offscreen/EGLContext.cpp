@@ -20,14 +20,17 @@ public:
     const char* className() const override { return "EGLGraphicsContext"; }
     bool valid() const override { return _context != EGL_NO_CONTEXT; }
     bool makeCurrentImplementation() override {
+        const auto held = turn();
         // The bound API is a thread's own, starts as OpenGL ES, and decides what a release releases.
         return valid() && eglBindAPI(EGL_OPENGL_API) &&
                eglMakeCurrent(_display, _surface, _surface, _context);
     }
     bool releaseContextImplementation() override {
+        const auto held = turn();
         return eglMakeCurrent(_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
     void closeImplementation() override {
+        const auto held = turn();
         if (_context != EGL_NO_CONTEXT)
             eglDestroyContext(_display, _context);
         if (_surface != EGL_NO_SURFACE)

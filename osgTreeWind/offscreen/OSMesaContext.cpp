@@ -22,11 +22,16 @@ public:
     const char* className() const override { return "OSMesaGraphicsContext"; }
     bool valid() const override { return _context != nullptr; }
     bool makeCurrentImplementation() override {
+        const auto held = turn();
         return valid() &&
                OSMesaMakeCurrent(_context, _pixels.get(), GL_UNSIGNED_BYTE, _traits->width, _traits->height);
     }
-    bool releaseContextImplementation() override { return OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0); }
+    bool releaseContextImplementation() override {
+        const auto held = turn();
+        return OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    }
     void closeImplementation() override {
+        const auto held = turn();
         if (_context)
             OSMesaDestroyContext(_context);
         _context = nullptr;

@@ -15,7 +15,7 @@ constexpr int maxOffscreenSize = 16384;
 ///
 /// Give it to a camera with setGraphicsContext and a viewport; osgViewer::Viewer and CompositeViewer use it
 /// like any other context, in every threading model. It closes, and deletes its OpenGL objects, with its last
-/// reference.
+/// reference. Those of Mesa's software renderer draw one after the other, whatever threads they are drawn by.
 ///
 /// The backend is decided when a program is linked: osgTreeWind::OSMesa (Mesa's software renderer) or
 /// osgTreeWind::EGL (a GPU where there is one, else Mesa's software renderer). Link exactly one of them.

@@ -6,6 +6,8 @@
 #include <osg/GLExtensions>
 #include <osg/Notify>
 
+#include <cstring>
+
 namespace osgTreeWind {
 
 std::optional<Diagnostic> PixelContext::sizeProblem(int width, int height) {
@@ -35,9 +37,22 @@ PixelContext::PixelContext(int width, int height) {
     getState()->setContextID(createNewContextID());
 }
 
+std::unique_lock<std::recursive_mutex> PixelContext::turn() const {
+    static std::recursive_mutex software;
+    return _takesTurns ? std::unique_lock(software) : std::unique_lock<std::recursive_mutex>();
+}
+
+void PixelContext::runOperations() {
+    const auto held = turn();
+    osg::GraphicsContext::runOperations();
+}
+
 bool PixelContext::realizeImplementation() {
+    const auto held = turn();
     if (!valid() || !makeCurrentImplementation())
         return false;
+    const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    _takesTurns = renderer && (std::strstr(renderer, "llvmpipe") || std::strstr(renderer, "softpipe"));
     // Mesa and libglvnd have an entry point for every extension. OSG takes that for support, and every
     // multisampled frame buffer object then fails.
     const unsigned int id = getState()->getContextID();

@@ -5,6 +5,7 @@
 
 #include <osg/GraphicsContext>
 
+#include <mutex>
 #include <optional>
 
 namespace osgTreeWind {
@@ -25,13 +26,21 @@ public:
     /// Not supported; warns.
     void bindPBufferToTextureImplementation(GLenum buffer) override;
     void swapBuffersImplementation() override {}
+    /// Draws; with Mesa's software renderer while no other context does.
+    void runOperations() override;
 
     const char* libraryName() const override { return "osgTreeWind"; }
 
 protected:
     PixelContext(int width, int height);
 
+    /// What calls OpenGL holds this: all contexts of Mesa's software renderer have one lock, others none.
+    /// Mesa looks for what one context is about to write in what all of them are about to read, also while
+    /// their threads free it (22.3: lp_setup_is_resource_referenced).
+    std::unique_lock<std::recursive_mutex> turn() const;
+
     bool _realized = false;
+    bool _takesTurns = true; ///< Until the renderer is known.
 };
 
 } // namespace osgTreeWind

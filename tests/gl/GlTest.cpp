@@ -4,6 +4,7 @@
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -21,6 +22,7 @@ GlTest::GlTest()
       _formerLevel(osg::getNotifyLevel()) {
     osg::setNotifyHandler(_collector);
     osg::setNotifyLevel(osg::NOTICE);
+    mallopt(M_PERTURB, 0xA5); // what is read after it was freed is not what it was
 }
 
 GlTest::~GlTest() {
