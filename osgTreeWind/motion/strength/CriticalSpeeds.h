@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/strength/TreeStrength.h>
+#include <osgTreeWind/motion/damage/TreeStrength.h>
 
 #include <functional>
 #include <map>

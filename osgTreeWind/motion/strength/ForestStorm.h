@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/forest/PlacedForest.h>
-#include <osgTreeWind/motion/strength/FootMoment.h>
+#include <osgTreeWind/motion/damage/FootMoment.h>
 #include <osgTreeWind/wind/CanopyMap.h>
 
 #include <cstdint>

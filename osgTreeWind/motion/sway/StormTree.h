@@ -2,9 +2,9 @@
 #pragma once
 
 #include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/motion/damage/FootMoment.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/motion/strength/CriticalSpeeds.h>
-#include <osgTreeWind/motion/strength/FootMoment.h>
 
 #include <glm/vec2.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/strength/FootMoment.h>
+#include <osgTreeWind/motion/damage/FootMoment.h>
 
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 

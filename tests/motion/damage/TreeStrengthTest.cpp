@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/motion/strength/TreeStrength.h>
+#include <osgTreeWind/motion/damage/TreeStrength.h>
 
 #include <tests/motion/GrownTree.h>
 
