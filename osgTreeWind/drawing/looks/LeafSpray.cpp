@@ -179,8 +179,11 @@ private:
     /// @param lean from the shoot.
     void addLeaf(const glm::vec2& foot, float shoot, float lean) {
         const float size = 0.8f + 0.35f * _random.uniform();
-        const glm::vec2 off =
-            isNeedles(_form) ? glm::vec2(0.0f) : 0.04f * glm::vec2(_random.symmetric(), _random.symmetric());
+        glm::vec2 off(0.0f);
+        if (!isNeedles(_form)) {
+            off.y = 0.04f * _random.symmetric();
+            off.x = 0.04f * _random.symmetric();
+        }
         for (int attempt = 0; attempt < 3; ++attempt) {
             const float own = shoot + lean + (isNeedles(_form) ? 0.25f : 0.6f) * _random.symmetric();
             const glm::vec2 place = foot + off + size * _habit.petiole * direction(own);
@@ -256,7 +259,8 @@ private:
             const float at = (static_cast<float>(i) + 0.5f + 0.3f * _random.symmetric()) / leaflets;
             turnFace();
             const std::size_t first = _blades.size();
-            addBlade({at, 0.005f}, 0.5f + 0.12f * _random.symmetric(), 0.98f - 0.15f * _random.uniform());
+            const float length = 0.98f - 0.15f * _random.uniform(), lean = 0.5f + 0.12f * _random.symmetric();
+            addBlade({at, 0.005f}, lean, length);
             _leaves.push_back({first, _blades.size(), _random.uniform()});
         }
     }

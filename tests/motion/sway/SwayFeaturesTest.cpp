@@ -25,7 +25,8 @@ std::vector<glm::dvec2> oscillator(double hz, double damping, double rate = 8.0)
     std::vector<glm::dvec2> series;
     for (int i = 0; i < static_cast<int>(3600.0 * rate); ++i) {
         for (int k = 0; k < 8; ++k) {
-            const glm::dvec2 push(gaussian(random), gaussian(random) / 3.0);
+            const double across = gaussian(random) / 3.0, along = gaussian(random);
+            const glm::dvec2 push(along, across);
             v += h * (push / std::sqrt(h) - 2.0 * damping * w * v - w * w * x);
             x += h * v;
         }
