@@ -34,6 +34,7 @@ set(public_headers
     osgTreeWind/model/TreeSize.h
     osgTreeWind/motion/ForestSimulation.h
     osgTreeWind/motion/SimulationOptions.h
+    osgTreeWind/motion/damage/TreeDamage.h
     osgTreeWind/motion/laws/TreeMotion.h
     osgTreeWind/motion/laws/UnitPose.h
     osgTreeWind/motion/modal/ModalLevel.h

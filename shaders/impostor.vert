@@ -9,7 +9,7 @@
 #include "surface.glsl"
 
 in vec4 treePlace; // foot, heading
-in vec4 treeSize;  // scale across and along the trunk, of radii, of leaves
+in vec4 treeSize;  // scale across and along the trunk; how far it has come down, a level rotation vector
 in vec4 treeState; // lean of the top (x, y), fade, own number
 
 uniform vec4 impostorSize;       // half width and height of the tree unscaled; azimuths, elevations of its pictures
@@ -38,10 +38,23 @@ vec3 towardEye(vec3 point) {
     return normalize(eye * gl_NormalMatrix); // by the inverse of the model-view matrix
 }
 
+/// From the axes of the tree as it stood to those of the tree as it has come down.
+mat3 fallen() {
+    float angle = length(treeSize.zw);
+    if (angle == 0.0)
+        return mat3(1.0);
+    vec2 a = treeSize.zw / angle;
+    float s = sin(angle), c = cos(angle);
+    return mat3(c + a.x * a.x * (1.0 - c), a.x * a.y * (1.0 - c), -a.y * s,
+                a.x * a.y * (1.0 - c), c + a.y * a.y * (1.0 - c), a.x * s,
+                a.y * s, -a.x * s, c);
+}
+
 void main() {
     vec2 scale = treeSize.xy;
     float height = impostorSize.y * scale.y;
-    vec3 toEye = towardEye(treePlace.xyz + vec3(0.5 * treeState.xy, 0.5 * height));
+    mat3 down = fallen();
+    vec3 toEye = towardEye(treePlace.xyz + down * vec3(0.5 * treeState.xy, 0.5 * height)) * down;
     float level = length(toEye.xy);
     vec2 ahead = level > 1e-4 ? toEye.xy / level : vec2(1.0, 0.0);
     vec3 up = vec3(-ahead * toEye.z, level);
@@ -62,19 +75,19 @@ void main() {
     float across = gl_Vertex.x * impostorSize.x * scale.x;
 
     // The plane of the picture holds the middle of the tree.
-    vec3 point = treePlace.xyz + across * vec3(-ahead.y, ahead.x, 0.0) + rise * up + 0.5 * height * toEye.z * toEye;
+    vec3 point = across * vec3(-ahead.y, ahead.x, 0.0) + rise * up + 0.5 * height * toEye.z * toEye;
     float share = clamp(mix(rise / height, 0.75, toEye.z * toEye.z), 0.0, 1.0);
     point.xy += treeState.xy * pow(share, leanPower);
 
-    vec4 eyePosition = gl_ModelViewMatrix * vec4(point, 1.0);
+    vec4 eyePosition = gl_ModelViewMatrix * vec4(treePlace.xyz + down * point, 1.0);
     pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * gl_Vertex.x, gl_Vertex.y));
     pictureEye = eyePosition.xyz;
-    vec4 middle = gl_ModelViewMatrix * vec4(treePlace.xyz + vec3(0.0, 0.0, 0.5 * height), 1.0);
+    vec4 middle = gl_ModelViewMatrix * vec4(treePlace.xyz + 0.5 * height * down[2], 1.0);
     vec3 sunThrough, sunWay;
     linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal, sunThrough, sunWay);
     vec2 turn = vec2(cos(treePlace.w), sin(treePlace.w));
     mat3 heading = mat3(turn.x, turn.y, 0.0, -turn.y, turn.x, 0.0, 0.0, 0.0, 1.0);
-    mat3 fromTree = mat3(normalize(gl_NormalMatrix[0]), normalize(gl_NormalMatrix[1]), normalize(gl_NormalMatrix[2]));
+    mat3 fromTree = mat3(normalize(gl_NormalMatrix[0]), normalize(gl_NormalMatrix[1]), normalize(gl_NormalMatrix[2])) * down;
     lightByNormal = lightByNormal * fromTree * heading;
     vec3 tint = treeTint(treeState.w);
     barkLight *= tint;
@@ -86,5 +99,5 @@ void main() {
     pictureSunThrough = sunThrough;
     pictureSunWay = sunWay * (fromTree * heading);
 #endif
-    placeSurface(eyePosition, normalize(gl_NormalMatrix * toEye), treeState.w);
+    placeSurface(eyePosition, normalize(gl_NormalMatrix * (down * toEye)), treeState.w);
 }

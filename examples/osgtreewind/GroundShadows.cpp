@@ -32,12 +32,13 @@ constexpr int pixels = 128, samples = 2; // of a silhouette, each way
 
 // gl_MultiTexCoord1: number of the tree, share of its height that this is the shadow of.
 const char* vertexText = R"(
-uniform sampler2D treeLeans; // of the tops, metres
+uniform sampler2D treeLeans; // of the tops, metres; whether the tree has come down
 out vec3 spot;
 void main() {
     spot = gl_MultiTexCoord0.xyz;
     vec4 place = gl_Vertex;
-    place.xy += pow(gl_MultiTexCoord1.y, LEAN_POWER) * dataTexel(treeLeans, int(gl_MultiTexCoord1.x + 0.5)).xy;
+    vec4 lean = dataTexel(treeLeans, int(gl_MultiTexCoord1.x + 0.5));
+    place.xy += pow(gl_MultiTexCoord1.y, LEAN_POWER) * lean.xy;
 #ifdef RELIEF
     vec4 eye = gl_ModelViewMatrix * place;
     eye.xyz *= 1.0 - 0.004 - min(0.3 / length(eye.xyz), 0.5); // before the ground, however fine that is
@@ -45,6 +46,7 @@ void main() {
 #else
     gl_Position = gl_ModelViewProjectionMatrix * place;
 #endif
+    gl_Position *= 1.0 - lean.z;
 })";
 
 const char* fragmentText = R"(#version 330 compatibility
@@ -210,6 +212,7 @@ public:
             const glm::vec2 lean = modal->lean(i);
             _leans.data()[4 * i] = lean.x;
             _leans.data()[4 * i + 1] = lean.y;
+            _leans.data()[4 * i + 2] = modal->fall(i) ? 1.0f : 0.0f;
         }
         _leans.dirty();
     }

@@ -65,6 +65,8 @@ Diagnostics check(const ForestDescription& forest) {
         if (const auto crs = Crs::parseMap(forest.crs); !crs)
             problems.push_back(crs.problems().front());
     checkFields(forest, "motion", problems);
+    if (forest.damage && forest.law != MotionLaw::Modal)
+        add(problems, "motion.damage", "expected false under any law but \"modal\"");
     if (forest.noiseExponent && !noiseExponents.contains(static_cast<double>(*forest.noiseExponent)))
         add(problems, "motion.noise_exponent", "expected a finite number " + noiseExponents.text());
     checkWhole(forest.drawing, "drawing", problems);

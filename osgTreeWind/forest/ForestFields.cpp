@@ -41,6 +41,7 @@ const Fields& fieldsOf<ForestDescription>() {
         {"gain", at<&P::gain>, gains,
          "on how far the laws `\"modal\"` and `\"damped\"` bend trees: 1 is physical; more exaggerates for "
          "the eye, at the same pace"},
+        {"damage", at<&P::damage>, {}, "whether the wind brings trees down (risk.md); law `\"modal\"` alone"},
     };
     return fields;
 }

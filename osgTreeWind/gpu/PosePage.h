@@ -18,14 +18,14 @@ struct PoseRequest {
     float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::ask() has it; negative: at rest.
     float rowTexels = 0.0f;   ///< Of a row of that matrix.
     float maxAngle = 0.0f;
-    float streamlining = 0.0f;             ///< Reconfiguration::streamlining,
-    float across = 1.0f, upward = 1.0f;    ///< TreeScale::axes
-    float streamlinedTo = 25.0f;           ///< streamlinedTo
-    float mostPull = 0.0f;                 ///< and mostPull.
-    float vector[mostColumns] = {};        ///< Amplitudes, then forces on patches; the rest 0.
-    float patchWinds[mostPatches][4] = {}; ///< In the tree's own axes, m/s; 0.
-    float breezeStreamlining = 0.0f;       ///< Reconfiguration's; 0, 0, 0.
-    float unused[3] = {};
+    float streamlining = 0.0f;              ///< Reconfiguration::streamlining,
+    float across = 1.0f, upward = 1.0f;     ///< TreeScale::axes
+    float streamlinedTo = 25.0f;            ///< streamlinedTo
+    float mostPull = 0.0f;                  ///< and mostPull.
+    float vector[mostColumns] = {};         ///< Amplitudes, then forces on patches; the rest 0.
+    float patchWinds[mostPatches][4] = {};  ///< In the tree's own axes, m/s; 0.
+    float breezeStreamlining = 0.0f;        ///< Reconfiguration's.
+    float fall[2] = {}, fallingUnit = 0.0f; ///< TreeFall::turn, unit
 };
 static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 

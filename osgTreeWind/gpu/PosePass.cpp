@@ -123,6 +123,11 @@ void PosePass::ask(const ModalMotion& motion, std::size_t tree, const TreeScale&
     refer(model, request);
     request.across = scale.axes.x;
     request.upward = scale.axes.z;
+    if (const TreeFall* fall = motion.fall(tree)) {
+        request.fall[0] = fall->turn.x;
+        request.fall[1] = fall->turn.y;
+        request.fallingUnit = static_cast<float>(fall->unit);
+    }
     if (request.firstTexel < 0.0f)
         return;
     motion.poseVector(tree, request.vector);

@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/WindAmongTrees.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/damage/WindDamage.h>
 #include <osgTreeWind/motion/modal/ModalForest.h>
 #include <osgTreeWind/wind/GivenWind.h>
 
@@ -34,6 +35,11 @@ std::unique_ptr<Motion> motionOf(const PlacedForest& forest, const SimulationOpt
                                          executorFor(options.executor, forest.trees.size()));
 }
 
+std::unique_ptr<WindDamage> damageOf(const ForestDescription& description) {
+    const bool some = description.damage && description.law == MotionLaw::Modal;
+    return some ? std::make_unique<WindDamage>() : nullptr;
+}
+
 FramedWind givenBy(const ForestDescription& description) {
     return {description.wind, description.windFrame};
 }
@@ -57,12 +63,12 @@ ForestSimulation::ForestSimulation(ForestDescription description, const Simulati
     : _forest(placed(std::move(description), options)), _lent(options.executor),
       _motion(motionOf(_forest, options)),
       _wind(options.wind ? options.wind : std::make_shared<GivenWind>(givenBy(this->description()))),
-      _amongTrees(std::make_unique<WindAmongTrees>()) {}
+      _amongTrees(std::make_unique<WindAmongTrees>()), _damage(damageOf(this->description())) {}
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
     : _forest(other._forest), _lent(other._lent), _motion(other._motion->restarted(_forest)),
-      _wind(std::make_shared<GivenWind>(other._wind->get())),
-      _amongTrees(std::make_unique<WindAmongTrees>()) {}
+      _wind(std::make_shared<GivenWind>(other._wind->get())), _amongTrees(std::make_unique<WindAmongTrees>()),
+      _damage(damageOf(description())) {}
 
 ForestSimulation::~ForestSimulation() = default;
 
@@ -86,7 +92,7 @@ Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
     if (!slot)
         return slot.problems();
     _forest.put(slot.value(), *tree, placement.name);
-    _amongTrees->treeChanged(slot.value());
+    treeChanged(slot.value());
     return idOf(slot.value());
 }
 
@@ -96,7 +102,7 @@ Diagnostics ForestSimulation::removeTree(TreeId tree) {
     Diagnostics problems = _motion->remove(slotOf(tree));
     if (problems.empty()) {
         _forest.remove(slotOf(tree));
-        _amongTrees->treeChanged(slotOfTree(tree));
+        treeChanged(slotOfTree(tree));
     }
     return problems;
 }
@@ -111,9 +117,18 @@ Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& place
     Diagnostics problems = _motion->replace(slot, *other);
     if (problems.empty()) {
         _forest.put(slot, *other, placement.name);
-        _amongTrees->treeChanged(slot);
+        treeChanged(slot);
     }
     return problems;
+}
+
+/// Another tree is there, or none, which has not come down.
+void ForestSimulation::treeChanged(std::size_t slot) {
+    _amongTrees->treeChanged(slot);
+    if (!_damage)
+        return;
+    _damage->forget(slot);
+    modal()->putUpright(slot);
 }
 
 void ForestSimulation::setSeason(float season) {
@@ -150,6 +165,8 @@ Executor ForestSimulation::executor() const {
 
 void ForestSimulation::reset() {
     _motion->reset();
+    if (_damage)
+        _damage->reset();
     _time.reset();
 }
 
@@ -180,6 +197,8 @@ std::optional<float> ForestSimulation::beginStep(double time) {
 }
 
 bool ForestSimulation::advance(double time) {
+    if (_damage)
+        _damage->pause();
     const std::optional<float> elapsed = elapsedAt(time);
     if (!elapsed)
         return false;
@@ -188,7 +207,18 @@ bool ForestSimulation::advance(double time) {
         _motion->step(wind.get(), time, *elapsed);
     else
         _motion->meet(wind.get(), time); // for the next step to start from
+    if (_damage && *elapsed > 0.0f)
+        _damage->follow(_forest, *modal(), *elapsed, executorFor(_lent, trees().size()));
     return *elapsed > 0.0f;
+}
+
+const std::vector<TreeDamage>& ForestSimulation::damage() const {
+    static const std::vector<TreeDamage> none;
+    return _damage ? _damage->broken() : none;
+}
+
+bool ForestSimulation::stands(TreeId tree) const {
+    return holds(tree) && !(_damage && modal()->fall(slotOf(tree)));
 }
 
 TreeMotion ForestSimulation::motion(std::size_t slot) const {

@@ -10,14 +10,17 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
 class BranchwiseMotion;
 class ModalMotion;
-class WindAmongTrees;
 class Motion;
+class WindAmongTrees;
+class WindDamage;
 struct CanopyMap;
+struct TreeDamage;
 
 /// A forest in motion, without graphics (docs/frame.md).
 ///
@@ -89,8 +92,14 @@ public:
     bool advance(double time);
     static constexpr double maxStep = 1.0;
 
-    /// Back to rest.
+    /// Back to rest; trees that have come down stand again.
     void reset();
+
+    /// What the wind has brought down in the last advance(), where the description asks for `damage`. Such a
+    /// tree is there until it is removed, and changeTree() puts it up again; describe() has it stand.
+    const std::vector<TreeDamage>& damage() const;
+    /// Whether it is there and has not come down.
+    bool stands(TreeId tree) const;
 
     /// One tree as it stands now; nothing where none stands. Its values stay where they are until it is
     /// changed or removed, and are those of the last step before the call; under `modal` they are worked out
@@ -119,6 +128,7 @@ private:
     ForestSimulation(const ForestSimulation& other);
     std::optional<float> elapsedAt(double time);
     WindFieldPtr windHere();
+    void treeChanged(std::size_t slot);
 
     PlacedForest _forest;
     Executor _lent;
@@ -126,6 +136,7 @@ private:
     std::optional<double> _time;
     std::shared_ptr<GivenWind> _wind;
     std::unique_ptr<WindAmongTrees> _amongTrees;
+    std::unique_ptr<WindDamage> _damage;      ///< Null: no wind does any.
     std::shared_ptr<const CanopyMap> _canopy; ///< In which the trees stand; null: alone.
 };
 

@@ -259,6 +259,10 @@ std::vector<TreeUnit> Forest::getUnits(TreeId tree) const {
     return unitsOf(*_simulation, _simulation->slotOf(tree));
 }
 
+void Forest::setDamageCallback(DamageCallback callback) {
+    _damageCallback = std::move(callback);
+}
+
 BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
     return _drawing->follow(tree, unit);
 }
@@ -336,6 +340,11 @@ void Forest::update(osg::NodeVisitor& visitor) {
     _lastFrame = stamp.getFrameNumber();
     stand(path);
     _drawing->update(stamp);
+    const std::vector<TreeDamage> down = _simulation->damage(); // those who are told may change it
+    for (const TreeDamage& damage : down)
+        _drawing->treeChanged(_simulation->slotOf(damage.tree));
+    if (_damageCallback)
+        std::for_each(down.begin(), down.end(), _damageCallback);
 }
 
 } // namespace osgTreeWind

@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/TreeId.h>
+#include <osgTreeWind/motion/damage/TreeDamage.h>
 #include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/wind/WindFrame.h>
 
@@ -53,12 +54,10 @@ public:
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
 
-        /// Replaces all trees, and the wind if the description has one; without one the wind that is set goes
-        /// on. A forest for which there is not the memory, or not the room in textures, is left empty, with a
-        /// warning. Not during a traversal.
+        /// Replaces all trees, and the wind by that of the description if it has one. Without the memory or
+        /// the room in textures the forest is left empty, with a warning. Not during a traversal.
         void setDescription(ForestDescription description);
-    /// As given, but without its trees; its wind is the one it came with, whatever setWind() did since, and
-    /// so its season.
+    /// As given, but without its trees, with the wind and season that it came with.
     const ForestDescription& getDescription() const;
 
     /// The wind from the next frame on, and whose axes it is given in; null for calm. Any thread, any time,
@@ -67,18 +66,15 @@ public:
     WindFieldPtr getWind() const;
     WindFrame getWindFrame() const;
 
-    /// A host's threads to step and grow it, SimulationOptions says more; null: those of the process. For the
-    /// trees that it has now from the next step on, and for descriptions to come. In update or between
-    /// frames.
+    /// A host's threads to step it from now on, and to grow descriptions to come (SimulationOptions says
+    /// more); null: those of the process. In update or between frames.
     void setExecutor(Executor executor);
 
-    /// Of the year (species/Season.h): leaves, their colour, and what they do to how trees sway. In update or
-    /// between frames.
+    /// Of the year (species/Season.h): leaves, and how trees sway with them. In update or between frames.
     void setSeason(float season);
     float getSeason() const;
 
-    /// The place of the node's own origin in the world's frame: geometry is relative to it, so that it keeps
-    /// its precision far from the world's origin.
+    /// The node's own origin in the world's frame: geometry is relative to it, precise far from the world's.
     osg::Vec3d getOrigin() const;
     /// The ground, for a host to draw beside the trees; null: none. Another one after setDescription().
     osg::Node* getGround() const { return _ground.get(); }
@@ -99,16 +95,19 @@ public:
     std::vector<TreeId> getTrees() const;
     /// What would put it up again, with all of its sizes; nothing for a tree that is not there.
     std::optional<TreePlacement> getPlacement(TreeId tree) const;
-    /// Its branch units in access order, the numbers that branch() takes, and where they are now; nothing for
-    /// a tree that is not there. nearestUnit() finds one by its place. In update or between frames.
+    /// Its branch units by the numbers that branch() takes, and where they are now; none for no tree.
+    /// nearestUnit() finds one by its place. In update or between frames.
     std::vector<TreeUnit> getUnits(TreeId tree) const;
 
-    /// A transform that goes where a branch goes, in the same video frame: what is below it stands in the
-    /// frame of its tree at rest, in metres. The same one for the same branch; null where there is none. It
-    /// stays where it was when its tree is removed. In update or between frames.
+    /// Called in update for each tree that the wind brings down, where the description asks for `damage`. It
+    /// may add, change and remove trees. Null: nobody is told. Not copied.
+    void setDamageCallback(DamageCallback callback);
+
+    /// A transform that goes where a branch goes, in the same video frame; below it is the frame of its tree
+    /// at rest, in metres. The same for the same branch; null where there is none. It stays where it was when
+    /// its tree is removed. In update or between frames.
     BranchTransform* branch(TreeId tree, unsigned unit);
-    /// Lets a branch go, also of a tree that was removed: what hangs on it leaves the scene. In update or
-    /// between frames. @return false where it was not asked for.
+    /// Lets a branch go, with what hangs on it. @return false where it was not asked for.
     bool unfollow(TreeId tree, unsigned unit);
 
     /// Whether a child is a part of the forest; all others are yours.
@@ -137,6 +136,7 @@ private:
 
     std::shared_ptr<GivenWind> _wind; ///< Of `_simulation` too.
     Executor _executor;
+    DamageCallback _damageCallback;
     std::shared_ptr<ForestSimulation> _simulation;
     osg::ref_ptr<ForestDrawing> _drawing;
     osg::ref_ptr<osg::Node> _ground;

@@ -33,6 +33,11 @@ TEST(CheckForest, FindsNothingInASoundForest) {
 TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.gain = 101.0f; }),
               Texts{"motion.gain: expected a finite number in [0, 100], found 101"});
+    EXPECT_EQ(problemsAfter([](ForestDescription& f) {
+                  f.law = MotionLaw::Damped;
+                  f.damage = true;
+              }),
+              Texts{"motion.damage: expected false under any law but \"modal\""});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.noiseExponent = 4.0f; }),
               Texts{"motion.noise_exponent: expected a finite number in [0, 3]"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.season = -1.0f; }),

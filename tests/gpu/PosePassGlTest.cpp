@@ -172,6 +172,19 @@ TEST_P(PosePassLevelsGlTest, everyVertexIsWhereTheCpuHasIt) {
     }
 }
 
+TEST_P(PosePassLevelsGlTest, treesThatHaveComeDownAreWhereTheCpuHasThem) {
+    begin(mixedForest(25.0f), GetParam());
+    blow(60);
+    for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree) {
+        const auto angle = 0.3f * static_cast<float>(tree + 1); // one after the other, about the first units
+        simulation->modal()->setFall(tree,
+                                     {static_cast<unsigned>(tree % 3), angle * glm::vec2(0.6f, -0.8f), 0.5f});
+    }
+    askAll(0);
+    frame(0.0);
+    expectThePosesOfTheCpu(1.0f);
+}
+
 INSTANTIATE_TEST_SUITE_P(NearAndFar, PosePassLevelsGlTest,
                          ::testing::Values(ModalMotion::Level::Near, ModalMotion::Level::Far));
 

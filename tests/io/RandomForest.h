@@ -27,6 +27,7 @@ public:
     ForestDescription description() {
         ForestDescription forest;
         fill(forest);
+        forest.damage = forest.damage && forest.law == MotionLaw::Modal;
         fill(forest.drawing);
         forest.drawing.reduced = std::clamp(forest.drawing.reduced, 2e-3f, 5e4f);
         forest.drawing.full = std::max(forest.drawing.full, std::nextafter(forest.drawing.reduced, 1e5f));
@@ -53,7 +54,7 @@ public:
     std::string document() {
         std::string text =
             "version = 1\nseed = " + std::to_string(whole(0, 9)) + "\nseason = " + decimal(seasons) + '\n';
-        text += "[motion]\n" + keys<ForestDescription>();
+        text += "[motion]\n" + keys<ForestDescription>({"damage"});
         if (maybe())
             text += "noise = \"1/f\"\nnoise_exponent = " + decimal(noiseExponents) + '\n';
         text += "[wind]\nkind = \"gusts\"\nspeed = " + decimal(within(0, 199)) +

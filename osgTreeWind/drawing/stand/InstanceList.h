@@ -11,7 +11,8 @@ namespace osgTreeWind {
 /// A tree in an instanced draw: its vertex attributes (shaders/instance.glsl, shaders/impostor.vert).
 struct TreeInstance {
     float place[4]; ///< Foot in the forest's frame; tangent of half its heading (impostors: the heading).
-    float size[4];  ///< Scale of lengths across and upward, of radii, of leaf clusters.
+    float size[4];  ///< Scale of lengths across and upward, of radii, of leaf clusters (impostors: those of
+                    ///< lengths; how far it has come down, a level rotation vector x, y, radians).
     float state[4]; ///< Row of its poses, fade, its own number, share of its leaves (impostors: lean x, lean
                     ///< y, fade, its own number).
 };

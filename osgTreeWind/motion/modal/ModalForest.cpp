@@ -124,6 +124,10 @@ TreeMotion ModalForest::motion(std::size_t slot, UnitValues& values) const {
     for (std::size_t i = 0; i < units; ++i)
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
     swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
+    if (const TreeFall* fall = _sway.fall(slot)) {
+        values.rotations[fall->unit] = fall->rotation() * values.rotations[fall->unit];
+        composePoses(skeleton, tree.scale, values.rotations.data(), values.poses.data());
+    }
     if (_withLeaves) {
         pull(slot, values);
         flutter(tree, values);
@@ -141,10 +145,13 @@ UnitMotion ModalForest::unitMotion(std::size_t slot, std::size_t unit) const {
     const std::vector<BranchUnit>& units = _forest.modelOf(tree).skeleton.units;
     float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
     _sway.poseVector(slot, vector);
+    const TreeFall* fall = _sway.fall(slot);
     const auto motionOf = [&](const auto& self, std::size_t at) -> UnitMotion {
         const int parent = units[at].parent;
         const UnitPose carrier = parent < 0 ? UnitPose() : self(self, static_cast<std::size_t>(parent)).pose;
-        const glm::quat rotation = swungRotation(units[at], tree.scale, _sway.unitAngles(slot, at, vector));
+        glm::quat rotation = swungRotation(units[at], tree.scale, _sway.unitAngles(slot, at, vector));
+        if (fall && fall->unit == at)
+            rotation = fall->rotation() * rotation;
         return {carriedPose(carrier, rotation, tree.scale.axes * units[at].base), rotation};
     };
     return motionOf(motionOf, unit);

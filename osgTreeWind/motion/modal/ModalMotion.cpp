@@ -174,6 +174,7 @@ void ModalMotion::remove(std::size_t tree) {
     if (!holds(tree))
         return;
     take(tree);
+    putUpright(tree);
     _slots[tree] = Slot();
     _leans[tree] = glm::vec2(0.0f);
     _free.push_back(static_cast<std::uint32_t>(tree));
@@ -290,6 +291,7 @@ void ModalMotion::reset() {
         std::fill(group.waiting.begin(), group.waiting.end(), 0.0f);
     }
     std::fill(_leans.begin(), _leans.end(), glm::vec2(0.0f));
+    _falls.clear();
     _turn = 0;
 }
 

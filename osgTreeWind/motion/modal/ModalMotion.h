@@ -4,12 +4,14 @@
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/ModalTree.h>
+#include <osgTreeWind/motion/modal/TreeFall.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <glm/vec2.hpp>
 
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace osgTreeWind {
@@ -64,6 +66,12 @@ public:
     void setCompany(std::size_t tree, float crowns);
     Level level(std::size_t tree) const;
 
+    /// It has come down so far, in all that is asked of it from now on. Until it is removed, or reset().
+    void setFall(std::size_t tree, const TreeFall& fall) { _falls[static_cast<std::uint32_t>(tree)] = fall; }
+    void putUpright(std::size_t tree) { _falls.erase(static_cast<std::uint32_t>(tree)); }
+    /// Null: it stands.
+    const TreeFall* fall(std::size_t tree) const;
+
     /// Takes the wind of this time as that of now, without moving. @param wind null: calm.
     void meet(const WindField* wind, double time);
     /// Moves on by `seconds` > 0 to `time`; the wind goes evenly to what it is then.
@@ -115,6 +123,7 @@ private:
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
     void settle(std::size_t tree, std::size_t first);
     void refreshLean(std::size_t tree);
+    float shareOfSway(std::size_t tree) const;
 
     Executor _executor;
     float _gain;
@@ -127,7 +136,8 @@ private:
     std::vector<Place> _places;       ///< Per tree.
     std::vector<glm::vec2> _leans;    ///< Per tree.
     std::vector<std::uint32_t> _free; ///< Numbers of removed trees.
-    std::vector<Work> _work;          ///< Of the step at hand.
+    std::unordered_map<std::uint32_t, TreeFall> _falls;
+    std::vector<Work> _work; ///< Of the step at hand.
     unsigned _turn = 0;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/modal/ModalAir.h>
 #include <osgTreeWind/motion/modal/ModalGroup.h>
@@ -35,6 +36,18 @@ TreeFactors ModalMotion::factors(std::size_t tree) const {
     return groupOf(tree).factors(_slots[tree].place);
 }
 
+const TreeFall* ModalMotion::fall(std::size_t tree) const {
+    if (_falls.empty())
+        return nullptr;
+    const auto fall = _falls.find(static_cast<std::uint32_t>(tree));
+    return fall == _falls.end() ? nullptr : &fall->second;
+}
+
+float ModalMotion::shareOfSway(std::size_t tree) const {
+    const TreeFall* fall = this->fall(tree);
+    return fall ? fall->sway : 1.0f;
+}
+
 void ModalMotion::poseVector(std::size_t tree, float* vector) const {
     const Group& group = groupOf(tree);
     const ModalModel& model = group.model();
@@ -53,6 +66,9 @@ void ModalMotion::poseVector(std::size_t tree, float* vector) const {
         for (std::size_t c = 0; c < 3; ++c)
             vector[modes + 3 * p + c] = rest * air.brake(p) * air.past(p)[c];
     }
+    if (const TreeFall* fall = this->fall(tree))
+        for (std::size_t i = 0; i < model.columns(); ++i)
+            vector[i] *= fall->sway;
 }
 
 /// The modes from `first` on are where the air of now holds them.
@@ -77,9 +93,10 @@ void ModalMotion::settle(std::size_t tree, std::size_t first) {
 
 void ModalMotion::patchWinds(std::size_t tree, glm::vec3* winds) const {
     const ModalModel& model = this->model(tree);
+    const float share = shareOfSway(tree);
     for (std::size_t p = 0; p < model.patches.size(); ++p) {
         const std::size_t first = 2 * model.modes.size() + 3 * p;
-        winds[p] = {number(tree, first), number(tree, first + 1), number(tree, first + 2)};
+        winds[p] = share * glm::vec3(number(tree, first), number(tree, first + 1), number(tree, first + 2));
     }
 }
 
@@ -114,11 +131,10 @@ std::vector<float> ModalMotion::amplitudes(std::size_t tree) const {
 void ModalMotion::winds(std::size_t tree, glm::vec3* winds) const {
     const ModalModel& model = this->model(tree);
     const TreeFactors f = factors(tree);
-    for (std::size_t unit = 0; unit < model.patchOfLink.size(); ++unit) {
-        const std::size_t first = 2 * model.modes.size() + 3 * model.patchOfLink[unit];
-        const float x = number(tree, first), y = number(tree, first + 1);
-        winds[unit] = {f.cosine * x - f.sine * y, f.sine * x + f.cosine * y, number(tree, first + 2)};
-    }
+    glm::vec3 met[ModalDetail::maxPatches];
+    patchWinds(tree, met);
+    for (std::size_t unit = 0; unit < model.patchOfLink.size(); ++unit)
+        winds[unit] = turnHeading(met[model.patchOfLink[unit]], f.sine, f.cosine);
 }
 
 std::size_t ModalMotion::stateBytes() const {

@@ -118,7 +118,7 @@ void ModalMotion::refreshLean(std::size_t tree) {
     for (std::size_t k = 0; k < leans.size(); ++k)
         lean += group.number(place, k) * leans[k];
     const float height = std::max(group.model().height, 1.0e-6f);
-    lean *= group.number(place, factor + 2) / // lengths
+    lean *= shareOfSway(tree) * group.number(place, factor + 2) / // lengths
             std::sqrt(1.0f + glm::dot(lean, lean) / (height * height));
     const float cosine = group.number(place, factor), sine = group.number(place, factor + 1);
     _leans[tree] = {cosine * lean.x - sine * lean.y, sine * lean.x + cosine * lean.y};

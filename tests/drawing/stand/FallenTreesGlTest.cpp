@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/ForestFixtures.h>
+#include <tests/nodes/Pictures.h>
+
+#include <osgTreeWind/motion/damage/TreeDamage.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// A tree in a storm toward +x, 45 degrees across the view; it comes down after 20 s.
+ForestDescription doomed(float pixels) {
+    ForestDescription description = smallForest(1, 0.0f);
+    description.species[0].wood.anchorage = 0.05f;
+    description.trees[0].size.height = 10.0f;
+    description.wind = std::make_shared<UniformWind>(glm::vec3(20.0f, 0.0f, 0.0f));
+    description.drawing.full = description.drawing.reduced = 1.5f * pixels;
+    description.drawing.impostor = pixels;
+    description.drawing.blend = 0.0f;
+    description.damage = true;
+    return description;
+}
+
+class FallenTreesGlTest : public GlTest {
+protected:
+    /// After it came down, or before.
+    osg::ref_ptr<osg::Image> picture(Forest* forest, double until) {
+        open(160, 120);
+        viewer().setSceneData(forest);
+        viewer().getCamera()->setProjectionMatrixAsPerspective(40, 4.0 / 3.0, 1, 100);
+        viewer().getCamera()->setViewMatrixAsLookAt({3, -24, 5}, {3, 0, 4}, osg::Z_AXIS);
+        for (double time = 0.0; time < until; time += 0.2)
+            frame(time);
+        return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
+    }
+    /// Share of the tree's pixels that lie above a row.
+    static double above(const osg::Image& picture, int row) {
+        int all = 0, high = 0;
+        for (int y = 0; y < picture.t(); ++y)
+            for (int x = 0; x < picture.s(); ++x)
+                if (const unsigned char* p = picture.data(x, y); p[0] + p[1] + p[2] > 0) {
+                    ++all;
+                    high += y > row;
+                }
+        return all > 0 ? static_cast<double>(high) / all : -1.0;
+    }
+};
+
+} // namespace
+
+TEST_F(FallenTreesGlTest, liesInEveryTier) {
+    for (const float pixels : {1.0f, 1000.0f}) { // with branches, an impostor
+        osg::ref_ptr<Forest> forest = new Forest(doomed(pixels));
+        int told = 0;
+        forest->setDamageCallback([&](const TreeDamage& damage) {
+            ++told;
+            EXPECT_EQ(damage.tree, forest->getTrees()[0]);
+        });
+        EXPECT_GT(above(*picture(forest, 1.0), 60), 0.3) << pixels;
+        const osg::ref_ptr<osg::Image> down = picture(forest, 40.0);
+        EXPECT_EQ(told, 1);
+        EXPECT_GT(covered(*down), 0.01) << pixels;
+        EXPECT_LT(above(*down, 60), 0.02) << pixels;
+    }
+}
+
+TEST_F(FallenTreesGlTest, impostorsLieWhereTheTreeLies) {
+    const osg::ref_ptr<osg::Image> tree = picture(new Forest(doomed(1.0f)), 40.0),
+                                   impostor = picture(new Forest(doomed(1000.0f)), 40.0);
+    int both = 0, either = 0;
+    for (int y = 0; y < tree->t(); y += 4) // crowns have gaps: by squares of 4 pixels
+        for (int x = 0; x < tree->s(); x += 4) {
+            bool there[2] = {false, false};
+            for (int i = 0; i < 16; ++i) {
+                const unsigned char* a = tree->data(x + i % 4, y + i / 4);
+                const unsigned char* b = impostor->data(x + i % 4, y + i / 4);
+                there[0] = there[0] || a[0] + a[1] + a[2] > 0;
+                there[1] = there[1] || b[0] + b[1] + b[2] > 0;
+            }
+            both += there[0] && there[1];
+            either += there[0] || there[1];
+        }
+    EXPECT_GT(either, 20);
+    EXPECT_GT(static_cast<double>(both) / either, 0.7);
+}
+
+TEST_F(FallenTreesGlTest, thoseWhoAreToldMayClearThemAway) {
+    osg::ref_ptr<Forest> forest = new Forest(doomed(1.0f));
+    forest->setDamageCallback(
+        [&](const TreeDamage& damage) { EXPECT_TRUE(forest->removeTree(damage.tree).empty()); });
+    const osg::ref_ptr<osg::Image> empty = picture(forest, 40.0);
+    EXPECT_EQ(forest->getNumTrees(), 0u);
+    EXPECT_EQ(covered(*empty), 0.0);
+}
