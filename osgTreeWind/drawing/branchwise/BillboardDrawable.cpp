@@ -18,7 +18,7 @@ void BillboardDrawable::drawImplementation(osg::RenderInfo& renderInfo) const {
     const TreeScale& scale = _tree->scale();
     const auto* gl = renderInfo.getState()->get<osg::GLExtensions>();
     gl->glVertexAttrib4f(treePlaceLocation, 0.0f, 0.0f, 0.0f, 0.0f);
-    gl->glVertexAttrib4f(treeSizeLocation, scale.axes.x, scale.axes.z, scale.radius, scale.leaf);
+    gl->glVertexAttrib4f(treeSizeLocation, scale.axes.x, scale.axes.z, 0.0f, 0.0f);
     gl->glVertexAttrib4f(treeStateLocation, 0.0f, 0.0f, 1.0f, _ownNumber);
     TreeDrawable::drawImplementation(renderInfo);
 }

@@ -19,7 +19,7 @@ constexpr int size = 128; // pixels
 
 /// What an instance has as vertex attributes.
 struct Instance : osg::Drawable::DrawCallback {
-    osg::Vec4 place{0, 0, 0, 0}, scale{1, 1, 1, 1}, state{0, 0, 1, 0};
+    osg::Vec4 place{0, 0, 0, 0}, scale{1, 1, 0, 0}, state{0, 0, 1, 0};
 
     void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override {
         osg::GLExtensions* gl = info.getState()->get<osg::GLExtensions>();
@@ -199,7 +199,7 @@ TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
     const TreeScale& scale = forest->getSimulation().trees()[0].scale;
     osg::ref_ptr<Instance> instance = new Instance;
     instance->place.w() = 1.1f;
-    instance->scale = osg::Vec4(scale.axes.x, scale.axes.z, scale.radius, scale.leaf);
+    instance->scale = osg::Vec4(scale.axes.x, scale.axes.z, 0.0f, 0.0f);
     for (const double elevation : {0.0, 40.0}) {
         const Sight sight{50.0, elevation, 50.0};
         osg::ref_ptr<osg::Image> a = picture(forest, sight, 20.0f),
