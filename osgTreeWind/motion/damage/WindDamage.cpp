@@ -56,6 +56,9 @@ void WindDamage::meet(const PlacedForest& forest, const ModalMotion& sway, std::
         limits.stiffness = static_cast<float>(FootMoment(formOf(forest, tree)).stiffness());
     }
     limits.age += seconds;
+    if (sway.lean(slot) == limits.lean)
+        return;
+    limits.lean = sway.lean(slot);
     limits.moment = static_cast<float>(FootMoment(limits.stiffness).of(sway, slot)) /
                     std::max(forest.description().gain, 1.0e-3f);
 }

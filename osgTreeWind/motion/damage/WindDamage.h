@@ -40,7 +40,8 @@ private:
         float uproot = 0.0f, breaking = 0.0f; ///< N m; 0: none known.
         float stiffness = 0.0f;               ///< Of what holds its foot, N m/rad; 0: not asked yet.
         float age = 0.0f;                     ///< Seconds.
-        float moment = 0.0f;                  ///< At its foot in the last step, N m.
+        glm::vec2 lean{0.0f};                 ///< When it last took a step: far trees do not in each.
+        float moment = 0.0f;                  ///< At its foot then, N m.
         bool isDown = false;
     };
     struct Falling {
