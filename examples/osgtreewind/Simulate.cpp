@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "CsvCell.h"
 #include "Progress.h"
 
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/damage/TreeDamage.h>
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -18,7 +20,7 @@ using namespace osgTreeWind;
 struct SimulateOptions {
     std::string file, output = "-";
     double duration = 10.0, fps = 60.0;
-    bool tips = false;
+    bool tips = false, damage = false;
     std::optional<float> season;
 };
 
@@ -44,11 +46,29 @@ void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time,
     }
 }
 
+void writeDamage(std::FILE* out, const ForestSimulation& simulation, double time) {
+    for (const TreeDamage& damage : simulation.damage()) {
+        const PlacedTree& tree = simulation.trees()[simulation.slotOf(damage.tree)];
+        const char* const kind = damage.kind == DamageKind::Snapped ? "snapped" : "uprooted";
+        std::fprintf(out, "%.6g,%zu,%s,%s,%s,%u,%.6g,%.6g,%.6g,%.6g,%.6g\n", time,
+                     simulation.slotOf(damage.tree), csvCell(simulation.nameOf(damage.tree)).c_str(),
+                     csvCell(simulation.forest().speciesOf(tree).name).c_str(), kind, damage.unit,
+                     static_cast<double>(damage.moment), static_cast<double>(damage.limit),
+                     static_cast<double>(damage.wind.x), static_cast<double>(damage.wind.y),
+                     static_cast<double>(damage.wind.z));
+    }
+}
+
 ExitCode simulate(const SimulateOptions& options) {
     auto description = loadForest(options.file);
     if (!description)
         return BadInput;
     description->season = options.season.value_or(description->season);
+    if (options.damage && description->law != MotionLaw::Modal) {
+        std::cerr << options.file << ": --damage expects a forest under the law \"modal\"\n";
+        return BadInput;
+    }
+    description->damage = description->damage || options.damage;
     auto growing = std::make_optional<Progress>("grow", description->trees.size());
     SimulationOptions simulationOptions;
     simulationOptions.leaves = false;
@@ -62,14 +82,20 @@ ExitCode simulate(const SimulateOptions& options) {
         std::cerr << options.output << ": cannot be written\n";
         return Failed;
     }
-    std::fprintf(out, "time,tree,unit,level,wind_x,wind_y,wind_z,angle_a,angle_b%s\n",
-                 options.tips ? ",tip_x,tip_y,tip_z" : "");
+    if (options.damage)
+        std::fputs("time,tree,name,species,kind,unit,moment,limit,wind_x,wind_y,wind_z\n", out);
+    else
+        std::fprintf(out, "time,tree,unit,level,wind_x,wind_y,wind_z,angle_a,angle_b%s\n",
+                     options.tips ? ",tip_x,tip_y,tip_z" : "");
     const auto frames = static_cast<std::size_t>(std::llround(options.duration * options.fps)) + 1;
     Progress progress("simulate", frames);
     for (std::size_t frame = 0; frame < frames && !std::ferror(out); ++frame) {
         const double time = static_cast<double>(frame) / options.fps;
         simulation.advance(time);
-        writeFrame(out, simulation, time, options.tips);
+        if (options.damage)
+            writeDamage(out, simulation, time);
+        else
+            writeFrame(out, simulation, time, options.tips);
         progress.advance();
     }
     const bool failed = std::fflush(out) != 0 || std::ferror(out);
@@ -96,9 +122,14 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     addSeasonOption(*command, options->season);
     command->add_flag("--tips", options->tips, "Add the position of each branch tip, metres in the scene");
+    command->add_flag("--damage", options->damage,
+                      "Trees that the wind brings down instead, as with damage = true in [motion]");
     command->footer(
         "Columns: time (s), tree, unit, level, wind (m/s: x east, y north, z up), angle_a and angle_b\n"
         "(radians: angleXY and angleYZ of the thesis).\n"
+        "With --damage: time (s), tree, name, species, kind, unit of the trunk about whose base it falls, "
+        "moment\n"
+        "and limit at the foot (N m), wind in the crown (m/s).\n"
         "Example: osgtreewind simulate thesis.treewind --duration 5 --fps 30 --tips -o motion.csv");
     command->callback([options, &exitCode] { exitCode = simulate(*options); });
 }

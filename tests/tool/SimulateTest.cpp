@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/tool/Tool.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -221,4 +222,27 @@ TEST(Simulate, NumbersDoNotFollowTheLocale) {
     const Outcome outcome = runTool(words, ".", german);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.out, runTool(words).out);
+}
+
+TEST(Simulate, DamageSaysWhichTreesTheWindBringsDown) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() + "/storm.treewind")
+        << "version = 1\n[wind]\nkind = \"uniform\"\nvelocity = [40.0, 0.0, 0.0]\n"
+           "[[species]]\nname = \"spruce, old\"\nlike = \"Norway spruce\"\n"
+           "[[tree]]\nspecies = \"spruce, old\"\nid = \"a\"\nposition = [0, 0, 0]\nheight = 20\n"
+           "[[tree]]\nspecies = \"spruce, old\"\nid = \"b\"\nposition = [50, 0, 0]\nheight = 20\n";
+    const Outcome storm =
+        runTool({"simulate", folder.path() + "/storm.treewind", "--damage", "--duration", "30"});
+    ASSERT_EQ(storm.exitCode, 0) << storm.err;
+    const std::string header = "time,tree,name,species,kind,unit,moment,limit,wind_x,wind_y,wind_z\n";
+    EXPECT_EQ(storm.out.substr(0, header.size()), header);
+    EXPECT_EQ(std::count(storm.out.begin(), storm.out.end(), '\n'), 3);
+    EXPECT_NE(storm.out.find(",0,a,\"spruce, old\","), std::string::npos) << storm.out;
+    EXPECT_NE(storm.out.find(",1,b,\"spruce, old\","), std::string::npos) << storm.out;
+}
+
+TEST(Simulate, DamageIsRefusedUnderALawOfABranch) {
+    const Outcome refused = runTool({"simulate", example("thesis.treewind"), "--damage"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_NE(refused.err.find("--damage expects"), std::string::npos) << refused.err;
 }
