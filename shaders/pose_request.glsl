@@ -13,8 +13,9 @@ vec3 matrixOf(int tree) { return request(tree, 0).xyz; }
 vec3 axesOf(int tree) { return request(tree, 1).xxy; }
 /// Of its foliage: exponents of streamlining from and below 10 m/s, the speed up to which that holds, pull in a storm.
 vec4 foliageOf(int tree) { return vec4(request(tree, 0).w, request(tree, 26).x, request(tree, 1).zw); }
-/// How far it has come down: rotation vector, and the unit about whose base it has turned.
-vec3 fallOf(int tree) { return request(tree, 26).yzw; }
+const int mostFallen = 4;
+/// A part that has come down: level rotation vector, and the unit about whose base it has turned; 0 for none.
+vec4 fallenPart(int tree, int part) { return request(tree, 27 + part); }
 vec4 shortVector(int tree, int texel) { return request(tree, 2 + texel); }
 /// In the tree's own axes, m/s.
 vec3 patchWind(int tree, int patchIndex) { return request(tree, 14 + patchIndex).xyz; }

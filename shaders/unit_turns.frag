@@ -29,10 +29,12 @@ void main() {
     vec3 span = axesOf(at.x) * (dataTexel(treeUnits, 2 * at.y + 1).xyz - dataTexel(treeUnits, 2 * at.y).xyz);
     vec3 direction = dot(span, span) > 0.0 ? normalize(span) : vec3(0.0, 0.0, 1.0);
     gl_FragData[0] = dampedRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
-    vec3 fall = fallOf(at.x);
-    float fallen = sqrt(dot(fall.xy, fall.xy));
-    if (fallen > 0.0 && at.y == int(fall.z)) {
-        vec4 turn = vec4(sin(0.5 * fallen) * fall.xy / fallen, 0.0, cos(0.5 * fallen));
+    for (int i = 0; i < mostFallen; ++i) {
+        vec4 part = fallenPart(at.x, i);
+        float angle = sqrt(dot(part.xy, part.xy));
+        if (angle == 0.0 || at.y != int(part.z + 0.5))
+            continue;
+        vec4 turn = vec4(sin(0.5 * angle) * part.xy / angle, 0.0, cos(0.5 * angle));
         gl_FragData[0] = turnAfter(turn, gl_FragData[0]);
     }
     int patchIndex = int(dataTexel(modalMatrices, texel + 2 * length).x);

@@ -212,7 +212,8 @@ public:
             const glm::vec2 lean = modal->lean(i);
             _leans.data()[4 * i] = lean.x;
             _leans.data()[4 * i + 1] = lean.y;
-            _leans.data()[4 * i + 2] = modal->fall(i) ? 1.0f : 0.0f;
+            const TreeFall* fall = modal->fall(i);
+            _leans.data()[4 * i + 2] = fall && fall->isDown ? 1.0f : 0.0f;
         }
         _leans.dirty();
     }

@@ -122,14 +122,15 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     addSeasonOption(*command, options->season);
     command->add_flag("--tips", options->tips, "Add the position of each branch tip, metres in the scene");
-    command->add_flag("--damage", options->damage,
-                      "Trees that the wind brings down instead, as with damage = true in [motion]");
+    command->add_flag(
+        "--damage", options->damage,
+        "Trees and boughs that the wind brings down instead, as with damage = true in [motion]");
     command->footer(
         "Columns: time (s), tree, unit, level, wind (m/s: x east, y north, z up), angle_a and angle_b\n"
         "(radians: angleXY and angleYZ of the thesis).\n"
-        "With --damage: time (s), tree, name, species, kind, unit of the trunk about whose base it falls, "
-        "moment\n"
-        "and limit at the foot (N m), wind in the crown (m/s).\n"
+        "With --damage: time (s), tree, name, species, kind (uprooted, snapped, bough), unit about whose "
+        "base\n"
+        "it falls, moment and limit at the foot or at that base (N m), wind in the crown (m/s).\n"
         "Example: osgtreewind simulate thesis.treewind --duration 5 --fps 30 --tips -o motion.csv");
     command->callback([options, &exitCode] { exitCode = simulate(*options); });
 }

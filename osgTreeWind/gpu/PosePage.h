@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/motion/modal/TreeFall.h>
+
 #include <osg/Referenced>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -13,19 +16,21 @@ namespace osgTreeWind {
 
 /// What the passes need of one tree: a row of the texture `poseRequests` (shaders/pose_request.glsl).
 struct PoseRequest {
-    static constexpr std::size_t mostColumns = 48, mostPatches = 12, texels = 27;
+    static constexpr std::size_t mostColumns = 48, mostPatches = 12, texels = 31;
 
     float firstTexel = -1.0f; ///< Of its archetype's matrix, as PosePass::ask() has it; negative: at rest.
     float rowTexels = 0.0f;   ///< Of a row of that matrix.
     float maxAngle = 0.0f;
-    float streamlining = 0.0f;              ///< Reconfiguration::streamlining,
-    float across = 1.0f, upward = 1.0f;     ///< TreeScale::axes
-    float streamlinedTo = 25.0f;            ///< streamlinedTo
-    float mostPull = 0.0f;                  ///< and mostPull.
-    float vector[mostColumns] = {};         ///< Amplitudes, then forces on patches; the rest 0.
-    float patchWinds[mostPatches][4] = {};  ///< In the tree's own axes, m/s; 0.
-    float breezeStreamlining = 0.0f;        ///< Reconfiguration's.
-    float fall[2] = {}, fallingUnit = 0.0f; ///< TreeFall::turn, unit
+    float streamlining = 0.0f;             ///< Reconfiguration::streamlining,
+    float across = 1.0f, upward = 1.0f;    ///< TreeScale::axes
+    float streamlinedTo = 25.0f;           ///< streamlinedTo
+    float mostPull = 0.0f;                 ///< and mostPull.
+    float vector[mostColumns] = {};        ///< Amplitudes, then forces on patches; the rest 0.
+    float patchWinds[mostPatches][4] = {}; ///< In the tree's own axes, m/s; 0.
+    float breezeStreamlining = 0.0f;       ///< Reconfiguration's.
+    float unused[3] = {};
+    std::array<std::array<float, 4>, TreeFall::mostParts> fallen{}; ///< TreeFall::parts: turn, unit, 0;
+                                                                    ///< 0 for none.
 };
 static_assert(sizeof(PoseRequest) == PoseRequest::texels * 4 * sizeof(float));
 

@@ -124,9 +124,10 @@ void PosePass::ask(const ModalMotion& motion, std::size_t tree, const TreeScale&
     request.across = scale.axes.x;
     request.upward = scale.axes.z;
     if (const TreeFall* fall = motion.fall(tree)) {
-        request.fall[0] = fall->turn.x;
-        request.fall[1] = fall->turn.y;
-        request.fallingUnit = static_cast<float>(fall->unit);
+        for (std::size_t i = 0; i < fall->count; ++i) {
+            const TreeFall::Part& part = fall->parts[i];
+            request.fallen[i] = {part.turn.x, part.turn.y, static_cast<float>(part.unit), 0.0f};
+        }
     }
     if (request.firstTexel < 0.0f)
         return;

@@ -218,7 +218,8 @@ const std::vector<TreeDamage>& ForestSimulation::damage() const {
 }
 
 bool ForestSimulation::stands(TreeId tree) const {
-    return holds(tree) && !(_damage && modal()->fall(slotOf(tree)));
+    const TreeFall* fall = _damage && holds(tree) ? modal()->fall(slotOf(tree)) : nullptr;
+    return holds(tree) && !(fall && fall->isDown);
 }
 
 TreeMotion ForestSimulation::motion(std::size_t slot) const {

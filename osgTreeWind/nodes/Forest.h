@@ -99,8 +99,8 @@ public:
     /// nearestUnit() finds one by its place. In update or between frames.
     std::vector<TreeUnit> getUnits(TreeId tree) const;
 
-    /// Called in update for each tree that the wind brings down, where the description asks for `damage`. It
-    /// may add, change and remove trees. Null: nobody is told. Not copied.
+    /// Called in update for each tree or bough that the wind brings down, where the description asks for
+    /// `damage`. It may add, change and remove trees. Null: nobody is told. Not copied.
     void setDamageCallback(DamageCallback callback);
 
     /// A transform that goes where a branch goes, in the same video frame; below it is the frame of its tree

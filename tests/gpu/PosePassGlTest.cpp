@@ -177,8 +177,13 @@ TEST_P(PosePassLevelsGlTest, treesThatHaveComeDownAreWhereTheCpuHasThem) {
     blow(60);
     for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree) {
         const auto angle = 0.3f * static_cast<float>(tree + 1); // one after the other, about the first units
-        simulation->modal()->setFall(tree,
-                                     {static_cast<unsigned>(tree % 3), angle * glm::vec2(0.6f, -0.8f), 0.5f});
+        TreeFall fall;
+        fall.parts[0] = {4, {0.0f, 1.0f}};
+        fall.parts[1] = {static_cast<unsigned>(tree % 3), angle * glm::vec2(0.6f, -0.8f)};
+        fall.count = 2;
+        fall.isDown = true;
+        fall.sway = 0.5f;
+        simulation->modal()->setFall(tree, fall);
     }
     askAll(0);
     frame(0.0);

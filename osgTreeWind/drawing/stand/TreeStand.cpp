@@ -52,7 +52,8 @@ void TreeStand::treeChanged(std::size_t tree) {
         _attention[tree].kept = false;
     } else {
         const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
-        const bool isDown = _simulation->modal()->fall(tree);
+        const TreeFall* fall = _simulation->modal()->fall(tree);
+        const bool isDown = fall && fall->isDown;
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3], isDown ? reach[4] : 0.0f});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
         _resources.paintImpostor(*_simulation, placed);

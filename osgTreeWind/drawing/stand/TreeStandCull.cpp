@@ -52,15 +52,20 @@ void TreeStandCull::run() {
     handOver();
 }
 
+bool TreeStandCull::isTreeDown(std::uint32_t number) const {
+    const TreeFall* fall = modal.fall(number);
+    return fall && fall->isDown;
+}
+
 void TreeStandCull::seeCell(const ViewFrustum& view, const CullLists::SeenCell& seen) {
     const std::size_t band = CullLists::bandOf(seen.distance);
     for (const TreeCells::Tree& tree : seen.cell->trees) {
-        const TreeFall* fall = modal.fall(tree.number);
-        const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, fall ? 0.0f : 0.5f * tree.height);
+        const bool isDown = isTreeDown(tree.number);
+        const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, isDown ? 0.0f : 0.5f * tree.height);
         if (seen.side == ViewFrustum::Across) {
             const glm::vec2 lean = modal.lean(tree.number);
             const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
-            if (!view.sees(middle, std::hypot(tree.reach, fall ? tree.height : 0.5f * tree.height) + sway))
+            if (!view.sees(middle, std::hypot(tree.reach, isDown ? tree.height : 0.5f * tree.height) + sway))
                 continue;
         }
         const CullLists::SeenTree seenTree{tree.number, band, detail * view.pixels(middle, tree.height)};
@@ -93,7 +98,7 @@ void TreeStandCull::addThroughOthers() {
             cover.add(pictures[added++]);
         const PlacedTree& placed = simulation.trees()[tree.number];
         const ImpostorStrip* impostor = resources.models[placed.model]->impostor(impostorTier(placed.leaves));
-        pictures.push_back(impostor && !modal.fall(tree.number)
+        pictures.push_back(impostor && !isTreeDown(tree.number)
                                ? view.place(placed, modal.lean(tree.number), *impostor)
                                : ScreenCover::Picture{});
         addTree(tree, cover.clearness(pictures.back()));
@@ -119,7 +124,7 @@ void TreeStandCull::addTree(const CullLists::SeenTree& seen, Tier tier, float fa
         const glm::vec2 lean = modal.lean(seen.number);
         const TreeFall* fall = modal.fall(seen.number);
         const glm::vec3 down =
-            fall ? turnHeading({fall->turn, 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
+            fall ? turnHeading({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
                  : glm::vec3(0.0f);
         lists.list(seen.band, tree.model, impostorTier(tree.leaves), fade < 1.0f, nullptr, nullptr)
             .add({{foot.x, foot.y, foot.z, tree.heading},

@@ -33,6 +33,7 @@ public:
     void run();
 
 private:
+    bool isTreeDown(std::uint32_t number) const;
     void seeCell(const ViewFrustum& view, const CullLists::SeenCell& seen);
     void addThroughOthers();
     void addTree(const CullLists::SeenTree& seen, float clearness);

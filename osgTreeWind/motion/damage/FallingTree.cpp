@@ -15,7 +15,20 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double quarterTurn = 1.5707963267948966, longestStep = 1.0 / 120.0;
+constexpr double hanging = 2.9;  // radians from upright; not quite along the trunk
 constexpr double crushed = 0.25; // of the half width of a crown, boughs below it hold the trunk up
+
+/// That unit, and all that it carries.
+std::vector<std::size_t> carriedBy(const std::vector<BranchUnit>& units, std::size_t unit) {
+    std::vector<bool> falls(units.size(), false);
+    std::vector<std::size_t> carried;
+    for (std::size_t i = unit; i < units.size(); ++i) {
+        falls[i] = i == unit || (units[i].parent >= 0 && falls[static_cast<std::size_t>(units[i].parent)]);
+        if (falls[i])
+            carried.push_back(i);
+    }
+    return carried;
+}
 
 /// Angle between a trunk that lies and the ground, for the crown below it.
 double heldUp(const SwayingTree& tree, double length) {
@@ -29,30 +42,40 @@ double heldUp(const SwayingTree& tree, double length) {
 FallingTree::FallingTree(const SwayingTree& tree, unsigned unit, double moment, double lean) : _lean(lean) {
     const std::vector<BranchUnit>& units = tree.model->skeleton.units;
     const std::vector<UnitLoad> loads = makeUnitLoads(*tree.model, tree.scale, *tree.species, tree.leaves);
-    const glm::vec3 hinge = tree.scale.axes * units[unit].base;
-    std::vector<bool> falls(units.size(), false);
-    double inertia = 0.0, weight = 0.0, drag = 0.0, length = 0.0;
-    for (std::size_t i = unit; i < units.size(); ++i) {
-        falls[i] = i == unit || (units[i].parent >= 0 && falls[static_cast<std::size_t>(units[i].parent)]);
-        if (!falls[i])
-            continue;
-        const glm::vec3 at = 0.5f * tree.scale.axes * (units[i].base + units[i].tip) - hinge;
-        const double up = std::max(static_cast<double>(at.z), 0.0);
-        const double mass = static_cast<double>(loads[i].woodMass + loads[i].leafMass);
-        inertia += mass * static_cast<double>(glm::dot(at, at));
-        weight += mass * gravity * up;
+    const glm::dvec3 hinge = tree.scale.axes * units[unit].base;
+    const std::vector<std::size_t> carried = carriedBy(units, unit);
+    const auto massOf = [&](std::size_t i) {
+        return static_cast<double>(loads[i].woodMass + loads[i].leafMass);
+    };
+    const auto placeOf = [&](std::size_t i) {
+        return glm::dvec3(0.5f * tree.scale.axes * (units[i].base + units[i].tip)) - hinge;
+    };
+    glm::dvec3 weighed(0.0);
+    for (const std::size_t i : carried)
+        weighed += massOf(i) * placeOf(i);
+    const double length = glm::length(weighed);
+    const glm::dvec3 way = length > 0.0 ? weighed / length : glm::dvec3(0.0, 0.0, 1.0);
+    double inertia = 1.0e-3, drag = 0.0, reach = 0.1;
+    for (const std::size_t i : carried) {
+        const glm::dvec3 place = placeOf(i);
+        const double out = std::max(glm::dot(place, way), 0.0);
+        inertia += massOf(i) * glm::dot(place, place);
         drag +=
-            0.5 * static_cast<double>(airDensity * (loads[i].woodDrag + loads[i].leafDrag)) * up * up * up;
-        length = std::max(length, static_cast<double>(tree.scale.axes.z * units[i].tip.z - hinge.z));
+            0.5 * static_cast<double>(airDensity * (loads[i].woodDrag + loads[i].leafDrag)) * out * out * out;
+        reach = std::max(reach, glm::dot(glm::dvec3(tree.scale.axes * units[i].tip) - hinge, way));
     }
-    length = std::max(length, 0.1);
-    inertia = std::max(inertia, 1.0e-3);
-    _weight = weight / inertia;
+    _weight = gravity * length / inertia;
     _push = moment / inertia;
     _drag = drag / inertia;
-    // A hinge above the ground lets the top go down below it.
-    _rest =
-        quarterTurn + std::asin(std::min(static_cast<double>(hinge.z) / length, 0.5)) - heldUp(tree, length);
+    if (units[unit].level == 0) { // a hinge above the ground lets the top go down below it
+        _rest = quarterTurn + std::asin(std::min(hinge.z / reach, 0.5)) - heldUp(tree, reach);
+        return;
+    }
+    _lean += std::acos(std::clamp(way.z, -1.0, 1.0));
+    _rest = std::max(hanging - _lean, 0.0);
+    const glm::dvec2 level(-way.y, way.x);
+    if (glm::length(level) > 0.0)
+        _axis = glm::normalize(level);
 }
 
 double FallingTree::sway() const {

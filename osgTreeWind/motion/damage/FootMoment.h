@@ -9,9 +9,6 @@ namespace osgTreeWind {
 class FootMoment {
 public:
     explicit FootMoment(const SwayingTree& tree);
-    explicit FootMoment(double stiffness) : _stiffness(stiffness) {}
-    /// Of what holds the foot, N m/rad.
-    double stiffness() const { return _stiffness; }
 
     /// Of that tree as it sways now, N m. @param tree its number in `motion`.
     double of(const ModalMotion& motion, std::size_t tree) const;

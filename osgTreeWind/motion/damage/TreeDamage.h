@@ -9,15 +9,15 @@
 
 namespace osgTreeWind {
 
-enum class DamageKind { Uprooted, Snapped };
+enum class DamageKind { Uprooted, Snapped, BoughTorn };
 
-/// A tree that the wind has brought down.
+/// What the wind has brought down of a tree: all of it, or a bough.
 struct TreeDamage {
     TreeId tree = noTree;
     DamageKind kind = DamageKind::Uprooted;
-    unsigned unit = 0;    ///< Of its trunk: about whose base it falls.
-    float moment = 0.0f;  ///< At its foot when it failed, N m; beyond what its roots or its stem bear,
-    float limit = 0.0f;   ///< N m.
+    unsigned unit = 0;    ///< Of its trunk or the bough: about whose base it falls.
+    float moment = 0.0f;  ///< At its foot, or at the base of the bough, when that failed, N m; beyond what
+    float limit = 0.0f;   ///< roots, stem or bough bear, N m.
     glm::vec3 wind{0.0f}; ///< In its crown then, scene axes, m/s.
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/WindDamage.h>
 
-#include <osgTreeWind/motion/damage/FootMoment.h>
 #include <osgTreeWind/motion/damage/TreeStrength.h>
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 
 #include <glm/geometric.hpp>
 
@@ -13,8 +14,10 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t batch = 256;
+constexpr std::size_t batch = 256, mostBoughs = 32;
 constexpr float stump = 1.3f; // metres; TreeStrength
+// Share of what its stem bears, below which no bough fails: they have had at most 1.2 of its share.
+constexpr float gentle = 0.3f;
 
 SwayingTree formOf(const PlacedForest& forest, const PlacedTree& tree) {
     return {&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves};
@@ -46,83 +49,129 @@ glm::vec3 meanWind(const ModalMotion& sway, std::size_t slot, const PlacedTree& 
 
 } // namespace
 
+WindDamage::Tree WindDamage::treeOf(const PlacedForest& forest, const PlacedTree& tree) {
+    const SwayingTree form = formOf(forest, tree);
+    const std::vector<BranchUnit>& units = form.model->skeleton.units;
+    const std::vector<UnitLoad> loads = makeUnitLoads(*form.model, form.scale, *form.species, form.leaves);
+    const TreeStrength strength(*form.model, form.scale, *form.species);
+    Tree result;
+    result.age = 0.0f;
+    result.roots = {0, loads[0].stiffness, static_cast<float>(strength.uproot)};
+    result.stem = {unitAtBreast(forest, tree), loads[0].stiffness, static_cast<float>(strength.breaking)};
+    std::vector<Joint>& boughs = result.boughs;
+    for (std::size_t i = 1; i < units.size(); ++i)
+        if (units[i].level == 1 && units[static_cast<std::size_t>(units[i].parent)].level == 0) {
+            const double diameter = 2.0 * static_cast<double>(tree.scale.radius * units[i].baseRadius);
+            boughs.push_back({static_cast<unsigned>(i), loads[i].stiffness,
+                              static_cast<float>(breakingMoment(form.species->wood, diameter))});
+        }
+    std::stable_sort(boughs.begin(), boughs.end(),
+                     [](const Joint& a, const Joint& b) { return a.limit > b.limit; });
+    boughs.resize(std::min(boughs.size(), mostBoughs));
+    boughs.shrink_to_fit();
+    return result;
+}
+
 void WindDamage::meet(const PlacedForest& forest, const ModalMotion& sway, std::size_t slot, float seconds,
-                      Limits& limits) {
-    const PlacedTree& tree = forest.trees[slot];
-    if (limits.stiffness == 0.0f) {
-        const TreeStrength strength(forest.modelOf(tree), tree.scale, forest.speciesOf(tree));
-        limits.uproot = static_cast<float>(strength.uproot);
-        limits.breaking = static_cast<float>(strength.breaking);
-        limits.stiffness = static_cast<float>(FootMoment(formOf(forest, tree)).stiffness());
-    }
-    limits.age += seconds;
-    if (sway.lean(slot) == limits.lean)
+                      Tree& tree) {
+    if (tree.age < 0.0f)
+        tree = treeOf(forest, forest.trees[slot]);
+    tree.age += seconds;
+    if (sway.lean(slot) == tree.lean)
         return;
-    limits.lean = sway.lean(slot);
-    limits.moment = static_cast<float>(FootMoment(limits.stiffness).of(sway, slot)) /
-                    std::max(forest.description().gain, 1.0e-3f);
+    tree.lean = sway.lean(slot);
+    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+    sway.poseVector(slot, vector);
+    const float exaggeration = std::max(forest.description().gain, 1.0e-3f);
+    const auto momentAt = [&](unsigned unit, float stiffness) {
+        return stiffness * glm::length(sway.unitAngles(slot, unit, vector)) / exaggeration;
+    };
+    tree.roots.moment = tree.stem.moment = momentAt(0, tree.roots.stiffness);
+    if (tree.stem.moment < gentle * tree.stem.limit)
+        return;
+    for (Joint& bough : tree.boughs)
+        bough.moment = momentAt(bough.unit, bough.stiffness);
 }
 
 void WindDamage::follow(const PlacedForest& forest, ModalMotion& sway, float seconds,
                         const Executor& executor) {
     _broken.clear();
-    _limits.resize(forest.trees.size());
+    _trees.resize(forest.trees.size());
     const auto meetBatch = [&](std::size_t job) {
-        for (std::size_t slot = job * batch; slot < std::min(_limits.size(), (job + 1) * batch); ++slot)
-            if (forest.trees[slot].alive && !_limits[slot].isDown)
-                meet(forest, sway, slot, seconds, _limits[slot]);
+        for (std::size_t slot = job * batch; slot < std::min(_trees.size(), (job + 1) * batch); ++slot)
+            if (forest.trees[slot].alive && !_trees[slot].isDown)
+                meet(forest, sway, slot, seconds, _trees[slot]);
     };
-    (executor ? executor : Executor(runInTurn))((_limits.size() + batch - 1) / batch, meetBatch);
-    for (std::size_t slot = 0; slot < _limits.size(); ++slot) {
-        const Limits& limits = _limits[slot];
-        const auto exceeds = [&](float limit) { return limit > 0.0f && limits.moment > limit; };
-        if (forest.trees[slot].alive && !limits.isDown && limits.age > settling &&
-            (exceeds(limits.uproot) || exceeds(limits.breaking)))
-            fell(forest, sway, slot);
-    }
-    for (auto each = _falling.begin(); each != _falling.end();) {
-        Falling& falling = each->second;
+    (executor ? executor : Executor(runInTurn))((_trees.size() + batch - 1) / batch, meetBatch);
+    for (std::size_t slot = 0; slot < _trees.size(); ++slot)
+        if (forest.trees[slot].alive && !_trees[slot].isDown && _trees[slot].age > settling)
+            look(forest, sway, slot);
+    for (Falling& falling : _falling) {
         falling.body.step(static_cast<double>(seconds));
-        sway.setFall(each->first, {falling.unit, static_cast<float>(falling.body.angle()) * falling.axis,
-                                   static_cast<float>(falling.body.sway())});
-        each = falling.body.lies() ? _falling.erase(each) : std::next(each);
+        TreeFall fall = *sway.fall(falling.slot);
+        fall.parts[falling.part].turn = static_cast<float>(falling.body.angle()) * falling.axis;
+        if (fall.isDown && falling.part + 1 == fall.count)
+            fall.sway = static_cast<float>(falling.body.sway());
+        sway.setFall(falling.slot, fall);
     }
+    _falling.erase(std::remove_if(_falling.begin(), _falling.end(),
+                                  [](const Falling& falling) { return falling.body.lies(); }),
+                   _falling.end());
 }
 
-void WindDamage::fell(const PlacedForest& forest, const ModalMotion& sway, std::size_t slot) {
-    Limits& limits = _limits[slot];
-    const PlacedTree& tree = forest.trees[slot];
-    TreeDamage damage;
-    damage.tree = forest.idOf(slot);
-    const bool roots = limits.uproot > 0.0f && (limits.breaking <= 0.0f || limits.uproot < limits.breaking);
-    damage.kind = roots ? DamageKind::Uprooted : DamageKind::Snapped;
-    damage.unit = roots ? 0 : unitAtBreast(forest, tree);
-    damage.moment = limits.moment;
-    damage.limit = roots ? limits.uproot : limits.breaking;
-    damage.wind = meanWind(sway, slot, tree);
-    limits.isDown = true;
+/// At a tree that stands.
+void WindDamage::look(const PlacedForest& forest, ModalMotion& sway, std::size_t slot) {
+    Tree& tree = _trees[slot];
+    if (tree.roots.fails() || tree.stem.fails()) {
+        const bool roots = tree.roots.fails() && (!tree.stem.fails() || tree.roots.limit < tree.stem.limit);
+        breakOff(forest, sway, slot, roots ? tree.roots : tree.stem,
+                 roots ? DamageKind::Uprooted : DamageKind::Snapped);
+        tree.isDown = true;
+        return;
+    }
+    const auto torn = std::find_if(tree.boughs.begin(), tree.boughs.end(),
+                                   [](const Joint& bough) { return bough.fails(); });
+    if (torn == tree.boughs.end())
+        return;
+    breakOff(forest, sway, slot, *torn, DamageKind::BoughTorn);
+    tree.boughs.erase(torn);
+    if (sway.fall(slot)->count + 1 == TreeFall::mostParts) // the trunk needs one
+        tree.boughs.clear();
+}
 
+void WindDamage::breakOff(const PlacedForest& forest, ModalMotion& sway, std::size_t slot, const Joint& joint,
+                          DamageKind kind) {
+    const PlacedTree& tree = forest.trees[slot];
+    _broken.push_back(
+        {forest.idOf(slot), kind, joint.unit, joint.moment, joint.limit, meanWind(sway, slot, tree)});
+
+    const bool isBough = kind == DamageKind::BoughTorn;
     const glm::vec2 lean = sway.lean(slot);
     const float length = glm::length(lean);
     const glm::vec2 way = length > 0.0f ? lean / length : glm::vec2(1.0f, 0.0f);
-    const glm::vec3 axis =
-        turnHeading({-way.y, way.x, 0.0f}, -std::sin(tree.heading), std::cos(tree.heading));
     const double angle =
         std::atan(static_cast<double>(length / std::max(forest.measured(tree).height, 0.1f)));
-    _falling.insert_or_assign(slot, Falling{FallingTree(formOf(forest, tree), damage.unit,
-                                                        static_cast<double>(damage.limit), angle),
-                                            damage.unit, glm::vec2(axis)});
-    _broken.push_back(damage);
+    FallingTree body(formOf(forest, tree), joint.unit, static_cast<double>(joint.limit),
+                     isBough ? 0.0 : angle);
+    const glm::vec2 leeward(
+        turnHeading({-way.y, way.x, 0.0f}, -std::sin(tree.heading), std::cos(tree.heading)));
+    TreeFall fall = sway.fall(slot) ? *sway.fall(slot) : TreeFall();
+    fall.parts[fall.count].unit = joint.unit;
+    fall.isDown = !isBough;
+    _falling.push_back({slot, fall.count++, body, isBough ? body.axis() : leeward});
+    sway.setFall(slot, fall);
 }
 
 void WindDamage::forget(std::size_t slot) {
-    if (slot < _limits.size())
-        _limits[slot] = Limits();
-    _falling.erase(slot);
+    if (slot < _trees.size())
+        _trees[slot] = Tree();
+    _falling.erase(std::remove_if(_falling.begin(), _falling.end(),
+                                  [&](const Falling& falling) { return falling.slot == slot; }),
+                   _falling.end());
 }
 
 void WindDamage::reset() {
-    _limits.clear();
+    _trees.clear();
     _falling.clear();
     _broken.clear();
 }

@@ -9,13 +9,13 @@
 
 #include <glm/vec2.hpp>
 
-#include <unordered_map>
 #include <vector>
 
 namespace osgTreeWind {
 
 /// What the wind brings down of a forest in motion: a tree whose moment at the foot exceeds what its roots or
-/// its stem bear (TreeStrength.h) falls the way it leans, and lies.
+/// its stem bear (TreeStrength.h) falls the way it leans, and lies; a bough whose moment exceeds what wood as
+/// thick as its base bears comes to hang. Of a tree that stands three boughs at most, of its 32 thickest.
 ///
 /// Trees are put up at rest, and one that is in a storm at once swings beyond what it would ever do in it:
 /// what it meets in its first `settling` seconds does not break it.
@@ -27,7 +27,7 @@ public:
     void follow(const PlacedForest& forest, ModalMotion& sway, float seconds, const Executor& executor);
     /// No step was taken.
     void pause() { _broken.clear(); }
-    /// Those that failed in the last step, by slot.
+    /// What failed in the last step, by slot.
     const std::vector<TreeDamage>& broken() const { return _broken; }
     /// Another tree stands there, or none.
     void forget(std::size_t slot);
@@ -35,27 +35,35 @@ public:
     void reset();
 
 private:
-    /// Of a tree that stands.
-    struct Limits {
-        float uproot = 0.0f, breaking = 0.0f; ///< N m; 0: none known.
-        float stiffness = 0.0f;               ///< Of what holds its foot, N m/rad; 0: not asked yet.
-        float age = 0.0f;                     ///< Seconds.
-        glm::vec2 lean{0.0f};                 ///< When it last took a step: far trees do not in each.
-        float moment = 0.0f;                  ///< At its foot then, N m.
+    /// A unit, what holds its base, N m/rad, and what that bears, N m.
+    struct Joint {
+        unsigned unit = 0;
+        float stiffness = 0.0f, limit = 0.0f;
+        float moment = 0.0f; ///< When the tree last took a step, N m.
+        bool fails() const { return limit > 0.0f && moment > limit; }
+    };
+    struct Tree {
+        Joint roots, stem; ///< Both by the moment at the foot.
+        std::vector<Joint> boughs;
+        float age = -1.0f;    ///< Seconds; negative: nothing of this is known yet.
+        glm::vec2 lean{0.0f}; ///< When it last took a step: far trees do not in each.
         bool isDown = false;
     };
     struct Falling {
+        std::size_t slot, part; ///< Of TreeFall::parts.
         FallingTree body;
-        unsigned unit;
         glm::vec2 axis; ///< It turns about, in the tree's own axes.
     };
 
+    static Tree treeOf(const PlacedForest& forest, const PlacedTree& tree);
     static void meet(const PlacedForest& forest, const ModalMotion& sway, std::size_t slot, float seconds,
-                     Limits& limits);
-    void fell(const PlacedForest& forest, const ModalMotion& sway, std::size_t slot);
+                     Tree& tree);
+    void look(const PlacedForest& forest, ModalMotion& sway, std::size_t slot);
+    void breakOff(const PlacedForest& forest, ModalMotion& sway, std::size_t slot, const Joint& joint,
+                  DamageKind kind);
 
-    std::vector<Limits> _limits; ///< By slot.
-    std::unordered_map<std::size_t, Falling> _falling;
+    std::vector<Tree> _trees; ///< By slot.
+    std::vector<Falling> _falling;
     std::vector<TreeDamage> _broken;
 };
 

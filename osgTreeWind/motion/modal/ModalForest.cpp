@@ -125,7 +125,10 @@ TreeMotion ModalForest::motion(std::size_t slot, UnitValues& values) const {
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
     swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
     if (const TreeFall* fall = _sway.fall(slot)) {
-        values.rotations[fall->unit] = fall->rotation() * values.rotations[fall->unit];
+        for (std::size_t i = 0; i < fall->count; ++i) {
+            glm::quat& rotation = values.rotations[fall->parts[i].unit];
+            rotation = fall->parts[i].rotation() * rotation;
+        }
         composePoses(skeleton, tree.scale, values.rotations.data(), values.poses.data());
     }
     if (_withLeaves) {
@@ -150,8 +153,8 @@ UnitMotion ModalForest::unitMotion(std::size_t slot, std::size_t unit) const {
         const int parent = units[at].parent;
         const UnitPose carrier = parent < 0 ? UnitPose() : self(self, static_cast<std::size_t>(parent)).pose;
         glm::quat rotation = swungRotation(units[at], tree.scale, _sway.unitAngles(slot, at, vector));
-        if (fall && fall->unit == at)
-            rotation = fall->rotation() * rotation;
+        if (fall)
+            rotation = fall->turned(at, rotation);
         return {carriedPose(carrier, rotation, tree.scale.axes * units[at].base), rotation};
     };
     return motionOf(motionOf, unit);

@@ -96,3 +96,20 @@ TEST(FallingTree, OneThatSnapsComesDownBelowItsStump) {
     const FallingTree whole(tree.form(), 0, 0.0, 0.1), snapped(tree.form(), above, 0.0, 0.1);
     EXPECT_NEAR(snapped.restAngle() - whole.restAngle(), std::asin(stump / (20.0 - stump)), 0.03);
 }
+
+TEST(FallingTree, ABoughComesToHang) {
+    TreeSize size;
+    size.height = 15.0f;
+    const GrownTree oak("oak", size);
+    unsigned bough = 0;
+    while (oak.units()[bough].level != 1)
+        ++bough;
+    FallingTree falling(oak.form(), bough, 0.0, 0.0);
+    for (int i = 0; i < 200; ++i)
+        falling.step(0.1);
+    EXPECT_TRUE(falling.lies());
+    const glm::vec2 axis = falling.axis();
+    const glm::quat turn = glm::angleAxis(static_cast<float>(falling.angle()), glm::vec3(axis, 0.0f));
+    glm::vec3 way = oak.units()[bough].tip - oak.units()[bough].base;
+    EXPECT_LT((turn * glm::normalize(way)).z, -0.5f);
+}

@@ -24,7 +24,7 @@ constexpr double step = 1.0 / 30.0;
 ForestDescription spruces(int count, float speed) {
     ForestDescription forest;
     forest.species = {*findSpecies("Norway spruce")};
-    forest.species[0].wood.bendingStrength *= 2.0f;
+    forest.species[0].wood.bendingStrength *= 20.0f;
     for (int i = 0; i < count; ++i) {
         TreePlacement tree;
         tree.position = {30.0 * (i % 10), 30.0 * (i / 10), 0.0};
@@ -143,6 +143,37 @@ TEST(WindDamage, AWeakStemSnapsAboveItsStumpAndTheStumpStands) {
         EXPECT_LT(topOf(forest, slot).z, 4.0f);
         const UnitMotion one = forest.unitMotion(slot, damage.unit);
         EXPECT_LT(glm::distance(one.pose.translation, motion.poses[damage.unit].translation), 1e-4f);
+    }
+}
+
+/// Some boughs of a pine bear less than its stem.
+TEST(WindDamage, BoughsAreTornOffAndHangThreeATree) {
+    ForestDescription description = spruces(3, 0.0f);
+    description.species = {*findSpecies("Scots pine")};
+    description.species[0].wood.anchorage = 0.0f;
+    description.wind = std::make_shared<FunctionWind>(
+        [](const glm::vec3&, double time) { return glm::vec3(0.3f * static_cast<float>(time), 0.0f, 0.0f); });
+    std::vector<TreeDamage> down;
+    ForestSimulation forest(description);
+    for (const TreeDamage& damage : blown(forest, 0.0, 60.0))
+        if (damage.kind == DamageKind::BoughTorn)
+            down.push_back(damage);
+    ASSERT_FALSE(down.empty());
+    std::map<TreeId, int> boughs;
+    for (const TreeDamage& damage : down) {
+        EXPECT_LE(++boughs[damage.tree], 3);
+        EXPECT_GT(damage.moment, damage.limit);
+        const std::size_t slot = slotOfTree(damage.tree);
+        const PlacedTree& tree = forest.trees()[slot];
+        const BranchUnit& bough = forest.forest().modelOf(tree).skeleton.units[damage.unit];
+        EXPECT_EQ(bough.level, 1);
+        const TreeMotion motion = forest.motion(slot);
+        const UnitPose& pose = motion.poses[damage.unit];
+        if (forest.stands(damage.tree)) {
+            EXPECT_LT(pose.apply(tree.scale.axes * bough.tip).z, pose.apply(tree.scale.axes * bough.base).z);
+        }
+        const UnitMotion one = forest.unitMotion(slot, damage.unit);
+        EXPECT_LT(glm::distance(one.pose.translation, pose.translation), 1e-3f);
     }
 }
 
