@@ -32,7 +32,7 @@ struct StormOptions : OneTree {
     double spacing = 0.0, speed = 10.0, duration = 3600.0, step = 0.125;
     std::uint32_t seed = 1;
     std::string output, table;
-    bool json = false;
+    bool json = false, critical = true;
 };
 
 /// One of them, ready to be put into it.
@@ -116,7 +116,8 @@ Json measured(const StormJob& job, std::FILE* trace) {
             writeRow(trace, time, now);
     }
     const std::optional<FreeSway> free = pullAndRelease(job.species, job.tree);
-    const CriticalSpeeds critical = criticalSpeedsOf(job.species, job.tree, company);
+    const CriticalSpeeds critical =
+        options.critical ? criticalSpeedsOf(job.species, job.tree, company) : CriticalSpeeds();
     return {
         {"species", job.species.name},
         {"dbh_cm", options.diameter},
@@ -284,6 +285,7 @@ void addStormCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("-o,--output", options->output,
                         "CSV file for the trace of wind and sway; with --table for its rows");
     CLI::Option* const json = command->add_flag("--json", options->json, "Print an object instead of lines");
+    command->add_flag("!--no-critical", options->critical, "Leave out critical winds, which take longest");
     command
         ->add_option("--table", options->table,
                      "CSV file of trees, put into storms on all processors: species, dbh_cm, height_m, "

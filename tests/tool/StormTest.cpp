@@ -76,6 +76,15 @@ TEST(Storm, ItsCriticalWindsAreWhereItsLargestMomentIsWhatItBears) {
     EXPECT_NEAR(there["moment"]["max"].get<double>() / 46143.0, 1.0, 0.35);
 }
 
+TEST(Storm, LeavesOutItsCriticalWindsWhereAsked) {
+    json with = stormOf({"--duration", "1"}), without = stormOf({"--duration", "1", "--no-critical"});
+    EXPECT_TRUE(with["critical"]["uproot"].is_number());
+    EXPECT_EQ(without["critical"], (json{{"uproot", nullptr}, {"break", nullptr}}));
+    with.erase("critical");
+    without.erase("critical");
+    EXPECT_EQ(with, without);
+}
+
 TEST(Storm, ATableStandsEveryTreeInItsStorm) {
     const TemporaryFolder folder;
     const std::string trees = folder.write("trees.csv", "species,dbh_cm,height_m,spacing_m,speed_ms,open\n"

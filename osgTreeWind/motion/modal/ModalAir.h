@@ -80,10 +80,7 @@ public:
         wind[2] = z;
         _square[p] = x * x + y * y + z * z;
         const Number wood = patch.woodDrag * _factors.woodDrag;
-        _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) *
-                       typename Lanes::Laws().streamlinedShare(
-                           Lanes::every(patch.streamlining), Lanes::every(patch.breezeStreamlining),
-                           Lanes::every(_model.streamlinedTo), Lanes::root(_square[p]));
+        _windDrag[p] = wood + patch.leafDrag * _factors.leafDrag;
         _stillDrag[p] = wood + patch.stillDrag * _factors.stillDrag;
         _brake[p] = brakeAt(p, _speed, _past + 3 * p);
     }
@@ -105,19 +102,29 @@ public:
             own[c] = sum * _factors.reach;
             past[c] = _wind[3 * p + c] - own[c];
         }
-        return typename Lanes::Laws().airBrake(_windDrag[p], _stillDrag[p], _square[p],
-                                               own[0] * own[0] + own[1] * own[1] + own[2] * own[2],
-                                               past[0] * past[0] + past[1] * past[1] + past[2] * past[2]);
+        const Number relative = past[0] * past[0] + past[1] * past[1] + past[2] * past[2];
+        return typename Lanes::Laws().airBrake(_windDrag[p] * streamlined(p, relative), _stillDrag[p],
+                                               _square[p],
+                                               own[0] * own[0] + own[1] * own[1] + own[2] * own[2], relative);
     }
 
 private:
+    /// Share of its drag at 10 m/s: leaves turn out of the air that goes past them, their own motion
+    /// included.
+    Number streamlined(std::size_t p, const Number& relative) const {
+        const ModalModel::Patch& patch = _model.patches[p];
+        return typename Lanes::Laws().streamlinedShare(
+            Lanes::every(patch.streamlining), Lanes::every(patch.breezeStreamlining),
+            Lanes::every(_model.streamlinedTo), Lanes::root(relative));
+    }
+
     const ModalModel& _model;
     const LaneColumn<Lanes> _speed;
     const LaneFactors<Lanes> _factors;
     Number _wind[3 * ModalDetail::maxPatches], _past[3 * ModalDetail::maxPatches];
-    Number _square[ModalDetail::maxPatches]; ///< Of the wind's speed.
-    Number _windDrag[ModalDetail::maxPatches], _stillDrag[ModalDetail::maxPatches],
-        _brake[ModalDetail::maxPatches];
+    Number _square[ModalDetail::maxPatches];   ///< Of the wind's speed.
+    Number _windDrag[ModalDetail::maxPatches], ///< At 10 m/s.
+        _stillDrag[ModalDetail::maxPatches], _brake[ModalDetail::maxPatches];
 };
 
 } // namespace

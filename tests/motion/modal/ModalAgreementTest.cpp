@@ -134,7 +134,7 @@ private:
             const glm::dvec3 v(air[s]), u(own[first], own[first + 1], own[first + 2]);
             const double area = point.woodDrag + point.leafDrag;
             const double speed =
-                std::clamp(glm::length(v), 1.6, static_cast<double>(_material.streamlinedTo)) / 10.0;
+                std::clamp(glm::length(v - u), 1.6, static_cast<double>(_material.streamlinedTo)) / 10.0;
             const double power = speed < 1.0 ? _material.breezeStreamlining : _material.streamlining;
             const double streamlined = area * std::pow(speed, -power * point.leafDrag / area);
             const double more = std::max(point.woodDrag + point.stillDrag - streamlined, 0.0);
@@ -291,8 +291,8 @@ TEST_P(ModalAgreement, FollowsAFullIntegration) {
     record("at30Hz", slow);
     record("far", far);
     // Weight takes its share of each mode and couples none: that is most of what twigs of slender trees miss.
-    expectBelow(fast, 0.12, 0.21, "at 60 Hz");
-    expectBelow(slow, 0.12, 0.21, "at 30 Hz");
+    expectBelow(fast, 0.12, 0.24, "at 60 Hz");
+    expectBelow(slow, 0.12, 0.24, "at 30 Hz");
     expectBelow(far, 0.25, 0.25, "far away");
 }
 

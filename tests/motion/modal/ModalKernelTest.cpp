@@ -332,6 +332,57 @@ TEST(ModalKernel, ComesToRestInACalm) {
         EXPECT_EQ(number, 0.0f);
 }
 
+/// One mode, whose amplitude is how far it moves a patch of that drag along x.
+ModalModel onePatch(float drag, float streamlining, float breezeStreamlining) {
+    ModalModel model;
+    model.modes.resize(1);
+    model.modes[0].pace = 2.0f;
+    model.modes[0].limit = 100.0f;
+    model.patches.resize(1);
+    model.patches[0].leafDrag = drag;
+    model.patches[0].streamlining = streamlining;
+    model.patches[0].breezeStreamlining = breezeStreamlining;
+    model.levers = {1.0f, 0.0f, 0.0f};
+    model.brakes = {1.0f};
+    model.dampingRatio = 0.01f;
+    return model;
+}
+
+/// Rate at which a small sway about the lean of a steady wind dies down, 1/s.
+double rateIn(const ModalModel& model, const glm::vec3& wind, double force) {
+    constexpr double small = 0.05, seconds = 1.0 / 240.0;
+    const double pace = model.modes[0].pace, lean = force / (pace * pace);
+    Block block(model);
+    block.amplitude(0, 0) = static_cast<float>(lean + small);
+    block.setWind(0, wind);
+    block.step(1.0f, 0);
+    const int steps = static_cast<int>(std::lround(2.0 * 6.283185307 / pace / seconds)); // two swings
+    for (int i = 0; i < steps; ++i)
+        block.step(static_cast<float>(seconds));
+    const double left =
+        std::hypot(static_cast<double>(block.amplitude(0, 0)) - lean, block.speed(0, 0) / pace);
+    return std::log(small / left) / (steps * seconds);
+}
+
+TEST(ModalKernel, SteadyAirDampsByTheSlopeOfItsDrag) {
+    // Drag k u^(2-n) along the wind has the slope (2-n) k u^(1-n), across it a swing meets k u^(1-n).
+    constexpr float drag = 0.01f;
+    const auto expectSlope = [&](float speed, float n, const ModalModel& model) {
+        SCOPED_TRACE("n " + std::to_string(n) + ", " + std::to_string(speed) + " m/s");
+        const double share = std::pow(static_cast<double>(speed) / 10.0, -static_cast<double>(n));
+        const double brake = static_cast<double>(drag) * share * speed, wood = 0.01 * 2.0;
+        EXPECT_NEAR(rateIn(model, {speed, 0, 0}, brake * speed) / (wood + 0.5 * (2.0 - n) * brake), 1.0,
+                    0.01);
+        EXPECT_NEAR(rateIn(model, {0, speed, 0}, 0.0) / (wood + 0.5 * brake), 1.0, 0.01);
+    };
+    for (const float speed : {3.0f, 6.0f, 15.0f})
+        expectSlope(speed, 0.0f, onePatch(drag, 0.0f, 0.0f));
+    for (const float n : {0.36f, 0.8f}) {
+        expectSlope(4.0f, n, onePatch(drag, 0.0f, n));
+        expectSlope(15.0f, n, onePatch(drag, n, 0.0f));
+    }
+}
+
 TEST(ModalKernel, NoSubstepsTakeTheWindAndMoveNothing) {
     Block block(oak());
     block.amplitude(0, 3) = 1.0f;
