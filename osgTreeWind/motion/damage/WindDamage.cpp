@@ -87,10 +87,9 @@ void WindDamage::meet(const PlacedForest& forest, const ModalMotion& sway, std::
         return stiffness * glm::length(sway.unitAngles(slot, unit, vector)) / exaggeration;
     };
     tree.roots.moment = tree.stem.moment = momentAt(0, tree.roots.stiffness);
-    if (tree.stem.moment < gentle * tree.stem.limit)
-        return;
+    const bool isGentle = tree.stem.moment < gentle * tree.stem.limit;
     for (Joint& bough : tree.boughs)
-        bough.moment = momentAt(bough.unit, bough.stiffness);
+        bough.moment = isGentle ? 0.0f : momentAt(bough.unit, bough.stiffness);
 }
 
 void WindDamage::follow(const PlacedForest& forest, ModalMotion& sway, float seconds,

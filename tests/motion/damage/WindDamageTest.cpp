@@ -124,6 +124,15 @@ TEST(WindDamage, EachGoesAsSoonAsItsLimitIsReached) {
     EXPECT_EQ(slotOfTree(down.back().tree), 4u) << "the thickest";
 }
 
+TEST(WindDamage, AStormThatIsOverBeforeTreesHaveSettledBreaksNothingLater) {
+    ForestDescription description = spruces(3, 0.0f);
+    description.species = {*findSpecies("Scots pine")};
+    description.wind = std::make_shared<FunctionWind>(
+        [](const glm::vec3&, double time) { return glm::vec3(time < 8.0 ? 60.0f : 2.0f, 0.0f, 0.0f); });
+    ForestSimulation forest(description);
+    EXPECT_TRUE(blown(forest, 0.0, 40.0).empty());
+}
+
 TEST(WindDamage, AWeakStemSnapsAboveItsStumpAndTheStumpStands) {
     ForestDescription description = spruces(5, 40.0f);
     description.species[0].wood.bendingStrength = 4.0e6f;
