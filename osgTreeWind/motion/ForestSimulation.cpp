@@ -181,7 +181,7 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
 }
 
 WindFieldPtr ForestSimulation::windHere() {
-    const WindFieldPtr wind = _amongTrees->from(_wind->here(), _forest);
+    WindFieldPtr wind = _amongTrees->from(_wind->here(), _forest);
     if (_amongTrees->canopy() && _amongTrees->canopy() != _canopy) {
         _canopy = _amongTrees->canopy();
         _motion->standIn(*_canopy);
