@@ -135,10 +135,12 @@ private:
 
     std::vector<float> evenly(int rings) const {
         std::vector<float> places;
-        for (int i = 0; i < rings; ++i)
+        for (int i = 0; i < rings; ++i) {
+            const int ring = i * (_skeleton.ringsPerBranch - 1) / (rings - 1);
             places.push_back(rings > _skeleton.ringsPerBranch
                                  ? last() * static_cast<float>(i) / static_cast<float>(rings - 1)
-                                 : static_cast<float>(i * (_skeleton.ringsPerBranch - 1) / (rings - 1)));
+                                 : static_cast<float>(ring));
+        }
         return places;
     }
 

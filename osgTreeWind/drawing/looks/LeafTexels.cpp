@@ -52,8 +52,9 @@ float filteredCoverage(const LeafTexels& level, int channel, float empty) {
             const auto at = [&](int i, int j) { return glm::max(level.at(x + i, y + j)[channel], empty); };
             const float corners[4] = {at(0, 0), at(1, 0), at(0, 1), at(1, 1)};
             for (int i = 0; i < samples * samples; ++i) {
+                const int row = i / samples;
                 const float u = (static_cast<float>(i % samples) + 0.5f) / samples,
-                            v = (static_cast<float>(i / samples) + 0.5f) / samples;
+                            v = (static_cast<float>(row) + 0.5f) / samples;
                 kept += glm::mix(glm::mix(corners[0], corners[1], u), glm::mix(corners[2], corners[3], u),
                                  v) >= LeafTexels::alphaThreshold;
                 ++taken;

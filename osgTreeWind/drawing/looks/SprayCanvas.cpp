@@ -54,7 +54,7 @@ void SprayCanvas::addLeaf(const LeafOutline& outline, const LeafBlade& blade) {
             const float half = v < 0.0f ? 1.06f : 0.94f;
             const float rib = glm::abs(v) < 0.02f && blade.length > 0.06f ? 1.15f : 1.0f;
             const float lit = blade.brightness * half * rib * (0.84f + 0.24f * u);
-            brightness[i] = static_cast<std::uint8_t>(255.0f * glm::clamp(lit, 0.0f, 1.0f) + 0.5f);
+            brightness[i] = byteOf(lit);
         }
         std::uint8_t* parts = SprayRaster::at(_parts, span);
         for (int i = 0; i < count; ++i)

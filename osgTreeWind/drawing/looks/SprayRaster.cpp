@@ -4,13 +4,14 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgTreeWind {
 namespace {
 
 /// The sample whose lower or left edge is nearest, within the card.
 int nearest(float x) {
-    return static_cast<int>(glm::clamp(x, 0.0f, 1.0f) * SprayRaster::size + 0.5f);
+    return static_cast<int>(std::lround(glm::clamp(x, 0.0f, 1.0f) * SprayRaster::size));
 }
 
 } // namespace
