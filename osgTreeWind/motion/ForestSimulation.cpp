@@ -122,6 +122,16 @@ Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& place
     return problems;
 }
 
+void ForestSimulation::runUp(const std::vector<TreeId>& trees) {
+    if (!modal() || !_time || trees.empty())
+        return;
+    std::vector<std::size_t> slots;
+    for (const TreeId tree : trees)
+        if (holds(tree))
+            slots.push_back(slotOf(tree));
+    modal()->runUp(slots, windHere().get(), *_time, runUpTime);
+}
+
 /// Another tree is there, or none, which has not come down.
 void ForestSimulation::treeChanged(std::size_t slot) {
     _amongTrees->treeChanged(slot);

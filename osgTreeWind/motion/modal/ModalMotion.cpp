@@ -15,6 +15,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr std::uint32_t nowhere = ~0u;
+constexpr float runUpStep = 0.1f; // seconds
 
 /// Damping ratio of crowns that touch all around. In a stand of Sitka spruces contact took five times what
 /// stems did (Milne 1991), and stripped stems have 0.01 at least (Moore and Maguire 2005).
@@ -281,6 +282,36 @@ void ModalMotion::setAmplitudes(std::size_t tree, const std::vector<float>& ampl
         number(tree, modes + k) = 0.0f;
     }
     refreshLean(tree);
+}
+
+void ModalMotion::runUp(const std::vector<std::size_t>& trees, const WindField* wind, double time,
+                        float seconds) {
+    ModalMotion apart({}, _gain, _executor, _exact);
+    apart._archetypes = _archetypes;
+    for (const Group& group : _groups) {
+        apart._groups.emplace_back();
+        apart._groups.back().archetype = group.archetype;
+        apart._groups.back().level = group.level;
+    }
+    for (const std::size_t tree : trees) {
+        const std::size_t number = apart._slots.size();
+        apart._slots.emplace_back();
+        apart._places.push_back(_places[tree]);
+        apart._leans.emplace_back(0.0f);
+        apart.put(number, _slots[tree].group);
+        apart._groups[_slots[tree].group].setFactors(apart._slots[number].place, factors(tree));
+    }
+    const int steps = std::max(static_cast<int>(std::ceil(seconds / runUpStep)), 1);
+    const float step = seconds / static_cast<float>(steps);
+    const auto at = [&](int k) { return time - static_cast<double>(step) * (steps - k); };
+    apart.meet(wind, at(0));
+    for (int k = 1; k <= steps; ++k)
+        apart.step(wind, at(k), step);
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        for (std::size_t n = 0; n < groupOf(trees[i]).firstFactor(); ++n)
+            number(trees[i], n) = apart.number(i, n);
+        refreshLean(trees[i]);
+    }
 }
 
 void ModalMotion::reset() {

@@ -76,6 +76,8 @@ public:
     void meet(const WindField* wind, double time);
     /// Moves on by `seconds` > 0 to `time`; the wind goes evenly to what it is then.
     void step(const WindField* wind, double time, float seconds);
+    /// Has these trees sway as if they had stood there for `seconds` up to `time`, others as they do.
+    void runUp(const std::vector<std::size_t>& trees, const WindField* wind, double time, float seconds);
     /// Back to rest, in a calm.
     void reset();
 
