@@ -15,12 +15,14 @@ set(public_headers
     osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
+    osgTreeWind/forest/ForestTiles.h
     osgTreeWind/forest/PlacedForest.h
     osgTreeWind/forest/StandOnGround.h
     osgTreeWind/forest/TreeId.h
     osgTreeWind/forest/TreeNames.h
     osgTreeWind/io/ForestFile.h
     osgTreeWind/io/SpeciesCatalogue.h
+    osgTreeWind/io/TiledForest.h
     osgTreeWind/model/BranchSkin.h
     osgTreeWind/model/CrownOutline.h
     osgTreeWind/model/GrownTree.h

@@ -2,6 +2,7 @@
 #include "BenchChart.h"
 #include "BenchReport.h"
 #include "BenchRun.h"
+#include "BenchWorld.h"
 #include "Command.h"
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
@@ -57,12 +58,12 @@ bool writeChart(const std::string& path, const std::string& svg) {
 
 // Stages of their own. The first three without frames.
 const std::vector<std::string> kernelGroups = {"laws", "winds"};
-const std::string forestsStage = "forests", scaleStage = "scale", viewStage = "view";
+const std::string forestsStage = "forests", scaleStage = "scale", viewStage = "view", worldStage = "world";
 
-/// All but the view of a file, or that only where a file is given.
+/// All but the view of a file and a flight, or that view only where a file is given.
 bool isAsked(const BenchOptions& options, const std::string& stage) {
     if (options.stages.empty())
-        return (stage == viewStage) != options.forest.empty();
+        return stage != worldStage && (stage == viewStage) != options.forest.empty();
     return std::find(options.stages.begin(), options.stages.end(), stage) != options.stages.end();
 }
 
@@ -137,6 +138,36 @@ bool measure(const BenchOptions& options, const std::optional<ForestDescription>
         report.views = std::move(views.value());
         printBenchViews(std::cout, conditions, report.views);
     }
+    if (isAsked(options, worldStage)) {
+        auto world = runBenchWorld(options.forest, *forest, conditions.settings, conditions.driver);
+        if (!succeeded(world))
+            return false;
+        report.world = std::move(world.value());
+        printBenchWorld(std::cout, conditions, *report.world);
+    }
+    return true;
+}
+
+/// Of the file, as the stages need it. @return whether all went well.
+bool load(const BenchOptions& options, std::optional<ForestDescription>& forest) {
+    const bool drawn = isAsked(options, viewStage), flown = isAsked(options, worldStage);
+    if ((drawn || flown) && options.forest.empty()) {
+        std::cerr << "--stage " << (drawn ? viewStage : worldStage) << ": expected --forest FILE\n";
+        return false;
+    }
+    if (flown) {
+        Result<ForestDescription> world = readForestFile(options.forest);
+        if (!succeeded(world))
+            return false;
+        if (!world.value().tiles || options.stages.size() > 1) {
+            std::cerr << "--stage world: expected it alone, with a --forest in tiles (osgtreewind tile)\n";
+            return false;
+        }
+        forest = std::move(world.value());
+    } else if ((drawn || isAsked(options, forestsStage)) && !options.forest.empty()) {
+        forest = loadForest(options.forest, {}, drawn);
+        return forest.has_value();
+    }
     return true;
 }
 
@@ -150,13 +181,8 @@ ExitCode bench(const BenchOptions& options) {
         std::cerr << "--chart: expected a name that ends in .svg, found " << options.chart << '\n';
         return BadInput;
     }
-    if (isAsked(options, viewStage) && options.forest.empty()) {
-        std::cerr << "--stage view: expected --forest FILE\n";
-        return BadInput;
-    }
     std::optional<ForestDescription> forest;
-    if ((isAsked(options, forestsStage) || isAsked(options, viewStage)) && !options.forest.empty() &&
-        !(forest = loadForest(options.forest, isAsked(options, viewStage))))
+    if (!load(options, forest))
         return BadInput;
     for (const std::string& path : {options.output, options.chart})
         if (!path.empty() && !writeText(path, "")) // before minutes of measuring
@@ -184,8 +210,9 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     for (const BenchStage& stage : benchStages())
         names.push_back(stage.name);
     names.insert(names.end(), kernelGroups.begin(), kernelGroups.end());
-    names.insert(names.end(), {forestsStage, scaleStage, viewStage});
-    command->add_option("--stage", options->stages, "Stages to measure; all but view when not given")
+    names.insert(names.end(), {forestsStage, scaleStage, viewStage, worldStage});
+    command
+        ->add_option("--stage", options->stages, "Stages to measure; all but view and world when not given")
         ->delimiter(',')
         ->check(CLI::IsMember(names));
     command->add_option("--trees", options->trees, "Numbers of reference trees")
@@ -200,6 +227,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     command
         ->add_option("--forest", options->forest,
                      "A .treewind file: drawn by stage view, the only one then when none is given;\n"
+                     "flown through by stage world;\n"
                      "stepped under damped by stage forests, which makes trees without one")
         ->type_name("FILE");
     command->add_option("--forest-trees", options->forestTrees, "Stage forests: trees under modal")

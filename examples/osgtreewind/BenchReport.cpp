@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "BenchReport.h"
 
+#include "BenchWorld.h"
+
 #include "BenchStatistics.h"
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
@@ -236,6 +238,8 @@ ordered_json benchReport(const BenchConditions& conditions, const BenchReport& r
     json["views"] = ordered_json::array();
     for (const BenchView& view : report.views)
         json["views"].push_back(viewJson(view));
+    if (report.world)
+        json["world"] = worldJson(*report.world);
     json["thesis"] = ordered_json::array();
     for (const BenchStage& stage : benchStages())
         if (!stage.table.empty())

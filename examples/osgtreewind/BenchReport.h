@@ -20,6 +20,20 @@ struct BenchConditions {
     BenchSettings settings;
 };
 
+/// A flight through a forest in tiles.
+struct BenchWorld {
+    std::string forest;                   ///< A file.
+    std::size_t trees = 0, mostTrees = 0; ///< In all; at a time.
+    double range = 0.0;                   ///< Metres.
+    /// From the description on: the first frame, and the first with all trees in range.
+    double firstFrameSeconds = 0.0, firstPictureSeconds = 0.0;
+    double flownSeconds = 0.0,
+           missingSeconds = 0.0; ///< The longest that a tile within half the range was missing.
+    std::vector<double> frameMs;
+    double halfwayBytes = 0.0, endBytes = 0.0, mostBytes = 0.0; ///< Main memory of the process.
+    double bytesRead = 0.0;
+};
+
 /// All that was measured; empty where it was not.
 struct BenchReport {
     std::vector<BenchResult> results;
@@ -27,6 +41,7 @@ struct BenchReport {
     std::optional<BenchForests> forests;
     std::vector<BenchScale> scale;
     std::vector<BenchView> views;
+    std::optional<BenchWorld> world;
 };
 
 /// Takes date and load now.

@@ -23,6 +23,7 @@ struct CanopyOptions {
     std::string file, output, format;
     std::vector<double> cell, bounds;
     std::optional<float> season;
+    TileBox tiles;
     bool json = false;
 };
 
@@ -139,7 +140,7 @@ ExitCode run(const CanopyOptions& options) {
         std::cerr << problem << '\n';
         return BadInput;
     }
-    auto description = loadForest(options.file);
+    auto description = loadForest(options.file, options.tiles);
     if (!description)
         return BadInput;
     description->season = options.season.value_or(description->season);
@@ -183,6 +184,7 @@ void addCanopyCommand(CLI::App& app, ExitCode& exitCode) {
                      "palm (a static driver; of .nc), cf (plain CF NetCDF) or vtk (of .vti)")
         ->check(CLI::IsMember({"palm", "cf", "vtk"}));
     addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
     command->add_flag("--json", options->json, "Print JSON");
     command->footer(
         "Arrays: lad (leaf area density, m2/m3) and cda (drag area density, m2/m3). Heights are above\n"

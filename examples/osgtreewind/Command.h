@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/TiledForest.h>
 
 #include <CLI/CLI.hpp>
 
@@ -22,6 +23,7 @@ void addRiskCommand(CLI::App& app, ExitCode& exitCode);
 void addPortraitCommand(CLI::App& app, ExitCode& exitCode);
 void addBenchCommand(CLI::App& app, ExitCode& exitCode);
 void addWindCommand(CLI::App& app, ExitCode& exitCode);
+void addTileCommand(CLI::App& app, ExitCode& exitCode);
 void addCanopyCommand(CLI::App& app, ExitCode& exitCode);
 
 /// Adds --season: a word, number or date (species/Season.h).
@@ -30,6 +32,11 @@ void addSeasonOption(CLI::App& command, std::optional<float>& season);
 /// Finite numbers from `low` to `high`; CLI::Range lets "nan" through.
 CLI::Validator within(double low, double high);
 
+/// Adds --tiles: which of a world's.
+void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles);
+
 /// The forest in `file`; prints the first problem, or what is worth knowing, on standard error.
+/// @param tiles of a world whose trees are wanted: there are no tiles in what comes out.
 /// @param withNodes it is going to be drawn, and there must be memory for that.
-std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file, bool withNodes = false);
+std::optional<osgTreeWind::ForestDescription>
+loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {}, bool withNodes = false);

@@ -32,6 +32,7 @@ struct RenderOptions {
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
     std::optional<float> season;
+    TileBox tiles;
     osg::Vec3 sun = Daylight::usualSun;
 };
 
@@ -151,7 +152,7 @@ ExitCode render(const RenderOptions& options) {
         return runOtherBackend(options.backend);
     if (const ExitCode problem = checkOutput(options); problem != Succeeded)
         return problem;
-    auto description = loadForest(options.file);
+    auto description = loadForest(options.file, options.tiles);
     if (!description)
         return BadInput;
     if (!options.tiers.empty())
@@ -230,6 +231,7 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     addViewOptions(*command, *options);
     addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
     command->add_option_function<std::string>(
         "--sun", [options](const std::string& text) { options->sun = parseSun(text); },
         "Where the sun stands: AZIMUTH,ELEVATION in degrees, clockwise from north (+y), or when and where "

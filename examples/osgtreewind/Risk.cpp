@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
-#include "CsvCell.h"
 #include "Progress.h"
 #include "WholeFile.h"
 
+#include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/strength/CriticalSpeeds.h>
 #include <osgTreeWind/motion/strength/ForestStorm.h>
@@ -30,6 +30,7 @@ struct RiskOptions {
     double direction = 270.0;
     std::uint32_t seed = 1;
     std::optional<float> season;
+    TileBox tiles;
 };
 
 /// What comes of storms, by slot.
@@ -137,7 +138,7 @@ ExitCode run(const RiskOptions& options) {
                   << ", found something else\n";
         return BadInput;
     }
-    auto description = loadForest(options.file);
+    auto description = loadForest(options.file, options.tiles);
     if (!description)
         return BadInput;
     description->season = options.season.value_or(description->season);
@@ -163,6 +164,7 @@ void addRiskCommand(CLI::App& app, ExitCode& exitCode) {
         ->capture_default_str();
     command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
     addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
     command->footer(
         "Columns: id, species, place, height, diameter; uproot_ms and break_ms, the mean winds 10 m above\n"
         "open country in which the largest moment in an hour is what the roots and the stem bear; top_wind,\n"

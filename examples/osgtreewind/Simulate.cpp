@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
-#include "CsvCell.h"
 #include "Progress.h"
 
+#include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 
@@ -22,6 +22,7 @@ struct SimulateOptions {
     double duration = 10.0, fps = 60.0;
     bool tips = false, damage = false;
     std::optional<float> season;
+    TileBox tiles;
 };
 
 void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time, bool tips) {
@@ -60,7 +61,7 @@ void writeDamage(std::FILE* out, const ForestSimulation& simulation, double time
 }
 
 ExitCode simulate(const SimulateOptions& options) {
-    auto description = loadForest(options.file);
+    auto description = loadForest(options.file, options.tiles);
     if (!description)
         return BadInput;
     description->season = options.season.value_or(description->season);
@@ -121,6 +122,7 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("-o,--output", options->output, "CSV file, or - for standard output")
         ->capture_default_str();
     addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
     command->add_flag("--tips", options->tips, "Add the position of each branch tip, metres in the scene");
     command->add_flag(
         "--damage", options->damage,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
-#include "CsvCell.h"
 #include "OneTree.h"
 #include "TreeTable.h"
 #include "WholeFile.h"
 
+#include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/motion/sway/StormTree.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "TreeList.h"
 
-#include "CsvCell.h"
 #include "Progress.h"
 
+#include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 

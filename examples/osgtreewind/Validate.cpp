@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 
+#include <osgTreeWind/io/TiledForest.h>
+
 #include <iostream>
 
 void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
@@ -8,14 +10,17 @@ void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
     auto file = std::make_shared<std::string>();
     command->add_option("file", *file, "A .treewind file")->required();
     command->callback([file, &exitCode] {
-        const auto forest = osgTreeWind::readForestFile(*file);
-        if (forest) {
+        auto forest = osgTreeWind::readForestFile(*file);
+        osgTreeWind::Diagnostics problems = forest.problems();
+        if (forest)
+            problems = loadTiles(forest.value());
+        if (problems.empty()) {
             for (const std::string& note : forest.value().notes)
                 std::cout << *file << ": note: " << note << '\n';
             std::cout << *file << ": good, " << forest.value().trees.size() << " trees\n";
             return;
         }
-        for (const osgTreeWind::Diagnostic& problem : forest.problems())
+        for (const osgTreeWind::Diagnostic& problem : problems)
             std::cerr << problem.text() << '\n';
         exitCode = BadInput;
     });

@@ -28,10 +28,29 @@ void addSeasonOption(CLI::App& command, std::optional<float>& season) {
         "--season", read, "winter, spring, summer, autumn, a number from 0 (midwinter) to 4 or a date");
 }
 
-std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file, bool withNodes) {
+void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles) {
+    const auto read = [&tiles](const std::vector<std::uint32_t>& ends) {
+        tiles = {ends[0], ends[1], ends[ends.size() - 2], ends[ends.size() - 1]};
+        if (ends.size() == 3 || tiles.firstColumn > tiles.lastColumn || tiles.firstRow > tiles.lastRow)
+            throw CLI::ValidationError("--tiles", "expected COLUMN,ROW or its least, then its greatest");
+    };
+    command
+        .add_option_function<std::vector<std::uint32_t>>(
+            "--tiles", read,
+            "Of a world: COLUMN,ROW[,COLUMN,ROW], one tile or all from the first to the last; else all")
+        ->delimiter(',')
+        ->expected(2, 4)
+        ->allow_extra_args(false);
+}
+
+std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file,
+                                                         const osgTreeWind::TileBox& tiles, bool withNodes) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
-    if (!forest) {
-        std::cerr << forest.problems().front().text() << '\n';
+    osgTreeWind::Diagnostics problems = forest.problems();
+    if (forest)
+        problems = loadTiles(forest.value(), tiles);
+    if (!problems.empty()) {
+        std::cerr << problems.front().text() << '\n';
         return {};
     }
     if (const std::string problem =
@@ -58,6 +77,7 @@ int main(int argc, char** argv) {
                "  osgtreewind wind wind.vtk --at 120,40,10\n"
                "  osgtreewind canopy forest.treewind -o canopy.nc --cell 2\n"
                "  osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225\n"
+               "  osgtreewind tile region.treewind -o world\n"
                "  osgtreewind bench -o results.json --chart chart.svg\n"
                "Exit status: 0 done, 1 failed, 2 bad usage or bad input.");
 
@@ -73,6 +93,7 @@ int main(int argc, char** argv) {
     addBenchCommand(app, exitCode);
     addWindCommand(app, exitCode);
     addCanopyCommand(app, exitCode);
+    addTileCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

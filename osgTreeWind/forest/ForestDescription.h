@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/forest/DrawingOptions.h>
+#include <osgTreeWind/forest/ForestTiles.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/places/Ground.h>
 #include <osgTreeWind/species/Season.h>
@@ -38,13 +39,15 @@ struct TreePlacement {
     bool openGrown = false;     ///< Stands by itself: such a crown is wider and deeper than in a forest.
     std::string name{};         ///< An inventory's id; empty: none. Where two have one, it is the first's.
     EstimatedSizes estimated{}; ///< Of `size`.
+    bool tiled = false;         ///< Came with a tile, and goes with it: no file says it.
 };
 
 /// A whole forest as plain values: what a .treewind file says.
 struct ForestDescription {
     std::vector<Species> species;
     std::vector<TreePlacement> trees;
-    glm::dvec3 origin{0.0}; ///< World position of the scene's origin; geometry is relative to it.
+    std::optional<ForestTiles> tiles; ///< More trees, which come and go; under the law `modal`.
+    glm::dvec3 origin{0.0};           ///< World position of the scene's origin; geometry is relative to it.
     /// What world coordinates are of: a map in metres, in any words that PROJ knows ("EPSG:25832"). Empty:
     /// none.
     std::string crs;

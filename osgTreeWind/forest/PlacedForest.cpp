@@ -63,6 +63,7 @@ std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
     tree.openGrown = kept ? before->openGrown : placement.openGrown;
     tree.scale =
         kept ? before->scale : fitTree(modelOf(tree), withCrown(tree.given, species.crown, tree.openGrown));
+    tree.tiled = placement.tiled;
     tree.position = glm::vec3(placement.position - description().origin);
     tree.heading = placement.heading;
     tree.summerLeaves = placement.leaves;
@@ -80,6 +81,7 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     placement.size = measured(tree);
     placement.leaves = tree.summerLeaves;
     placement.openGrown = tree.openGrown;
+    placement.tiled = tree.tiled;
     placement.seed = tree.seed;
     placement.name = names.of(static_cast<std::uint32_t>(slot));
     return placement;
@@ -90,7 +92,7 @@ ForestDescription PlacedForest::describe() const {
     now.season = withinYear(_season);
     now.source.clear();
     for (std::size_t slot = 0; slot < trees.size(); ++slot) {
-        if (!trees[slot].alive)
+        if (!trees[slot].alive || trees[slot].tiled)
             continue;
         TreePlacement tree = placementOf(slot);
         tree.size = trees[slot].given;

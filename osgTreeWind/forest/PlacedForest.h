@@ -30,6 +30,7 @@ struct PlacedTree {
     std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
     bool alive = true;            ///< No: it was removed, and nothing else here counts.
     bool openGrown = false;
+    bool tiled = false;       ///< TreePlacement::tiled.
     EstimatedSizes estimated; ///< Of `given`.
     TreeSize given;           ///< From which, with openGrown, `scale` follows.
 };

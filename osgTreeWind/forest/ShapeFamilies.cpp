@@ -4,6 +4,7 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/ShapeCount.h>
 
+#include <algorithm>
 #include <array>
 
 namespace osgTreeWind {
@@ -13,6 +14,13 @@ ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
     for (const TreePlacement& tree : forest.trees)
         if (tree.species < stand.size())
             stand[tree.species][tree.openGrown ? 1 : 0] = true;
+    for (std::size_t i = 0; forest.tiles && i < stand.size(); ++i) {
+        const auto namedIn = [&](const std::vector<std::string>& names) {
+            return std::find(names.begin(), names.end(), forest.species[i].name) != names.end();
+        };
+        stand[i][0] |= namedIn(forest.tiles->inForest);
+        stand[i][1] |= namedIn(forest.tiles->inOpen);
+    }
     for (std::size_t i = 0; i < stand.size(); ++i) {
         const Species& species = forest.species[i];
         const bool open = stand[i][1];

@@ -15,6 +15,8 @@ namespace osgTreeWind {
 namespace {
 
 std::string absolute(const std::string& folder) {
+    if (folder.find("://") != std::string::npos) // a URL
+        return folder;
     std::error_code ignored;
     const std::filesystem::path path = folder.empty() ? "." : folder;
     std::string result = std::filesystem::absolute(path, ignored).lexically_normal().string();

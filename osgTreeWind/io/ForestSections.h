@@ -62,6 +62,7 @@ void readSpecies(TableReader& table, ForestReading& reading);   ///< One [[speci
 void readTree(TableReader& table, ForestReading& reading);      ///< One [[tree]].
 void readScatter(TableReader& table, ForestReading& reading);   ///< One [[scatter]].
 void readInventory(TableReader& table, ForestReading& reading); ///< One [[inventory]].
+void readTiles(TableReader& table, ForestReading& reading);     ///< [tiles].
 void readGround(TableReader& table, ForestReading& reading);    ///< [ground], and puts the trees on it.
 void readWind(TableReader& table, ForestReading& reading);      ///< [wind]; needs the forest's origin.
 
@@ -70,6 +71,7 @@ const std::vector<std::pair<std::string, WindFrame>>& windFrames();
 
 /// [ground], if there is one. @return what keeps it from being written; empty when all is well.
 std::string writeGround(std::ostream& output, const ForestDescription& forest);
+void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].
 /// [wind], if there is one. @return what keeps it from being written; empty when all is well.
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 

@@ -200,6 +200,8 @@ void readOrigin(TableReader& root, ForestReading& reading) {
     std::vector<double> origin;
     if (root.readNumbers("origin", origin, 3, 3))
         forest.origin = {origin[0], origin[1], origin[2]};
+    else if (forest.tiles)
+        root.problem("origin", "missing: expected it beside [tiles]");
     else
         forest.origin = defaultOrigin(forest.trees);
     for (const TreePlacement& tree : forest.trees)
@@ -231,8 +233,11 @@ void readRoot(TableReader& root, ForestReading& reading) {
     root.tables("tree", [&](TableReader& table) { readTree(table, reading); });
     root.tables("scatter", [&](TableReader& table) { readScatter(table, reading); });
     root.tables("inventory", [&](TableReader& table) { readInventory(table, reading); });
-    if (!root.has("tree") && !root.has("scatter") && !root.has("inventory"))
-        root.problem("", "no trees: expected [[tree]], [scatter] or [inventory]");
+    root.table("tiles", [&](TableReader& table) { readTiles(table, reading); });
+    if (!root.has("tree") && !root.has("scatter") && !root.has("inventory") && !root.has("tiles"))
+        root.problem("", "no trees: expected [[tree]], [scatter], [inventory] or [tiles]");
+    if (reading.forest.tiles && reading.forest.law != MotionLaw::Modal)
+        root.problem("tiles", "expected the law \"modal\" with it");
 
     if (!root.has("species"))
         dropUnusedDefault(reading.forest);

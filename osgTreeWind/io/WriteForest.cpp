@@ -155,7 +155,7 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
            << '\n';
     const ForestDescription usual;
     writeFields(output, "", fieldsOfFile(), &forest, &usual);
-    if (forest.trees.empty())
+    if (forest.trees.empty() && !forest.tiles)
         output << "tree = []\n";
     output << ground.str() << wind.str();
     writeMotion(output, forest);
@@ -164,6 +164,8 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
         writeSpecies(output, species);
     for (const TreePlacement& tree : forest.trees)
         writeTree(output, tree, forest);
+    if (forest.tiles)
+        writeTiles(output, *forest.tiles);
     output.flush();
     if (!output)
         return {keyProblem({}, "cannot be written")};

@@ -10,6 +10,7 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/nodes/TilePager.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/GivenWind.h>
 
@@ -125,6 +126,9 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
     const std::shared_ptr<ForestSimulation> simulation = other._simulation->restarted();
     show(simulation, other._drawing->again(simulation));
     _wind = _simulation->givenWind();
+    for (const TreeId tree : getTrees())
+        if (_simulation->trees()[_simulation->slotOf(tree)].tiled)
+            removeTree(tree); // its own tiles bring it again
 }
 
 Forest::~Forest() = default;
@@ -189,7 +193,7 @@ void Forest::grow(ForestDescription description) {
     options.placed = Patience(description.trees.size());
     options.executor = _executor;
     options.wind = _wind;
-    if (description.drawing.tiers && description.trees.size() > smallStand)
+    if (description.drawing.tiers && (description.tiles || description.trees.size() > smallStand))
         options.level = ModalLevel::Far; // until someone sees them
     const auto simulation = std::make_shared<ForestSimulation>(std::move(description), options);
     const osg::ref_ptr<ForestDrawing> drawing = drawingFor(simulation);
@@ -200,9 +204,15 @@ void Forest::grow(ForestDescription description) {
 
 void Forest::show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_ptr<ForestDrawing>& drawing) {
     removeChild(_drawing);
+    removeChild(_tiles);
+    _tiles = nullptr;
     _simulation = std::move(simulation);
     _drawing = drawing;
     insertChild(0, _drawing);
+    if (getDescription().tiles) {
+        _tiles = new TilePager(*getDescription().tiles, getDescription().origin);
+        insertChild(1, _tiles);
+    }
     _ground = groundOf(getDescription(), _drawing->getBound());
     _treeCount =
         static_cast<std::size_t>(std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
@@ -280,7 +290,7 @@ BranchwiseForest* Forest::getBranchwise() const {
 }
 
 bool Forest::isOwnChild(const osg::Node* child) const {
-    return child == _drawing;
+    return child == _drawing || (child && child == _tiles);
 }
 
 osg::Vec3d Forest::getOrigin() const {
@@ -298,7 +308,8 @@ void Forest::traverse(osg::NodeVisitor& visitor) {
 }
 
 osg::BoundingSphere Forest::computeBound() const {
-    return getNumChildren() == 1 ? _drawing->getBound() : osg::Group::computeBound(); // no box about a sphere
+    return getNumChildren() == 1 && !_tiles ? _drawing->getBound()
+                                            : osg::Group::computeBound(); // no box about a sphere
 }
 
 /// Update visitors enter what a Switch or LOD hides, too.
@@ -339,6 +350,8 @@ void Forest::update(osg::NodeVisitor& visitor) {
     }
     _lastFrame = stamp.getFrameNumber();
     stand(path);
+    if (_tiles)
+        _simulation->runUp(_tiles->update(stamp, *this));
     _drawing->update(stamp);
     const std::vector<TreeDamage> down = _simulation->damage(); // those who are told may change it
     for (const TreeDamage& damage : down)

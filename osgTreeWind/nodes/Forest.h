@@ -11,7 +11,6 @@
 
 #include <osg/Group>
 #include <osg/Matrix>
-#include <osg/Vec3d>
 
 #include <atomic>
 #include <memory>
@@ -27,6 +26,7 @@ class ForestDrawing;
 class ForestSimulation;
 class GivenWind;
 class StandDrawing;
+class TilePager;
 struct ForestDescription;
 struct TreePlacement;
 struct TreeUnit;
@@ -53,7 +53,6 @@ public:
     /// children go by `copyop`; branches that are followed are not copied.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
-
         /// Replaces all trees, and the wind by that of the description if it has one. Without the memory or
         /// the room in textures the forest is left empty, with a warning. Not during a traversal.
         void setDescription(ForestDescription description);
@@ -140,6 +139,7 @@ private:
     std::shared_ptr<ForestSimulation> _simulation;
     osg::ref_ptr<ForestDrawing> _drawing;
     osg::ref_ptr<osg::Node> _ground;
+    osg::ref_ptr<TilePager> _tiles; ///< Null: all trees are there.
     std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};

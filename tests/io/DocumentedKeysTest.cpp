@@ -58,7 +58,8 @@ std::set<std::string> knownKeys() {
         "crown]\n[species.wood]"
         "\n[species."
         "branch]\n"
-        "[species.leaf]\n[species.appearance]\n[wind]\n";
+        "[species.leaf]\n[species.appearance]\n[tiles]\ncolumns = 1\nrows = 1\ntrees = [[0]]\nlow = "
+        "[[0]]\nhigh = [[0]]\n[wind]\n";
     std::set<std::string> keys;
     for (const char* wind :
          {"kind = \"calm\"", "kind = \"uniform\"", "kind = \"gusts\"\nheight = 1", "kind = \"file\"",

@@ -3,6 +3,8 @@
 
 #include <string>
 
+namespace osgTreeWind {
+
 /// A text as a cell of CSV, in quotes where it needs them.
 inline std::string csvCell(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos)
@@ -12,3 +14,5 @@ inline std::string csvCell(const std::string& text) {
         quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + '"';
 }
+
+} // namespace osgTreeWind

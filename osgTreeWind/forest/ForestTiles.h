@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Export.h>
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// Trees that lie in a folder in square tiles, a file each, and come and go with the camera (docs/worlds.md).
+struct ForestTiles {
+    struct Tile {
+        std::uint32_t trees = 0;       ///< None: there is no file.
+        float low = 0.0f, high = 0.0f; ///< Of its trees' feet, metres in the world's frame.
+    };
+
+    std::string folder;        ///< Of the files: a path, or a URL that OSG reads from.
+    double size = 1000.0;      ///< Side of a tile, metres, [10, 100000].
+    glm::dvec2 corner{0.0};    ///< Of tile (0, 0): its least x and y, in the world's frame.
+    std::uint32_t columns = 0; ///< Of tiles, eastward.
+    /// Metres, [10, 100000]: from where on a tile's trees are there, to the nearest place it may have a tree
+    /// at.
+    double range = 2000.0;
+    std::vector<Tile> tiles; ///< Row by row, eastward, then northward: whole rows.
+    /// Names of species of which trees stand in a forest, and in the open (TreePlacement::openGrown).
+    std::vector<std::string> inForest, inOpen;
+
+    std::uint32_t rows() const { return columns ? static_cast<std::uint32_t>(tiles.size() / columns) : 0; }
+    std::size_t treeCount() const;
+    glm::dvec2 cornerOf(std::size_t tile) const;
+    /// "FOLDER/COLUMN_ROW.trees"; TileTrees.h says what is in it.
+    std::string fileOf(std::size_t tile) const;
+};
+
+/// So far that some 50,000 trees of that density are in range, from 1 to 5 km.
+double rangeOfTiles(const ForestTiles& tiles);
+
+} // namespace osgTreeWind

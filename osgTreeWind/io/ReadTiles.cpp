@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/TomlText.h>
+
+#include <filesystem>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr Range sizes = within(10, 100000);
+
+using Rows = std::vector<std::vector<double>>;
+
+/// A row for each of tiles, northward.
+bool readGrid(TableReader& table, const std::string& key, std::size_t columns, std::size_t rows,
+              const Range& range, Rows& values) {
+    if (!table.has(key))
+        return table.missing(key);
+    if (!table.readRows(key, values, columns, range))
+        return false;
+    if (values.size() != rows)
+        table.problem(key, "expected " + std::to_string(rows) + " rows, as `trees` has");
+    return values.size() == rows;
+}
+
+bool readTileGrid(TableReader& table, ForestTiles& tiles) {
+    int columns = 0, rows = 0;
+    Rows trees, low, high;
+    if (!table.require("columns", columns, within(1, 10000)) ||
+        !table.require("rows", rows, within(1, 10000)))
+        return false;
+    tiles.columns = static_cast<std::uint32_t>(columns);
+    const auto width = static_cast<std::size_t>(columns), length = static_cast<std::size_t>(rows);
+    if (!readGrid(table, "trees", width, length, within(0, 4e9), trees) ||
+        !readGrid(table, "low", width, length, worldCoordinates, low) ||
+        !readGrid(table, "high", width, length, worldCoordinates, high))
+        return false;
+    for (std::size_t row = 0; row < length; ++row)
+        for (std::size_t column = 0; column < width; ++column)
+            tiles.tiles.push_back({static_cast<std::uint32_t>(trees[row][column]),
+                                   static_cast<float>(low[row][column]),
+                                   static_cast<float>(high[row][column])});
+    return true;
+}
+
+std::vector<std::string> readNames(TableReader& table, const ForestReading& reading, const std::string& key) {
+    std::vector<std::string> names;
+    if (table.has(key) && !table.hasArray(key))
+        table.problem(key, "expected an array of names");
+    else if (table.read(key, names))
+        for (const std::string& name : names)
+            if (!reading.species(name))
+                table.problem(key, "no [[species]] " + inQuotes(name));
+    return names;
+}
+
+std::string inFolder(const std::string& folder, const std::string& name) {
+    if (name.find("://") != std::string::npos)
+        return name;
+    if (folder.find("://") != std::string::npos)
+        return folder + '/' + name;
+    return (std::filesystem::path(folder) / name).lexically_normal().string();
+}
+
+template <typename Value>
+void writeGrid(std::ostream& output, const char* key, const ForestTiles& tiles, const Value& value) {
+    output << key << " = [\n";
+    for (std::size_t row = 0; row < tiles.rows(); ++row) {
+        std::vector<float> values;
+        for (std::size_t column = 0; column < tiles.columns; ++column)
+            values.push_back(static_cast<float>(value(tiles.tiles[row * tiles.columns + column])));
+        output << "    " << tomlText(values) << ",\n";
+    }
+    output << "]\n";
+}
+
+} // namespace
+
+void readTiles(TableReader& table, ForestReading& reading) {
+    ForestTiles tiles;
+    std::string folder = "tiles";
+    table.read("folder", folder);
+    tiles.folder = inFolder(reading.forest.folder, folder);
+    table.require("size", tiles.size, sizes);
+    table.require("range", tiles.range, sizes);
+    std::vector<double> corner;
+    if (table.readNumbers("corner", corner, 2, 2, worldCoordinates))
+        tiles.corner = {corner[0], corner[1]};
+    else
+        table.missing("corner");
+    tiles.inForest = readNames(table, reading, "in_forest");
+    tiles.inOpen = readNames(table, reading, "in_open");
+    if (readTileGrid(table, tiles))
+        reading.forest.tiles = std::move(tiles);
+}
+
+void writeTiles(std::ostream& output, const ForestTiles& tiles) {
+    output << "\n[tiles]\nfolder = " << tomlText(tiles.folder) << "\nsize = " << tomlText(tiles.size)
+           << "\ncorner = " << tomlText(std::vector<double>{tiles.corner.x, tiles.corner.y})
+           << "\nrange = " << tomlText(tiles.range) << "\nin_forest = " << tomlText(tiles.inForest)
+           << "\nin_open = " << tomlText(tiles.inOpen) << "\ncolumns = " << tiles.columns
+           << "\nrows = " << tiles.rows() << '\n';
+    using Tile = ForestTiles::Tile;
+    writeGrid(output, "trees", tiles, [](const Tile& tile) { return tile.trees; });
+    writeGrid(output, "low", tiles, [](const Tile& tile) { return tile.low; });
+    writeGrid(output, "high", tiles, [](const Tile& tile) { return tile.high; });
+}
+
+} // namespace osgTreeWind

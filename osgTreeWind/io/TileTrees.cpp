@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/TileTrees.h>
+
+#include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/forest/ForestFields.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+namespace osgTreeWind {
+
+namespace {
+
+enum Column {
+    SpeciesName,
+    X,
+    Y,
+    Z,
+    Heading,
+    Height,
+    TrunkDiameter,
+    CrownWidth,
+    Leaves,
+    Seed,
+    OpenGrown,
+    Estimated,
+    Id,
+    ColumnCount
+};
+constexpr std::array<const char*, ColumnCount> columnNames = {
+    "species",     "x",      "y",    "z",          "heading",   "height", "trunk_diameter",
+    "crown_width", "leaves", "seed", "open_grown", "estimated", "id"};
+
+template <typename Number>
+void append(std::string& text, Number number) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    text.append(digits.data(), end);
+}
+
+double rounded(double metres) {
+    constexpr double parts = 10000.0;
+    return std::round(metres * parts) / parts;
+}
+
+void appendSize(std::string& text, float size) {
+    text += ',';
+    if (size > 0.0f)
+        append(text, size);
+}
+
+void appendTree(std::string& text, const TreePlacement& tree, const std::string& species) {
+    text += csvCell(species);
+    for (int axis = 0; axis < 3; ++axis)
+        append(text += ',', rounded(tree.position[axis]));
+    append(text += ',', tree.heading);
+    appendSize(text, tree.size.height);
+    appendSize(text, tree.size.trunkDiameter);
+    appendSize(text, tree.size.crownWidth);
+    text += ',';
+    if (tree.leaves != 1.0f)
+        append(text, tree.leaves);
+    append(text += ',', tree.seed);
+    text.append(tree.openGrown ? ",1," : ",,")
+        .append(tree.estimated.height ? "h" : "")
+        .append(tree.estimated.trunkDiameter ? "d" : "")
+        .append(tree.estimated.crownWidth ? "w" : "");
+    text.append(",").append(csvCell(tree.name)).append("\n");
+}
+
+/// The cells of a row as what they say; the first that says nothing is remembered.
+class TreeRow {
+public:
+    TreeRow(const CsvTable& table, const CsvTable::Row& row) : _table(table), _row(row) {}
+
+    const std::string& text(Column column) const { return _row.cells[column]; }
+    bool has(Column column) const { return !text(column).empty(); }
+    double number(Column column, const Range& range) {
+        const std::optional<double> number = parseNumber(text(column));
+        if (!number || !range.contains(*number))
+            expect(column, "a number " + range.text());
+        return number.value_or(0.0);
+    }
+    void expect(Column column, const std::string& what) {
+        if (!_problem)
+            _problem =
+                Diagnostic{_table.file, _row.line, 0, columnNames[column], expectedFound(what, text(column))};
+    }
+    const std::optional<Diagnostic>& problem() const { return _problem; }
+
+private:
+    const CsvTable& _table;
+    const CsvTable::Row& _row;
+    std::optional<Diagnostic> _problem;
+};
+
+void readEstimated(TreeRow& row, EstimatedSizes& estimated) {
+    for (const char letter : row.text(Estimated))
+        if (letter == 'h')
+            estimated.height = true;
+        else if (letter == 'd')
+            estimated.trunkDiameter = true;
+        else if (letter == 'w')
+            estimated.crownWidth = true;
+        else
+            row.expect(Estimated, "some of h, d and w");
+}
+
+std::size_t indexOf(std::vector<std::string>& names, const std::string& name) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name)
+            return i;
+    names.push_back(name);
+    return names.size() - 1;
+}
+
+TreePlacement readTree(TreeRow& row, std::vector<std::string>& species) {
+    const auto number = [&](Column column, const Range& range) {
+        return static_cast<float>(row.number(column, range));
+    };
+    const auto size = [&](Column column) {
+        return row.has(column) ? number(column, treeRange(columnNames[column])) : 0.0f;
+    };
+    TreePlacement tree;
+    if (!row.has(SpeciesName))
+        row.expect(SpeciesName, "a name");
+    tree.species = indexOf(species, row.text(SpeciesName));
+    tree.position = {row.number(X, worldCoordinates), row.number(Y, worldCoordinates),
+                     row.number(Z, worldCoordinates)};
+    tree.heading = number(Heading, within(-glm::two_pi<double>(), glm::two_pi<double>()));
+    tree.size = {size(Height), size(TrunkDiameter), size(CrownWidth)};
+    tree.leaves = row.has(Leaves) ? number(Leaves, treeRange("leaves")) : 1.0f;
+    tree.seed = static_cast<std::uint32_t>(row.number(Seed, within(0, 4294967295.0)));
+    tree.openGrown = row.text(OpenGrown) == "1";
+    if (row.has(OpenGrown) && !tree.openGrown)
+        row.expect(OpenGrown, "1 or nothing");
+    readEstimated(row, tree.estimated);
+    tree.name = row.text(Id);
+    return tree;
+}
+
+} // namespace
+
+Result<TileTrees> readTileTrees(std::istream& input, const std::string& file) {
+    const std::string text{std::istreambuf_iterator<char>(input), {}};
+    const std::vector<std::string> expected(columnNames.begin(), columnNames.end());
+    TileTrees list;
+    std::optional<Diagnostic> problem;
+    const auto take = [&](const CsvTable& table, CsvTable::Row& line) {
+        if (problem || table.columns != expected)
+            return;
+        TreeRow row(table, line);
+        list.trees.push_back(readTree(row, list.species));
+        problem = row.problem();
+    };
+    const Result<CsvTable> table = readCsvRows(text, file, ',', take);
+    if (!table)
+        return table.problems();
+    if (table.value().columns != expected)
+        return fileProblem(file, "expected the columns " + joined(expected), 1);
+    if (problem)
+        return *problem;
+    return list;
+}
+
+Diagnostics TileTrees::fit(const std::vector<Species>& known, std::size_t count, const std::string& file) {
+    if (trees.size() != count)
+        return {fileProblem(file, "expected " + std::to_string(count) + " trees, found " +
+                                      std::to_string(trees.size()))};
+    std::vector<std::size_t> indices;
+    for (const std::string& name : species) {
+        const auto found =
+            std::find_if(known.begin(), known.end(), [&](const Species& each) { return each.name == name; });
+        if (found == known.end())
+            return {fileProblem(file, "the world has no species " + inQuotes(name))};
+        indices.push_back(static_cast<std::size_t>(found - known.begin()));
+    }
+    const std::string tile = std::filesystem::path(file).stem().string();
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        trees[i].species = indices[trees[i].species];
+        if (trees[i].name.empty())
+            trees[i].name.append(tile).append("/").append(std::to_string(i));
+    }
+    species.clear();
+    for (const Species& each : known)
+        species.push_back(each.name);
+    return {};
+}
+
+std::string tileText(const ForestDescription& forest, const std::vector<std::uint32_t>& trees) {
+    std::string text;
+    for (const char* name : columnNames)
+        text.append(text.empty() ? "" : ",").append(name);
+    text += '\n';
+    for (const std::uint32_t tree : trees)
+        appendTree(text, forest.trees[tree], forest.species[forest.trees[tree].species].name);
+    return text;
+}
+
+} // namespace osgTreeWind

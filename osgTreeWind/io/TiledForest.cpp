@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/TiledForest.h>
+
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/TileTrees.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <system_error>
+
+namespace osgTreeWind {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double mostTiles = 10000.0;
+
+/// Whole tiles that hold all trees, corners at multiples of their size.
+ForestTiles gridOver(const ForestDescription& forest, double size) {
+    glm::dvec2 low(forest.trees.front().position), high = low;
+    for (const TreePlacement& tree : forest.trees) {
+        low = glm::min(low, glm::dvec2(tree.position));
+        high = glm::max(high, glm::dvec2(tree.position));
+    }
+    const auto count = [&](int axis, double side) {
+        return std::floor(high[axis] / side) - std::floor(low[axis] / side) + 1.0;
+    };
+    while (count(0, size) * count(1, size) > mostTiles)
+        size *= 2.0;
+    ForestTiles tiles;
+    tiles.size = size;
+    tiles.corner = size * glm::floor(low / size);
+    tiles.columns = static_cast<std::uint32_t>(count(0, size));
+    tiles.tiles.resize(static_cast<std::size_t>(count(0, size) * count(1, size)));
+    return tiles;
+}
+
+std::size_t tileAt(const ForestTiles& tiles, const glm::dvec3& place) {
+    const glm::dvec2 cell =
+        glm::floor(glm::dvec2(place) / tiles.size) - glm::round(tiles.corner / tiles.size);
+    return static_cast<std::size_t>(cell.y) * tiles.columns + static_cast<std::size_t>(cell.x);
+}
+
+/// Trees by tile, in the order of the forest.
+std::vector<std::vector<std::uint32_t>> treesOfTiles(const ForestDescription& forest, ForestTiles& tiles) {
+    std::vector<std::vector<std::uint32_t>> trees(tiles.tiles.size());
+    for (std::size_t i = 0; i < forest.trees.size(); ++i) {
+        const auto z = static_cast<float>(forest.trees[i].position.z);
+        const std::size_t index = tileAt(tiles, forest.trees[i].position);
+        ForestTiles::Tile& tile = tiles.tiles[index];
+        tile.low = trees[index].empty() ? z : std::min(tile.low, z);
+        tile.high = trees[index].empty() ? z : std::max(tile.high, z);
+        trees[index].push_back(static_cast<std::uint32_t>(i));
+        ++tile.trees;
+    }
+    return trees;
+}
+
+void nameCompanies(const ForestDescription& forest, ForestTiles& tiles) {
+    std::set<std::size_t> inForest, inOpen;
+    for (const TreePlacement& tree : forest.trees)
+        (tree.openGrown ? inOpen : inForest).insert(tree.species);
+    for (const std::size_t species : inForest)
+        tiles.inForest.push_back(forest.species[species].name);
+    for (const std::size_t species : inOpen)
+        tiles.inOpen.push_back(forest.species[species].name);
+}
+
+/// Beside its place first: a file is whole or not there.
+bool writeWhole(const std::string& path, const std::string& text) {
+    const std::string unfinished = path + ".part";
+    std::error_code error;
+    if ((std::ofstream(unfinished, std::ios::binary) << text).flush())
+        fs::rename(unfinished, path, error);
+    else
+        error = std::make_error_code(std::errc::io_error);
+    if (!error)
+        return true;
+    fs::remove(unfinished, error);
+    return false;
+}
+
+/// An empty folder for tiles, and no world beside it. @return what keeps it from that; empty when it is done.
+std::string clear(const std::string& folder, const std::string& tiles) {
+    std::error_code error;
+    fs::remove(folder + "/world.treewind", error);
+    fs::create_directories(tiles, error);
+    if (error)
+        return error.message();
+    for (const fs::directory_entry& file : fs::directory_iterator(tiles, error)) {
+        const std::string extension = file.path().extension().string();
+        if (extension != ".trees" && extension != ".part")
+            return "expected nothing but tiles in it, found " + file.path().filename().string();
+    }
+    for (const fs::directory_entry& file : fs::directory_iterator(tiles, error))
+        fs::remove(file.path(), error);
+    return error ? error.message() : "";
+}
+
+} // namespace
+
+Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std::string& folder,
+                                     const TilingOptions& options) {
+    if (forest.trees.empty())
+        return keyProblem({}, "there are no trees to cut into tiles");
+    ForestTiles tiles = gridOver(forest, options.size);
+    tiles.folder = folder + "/tiles";
+    const std::vector<std::vector<std::uint32_t>> trees = treesOfTiles(forest, tiles);
+    nameCompanies(forest, tiles);
+    tiles.range = options.range > 0.0 ? options.range : rangeOfTiles(tiles);
+
+    ForestDescription world = forest;
+    world.trees.clear();
+    world.tiles = tiles;
+    world.tiles->folder = "tiles";
+    if (const std::string problem = clear(folder, tiles.folder); !problem.empty())
+        return fileProblem(tiles.folder, problem);
+    std::atomic<bool> failed = false;
+    const auto write = [&](std::size_t tile) {
+        if (!failed && !trees[tile].empty() && !writeWhole(tiles.fileOf(tile), tileText(forest, trees[tile])))
+            failed = true;
+    };
+    if (options.executor)
+        options.executor(trees.size(), write);
+    else
+        for (std::size_t tile = 0; tile < trees.size(); ++tile)
+            write(tile);
+    if (failed)
+        return fileProblem(tiles.folder, "cannot be written");
+    const std::string file = folder + "/world.treewind";
+    Diagnostics problems = writeForestFile(world, file + ".part");
+    std::error_code error;
+    if (problems.empty())
+        fs::rename(file + ".part", file, error);
+    if (error)
+        problems.push_back(fileProblem(file, error.message()));
+    if (!problems.empty())
+        return problems;
+    return tiles;
+}
+
+namespace {
+
+Diagnostics loadTile(ForestDescription& forest, const ForestTiles& tiles, std::size_t tile) {
+    const std::string file = tiles.fileOf(tile);
+    std::ifstream input(file, std::ios::binary);
+    if (!input)
+        return {fileProblem(file, "cannot be opened for reading")};
+    Result<TileTrees> read = readTileTrees(input, file);
+    if (!read)
+        return read.problems();
+    Diagnostics problems = read.value().fit(forest.species, tiles.tiles[tile].trees, file);
+    if (problems.empty())
+        std::move(read.value().trees.begin(), read.value().trees.end(), std::back_inserter(forest.trees));
+    return problems;
+}
+
+} // namespace
+
+Diagnostics loadTiles(ForestDescription& forest, const TileBox& box) {
+    if (!forest.tiles)
+        return {};
+    const ForestTiles tiles = *forest.tiles;
+    Diagnostics problems;
+    for (std::uint32_t row = box.firstRow; row < tiles.rows() && row <= box.lastRow; ++row)
+        for (std::uint32_t column = box.firstColumn; column < tiles.columns && column <= box.lastColumn;
+             ++column) {
+            const std::size_t tile = static_cast<std::size_t>(row) * tiles.columns + column;
+            if (tiles.tiles[tile].trees == 0)
+                continue;
+            const Diagnostics found = loadTile(forest, tiles, tile);
+            problems.insert(problems.end(), found.begin(), found.end());
+        }
+    forest.tiles.reset();
+    return problems;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Executor.h>
+#include <osgTreeWind/base/Export.h>
+#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/forest/ForestDescription.h>
+
+#include <string>
+
+namespace osgTreeWind {
+
+/// How a forest is cut.
+struct TilingOptions {
+    double size =
+        1000.0;         ///< Of a tile, metres, [10, 100000]; larger where there would be over 10,000 of them.
+    double range = 0.0; ///< ForestTiles::range; 0: by how many trees there are.
+    Executor executor;  ///< Null: the calling thread.
+};
+
+/// Writes a forest as a folder that Forest draws a part of at a time (docs/worlds.md): `world.treewind` and
+/// `tiles/`. The same bytes whatever the threads.
+///
+/// `world.treewind` is taken away first and comes last: without it there is no world, and the same call makes
+/// one. Files of tiles that were there before and are none of it are removed.
+/// @return the tiles, or what keeps it from being written.
+OSGTREEWIND_EXPORT Result<ForestTiles> writeTiledForest(const ForestDescription& forest,
+                                                        const std::string& folder,
+                                                        const TilingOptions& options = {});
+
+/// Columns and rows of tiles, both ends included.
+struct TileBox {
+    std::uint32_t firstColumn = 0, firstRow = 0, lastColumn = ~0u, lastRow = ~0u;
+};
+
+/// Reads the trees of those tiles into the forest, which has no tiles then. From files, not from URLs.
+/// @return the problems; empty when all of them are there.
+OSGTREEWIND_EXPORT Diagnostics loadTiles(ForestDescription& forest, const TileBox& box = {});
+
+} // namespace osgTreeWind

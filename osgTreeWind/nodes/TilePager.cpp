@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/nodes/TilePager.h>
+
+#include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/nodes/TileReader.h>
+#include <osgTreeWind/nodes/TreeTile.h>
+
+#include <osg/Notify>
+#include <osg/Timer>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double keptFrom = 1.2;    // of the range: how far one may go from a tile that is there
+constexpr double keptFor = 5.0;     // seconds that a tile outlasts being near,
+constexpr unsigned keptFrames = 60; // and frames
+constexpr double shortestWait = 2.0, longestWait = 60.0;   // seconds until a tile is tried again
+constexpr double shortestWork = 0.002, longestWork = 0.25; // seconds of an update for what has arrived
+constexpr double seenFrom = 300.0;                         // metres: how a tree sways
+constexpr double tallest = 50.0;                           // metres: trees reach that far above their feet
+
+} // namespace
+
+TilePager::TilePager(const ForestTiles& tiles, const glm::dvec3& origin) : _tiles(tiles), _origin(origin) {
+    registerTileReader();
+}
+
+/// From an eye in the forest's frame, metres.
+double TilePager::distanceTo(std::size_t tile, const glm::dvec3& eye) const {
+    const glm::dvec2 corner = _tiles.cornerOf(tile);
+    const double low = static_cast<double>(_tiles.tiles[tile].low),
+                 high = static_cast<double>(_tiles.tiles[tile].high) + tallest;
+    const glm::dvec3 from = glm::dvec3(corner, low) - _origin,
+                     to = glm::dvec3(corner + _tiles.size, high) - _origin;
+    return glm::distance(eye, glm::clamp(eye, from, to));
+}
+
+osg::BoundingSphere TilePager::computeBound() const {
+    osg::BoundingBox box;
+    for (std::size_t i = 0; i < _tiles.tiles.size(); ++i) {
+        const ForestTiles::Tile& tile = _tiles.tiles[i];
+        if (tile.trees == 0)
+            continue;
+        const glm::dvec2 corner = _tiles.cornerOf(i);
+        box.expandBy(toOsg(glm::vec3(glm::dvec3(corner, tile.low) - _origin)));
+        box.expandBy(toOsg(
+            glm::vec3(glm::dvec3(corner + _tiles.size, static_cast<double>(tile.high) + tallest) - _origin)));
+    }
+    return osg::BoundingSphere(box);
+}
+
+void TilePager::traverse(osg::NodeVisitor& visitor) {
+    if (visitor.getVisitorType() != osg::NodeVisitor::CULL_VISITOR || !visitor.getFrameStamp())
+        return;
+    const osg::Vec3 local = visitor.getViewPoint();
+    const glm::dvec3 eye(local.x(), local.y(), local.z());
+    const double range = _tiles.range;
+    const glm::dvec2 reach(keptFrom * range), middle = glm::dvec2(eye + _origin) - _tiles.corner,
+                                              last(_tiles.columns - 1.0, _tiles.rows() - 1.0);
+    const glm::dvec2 low = glm::max(glm::floor((middle - reach) / _tiles.size), glm::dvec2(0.0)),
+                     high = glm::min(glm::floor((middle + reach) / _tiles.size), last);
+    const std::lock_guard<std::mutex> lock(_mutex);
+    _eye = eye;
+    for (double row = low.y; row <= high.y; ++row)
+        for (double column = low.x; column <= high.x; ++column) {
+            const std::size_t tile =
+                static_cast<std::size_t>(row) * _tiles.columns + static_cast<std::size_t>(column);
+            const double distance = distanceTo(tile, eye);
+            const auto found = _slots.find(tile);
+            if (_tiles.tiles[tile].trees == 0 || distance > (found == _slots.end() ? 1.0 : keptFrom) * range)
+                continue;
+            Slot& slot = _slots[tile];
+            const unsigned frame = visitor.getFrameStamp()->getFrameNumber();
+            slot.distance = slot.near == frame ? std::min(slot.distance, distance) : distance;
+            slot.near = frame;
+            slot.nearTime = visitor.getFrameStamp()->getReferenceTime();
+            if (!slot.arrived && slot.arrival->getNumChildren() == 0)
+                ask(slot, tile, static_cast<float>(1.0 - distance / (keptFrom * range)), visitor);
+        }
+}
+
+/// Asks in each frame, as pagers forget; one that lets go of a request that was renewed has failed.
+void TilePager::ask(Slot& slot, std::size_t tile, float priority, osg::NodeVisitor& visitor) {
+    osg::NodeVisitor::DatabaseRequestHandler* pager = visitor.getDatabaseRequestHandler();
+    const osg::FrameStamp& stamp = *visitor.getFrameStamp();
+    if (!pager) {
+        if (!_pagerless)
+            OSG_WARN << "osgTreeWind: the tiles of a forest need a viewer with a pager "
+                        "(osgUtil::CullVisitor::setDatabaseRequestHandler())"
+                     << std::endl;
+        _pagerless = true;
+        return;
+    }
+    if (stamp.getReferenceTime() < slot.nextTry)
+        return;
+    if (slot.request.valid() && slot.request->referenceCount() == 1 &&
+        slot.asked + 1 >= stamp.getFrameNumber() && slot.asked != stamp.getFrameNumber())
+        return failed(slot, stamp.getReferenceTime());
+    slot.asked = stamp.getFrameNumber();
+    osg::NodePath path = {slot.arrival.get()};
+    pager->requestNodeFile(_tiles.fileOf(tile), path, priority, &stamp, slot.request, nullptr);
+}
+
+void TilePager::failed(Slot& slot, double now) const {
+    slot.request = nullptr;
+    slot.wait = std::clamp(2.0 * slot.wait, shortestWait, longestWait);
+    slot.nextTry = now + slot.wait;
+}
+
+void TilePager::receive(Slot& slot, std::size_t tile, const Forest& forest, double now) {
+    osg::ref_ptr<TreeTile> arrived = dynamic_cast<TreeTile*>(slot.arrival->getChild(0));
+    slot.arrival = new osg::Group;
+    Result<std::vector<TreePlacement>> trees =
+        arrived
+            ? arrived->take(forest.getDescription().species, _tiles.tiles[tile].trees, _tiles.fileOf(tile))
+            : Result<std::vector<TreePlacement>>(Diagnostic{_tiles.fileOf(tile), 0, 0, "", "expected trees"});
+    if (!trees) {
+        if (_blamed.insert(tile).second)
+            OSG_WARN << "osgTreeWind: " << trees.problems().front().text() << "; its place stays empty"
+                     << std::endl;
+        return failed(slot, now);
+    }
+    slot.request = nullptr;
+    slot.arrived = true;
+    slot.coming = std::move(trees.value());
+    std::reverse(slot.coming.begin(), slot.coming.end());
+}
+
+/// @param until as osg::Timer::time_s() has it.
+void TilePager::putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const {
+    while (!slot.coming.empty() && osg::Timer::instance()->time_s() < until) {
+        TreePlacement& tree = slot.coming.back();
+        tree.tiled = true;
+        if (const Result<TreeId> id = forest.addTree(tree)) {
+            slot.standing.push_back(id.value());
+            if (glm::distance(tree.position - _origin, _eye) < seenFrom)
+                near.push_back(id.value());
+        }
+        slot.coming.pop_back();
+    }
+}
+
+std::vector<TreeId> TilePager::update(const osg::FrameStamp& stamp, Forest& forest) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    const double now = stamp.getReferenceTime();
+    std::vector<Slot*> coming;
+    for (auto next = _slots.begin(); next != _slots.end();) {
+        auto& [tile, slot] = *next;
+        if (stamp.getFrameNumber() > slot.near + keptFrames && now > slot.nearTime + keptFor) {
+            for (const TreeId tree : slot.standing)
+                forest.removeTree(tree);
+            next = _slots.erase(next);
+            continue;
+        }
+        if (slot.arrival->getNumChildren() > 0)
+            receive(slot, tile, forest, now);
+        if (!slot.coming.empty())
+            coming.push_back(&slot);
+        ++next;
+    }
+    std::sort(coming.begin(), coming.end(),
+              [](const Slot* a, const Slot* b) { return a->distance < b->distance; });
+    const double time = osg::Timer::instance()->time_s(),
+                 until = time + std::clamp(0.25 * (time - _updated), shortestWork, longestWork);
+    _updated = time;
+    std::vector<TreeId> near;
+    for (Slot* slot : coming)
+        putUp(*slot, forest, until, near);
+    return near;
+}
+
+double TilePager::nearestMissing() const {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [tile, slot] : _slots)
+        if (!slot.coming.empty() || (!slot.arrived && slot.wait == 0.0))
+            nearest = std::min(nearest, slot.distance);
+    return nearest;
+}
+
+} // namespace osgTreeWind

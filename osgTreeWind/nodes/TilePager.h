@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/forest/ForestTiles.h>
+#include <osgTreeWind/forest/TreeId.h>
+
+#include <osg/FrameStamp>
+#include <osg/Group>
+#include <osg/NodeVisitor>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <set>
+#include <vector>
+
+namespace osgTreeWind {
+
+class Forest;
+struct TreePlacement;
+
+/// Has the tiles of a forest come and go with its cameras: each cull traversal asks the viewer's pager
+/// (osgDB::DatabasePager) for those in range of its eye, each update puts up what has arrived and takes away
+/// what nobody is near any more.
+///
+/// One node for all tiles, and not a PagedLOD for each: those are looked at in every traversal, ask only for
+/// what the frustum holds, and ask for a missing file in every frame.
+class TilePager : public osg::Node {
+public:
+    /// @param origin of the forest.
+    TilePager(const ForestTiles& tiles, const glm::dvec3& origin);
+
+    /// Puts up trees that have arrived, the nearest tiles first and for a quarter of the time since the last
+    /// update at most, and takes away those of tiles that are far. In update.
+    /// @return those of them that are so near an eye that one sees how they begin to sway.
+    std::vector<TreeId> update(const osg::FrameStamp& stamp, Forest& forest);
+    /// Metres from an eye to the nearest tile that is to be there and is not, infinite where all are; those
+    /// that cannot be read do not count.
+    double nearestMissing() const;
+
+    void traverse(osg::NodeVisitor& visitor) override;
+    osg::BoundingSphere computeBound() const override;
+
+private:
+    /// A tile that is near some eye, or was a short while ago.
+    struct Slot {
+        osg::ref_ptr<osg::Group> arrival = new osg::Group; ///< Where the pager puts it.
+        osg::ref_ptr<osg::Referenced> request;
+        unsigned asked = 0, near = 0;                     ///< Frame numbers.
+        double nearTime = 0.0, nextTry = 0.0, wait = 0.0; ///< Seconds of reference time.
+        double distance = 0.0;                            ///< Of the nearest eye, metres.
+        std::vector<TreePlacement> coming;                ///< In reverse.
+        std::vector<TreeId> standing;
+        bool arrived = false;
+    };
+
+    double distanceTo(std::size_t tile, const glm::dvec3& eye) const;
+    void ask(Slot& slot, std::size_t tile, float priority, osg::NodeVisitor& visitor);
+    void failed(Slot& slot, double now) const;
+    void receive(Slot& slot, std::size_t tile, const Forest& forest, double now);
+    void putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const;
+
+    ForestTiles _tiles;
+    glm::dvec3 _origin;
+    mutable std::mutex _mutex; // guards all below: cull traversals may run at a time
+    std::map<std::size_t, Slot> _slots;
+    std::set<std::size_t> _blamed; ///< Tiles that a warning was given of.
+    glm::dvec3 _eye{0.0};          ///< Of the last cull traversal, in the forest's frame.
+    bool _pagerless = false;
+    double _updated = 0.0; ///< When the last update was, seconds of osg::Timer.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// A forest cut into tiles and read again.
+#include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/TileTrees.h>
+#include <osgTreeWind/io/TiledForest.h>
+#include <tests/io/TemporaryFolder.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <sstream>
+
+using namespace osgTreeWind;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Trees of all kinds over 3 x 2 km of a map, far from its zero.
+ForestDescription variedForest(int count) {
+    std::istringstream text("version = 1\norigin = [691000.0, 5334500.0, 510.0]\n"
+                            "[wind]\nkind = \"uniform\"\nvelocity = [6.0, 0.0, 0.0]\n"
+                            "[[scatter]]\ncount = 1\narea = [690000.0, 5334000.0, 690001.0, 5334001.0]\n"
+                            "species = [\"oak\", \"birch\", \"Norway spruce\"]\n");
+    ForestDescription forest = readForest(text).value();
+    std::istringstream all("version = 1\n[[tree]]\nspecies = \"oak\"\nposition = [0.0, 0.0]\n"
+                           "[[tree]]\nspecies = \"Norway spruce\"\nposition = [0.0, 0.0]\n");
+    forest.species = readForest(all).value().species;
+    forest.trees.clear();
+    std::mt19937 random(5);
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    for (int i = 0; i < count; ++i) {
+        TreePlacement tree;
+        tree.species = random() % 2;
+        tree.position = {uniform(689500.0, 692500.0), uniform(5334000.0, 5336000.0), uniform(500.0, 560.0)};
+        tree.heading = static_cast<float>(uniform(-6.0, 6.0));
+        if (random() % 4 > 0)
+            tree.size.height = static_cast<float>(uniform(3.0, 40.0));
+        if (random() % 2 > 0)
+            tree.size.trunkDiameter = static_cast<float>(uniform(0.05, 1.2));
+        if (random() % 3 == 0)
+            tree.size.crownWidth = static_cast<float>(uniform(1.0, 15.0));
+        if (random() % 5 == 0)
+            tree.leaves = static_cast<float>(uniform(0.0, 1.0));
+        tree.seed = random();
+        tree.openGrown = random() % 3 == 0;
+        tree.estimated = {random() % 2 == 0, random() % 2 == 0, random() % 2 == 0};
+        tree.name = i % 3 == 0 ? "" : "no. \"" + std::to_string(i) + "\", street";
+        forest.trees.push_back(tree);
+    }
+    return forest;
+}
+
+TilingOptions ofSize(double metres) {
+    TilingOptions options;
+    options.size = metres;
+    return options;
+}
+
+bool same(const TreePlacement& a, const TreePlacement& b) {
+    return a.species == b.species && a.heading == b.heading && a.size.height == b.size.height &&
+           a.size.trunkDiameter == b.size.trunkDiameter && a.size.crownWidth == b.size.crownWidth &&
+           a.leaves == b.leaves && a.seed == b.seed && a.openGrown == b.openGrown &&
+           a.estimated.height == b.estimated.height && a.estimated.crownWidth == b.estimated.crownWidth &&
+           a.estimated.trunkDiameter == b.estimated.trunkDiameter &&
+           glm::distance(a.position, b.position) < 1e-4;
+}
+
+std::string textOf(const std::string& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+/// All files below a folder, with what is in them.
+std::map<std::string, std::string> filesOf(const std::string& folder) {
+    std::map<std::string, std::string> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file())
+            files[fs::relative(entry.path(), folder).string()] = textOf(entry.path().string());
+    return files;
+}
+
+ForestDescription worldOf(const std::string& folder) {
+    auto world = readForestFile(folder + "/world.treewind");
+    EXPECT_TRUE(world) << world.problems().front().text();
+    return world.value();
+}
+
+} // namespace
+
+TEST(TiledForestTest, allTreesComeBack) {
+    const TemporaryFolder folder;
+    const ForestDescription forest = variedForest(3000);
+    const auto tiles = writeTiledForest(forest, folder.path() + "/world", ofSize(500.0));
+    ASSERT_TRUE(tiles) << tiles.problems().front().text();
+    EXPECT_EQ(tiles.value().columns, 6u);
+    EXPECT_EQ(tiles.value().rows(), 4u);
+    EXPECT_EQ(tiles.value().treeCount(), 3000u);
+
+    ForestDescription world = worldOf(folder.path() + "/world");
+    EXPECT_TRUE(world.trees.empty());
+    ASSERT_TRUE(world.tiles);
+    EXPECT_EQ(world.tiles->treeCount(), 3000u);
+    EXPECT_EQ(world.origin, forest.origin);
+    const Diagnostics problems = loadTiles(world);
+    ASSERT_TRUE(problems.empty()) << problems.front().text();
+    EXPECT_FALSE(world.tiles);
+    ASSERT_EQ(world.trees.size(), 3000u);
+    std::map<std::uint32_t, TreePlacement> bySeed;
+    for (const TreePlacement& tree : world.trees)
+        bySeed[tree.seed] = tree;
+    for (const TreePlacement& tree : forest.trees) {
+        ASSERT_TRUE(same(bySeed[tree.seed], tree)) << tree.seed;
+        EXPECT_TRUE(tree.name.empty() || bySeed[tree.seed].name == tree.name) << tree.name;
+    }
+}
+
+TEST(TiledForestTest, treesWithoutAnIdAreCalledByTheirTile) {
+    const TemporaryFolder folder;
+    ForestDescription forest = variedForest(30);
+    for (TreePlacement& tree : forest.trees)
+        tree.name.clear();
+    ASSERT_TRUE(writeTiledForest(forest, folder.path(), ofSize(1000.0)));
+    ForestDescription world = worldOf(folder.path());
+    ASSERT_TRUE(loadTiles(world, {1, 1, 1, 1}).empty());
+    ASSERT_FALSE(world.trees.empty());
+    for (std::size_t i = 0; i < world.trees.size(); ++i)
+        EXPECT_EQ(world.trees[i].name, "1_1/" + std::to_string(i));
+}
+
+TEST(TiledForestTest, theSameBytesWhateverTheThreads) {
+    const TemporaryFolder folder;
+    const ForestDescription forest = variedForest(1000);
+    ASSERT_TRUE(writeTiledForest(forest, folder.path() + "/one", ofSize(300.0)));
+    TilingOptions threaded = ofSize(300.0);
+    threaded.executor = ThreadPool::executor(4);
+    ASSERT_TRUE(writeTiledForest(forest, folder.path() + "/four", threaded));
+    EXPECT_EQ(filesOf(folder.path() + "/one"), filesOf(folder.path() + "/four"));
+}
+
+TEST(TiledForestTest, aSecondWorldLeavesNothingOfTheFirst) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeTiledForest(variedForest(1000), folder.path() + "/a", ofSize(300.0)));
+    ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/a", ofSize(300.0)));
+    ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/b", ofSize(300.0)));
+    EXPECT_EQ(filesOf(folder.path() + "/a"), filesOf(folder.path() + "/b"));
+}
+
+TEST(TiledForestTest, aFolderOfOtherThingsIsLeftAlone) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() + "/tiles");
+    folder.write("tiles/photo.jpg", "mine");
+    const auto tiles = writeTiledForest(variedForest(10), folder.path());
+    ASSERT_FALSE(tiles);
+    EXPECT_EQ(tiles.problems().front().text(),
+              folder.path() + "/tiles: expected nothing but tiles in it, found photo.jpg");
+    EXPECT_EQ(textOf(folder.path() + "/tiles/photo.jpg"), "mine");
+}
+
+TEST(TiledForestTest, thereIsNoWorldUntilItIsWhole) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path()));
+    fs::remove_all(folder.path() + "/tiles");
+    folder.write("tiles", "a file where the folder should be");
+    EXPECT_FALSE(writeTiledForest(variedForest(10), folder.path()));
+    EXPECT_FALSE(fs::exists(folder.path() + "/world.treewind")) << "that of before would not fit its tiles";
+}
+
+TEST(TiledForestTest, manySmallTilesBecomeFewerLargerOnes) {
+    const TemporaryFolder folder;
+    ForestDescription forest = variedForest(100);
+    forest.trees[0].position += glm::dvec3(60000.0, 0.0, 0.0);
+    const auto tiles = writeTiledForest(forest, folder.path(), ofSize(10.0));
+    ASSERT_TRUE(tiles) << tiles.problems().front().text();
+    EXPECT_LE(tiles.value().tiles.size(), 10000u);
+    EXPECT_GT(tiles.value().size, 10.0);
+}
+
+TEST(TiledForestTest, aWorldIsWrittenAgainAsOne) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
+    const ForestDescription world = worldOf(folder.path());
+    const std::string copy = folder.path() + "/elsewhere.treewind";
+    ASSERT_TRUE(writeForestFile(world, copy).empty());
+    const auto again = readForestFile(copy);
+    ASSERT_TRUE(again) << again.problems().front().text();
+    EXPECT_EQ(again.value().tiles->folder, world.tiles->folder);
+    EXPECT_EQ(again.value().tiles->treeCount(), 100u);
+    EXPECT_EQ(again.value().tiles->inOpen, world.tiles->inOpen);
+}
+
+TEST(TiledForestTest, whatIsWrongWithTheWorldIsSaid) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
+    const std::string good = textOf(folder.path() + "/world.treewind");
+    const std::vector<std::array<std::string, 3>> cases = {
+        {"size = 1000", "size = -1", "tiles.size: expected a finite number in [10, 100000], found -1"},
+        {"corner = [", "korner = [", "tiles.corner: missing"},
+        {"columns = 4", "columns = 5", "tiles.trees: expected"},
+        {"rows = 2", "rows = 3", "tiles.trees: expected 3 rows"},
+        {"in_forest = [", "in_forest = [\"fern\", ", "tiles.in_forest: no [[species]] \"fern\""},
+        {"origin = [", "# origin = [", "origin: missing"},
+        {"[motion]\n", "[motion]\nlaw = \"damped\"\n", "tiles: expected the law \"modal\" with it"},
+    };
+    for (const auto& [from, to, expected] : cases) {
+        std::string bad = good;
+        ASSERT_NE(bad.find(from), std::string::npos) << from;
+        bad.replace(bad.find(from), from.size(), to);
+        const auto world = readForestFile(folder.write("bad.treewind", bad));
+        ASSERT_FALSE(world) << to;
+        std::string said;
+        for (const Diagnostic& problem : world.problems())
+            said += problem.text() + '\n';
+        EXPECT_NE(said.find(expected), std::string::npos) << said;
+    }
+}
+
+TEST(TiledForestTest, whatIsWrongWithATileIsSaid) {
+    const std::string head =
+        "species,x,y,z,heading,height,trunk_diameter,crown_width,leaves,seed,open_grown,estimated,id\n";
+    const auto problemOf = [&](const std::string& text) {
+        std::istringstream input(text);
+        const auto trees = readTileTrees(input, "1_2.trees");
+        return trees ? std::string() : trees.problems().front().text();
+    };
+    EXPECT_EQ(problemOf(head + "oak,1,2,3,0.5,12,0.3,5,0.5,7,1,hdw,one\noak,1,2,3,0,,,,,7,,,\n"), "");
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"oak,1,2", "1_2.trees:2:"},
+        {",1,2,3,0,,,,,7,,,", "1_2.trees:2: species: expected a name, found nothing"},
+        {"oak,nan,2,3,0,,,,,7,,,", "1_2.trees:2: x: expected a number"},
+        {"oak,1,2,1e9,0,,,,,7,,,", "1_2.trees:2: z: expected a number"},
+        {"oak,1,2,3,7,,,,,7,,,", "1_2.trees:2: heading: expected a number"},
+        {"oak,1,2,3,0,-4,,,,7,,,", "1_2.trees:2: height: expected a number"},
+        {"oak,1,2,3,0,,,,2,7,,,", "1_2.trees:2: leaves: expected a number"},
+        {"oak,1,2,3,0,,,,,-7,,,", "1_2.trees:2: seed: expected a number"},
+        {"oak,1,2,3,0,,,,,7,yes,,", "1_2.trees:2: open_grown: expected 1 or nothing, found 'yes'"},
+        {"oak,1,2,3,0,,,,,7,,x,", "1_2.trees:2: estimated: expected some of h, d and w, found 'x'"},
+    };
+    for (const auto& [row, expected] : cases)
+        EXPECT_EQ(problemOf(head + row + '\n').substr(0, expected.size()), expected) << row;
+    EXPECT_NE(problemOf("x,y\n1,2\n").find("1_2.trees:1: expected the columns species, x"), std::string::npos)
+        << problemOf("x,y\n1,2\n");
+    EXPECT_NE(problemOf(""), "");
+}
+
+TEST(TiledForestTest, aTileThatLacksTreesIsRefused) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
+    ForestDescription world = worldOf(folder.path());
+    std::string tile = textOf(world.tiles->fileOf(1));
+    tile.erase(tile.rfind('\n', tile.size() - 2) + 1); // the last tree
+    folder.write("tiles/1_0.trees", tile);
+    const Diagnostics problems = loadTiles(world);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(problems.front().text().find("1_0.trees: expected"), std::string::npos)
+        << problems.front().text();
+}
