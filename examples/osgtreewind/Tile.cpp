@@ -15,6 +15,8 @@ namespace {
 using namespace osgTreeWind;
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t mostTreesOfWorlds = 100000000;
+
 struct TileOptions {
     std::string file, output;
     double size = 1000.0, range = 0.0;
@@ -37,10 +39,14 @@ void print(const ForestTiles& tiles, bool json) {
 }
 
 ExitCode run(const TileOptions& options) {
-    const auto forest = loadForest(options.file);
-    if (!forest)
+    const auto forest = readForestFile(options.file, mostTreesOfWorlds);
+    if (!forest) {
+        std::cerr << forest.problems().front().text() << '\n';
         return BadInput;
-    if (forest->tiles) {
+    }
+    for (const std::string& note : forest.value().notes)
+        std::cerr << options.file << ": note: " << note << '\n';
+    if (forest.value().tiles) {
         std::cerr << options.file << ": its trees are in tiles already\n";
         return BadInput;
     }
@@ -48,7 +54,7 @@ ExitCode run(const TileOptions& options) {
     tiling.size = options.size;
     tiling.range = options.range;
     tiling.executor = ThreadPool::executor(static_cast<unsigned>(options.threads));
-    const Result<ForestTiles> tiles = writeTiledForest(*forest, options.output, tiling);
+    const Result<ForestTiles> tiles = writeTiledForest(forest.value(), options.output, tiling);
     if (!tiles) {
         std::cerr << tiles.problems().front().text() << '\n';
         return Failed;

@@ -36,6 +36,7 @@ void sortByPlace(Diagnostics& problems, const std::string& document) {
 Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options) {
     ForestReading reading;
     reading.log.file = options.file;
+    reading.mostTrees = options.mostTrees;
     reading.forest.folder = absolute(options.folder);
     reading.folders = {reading.forest.folder};
     auto text = readText(input, options.file);
@@ -51,7 +52,7 @@ Result<ForestDescription> readForest(std::istream& input, const ForestFileOption
     return std::move(reading.log.problems);
 }
 
-Result<ForestDescription> readForestFile(const std::string& path) {
+Result<ForestDescription> readForestFile(const std::string& path, std::size_t mostTrees) {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         return fileProblem(path, "no such file");
@@ -60,7 +61,7 @@ Result<ForestDescription> readForestFile(const std::string& path) {
     std::ifstream input(path, std::ios::binary);
     if (!input)
         return fileProblem(path, "cannot be opened for reading");
-    return readForest(input, {path, std::filesystem::path(path).parent_path().string()});
+    return readForest(input, {path, std::filesystem::path(path).parent_path().string(), mostTrees});
 }
 
 } // namespace osgTreeWind

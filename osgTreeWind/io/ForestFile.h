@@ -14,6 +14,7 @@ namespace osgTreeWind {
 struct ForestFileOptions {
     std::string file;   ///< Name used in diagnostics; may be empty.
     std::string folder; ///< Folder of the document, for relative paths in it; empty: the current folder.
+    std::size_t mostTrees = 1000000; ///< More than these are a problem.
 };
 
 /// Reads a .treewind document (docs/treewind.md) and the files it names.
@@ -27,7 +28,9 @@ OSGTREEWIND_EXPORT Result<ForestDescription> readForest(std::istream& input,
                                                         const ForestFileOptions& options = {});
 
 /// Opens `path` and reads it with its own folder as the folder for relative paths.
-OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& path);
+/// @param mostTrees as ForestFileOptions has it.
+OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& path,
+                                                            std::size_t mostTrees = 1000000);
 
 /// Writes what reads back as the same forest, field by field and bit by bit; not its `notes`, and paths
 /// become absolute ones. A size that is not above 0 reads back as 0: not given.

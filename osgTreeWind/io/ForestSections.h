@@ -20,6 +20,7 @@ namespace osgTreeWind {
 struct ForestReading {
     ReadLog log;
     std::vector<std::string> folders; ///< Where relative paths are looked for, in order.
+    std::size_t mostTrees = 1000000;  ///< More are a problem.
     std::uint32_t seed = 1;
     float leaves = 1.0f; ///< Of trees that do not say.
     ForestDescription forest;

@@ -8,6 +8,7 @@
 #include <osgTreeWind/nodes/TilePager.h>
 #include <tests/MessageCollector.h>
 #include <tests/io/TemporaryFolder.h>
+#include <tests/nodes/FileServer.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgDB/DatabasePager>
@@ -63,6 +64,12 @@ public:
     ~World() { _pager->cancel(); }
 
     Forest& forest() { return *_forest; }
+    /// Its tiles come from there from now on.
+    void readFrom(const std::string& url) {
+        Result<ForestDescription> world = readForestFile(_folder.path() + "/world.treewind");
+        world.value().tiles->folder = url;
+        _forest->setDescription(std::move(world.value()));
+    }
     const TemporaryFolder& folder() const { return _folder; }
     std::string tile(const std::string& name) const { return _folder.path() + "/tiles/" + name + ".trees"; }
 
@@ -241,4 +248,28 @@ TEST(TilePagerTest, aTreeThatComesSwaysAsIfItHadBeenThere) {
     }
     ASSERT_GT(sway, 0.0);
     EXPECT_LT(std::sqrt(difference / sway), 0.05);
+}
+
+TEST(TilePagerTest, aServerIsAsGoodAsAFolder) {
+    World world;
+    const FileServer server(world.folder().path());
+    world.readFrom(server.url() + "/tiles");
+    world.frames(at(world, 550.0, 450.0), enough);
+    EXPECT_EQ(world.names().size(), 81u);
+    EXPECT_NE(world.forest().findTree("15/12"), noTree);
+}
+
+TEST(TilePagerTest, aServerThatFailsNowAndThenIsAskedAgain) {
+    World world;
+    FileServer server(world.folder().path());
+    server.failOneIn(4);
+    world.readFrom(server.url() + "/tiles");
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    osg::setNotifyHandler(messages);
+    world.frames(at(world, 550.0, 450.0), 10);
+    world.frames(at(world, 250.0, 250.0), enough);
+    world.frames(at(world, 550.0, 450.0), 400);
+    osg::setNotifyHandler(new osg::StandardNotifyHandler);
+    EXPECT_GE(server.failures(), 3) << "each way of failing once";
+    EXPECT_EQ(world.names().size(), 81u) << messages->take();
 }
