@@ -19,7 +19,7 @@ constexpr std::size_t mostTreesOfWorlds = 100000000;
 
 struct TileOptions {
     std::string file, output;
-    double size = 1000.0, range = 0.0;
+    double size = 0.0, range = 0.0;
     int threads = 0;
     bool json = false;
 };
@@ -71,9 +71,11 @@ void addTileCommand(CLI::App& app, ExitCode& exitCode) {
     auto options = std::make_shared<TileOptions>();
     command->add_option("file", options->file, "A .treewind file")->required();
     command->add_option("-o,--output", options->output, "The folder of the world, made anew")->required();
-    command->add_option("--size", options->size, "Side of a tile, metres")
-        ->check(within(10, 100000))
-        ->capture_default_str();
+    command
+        ->add_option(
+            "--size", options->size,
+            "Side of a tile, metres; by default 1 km or so much less that a tile has some 2,000 trees")
+        ->check(within(10, 100000));
     command
         ->add_option("--range", options->range,
                      "From how far trees are there, metres; by default as far as some 50,000 are, from 1 to "

@@ -34,6 +34,8 @@ struct ForestTiles {
     glm::dvec2 cornerOf(std::size_t tile) const;
     /// "FOLDER/COLUMN_ROW.trees"; TileTrees.h says what is in it.
     std::string fileOf(std::size_t tile) const;
+    /// "FOLDER/all.crowns"; CrownSheet.h says what is in it.
+    std::string fileOfCrowns() const { return folder + "/all.crowns"; }
 };
 
 /// So far that some 50,000 trees of that density are in range, from 1 to 5 km.

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/io/CrownSheet.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <system_error>
 
@@ -21,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mostTiles = 10000.0;
+constexpr double mostTiles = 10000.0, largestByDefault = 1000.0, treesByDefault = 2000.0;
 
 /// Whole tiles that hold all trees, corners at multiples of their size.
 ForestTiles gridOver(const ForestDescription& forest, double size) {
@@ -33,8 +35,15 @@ ForestTiles gridOver(const ForestDescription& forest, double size) {
     const auto count = [&](int axis, double side) {
         return std::floor(high[axis] / side) - std::floor(low[axis] / side) + 1.0;
     };
+    const bool chosen = size > 0.0;
+    if (!chosen)
+        size = largestByDefault;
     while (count(0, size) * count(1, size) > mostTiles)
         size *= 2.0;
+    const auto trees = static_cast<double>(forest.trees.size());
+    while (!chosen && trees > treesByDefault * count(0, size) * count(1, size) &&
+           count(0, 0.5 * size) * count(1, 0.5 * size) <= mostTiles)
+        size *= 0.5;
     ForestTiles tiles;
     tiles.size = size;
     tiles.corner = size * glm::floor(low / size);
@@ -97,7 +106,7 @@ std::string clear(const std::string& folder, const std::string& tiles) {
         return error.message();
     for (const fs::directory_entry& file : fs::directory_iterator(tiles, error)) {
         const std::string extension = file.path().extension().string();
-        if (extension != ".trees" && extension != ".part")
+        if (extension != ".trees" && extension != ".crowns" && extension != ".part")
             return "expected nothing but tiles in it, found " + file.path().filename().string();
     }
     for (const fs::directory_entry& file : fs::directory_iterator(tiles, error))
@@ -123,17 +132,21 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
     world.tiles->folder = "tiles";
     if (const std::string problem = clear(folder, tiles.folder); !problem.empty())
         return fileProblem(tiles.folder, problem);
+    const PlacedForest shapes(world);
+    std::vector<std::string> crowns(trees.size());
     std::atomic<bool> failed = false;
     const auto write = [&](std::size_t tile) {
         if (!failed && !trees[tile].empty() && !writeWhole(tiles.fileOf(tile), tileText(forest, trees[tile])))
             failed = true;
+        crowns[tile] = crownSheetText(forest, shapes, trees[tile], tiles);
     };
     if (options.executor)
         options.executor(trees.size(), write);
     else
         for (std::size_t tile = 0; tile < trees.size(); ++tile)
             write(tile);
-    if (failed)
+    if (failed ||
+        !writeWhole(tiles.fileOfCrowns(), std::accumulate(crowns.begin(), crowns.end(), crownSheetHead())))
         return fileProblem(tiles.folder, "cannot be written");
     const std::string file = folder + "/world.treewind";
     Diagnostics problems = writeForestFile(world, file + ".part");

@@ -153,6 +153,8 @@ void Forest::setExecutor(Executor executor) {
 void Forest::setSeason(float season) {
     _simulation->setSeason(season);
     _drawing->seasonChanged();
+    if (_tiles)
+        _tiles->showSeason(season);
 }
 
 float Forest::getSeason() const {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TilePager.h>
 
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/drawing/crowns/FarCrowns.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/nodes/FileOfTiles.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/nodes/TileReader.h>
-#include <osgTreeWind/nodes/TreeTile.h>
 
 #include <osg/Notify>
 #include <osg/Timer>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -33,6 +36,8 @@ constexpr double tallest = 50.0;                           // metres: trees reac
 TilePager::TilePager(const ForestTiles& tiles, const glm::dvec3& origin) : _tiles(tiles), _origin(origin) {
     registerTileReader();
 }
+
+TilePager::~TilePager() = default;
 
 /// From an eye in the forest's frame, metres.
 double TilePager::distanceTo(std::size_t tile, const glm::dvec3& eye) const {
@@ -58,7 +63,13 @@ osg::BoundingSphere TilePager::computeBound() const {
     return osg::BoundingSphere(box);
 }
 
+void TilePager::showSeason(float season) {
+    if (_crowns)
+        _crowns->showSeason(season);
+}
+
 void TilePager::traverse(osg::NodeVisitor& visitor) {
+    osg::Group::traverse(visitor);
     if (visitor.getVisitorType() != osg::NodeVisitor::CULL_VISITOR || !visitor.getFrameStamp())
         return;
     const osg::Vec3 local = visitor.getViewPoint();
@@ -70,6 +81,8 @@ void TilePager::traverse(osg::NodeVisitor& visitor) {
                      high = glm::min(glm::floor((middle + reach) / _tiles.size), last);
     const std::lock_guard<std::mutex> lock(_mutex);
     _eye = eye;
+    if (!_crownFile.arrived && _crownFile.arrival->getNumChildren() == 0)
+        ask(_crownFile, _tiles.fileOfCrowns(), 1.0f, visitor);
     for (double row = low.y; row <= high.y; ++row)
         for (double column = low.x; column <= high.x; ++column) {
             const std::size_t tile =
@@ -84,12 +97,13 @@ void TilePager::traverse(osg::NodeVisitor& visitor) {
             slot.near = frame;
             slot.nearTime = visitor.getFrameStamp()->getReferenceTime();
             if (!slot.arrived && slot.arrival->getNumChildren() == 0)
-                ask(slot, tile, static_cast<float>(1.0 - distance / (keptFrom * range)), visitor);
+                ask(slot, _tiles.fileOf(tile), static_cast<float>(1.0 - distance / (keptFrom * range)),
+                    visitor);
         }
 }
 
 /// Asks in each frame, as pagers forget; one that lets go of a request that was renewed has failed.
-void TilePager::ask(Slot& slot, std::size_t tile, float priority, osg::NodeVisitor& visitor) {
+void TilePager::ask(Slot& slot, const std::string& file, float priority, osg::NodeVisitor& visitor) {
     osg::NodeVisitor::DatabaseRequestHandler* pager = visitor.getDatabaseRequestHandler();
     const osg::FrameStamp& stamp = *visitor.getFrameStamp();
     if (!pager) {
@@ -107,7 +121,7 @@ void TilePager::ask(Slot& slot, std::size_t tile, float priority, osg::NodeVisit
         return failed(slot, stamp.getReferenceTime());
     slot.asked = stamp.getFrameNumber();
     osg::NodePath path = {slot.arrival.get()};
-    pager->requestNodeFile(_tiles.fileOf(tile), path, priority, &stamp, slot.request, nullptr);
+    pager->requestNodeFile(file, path, priority, &stamp, slot.request, nullptr);
 }
 
 void TilePager::failed(Slot& slot, double now) const {
@@ -117,22 +131,34 @@ void TilePager::failed(Slot& slot, double now) const {
 }
 
 void TilePager::receive(Slot& slot, std::size_t tile, const Forest& forest, double now) {
-    osg::ref_ptr<TreeTile> arrived = dynamic_cast<TreeTile*>(slot.arrival->getChild(0));
+    const osg::ref_ptr<TreeTile> arrived = dynamic_cast<TreeTile*>(slot.arrival->getChild(0));
     slot.arrival = new osg::Group;
-    Result<std::vector<TreePlacement>> trees =
-        arrived
-            ? arrived->take(forest.getDescription().species, _tiles.tiles[tile].trees, _tiles.fileOf(tile))
-            : Result<std::vector<TreePlacement>>(Diagnostic{_tiles.fileOf(tile), 0, 0, "", "expected trees"});
-    if (!trees) {
+    Diagnostics problems = {fileProblem(_tiles.fileOf(tile), "expected trees")};
+    if (arrived)
+        problems = arrived->content.fit(forest.getDescription().species, _tiles.tiles[tile].trees,
+                                        _tiles.fileOf(tile));
+    if (!problems.empty()) {
         if (_blamed.insert(tile).second)
-            OSG_WARN << "osgTreeWind: " << trees.problems().front().text() << "; its place stays empty"
-                     << std::endl;
+            OSG_WARN << "osgTreeWind: " << problems.front().text() << "; its place stays empty" << std::endl;
         return failed(slot, now);
     }
     slot.request = nullptr;
     slot.arrived = true;
-    slot.coming = std::move(trees.value());
+    slot.coming = std::move(arrived->content.trees);
     std::reverse(slot.coming.begin(), slot.coming.end());
+}
+
+void TilePager::receiveCrowns(const Forest& forest, double now) {
+    const osg::ref_ptr<CrownFile> arrived = dynamic_cast<CrownFile*>(_crownFile.arrival->getChild(0));
+    _crownFile.arrival = new osg::Group;
+    if (!arrived)
+        return failed(_crownFile, now);
+    _crownFile.arrived = true;
+    _crowns = new FarCrowns(arrived->content, forest.getDescription());
+    _crowns->showSeason(forest.getSeason());
+    addChild(_crowns);
+    for (const auto& [tile, slot] : _slots)
+        _crowns->show(tile, !slot.arrived || !slot.coming.empty());
 }
 
 /// @param until as osg::Timer::time_s() has it.
@@ -152,29 +178,36 @@ void TilePager::putUp(Slot& slot, Forest& forest, double until, std::vector<Tree
 std::vector<TreeId> TilePager::update(const osg::FrameStamp& stamp, Forest& forest) {
     const std::lock_guard<std::mutex> lock(_mutex);
     const double now = stamp.getReferenceTime();
-    std::vector<Slot*> coming;
+    if (_crownFile.arrival->getNumChildren() > 0)
+        receiveCrowns(forest, now);
+    std::vector<std::pair<std::size_t, Slot*>> coming;
     for (auto next = _slots.begin(); next != _slots.end();) {
         auto& [tile, slot] = *next;
         if (stamp.getFrameNumber() > slot.near + keptFrames && now > slot.nearTime + keptFor) {
             for (const TreeId tree : slot.standing)
                 forest.removeTree(tree);
+            if (_crowns)
+                _crowns->show(tile, true);
             next = _slots.erase(next);
             continue;
         }
         if (slot.arrival->getNumChildren() > 0)
             receive(slot, tile, forest, now);
         if (!slot.coming.empty())
-            coming.push_back(&slot);
+            coming.emplace_back(tile, &slot);
         ++next;
     }
     std::sort(coming.begin(), coming.end(),
-              [](const Slot* a, const Slot* b) { return a->distance < b->distance; });
+              [](const auto& a, const auto& b) { return a.second->distance < b.second->distance; });
     const double time = osg::Timer::instance()->time_s(),
                  until = time + std::clamp(0.25 * (time - _updated), shortestWork, longestWork);
     _updated = time;
     std::vector<TreeId> near;
-    for (Slot* slot : coming)
+    for (auto& [tile, slot] : coming) {
         putUp(*slot, forest, until, near);
+        if (_crowns && slot->coming.empty())
+            _crowns->show(tile, false);
+    }
     return near;
 }
 

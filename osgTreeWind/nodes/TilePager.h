@@ -18,6 +18,7 @@
 
 namespace osgTreeWind {
 
+class FarCrowns;
 class Forest;
 struct TreePlacement;
 
@@ -27,10 +28,12 @@ struct TreePlacement;
 ///
 /// One node for all tiles, and not a PagedLOD for each: those are looked at in every traversal, ask only for
 /// what the frustum holds, and ask for a missing file in every frame.
-class TilePager : public osg::Node {
+class TilePager : public osg::Group {
 public:
     /// @param origin of the forest.
     TilePager(const ForestTiles& tiles, const glm::dvec3& origin);
+    /// Of the year (Season.h). In update.
+    void showSeason(float season);
 
     /// Puts up trees that have arrived, the nearest tiles first and for a quarter of the time since the last
     /// update at most, and takes away those of tiles that are far. In update.
@@ -42,6 +45,9 @@ public:
 
     void traverse(osg::NodeVisitor& visitor) override;
     osg::BoundingSphere computeBound() const override;
+
+protected:
+    ~TilePager() override;
 
 private:
     /// A tile that is near some eye, or was a short while ago.
@@ -56,8 +62,9 @@ private:
         bool arrived = false;
     };
 
+    void ask(Slot& slot, const std::string& file, float priority, osg::NodeVisitor& visitor);
+    void receiveCrowns(const Forest& forest, double now);
     double distanceTo(std::size_t tile, const glm::dvec3& eye) const;
-    void ask(Slot& slot, std::size_t tile, float priority, osg::NodeVisitor& visitor);
     void failed(Slot& slot, double now) const;
     void receive(Slot& slot, std::size_t tile, const Forest& forest, double now);
     void putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const;
@@ -66,8 +73,10 @@ private:
     glm::dvec3 _origin;
     mutable std::mutex _mutex; // guards all below: cull traversals may run at a time
     std::map<std::size_t, Slot> _slots;
-    std::set<std::size_t> _blamed; ///< Tiles that a warning was given of.
-    glm::dvec3 _eye{0.0};          ///< Of the last cull traversal, in the forest's frame.
+    Slot _crownFile;
+    osg::ref_ptr<FarCrowns> _crowns; ///< Null before they are there.
+    std::set<std::size_t> _blamed;   ///< Tiles that a warning was given of.
+    glm::dvec3 _eye{0.0};            ///< Of the last cull traversal, in the forest's frame.
     bool _pagerless = false;
     double _updated = 0.0; ///< When the last update was, seconds of osg::Timer.
 };

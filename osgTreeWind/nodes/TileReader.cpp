@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TileReader.h>
 
-#include <osgTreeWind/nodes/TreeTile.h>
+#include <osgTreeWind/nodes/FileOfTiles.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
 
 #include <fstream>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -15,7 +16,10 @@ namespace {
 /// Not a plugin: a host that made its forest in code, without any, reads them too.
 class TileReader : public osgDB::ReaderWriter {
 public:
-    TileReader() { supportsExtension("trees", "a tile of an osgTreeWind forest"); }
+    TileReader() {
+        supportsExtension("trees", "a tile of an osgTreeWind forest");
+        supportsExtension("crowns", "the crowns of an osgTreeWind forest as they look from afar");
+    }
     const char* className() const override { return "osgTreeWind tile reader"; }
 
     ReadResult readNode(const std::string& file, const Options*) const override {
@@ -30,8 +34,15 @@ public:
 
 private:
     static ReadResult read(std::istream& input, const std::string& file) {
-        Result<osg::ref_ptr<TreeTile>> tile = TreeTile::read(input, file);
-        return tile ? ReadResult(tile.value().get()) : ReadResult(tile.problems().front().text());
+        if (osgDB::getLowerCaseFileExtension(file) == "crowns")
+            return resultOf(readCrownSheet(input, file));
+        return resultOf(readTileTrees(input, file));
+    }
+    template <typename Content>
+    static ReadResult resultOf(Result<Content> content) {
+        if (!content)
+            return ReadResult(content.problems().front().text());
+        return new FileOfTiles<Content>(std::move(content.value()));
     }
 };
 

@@ -3,7 +3,8 @@
 
 namespace osgTreeWind {
 
-/// Has osgDB read `.trees` files, from folders and servers, as a TreeTile. Thread-safe; once is enough.
+/// Has osgDB read files of a world, from folders and servers: `.trees` as a TreeTile, `.crowns` as a
+/// CrownFile. Thread-safe; once is enough.
 void registerTileReader();
 
 } // namespace osgTreeWind

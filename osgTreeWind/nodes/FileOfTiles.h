@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/io/CrownSheet.h>
+#include <osgTreeWind/io/TileTrees.h>
+
+#include <osg/Node>
+
+#include <utility>
+
+namespace osgTreeWind {
+
+/// What OSG's pager brings to a Forest from one file of a world. Draws nothing.
+template <typename Content>
+class FileOfTiles : public osg::Node {
+public:
+    explicit FileOfTiles(Content given) : content(std::move(given)) {}
+    Content content;
+};
+
+using TreeTile = FileOfTiles<TileTrees>;
+using CrownFile = FileOfTiles<CrownSheet>;
+
+} // namespace osgTreeWind

@@ -1,0 +1,60 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The crowns of a square of ground as a picture that faces the eye.
+// gl_Vertex: s in [-1, 1] across the picture, t in [0, 1] up it.
+
+#include "light.glsl"
+#define VERTEX_SHADER
+#include "surface.glsl"
+
+in vec4 treePlace; // middle of the square on the ground; its side, metres
+in vec4 treeSize;  // trees, their height and width, metres; species
+
+uniform vec4 crownColors[128]; // by species; with the share of its leaves
+
+flat out vec4 crownGrid;  // width of a crown, share of squares of that width that have one, own number, height
+flat out vec4 crownColor;
+flat out vec3 crownLight; // linearLight(), of leaves, without what the normal does
+flat out mat3 lightByNormal;
+flat out vec3 crownToEye; // in eye space, with the axes of the picture
+flat out vec3 crownAcross;
+flat out vec3 crownUp;
+#ifdef SHADOWED
+flat out vec3 crownSunThrough;
+flat out vec3 crownSunWay;
+#endif
+out vec2 crownPlace; // metres on the picture
+out vec3 crownEye;
+
+void main() {
+    bool parallel = gl_ProjectionMatrix[3][3] > 0.5;
+    vec3 middle = treePlace.xyz + vec3(0.0, 0.0, 0.5 * treeSize.y);
+    vec3 eye = parallel ? vec3(0.0, 0.0, 1.0) : -vec3(gl_ModelViewMatrix * vec4(middle, 1.0));
+    vec3 toEye = normalize(eye * gl_NormalMatrix);
+    float level = length(toEye.xy);
+    vec2 ahead = level > 1e-4 ? toEye.xy / level : vec2(1.0, 0.0);
+    vec3 across = vec3(-ahead.y, ahead.x, 0.0), up = vec3(-ahead * toEye.z, level);
+
+    // Ground that is seen from above, and trees on its farther rim.
+    float half_ = 0.5 * treePlace.w, depth = half_ * abs(toEye.z);
+    float low = -depth, high = depth + treeSize.y * level;
+    crownPlace = vec2(gl_Vertex.x * half_, mix(low, high, gl_Vertex.y));
+    float squares = treePlace.w * (high - low) / (treeSize.z * treeSize.z);
+    float own = fract(dot(treePlace.xy, vec2(0.0754878, 0.0569840)));
+    crownGrid = vec4(treeSize.z, treeSize.x / max(squares, 1e-3), own, treeSize.y);
+    crownColor = crownColors[int(treeSize.w + 0.5)];
+
+    vec4 eyePosition = gl_ModelViewMatrix * vec4(treePlace.xyz + crownPlace.x * across + crownPlace.y * up, 1.0);
+    crownEye = eyePosition.xyz;
+    vec3 leafMore, sunThrough, sunWay;
+    linearLight((gl_ModelViewMatrix * vec4(middle, 1.0)).xyz, crownLight, leafMore, lightByNormal, sunThrough, sunWay);
+    crownLight += leafMore;
+    crownToEye = normalize(gl_NormalMatrix * toEye);
+    crownAcross = normalize(gl_NormalMatrix * across);
+    crownUp = normalize(gl_NormalMatrix * up);
+#ifdef SHADOWED
+    crownSunThrough = sunThrough;
+    crownSunWay = sunWay;
+#endif
+    placeSurface(eyePosition, crownToEye, own);
+}
