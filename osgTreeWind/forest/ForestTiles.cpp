@@ -4,6 +4,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace osgTreeWind {
@@ -19,8 +20,32 @@ glm::dvec2 ForestTiles::cornerOf(std::size_t tile) const {
     return corner + size * glm::dvec2(tile % columns, tile / columns);
 }
 
-std::string ForestTiles::fileOf(std::size_t tile) const {
-    return folder + '/' + std::to_string(tile % columns) + '_' + std::to_string(tile / columns) + ".trees";
+std::string ForestTiles::nameOf(std::size_t tile) const {
+    return std::to_string(tile % columns) + '_' + std::to_string(tile / columns);
+}
+
+std::optional<std::string> ForestTiles::fileOfId(const std::string& name) const {
+    if (idFiles == 0)
+        return {};
+    std::uint32_t hash = 2166136261u; // FNV-1a
+    for (const char letter : name)
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619u;
+    return folder + '/' + std::to_string(hash % idFiles) + ".ids";
+}
+
+std::optional<std::size_t> ForestTiles::tileOf(const std::string& place) const {
+    std::uint32_t column = 0, row = 0, number = 0;
+    const char* next = place.data();
+    const char* const end = next + place.size();
+    const auto take = [&](std::uint32_t& value, char after) {
+        const auto [stop, error] = std::from_chars(next, end, value);
+        const bool ended = after ? stop < end && *stop == after : stop == end;
+        next = stop + 1;
+        return error == std::errc() && ended;
+    };
+    if (!take(column, '_') || !take(row, '/') || !take(number, '\0') || column >= columns || row >= rows())
+        return {};
+    return static_cast<std::size_t>(row) * columns + column;
 }
 
 double rangeOfTiles(const ForestTiles& tiles) {

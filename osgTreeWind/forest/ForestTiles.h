@@ -6,6 +6,8 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,14 +30,23 @@ struct ForestTiles {
     std::vector<Tile> tiles; ///< Row by row, eastward, then northward: whole rows.
     /// Names of species of which trees stand in a forest, and in the open (TreePlacement::openGrown).
     std::vector<std::string> inForest, inOpen;
+    /// Names of trees of tiles that are there no more.
+    std::set<std::string> removed;
+    std::uint32_t idFiles = 0; ///< Over which the names are spread that trees have of their own.
 
     std::uint32_t rows() const { return columns ? static_cast<std::uint32_t>(tiles.size() / columns) : 0; }
     std::size_t treeCount() const;
     glm::dvec2 cornerOf(std::size_t tile) const;
+    /// "COLUMN_ROW".
+    std::string nameOf(std::size_t tile) const;
     /// "FOLDER/COLUMN_ROW.trees"; TileTrees.h says what is in it.
-    std::string fileOf(std::size_t tile) const;
+    std::string fileOf(std::size_t tile) const { return folder + '/' + nameOf(tile) + ".trees"; }
     /// "FOLDER/all.crowns"; CrownSheet.h says what is in it.
     std::string fileOfCrowns() const { return folder + "/all.crowns"; }
+    /// "FOLDER/N.ids"; TileIds.h says what is in it. Nothing where no tree has a name of its own.
+    std::optional<std::string> fileOfId(const std::string& name) const;
+    /// Of a tree by its tile and its number in it, "COLUMN_ROW/N"; that is the name of one without its own.
+    std::optional<std::size_t> tileOf(const std::string& place) const;
 };
 
 /// So far that some 50,000 trees of that density are in range, from 1 to 5 km.

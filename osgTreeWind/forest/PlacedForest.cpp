@@ -2,10 +2,9 @@
 #include <osgTreeWind/forest/PlacedForest.h>
 
 #include <osgTreeWind/base/RoomFor.h>
+#include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
-
-#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +29,8 @@ PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>&
         for (std::uint32_t shape = 0; shape < family.shapes; ++shape)
             models.push_back(makeTreeModel(family.tree, shape));
     }
+    if (given.tiles)
+        _struck = given.tiles->removed;
     _description = std::make_shared<const ForestDescription>(std::move(given));
     _models = std::make_shared<const std::vector<TreeModel>>(std::move(models));
     setSeason(description().season);
@@ -81,7 +82,6 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     placement.size = measured(tree);
     placement.leaves = tree.summerLeaves;
     placement.openGrown = tree.openGrown;
-    placement.tiled = tree.tiled;
     placement.seed = tree.seed;
     placement.name = names.of(static_cast<std::uint32_t>(slot));
     return placement;
@@ -91,6 +91,8 @@ ForestDescription PlacedForest::describe() const {
     ForestDescription now = description();
     now.season = withinYear(_season);
     now.source.clear();
+    if (now.tiles)
+        now.tiles->removed = _struck;
     for (std::size_t slot = 0; slot < trees.size(); ++slot) {
         if (!trees[slot].alive || trees[slot].tiled)
             continue;
@@ -98,8 +100,7 @@ ForestDescription PlacedForest::describe() const {
         tree.size = trees[slot].given;
         tree.estimated = trees[slot].estimated;
         tree.openGrown = trees[slot].openGrown;
-        if (std::abs(tree.heading) > glm::two_pi<float>())
-            tree.heading = std::remainder(tree.heading, glm::two_pi<float>());
+        tree.heading = withinTurn(tree.heading);
         now.trees.push_back(std::move(tree));
     }
     return now;
@@ -130,6 +131,11 @@ void PlacedForest::remove(std::size_t slot) {
     trees[slot].alive = false;
     ++trees[slot].generation;
     names.set(static_cast<std::uint32_t>(slot), {});
+}
+
+void PlacedForest::strike(std::size_t slot) {
+    if (trees[slot].tiled)
+        _struck.insert(names.of(static_cast<std::uint32_t>(slot)));
 }
 
 bool PlacedForest::holds(TreeId id) const {

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 
 namespace osgTreeWind {
 
@@ -74,6 +75,10 @@ struct OSGTREEWIND_EXPORT PlacedForest {
     /// Puts a tree into a slot, at most trees.size(), instead of the one that stands or stood there.
     void put(std::size_t slot, PlacedTree tree, const std::string& name);
     void remove(std::size_t slot);
+    /// Has the tree of a tile not come again, once it is gone. Others are none of its business.
+    void strike(std::size_t slot);
+    /// ForestTiles::removed, as it is by now.
+    const std::set<std::string>& struck() const { return _struck; }
 
     bool holds(TreeId id) const;
     TreeId idOf(std::size_t slot) const { return makeTreeId(slot, trees[slot].generation); }
@@ -85,6 +90,7 @@ private:
     std::vector<std::uint32_t> _firstModels; ///< Per family.
     float _season = midsummer;
     std::vector<float> _seasonLeaves; ///< Per species, share of what its trees bear in summer.
+    std::set<std::string> _struck;
 };
 
 /// v turned counter-clockwise about the vertical.

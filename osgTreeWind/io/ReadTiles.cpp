@@ -92,6 +92,11 @@ void readTiles(TableReader& table, ForestReading& reading) {
         table.missing("corner");
     tiles.inForest = readNames(table, reading, "in_forest");
     tiles.inOpen = readNames(table, reading, "in_open");
+    int idFiles = 0;
+    if (table.read("id_files", idFiles, within(0, 100000)))
+        tiles.idFiles = static_cast<std::uint32_t>(idFiles);
+    if (std::vector<std::string> removed; table.read("removed", removed))
+        tiles.removed.insert(removed.begin(), removed.end());
     if (readTileGrid(table, tiles))
         reading.forest.tiles = std::move(tiles);
 }
@@ -100,8 +105,13 @@ void writeTiles(std::ostream& output, const ForestTiles& tiles) {
     output << "\n[tiles]\nfolder = " << tomlText(tiles.folder) << "\nsize = " << tomlText(tiles.size)
            << "\ncorner = " << tomlText(std::vector<double>{tiles.corner.x, tiles.corner.y})
            << "\nrange = " << tomlText(tiles.range) << "\nin_forest = " << tomlText(tiles.inForest)
-           << "\nin_open = " << tomlText(tiles.inOpen) << "\ncolumns = " << tiles.columns
-           << "\nrows = " << tiles.rows() << '\n';
+           << "\nin_open = " << tomlText(tiles.inOpen);
+    if (tiles.idFiles > 0)
+        output << "\nid_files = " << tiles.idFiles;
+    if (!tiles.removed.empty())
+        output << "\nremoved = "
+               << tomlText(std::vector<std::string>(tiles.removed.begin(), tiles.removed.end()));
+    output << "\ncolumns = " << tiles.columns << "\nrows = " << tiles.rows() << '\n';
     using Tile = ForestTiles::Tile;
     writeGrid(output, "trees", tiles, [](const Tile& tile) { return tile.trees; });
     writeGrid(output, "low", tiles, [](const Tile& tile) { return tile.low; });

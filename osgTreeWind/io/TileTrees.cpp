@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ForestFields.h>
 
 #include <glm/gtc/constants.hpp>
@@ -63,7 +64,7 @@ void appendTree(std::string& text, const TreePlacement& tree, const std::string&
     text += csvCell(species);
     for (int axis = 0; axis < 3; ++axis)
         append(text += ',', rounded(tree.position[axis]));
-    append(text += ',', tree.heading);
+    append(text += ',', withinTurn(tree.heading));
     appendSize(text, tree.size.height);
     appendSize(text, tree.size.trunkDiameter);
     appendSize(text, tree.size.crownWidth);

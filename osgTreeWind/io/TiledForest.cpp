@@ -5,6 +5,7 @@
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/CrownSheet.h>
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <system_error>
@@ -23,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mostTiles = 10000.0, largestByDefault = 1000.0, treesByDefault = 2000.0;
+constexpr double mostTiles = 10000.0, largestByDefault = 1000.0, treesByDefault = 2000.0, idsInFile = 5000.0;
 
 /// Whole tiles that hold all trees, corners at multiples of their size.
 ForestTiles gridOver(const ForestDescription& forest, double size) {
@@ -83,6 +85,26 @@ void nameCompanies(const ForestDescription& forest, ForestTiles& tiles) {
         tiles.inOpen.push_back(forest.species[species].name);
 }
 
+/// By the files that they are in.
+std::map<std::string, std::string> idsOf(const ForestDescription& forest, ForestTiles& tiles,
+                                         const std::vector<std::vector<std::uint32_t>>& trees) {
+    const auto named = std::count_if(forest.trees.begin(), forest.trees.end(),
+                                     [](const TreePlacement& tree) { return !tree.name.empty(); });
+    tiles.idFiles =
+        static_cast<std::uint32_t>(std::min(std::ceil(static_cast<double>(named) / idsInFile), mostTiles));
+    std::map<std::string, std::string> files;
+    for (std::size_t tile = 0; tile < trees.size(); ++tile)
+        for (std::size_t i = 0; i < trees[tile].size(); ++i) {
+            const std::string& name = forest.trees[trees[tile][i]].name;
+            if (name.empty())
+                continue;
+            std::string& text = files[*tiles.fileOfId(name)];
+            text += (text.empty() ? tileIdsHead() : "") +
+                    tileIdsRow(name, tiles.nameOf(tile) + '/' + std::to_string(i));
+        }
+    return files;
+}
+
 /// Beside its place first: a file is whole or not there.
 bool writeWhole(const std::string& path, const std::string& text) {
     const std::string unfinished = path + ".part";
@@ -106,7 +128,7 @@ std::string clear(const std::string& folder, const std::string& tiles) {
         return error.message();
     for (const fs::directory_entry& file : fs::directory_iterator(tiles, error)) {
         const std::string extension = file.path().extension().string();
-        if (extension != ".trees" && extension != ".crowns" && extension != ".part")
+        if (extension != ".trees" && extension != ".crowns" && extension != ".ids" && extension != ".part")
             return "expected nothing but tiles in it, found " + file.path().filename().string();
     }
     for (const fs::directory_entry& file : fs::directory_iterator(tiles, error))
@@ -126,6 +148,7 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
     nameCompanies(forest, tiles);
     tiles.range = options.range > 0.0 ? options.range : rangeOfTiles(tiles);
 
+    const std::map<std::string, std::string> ids = idsOf(forest, tiles, trees);
     ForestDescription world = forest;
     world.trees.clear();
     world.tiles = tiles;
@@ -145,6 +168,8 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
     else
         for (std::size_t tile = 0; tile < trees.size(); ++tile)
             write(tile);
+    for (const auto& [file, text] : ids)
+        failed = failed || !writeWhole(file, text);
     if (failed ||
         !writeWhole(tiles.fileOfCrowns(), std::accumulate(crowns.begin(), crowns.end(), crownSheetHead())))
         return fileProblem(tiles.folder, "cannot be written");
@@ -172,7 +197,9 @@ Diagnostics loadTile(ForestDescription& forest, const ForestTiles& tiles, std::s
         return read.problems();
     Diagnostics problems = read.value().fit(forest.species, tiles.tiles[tile].trees, file);
     if (problems.empty())
-        std::move(read.value().trees.begin(), read.value().trees.end(), std::back_inserter(forest.trees));
+        std::copy_if(std::make_move_iterator(read.value().trees.begin()),
+                     std::make_move_iterator(read.value().trees.end()), std::back_inserter(forest.trees),
+                     [&](const TreePlacement& tree) { return tiles.removed.count(tree.name) == 0; });
     return problems;
 }
 

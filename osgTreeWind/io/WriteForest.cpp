@@ -139,6 +139,16 @@ void writeMotion(std::ostream& output, const ForestDescription& forest) {
         output << "noise = \"1/f\"\nnoise_exponent = " << tomlText(*forest.noiseExponent) << '\n';
 }
 
+/// Names a folder of tiles below its own by the way there, so that both may move.
+ForestDescription besideItsTiles(ForestDescription forest, const std::string& file) {
+    namespace fs = std::filesystem;
+    const fs::path way = fs::path(forest.tiles->folder)
+                             .lexically_relative(fs::absolute(file).lexically_normal().parent_path());
+    if (!way.empty() && *way.begin() != "..")
+        forest.tiles->folder = way.string();
+    return forest;
+}
+
 } // namespace
 
 Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
@@ -174,7 +184,8 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
 
 Diagnostics writeForestFile(const ForestDescription& forest, const std::string& path) {
     std::ostringstream text;
-    Diagnostics problems = writeForest(forest, text);
+    Diagnostics problems =
+        forest.tiles ? writeForest(besideItsTiles(forest, path), text) : writeForest(forest, text);
     if (problems.empty() && !(std::ofstream(path, std::ios::binary) << text.str()).flush())
         problems.push_back(keyProblem({}, "cannot be written"));
     for (Diagnostic& problem : problems)

@@ -97,6 +97,12 @@ Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
 }
 
 Diagnostics ForestSimulation::removeTree(TreeId tree) {
+    if (holds(tree))
+        _forest.strike(slotOf(tree));
+    return unloadTree(tree);
+}
+
+Diagnostics ForestSimulation::unloadTree(TreeId tree) {
     if (!holds(tree))
         return noSuchTree();
     Diagnostics problems = _motion->remove(slotOf(tree));
@@ -111,11 +117,13 @@ Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& place
     if (!holds(tree))
         return noSuchTree();
     const std::size_t slot = slotOf(tree);
-    const std::optional<PlacedTree> other = _forest.fitted(placement, &trees()[slot]);
+    std::optional<PlacedTree> other = _forest.fitted(placement, &trees()[slot]);
     if (!other)
         return noSuchSpecies(placement, description());
     Diagnostics problems = _motion->replace(slot, *other);
     if (problems.empty()) {
+        _forest.strike(slot);
+        other->tiled = false;
         _forest.put(slot, *other, placement.name);
         treeChanged(slot);
     }

@@ -51,8 +51,9 @@ public:
     Result<TreeId> addTree(const TreePlacement& placement);
     /// @return the problems; empty when it is done.
     Diagnostics removeTree(TreeId tree);
-    /// Moves it, or makes it another one, in full sway (ModalMotion::replace()).
-    /// @return the problems; empty when it is done.
+    Diagnostics unloadTree(TreeId tree); ///< removeTree() of one that may come again with its tile.
+    /// Moves it, or makes it another one, in full sway (ModalMotion::replace()); one of a tile is a tree of
+    /// the forest's own from then on. @return as removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
 
     /// Under `modal`, once it was advanced: has trees that it holds sway as if they had stood there for the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/io/CrownSheet.h>
+#include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
 
 #include <osg/Node>
@@ -20,5 +21,6 @@ public:
 
 using TreeTile = FileOfTiles<TileTrees>;
 using CrownFile = FileOfTiles<CrownSheet>;
+using IdFile = FileOfTiles<TileIds>;
 
 } // namespace osgTreeWind

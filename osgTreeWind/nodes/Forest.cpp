@@ -128,7 +128,7 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
     _wind = _simulation->givenWind();
     for (const TreeId tree : getTrees())
         if (_simulation->trees()[_simulation->slotOf(tree)].tiled)
-            removeTree(tree); // its own tiles bring it again
+            unload(tree); // its own tiles bring it again
 }
 
 Forest::~Forest() = default;
@@ -239,6 +239,13 @@ Diagnostics Forest::removeTree(TreeId tree) {
     return problems;
 }
 
+void Forest::unload(TreeId tree) {
+    if (!_simulation->unloadTree(tree).empty())
+        return;
+    --_treeCount;
+    _drawing->treeChanged(_simulation->slotOf(tree));
+}
+
 Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
     Diagnostics problems = _simulation->changeTree(tree, placement);
     if (problems.empty())
@@ -246,7 +253,9 @@ Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
     return problems;
 }
 
-TreeId Forest::findTree(const std::string& name) const {
+TreeId Forest::findTree(const std::string& name) {
+    if (_tiles && !_simulation->findTree(name))
+        _tiles->bring(name, *this);
     return _simulation->findTree(name).value_or(noTree);
 }
 
@@ -352,8 +361,11 @@ void Forest::update(osg::NodeVisitor& visitor) {
     }
     _lastFrame = stamp.getFrameNumber();
     stand(path);
-    if (_tiles)
-        _simulation->runUp(_tiles->update(stamp, *this));
+    if (_tiles) {
+        const TilePager::Changes changes = _tiles->update(stamp, *this);
+        std::for_each(changes.leaving.begin(), changes.leaving.end(), [&](TreeId tree) { unload(tree); });
+        _simulation->runUp(changes.near);
+    }
     _drawing->update(stamp);
     const std::vector<TreeDamage> down = _simulation->damage(); // those who are told may change it
     for (const TreeDamage& damage : down)

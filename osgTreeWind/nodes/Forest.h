@@ -46,8 +46,8 @@ public:
     Forest();
     /// As setDescription().
     explicit Forest(ForestDescription description);
-    /// The same with an answer in place of an empty forest, or of one that is not what was asked for: numbers
-    /// out of range (check()), no memory, no room in textures. @param executor as of setExecutor().
+    /// The same with an answer where it cannot be as asked for: numbers out of range (check()), no memory, no
+    /// room in textures. @param executor as of setExecutor().
     static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
     /// children go by `copyop`; branches that are followed are not copied.
@@ -78,8 +78,8 @@ public:
     /// The ground, for a host to draw beside the trees; null: none. Another one after setDescription().
     osg::Node* getGround() const { return _ground.get(); }
 
-    // Trees that come and go, in update or between frames, at a cost that does not depend on how many there
-    // are (ForestSimulation says more). Under the law `modal` only: elsewhere it is a problem.
+    // Trees that come and go, in update or between frames, at the same cost in any forest; a problem but
+    // under the law `modal`. What is done to trees of tiles lasts, and writeForest() writes it.
 
     /// @param placement in the world's frame. @return an id that lasts.
     Result<TreeId> addTree(const TreePlacement& placement);
@@ -87,8 +87,8 @@ public:
     Diagnostics removeTree(TreeId tree);
     /// Moves it, or makes it one of another size or species, in full sway. @return as removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
-    /// By the name it has; noTree for none.
-    TreeId findTree(const std::string& name) const;
+    /// By the name it has; noTree for none. One whose tile is not there is read from it, in milliseconds.
+    TreeId findTree(const std::string& name);
     std::size_t getNumTrees() const { return _treeCount; }
     /// Their ids, those of the description first and in its order as long as none was removed.
     std::vector<TreeId> getTrees() const;
@@ -106,8 +106,7 @@ public:
     /// at rest, in metres. The same for the same branch; null where there is none. It stays where it was when
     /// its tree is removed. In update or between frames.
     BranchTransform* branch(TreeId tree, unsigned unit);
-    /// Lets a branch go, with what hangs on it. @return false where it was not asked for.
-    bool unfollow(TreeId tree, unsigned unit);
+    bool unfollow(TreeId tree, unsigned unit); ///< With what hangs on it. @return whether it was followed.
 
     /// Whether a child is a part of the forest; all others are yours.
     bool isOwnChild(const osg::Node* child) const;
@@ -130,6 +129,7 @@ private:
     void grow(ForestDescription description);
     void show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_ptr<ForestDrawing>& drawing);
     void update(osg::NodeVisitor& visitor);
+    void unload(TreeId tree);
     bool isHidden(const osg::NodePath& path, unsigned frame) const;
     void stand(const osg::NodePath& path);
 

@@ -4,12 +4,15 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/crowns/FarCrowns.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/nodes/FileOfTiles.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/nodes/TileReader.h>
 
 #include <osg/Notify>
 #include <osg/Timer>
+#include <osgDB/ReadFile>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -130,8 +133,9 @@ void TilePager::failed(Slot& slot, double now) const {
     slot.nextTry = now + slot.wait;
 }
 
-void TilePager::receive(Slot& slot, std::size_t tile, const Forest& forest, double now) {
-    const osg::ref_ptr<TreeTile> arrived = dynamic_cast<TreeTile*>(slot.arrival->getChild(0));
+void TilePager::receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::Node>& file,
+                        const Forest& forest, double now) {
+    auto* arrived = dynamic_cast<TreeTile*>(file.get());
     slot.arrival = new osg::Group;
     Diagnostics problems = {fileProblem(_tiles.fileOf(tile), "expected trees")};
     if (arrived)
@@ -163,10 +167,12 @@ void TilePager::receiveCrowns(const Forest& forest, double now) {
 
 /// @param until as osg::Timer::time_s() has it.
 void TilePager::putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const {
+    const std::set<std::string>& removed = forest.getSimulation().forest().struck();
     while (!slot.coming.empty() && osg::Timer::instance()->time_s() < until) {
         TreePlacement& tree = slot.coming.back();
         tree.tiled = true;
-        if (const Result<TreeId> id = forest.addTree(tree)) {
+        const bool comes = removed.count(tree.name) == 0 && _damaged.count(tree.name) == 0;
+        if (const Result<TreeId> id = comes ? forest.addTree(tree) : noTree; id && id.value() != noTree) {
             slot.standing.push_back(id.value());
             if (glm::distance(tree.position - _origin, _eye) < seenFrom)
                 near.push_back(id.value());
@@ -175,24 +181,72 @@ void TilePager::putUp(Slot& slot, Forest& forest, double until, std::vector<Tree
     }
 }
 
-std::vector<TreeId> TilePager::update(const osg::FrameStamp& stamp, Forest& forest) {
+/// All but those that wind has damaged: they would come again unharmed.
+void TilePager::leave(Slot& slot, const Forest& forest, std::vector<TreeId>& leaving) {
+    const ForestSimulation& simulation = forest.getSimulation();
+    for (const TreeId tree : slot.standing) {
+        const std::size_t number = simulation.slotOf(tree);
+        if (!simulation.holds(tree) || !simulation.trees()[number].tiled)
+            continue; // its host made it another one
+        if (simulation.modal()->fall(number))
+            _damaged.insert(simulation.nameOf(tree));
+        else
+            leaving.push_back(tree);
+    }
+}
+
+std::optional<std::size_t> TilePager::tileWith(const std::string& name) const {
+    if (const std::optional<std::size_t> tile = _tiles.tileOf(name))
+        return tile;
+    const std::optional<std::string> file = _tiles.fileOfId(name);
+    if (!file)
+        return {};
+    const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(*file);
+    const auto* ids = dynamic_cast<const IdFile*>(read.get());
+    if (!ids) {
+        OSG_WARN << "osgTreeWind: " << *file << ": expected ids; no tree is found by one of them"
+                 << std::endl;
+        return {};
+    }
+    const auto place = ids->content.find(name);
+    return place == ids->content.end() ? std::nullopt : _tiles.tileOf(place->second);
+}
+
+void TilePager::bring(const std::string& name, Forest& forest) {
+    const std::optional<std::size_t> tile = tileWith(name);
     const std::lock_guard<std::mutex> lock(_mutex);
-    const double now = stamp.getReferenceTime();
+    if (!tile || _tiles.tiles[*tile].trees == 0 || forest.getSimulation().forest().struck().count(name) > 0)
+        return;
+    Slot& slot = _slots[*tile];
+    slot.near = _frame;
+    slot.nearTime = _now;
+    if (!slot.arrived)
+        receive(slot, *tile, osgDB::readRefNodeFile(_tiles.fileOf(*tile)), forest, _now);
+    std::vector<TreeId> near;
+    putUp(slot, forest, std::numeric_limits<double>::infinity(), near);
+    if (_crowns && slot.arrived)
+        _crowns->show(*tile, false);
+}
+
+TilePager::Changes TilePager::update(const osg::FrameStamp& stamp, Forest& forest) {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    const double now = _now = stamp.getReferenceTime();
+    _frame = stamp.getFrameNumber();
+    Changes changes;
     if (_crownFile.arrival->getNumChildren() > 0)
         receiveCrowns(forest, now);
     std::vector<std::pair<std::size_t, Slot*>> coming;
     for (auto next = _slots.begin(); next != _slots.end();) {
         auto& [tile, slot] = *next;
         if (stamp.getFrameNumber() > slot.near + keptFrames && now > slot.nearTime + keptFor) {
-            for (const TreeId tree : slot.standing)
-                forest.removeTree(tree);
+            leave(slot, forest, changes.leaving);
             if (_crowns)
                 _crowns->show(tile, true);
             next = _slots.erase(next);
             continue;
         }
         if (slot.arrival->getNumChildren() > 0)
-            receive(slot, tile, forest, now);
+            receive(slot, tile, slot.arrival->getChild(0), forest, now);
         if (!slot.coming.empty())
             coming.emplace_back(tile, &slot);
         ++next;
@@ -202,13 +256,12 @@ std::vector<TreeId> TilePager::update(const osg::FrameStamp& stamp, Forest& fore
     const double time = osg::Timer::instance()->time_s(),
                  until = time + std::clamp(0.25 * (time - _updated), shortestWork, longestWork);
     _updated = time;
-    std::vector<TreeId> near;
     for (auto& [tile, slot] : coming) {
-        putUp(*slot, forest, until, near);
+        putUp(*slot, forest, until, changes.near);
         if (_crowns && slot->coming.empty())
             _crowns->show(tile, false);
     }
-    return near;
+    return changes;
 }
 
 double TilePager::nearestMissing() const {

@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace osgTreeWind {
@@ -35,10 +37,16 @@ public:
     /// Of the year (Season.h). In update.
     void showSeason(float season);
 
+    struct Changes {
+        std::vector<TreeId> near;    ///< Put up so near an eye that one sees how they begin to sway.
+        std::vector<TreeId> leaving; ///< To be unloaded: their tiles are far.
+    };
     /// Puts up trees that have arrived, the nearest tiles first and for a quarter of the time since the last
-    /// update at most, and takes away those of tiles that are far. In update.
-    /// @return those of them that are so near an eye that one sees how they begin to sway.
-    std::vector<TreeId> update(const osg::FrameStamp& stamp, Forest& forest);
+    /// update at most. In update.
+    Changes update(const osg::FrameStamp& stamp, Forest& forest);
+    /// Reads the tile of a tree that is not there, whatever is near, and puts it up. In update or between
+    /// frames.
+    void bring(const std::string& name, Forest& forest);
     /// Metres from an eye to the nearest tile that is to be there and is not, infinite where all are; those
     /// that cannot be read do not count.
     double nearestMissing() const;
@@ -66,8 +74,11 @@ private:
     void receiveCrowns(const Forest& forest, double now);
     double distanceTo(std::size_t tile, const glm::dvec3& eye) const;
     void failed(Slot& slot, double now) const;
-    void receive(Slot& slot, std::size_t tile, const Forest& forest, double now);
+    void receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::Node>& file, const Forest& forest,
+                 double now);
     void putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const;
+    void leave(Slot& slot, const Forest& forest, std::vector<TreeId>& leaving);
+    std::optional<std::size_t> tileWith(const std::string& name) const;
 
     ForestTiles _tiles;
     glm::dvec3 _origin;
@@ -76,6 +87,9 @@ private:
     Slot _crownFile;
     osg::ref_ptr<FarCrowns> _crowns; ///< Null before they are there.
     std::set<std::size_t> _blamed;   ///< Tiles that a warning was given of.
+    std::set<std::string> _damaged;  ///< Trees that stayed as their tiles left.
+    unsigned _frame = 0;             ///< Of the last update, as
+    double _now = 0.0;               ///< its reference time, seconds.
     glm::dvec3 _eye{0.0};            ///< Of the last cull traversal, in the forest's frame.
     bool _pagerless = false;
     double _updated = 0.0; ///< When the last update was, seconds of osg::Timer.

@@ -18,6 +18,7 @@ class TileReader : public osgDB::ReaderWriter {
 public:
     TileReader() {
         supportsExtension("trees", "a tile of an osgTreeWind forest");
+        supportsExtension("ids", "where trees of an osgTreeWind forest are");
         supportsExtension("crowns", "the crowns of an osgTreeWind forest as they look from afar");
     }
     const char* className() const override { return "osgTreeWind tile reader"; }
@@ -34,8 +35,11 @@ public:
 
 private:
     static ReadResult read(std::istream& input, const std::string& file) {
-        if (osgDB::getLowerCaseFileExtension(file) == "crowns")
+        const std::string extension = osgDB::getLowerCaseFileExtension(file);
+        if (extension == "crowns")
             return resultOf(readCrownSheet(input, file));
+        if (extension == "ids")
+            return resultOf(readTileIds(input, file));
         return resultOf(readTileTrees(input, file));
     }
     template <typename Content>

@@ -4,7 +4,7 @@
 namespace osgTreeWind {
 
 /// Has osgDB read files of a world, from folders and servers: `.trees` as a TreeTile, `.crowns` as a
-/// CrownFile. Thread-safe; once is enough.
+/// CrownFile, `.ids` as an IdFile. Thread-safe; once is enough.
 void registerTileReader();
 
 } // namespace osgTreeWind

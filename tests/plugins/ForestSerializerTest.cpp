@@ -132,7 +132,7 @@ TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
     ASSERT_TRUE(wind);
     EXPECT_EQ(wind->velocity(), glm::vec3(3, 4, 0));
     const PlacedTree& tree =
-        back->getSimulation().trees()[back->getSimulation().slotOf(back->findTree("moved"))];
+        back->getSimulation().trees()[back->getSimulation().slotOf(*back->getSimulation().findTree("moved"))];
     const PlacedTree& was = forest->getSimulation().trees()[1];
     EXPECT_EQ(tree.position, was.position);
     EXPECT_EQ(tree.scale.axes, was.scale.axes) << "to the bit";

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Trees of a world that are changed, whatever of it is there.
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/wind/UniformWind.h>
+#include <tests/MessageCollector.h>
+#include <tests/nodes/TiledWorld.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+const char* const near = "15/12"; // a tree of tile 5_4
+
+void goAwayAndComeBack(TiledWorld& world) {
+    world.frames(world.at(50.0, 50.0), enough);
+    ASSERT_EQ(world.names().count("0/0"), 1u);
+    world.frames(world.at(550.0, 450.0), enough);
+}
+
+} // namespace
+
+TEST(TiledEditsTest, aTreeThatIsRemovedDoesNotComeBack) {
+    TiledWorld world;
+    world.frames(world.at(550.0, 450.0), enough);
+    ASSERT_TRUE(world.forest().removeTree(world.forest().findTree(near)).empty());
+    goAwayAndComeBack(world);
+    EXPECT_EQ(world.names().size(), 80u);
+    EXPECT_EQ(world.names().count(near), 0u);
+    EXPECT_EQ(world.forest().findTree(near), noTree);
+}
+
+TEST(TiledEditsTest, aTreeThatIsNotThereIsFoundInItsTile) {
+    TiledWorld world;
+    const TreeId tree = world.forest().findTree(near);
+    ASSERT_NE(tree, noTree);
+    EXPECT_EQ(world.names().size(), 9u) << "with its tile";
+    EXPECT_EQ(world.forest().getPlacement(tree)->seed, 30u * 15 + 12);
+    ASSERT_TRUE(world.forest().removeTree(tree).empty());
+    EXPECT_EQ(world.forest().findTree("nobody"), noTree);
+    world.frames(world.at(50.0, 50.0), enough);
+    EXPECT_EQ(world.names().size(), 36u) << "the tile of the one that was looked for went again";
+    world.frames(world.at(550.0, 450.0), enough);
+    EXPECT_EQ(world.names().size(), 80u);
+}
+
+TEST(TiledEditsTest, aTreeWithoutANameIsFoundByItsTile) {
+    ForestDescription forest = smallForest(12);
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeTiledForest(forest, folder.path()));
+    const osg::ref_ptr<Forest> world = new Forest(readForestFile(folder.path() + "/world.treewind").value());
+    const TreeId tree = world->findTree("0_0/7");
+    ASSERT_NE(tree, noTree);
+    EXPECT_EQ(world->getPlacement(tree)->seed, 7u);
+    for (const char* name : {"0_0/12", "1_0/0", "0_0/", "0_0/7x", "0_0", "-1_0/0", ""})
+        EXPECT_EQ(world->findTree(name), noTree) << name;
+}
+
+TEST(TiledEditsTest, aTreeThatIsChangedStaysChanged) {
+    TiledWorld world;
+    const TreeId tree = world.forest().findTree(near);
+    TreePlacement taller = *world.forest().getPlacement(tree);
+    taller.position.x += 2.0;
+    taller.size = {};
+    taller.size.height = 15.0f;
+    ASSERT_TRUE(world.forest().changeTree(tree, taller).empty());
+    goAwayAndComeBack(world);
+    EXPECT_EQ(world.names().size(), 81u);
+    EXPECT_EQ(world.forest().findTree(near), tree) << "it is the forest's own now, and never goes";
+    EXPECT_NEAR(world.forest().getPlacement(tree)->size.height, 15.0f, 0.01f);
+    EXPECT_EQ(world.forest().getNumTrees(), 81u) << "not once more with its tile";
+}
+
+TEST(TiledEditsTest, editsAreWrittenAndReadAgain) {
+    TiledWorld world;
+    Forest& forest = world.forest();
+    ASSERT_TRUE(forest.removeTree(forest.findTree("0/0")).empty());
+    TreePlacement moved = *forest.getPlacement(forest.findTree(near));
+    moved.position.x += 5.0;
+    ASSERT_TRUE(forest.changeTree(forest.findTree(near), moved).empty());
+    TreePlacement own = moved;
+    own.position = {333.0, 333.0, 0.0};
+    own.name = "mine";
+    ASSERT_TRUE(forest.addTree(own));
+
+    const TemporaryFolder elsewhere;
+    for (const std::string& folder : {world.folder().path(), elsewhere.path()}) {
+        const std::string file = folder + "/edited.treewind";
+        ASSERT_TRUE(writeForestFile(forest.getSimulation().describe(), file).empty());
+        Result<ForestDescription> edited = readForestFile(file);
+        ASSERT_TRUE(edited) << edited.problems().front().text();
+        EXPECT_EQ(edited.value().tiles->removed, (std::set<std::string>{"0/0", near}));
+        ASSERT_TRUE(loadTiles(edited.value()).empty());
+        EXPECT_EQ(edited.value().trees.size(), 900u) << "one less, one more";
+        world.forest().setDescription(readForestFile(file).value());
+        EXPECT_EQ(world.forest().findTree("0/0"), noTree);
+        EXPECT_NE(world.forest().findTree("mine"), noTree);
+        EXPECT_EQ(world.forest().getPlacement(world.forest().findTree(near))->position, moved.position);
+    }
+    std::ifstream written(world.folder().path() + "/edited.treewind");
+    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    EXPECT_NE(text.find("folder = \"tiles\""), std::string::npos) << "the world can be moved as a whole";
+}
+
+TEST(TiledEditsTest, aCopyHasTheEditsAndAllTheRest) {
+    TiledWorld world;
+    world.frames(world.at(550.0, 450.0), enough);
+    ASSERT_TRUE(world.forest().removeTree(world.forest().findTree(near)).empty());
+    const osg::ref_ptr<Forest> copy = osg::clone(&world.forest(), osg::CopyOp::DEEP_COPY_ALL);
+    world.frames(*copy, world.at(550.0, 450.0), enough);
+    EXPECT_EQ(TiledWorld::namesOf(*copy).size(), 80u);
+}
+
+TEST(TiledEditsTest, aTileThatCannotBeReadIsSaidAndNothingIsFound) {
+    TiledWorld world;
+    std::filesystem::remove(world.tile("5_4"));
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    osg::setNotifyHandler(messages);
+    EXPECT_EQ(world.forest().findTree(near), noTree);
+    EXPECT_NE(messages->take().find("5_4.trees"), std::string::npos);
+    for (const auto& file : std::filesystem::directory_iterator(world.folder().path() + "/tiles"))
+        if (file.path().extension() == ".ids")
+            std::filesystem::remove(file.path());
+    EXPECT_EQ(world.forest().findTree("0/0"), noTree);
+    EXPECT_NE(messages->take().find(".ids"), std::string::npos);
+    osg::setNotifyHandler(new osg::StandardNotifyHandler);
+}
+
+TEST(TiledEditsTest, whatAStormBroughtDownLiesThereStill) {
+    ForestDescription storm;
+    storm.species = {*findSpecies("Norway spruce")};
+    storm.species[0].wood.bendingStrength *= 20.0f; // roots give way first
+    storm.wind = std::make_shared<UniformWind>(glm::vec3(60.0f, 0.0f, 0.0f));
+    storm.damage = true;
+    TiledWorld world(storm, 20.0f);
+    const auto down = [&] {
+        std::set<std::string> names;
+        for (const TreeId tree : world.forest().getTrees())
+            if (!world.forest().getSimulation().stands(tree))
+                names.insert(world.forest().getSimulation().nameOf(tree));
+        return names;
+    };
+    world.frames(world.at(550.0, 450.0), 400);
+    const std::set<std::string> before = down();
+    ASSERT_GT(before.size(), 10u);
+    world.forest().setWind(nullptr);
+    goAwayAndComeBack(world);
+    EXPECT_EQ(down(), before);
+    EXPECT_EQ(world.names().size(), 81u);
+    EXPECT_EQ(world.forest().getNumTrees(), 81u);
+}
