@@ -36,7 +36,8 @@ constexpr double tallest = 50.0;                           // metres: trees reac
 
 } // namespace
 
-TilePager::TilePager(const ForestTiles& tiles, const glm::dvec3& origin) : _tiles(tiles), _origin(origin) {
+TilePager::TilePager(ForestTiles tiles, const glm::dvec3& origin)
+    : _tiles(std::move(tiles)), _origin(origin) {
     registerTileReader();
 }
 

@@ -33,7 +33,7 @@ struct TreePlacement;
 class TilePager : public osg::Group {
 public:
     /// @param origin of the forest.
-    TilePager(const ForestTiles& tiles, const glm::dvec3& origin);
+    TilePager(ForestTiles tiles, const glm::dvec3& origin);
     /// Of the year (Season.h). In update.
     void showSeason(float season);
 
