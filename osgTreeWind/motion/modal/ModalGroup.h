@@ -25,10 +25,11 @@ struct ModalMotion::Place {
     float contact = 0.0f; ///< TreeFactors::contact
 };
 
-/// A block to be stepped.
+/// A block to be stepped, to a time.
 struct ModalMotion::Work {
     std::uint32_t group, block;
     float seconds;
+    double time;
 };
 
 /// Trees of one archetype at one level.
@@ -39,7 +40,7 @@ struct ModalMotion::Group {
     std::size_t level = 0;
     std::vector<TreeLanes> numbers;   ///< Block after block.
     std::vector<std::uint32_t> trees; ///< Which tree is at each place.
-    std::vector<float> waiting;       ///< Per block, seconds since its last step.
+    std::vector<float> waiting;       ///< Per block, seconds since the time it was stepped to.
 
     const ModalModel& model() const { return archetype->model(level); }
     std::size_t firstFactor() const { return treeFloats(model()) - factorCount; }

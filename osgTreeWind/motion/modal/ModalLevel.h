@@ -8,7 +8,7 @@ namespace osgTreeWind {
 /// How closely the law `modal` follows a tree.
 enum class ModalLevel : std::uint8_t {
     Near, ///< Up to 12 modes, 12 patches, every step.
-    Far   ///< Up to 4 modes, 4 patches, one step in eight, or after a fifth of a second, over all of it.
+    Far   ///< Up to 4 modes, 4 patches, a step each fifth of a second (ModalMotion::farStep).
 };
 
 } // namespace osgTreeWind

@@ -323,7 +323,6 @@ void ModalMotion::reset() {
     }
     std::fill(_leans.begin(), _leans.end(), glm::vec2(0.0f));
     _falls.clear();
-    _turn = 0;
 }
 
 } // namespace osgTreeWind

@@ -20,14 +20,14 @@ namespace osgTreeWind {
 /// archetype.
 ///
 /// A tree takes treeBytes() beside its archetype. What comes out does not depend on threads or on the
-/// processor's instruction set, nor, for near trees, on the other trees; far ones step in turns with those
-/// they are kept with. Not thread-safe, but for the threads of its executor.
+/// processor's instruction set, nor, for near trees, on the other trees; far ones step at times that they
+/// share with those they are kept with, and that are the same whenever step() is called. Not thread-safe, but
+/// for the threads of its executor.
 class ModalMotion {
 public:
     using Tree = ModalTree;
     using Level = ModalLevel;
-    static constexpr unsigned farInterval = 8; ///< Steps from one of a far tree to the next,
-    static constexpr float longestWait = 0.2f; ///< or seconds.
+    static constexpr float farStep = 0.2f; ///< Seconds from one step of a far tree to the next.
 
     /// @param gain [0, 100], on the answer to the wind. @param exact gives each tree an archetype of its own
     /// instead of that of the nearest rung, which takes milliseconds and tens of kB a tree.
@@ -112,6 +112,7 @@ private:
     struct Slot;
     struct Place;
     struct Work;
+    struct Scratch;
 
     std::uint32_t archetypeOf(const SwayingTree& form);
     void addArchetypes(const std::vector<SwayingTree>& forms);
@@ -121,7 +122,8 @@ private:
     const Group& groupOf(std::size_t tree) const;
     float& number(std::size_t tree, std::size_t index);
     float number(std::size_t tree, std::size_t index) const;
-    void advance(const WindField* wind, double time);
+    void advance(const WindField* wind);
+    void sampleWind(const WindField* wind, std::size_t first, std::size_t end, Scratch& scratch) const;
     void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
     void settle(std::size_t tree, std::size_t first);
     void refreshLean(std::size_t tree);
@@ -140,7 +142,6 @@ private:
     std::vector<std::uint32_t> _free; ///< Numbers of removed trees.
     std::unordered_map<std::uint32_t, TreeFall> _falls;
     std::vector<Work> _work; ///< Of the step at hand.
-    unsigned _turn = 0;
 };
 
 } // namespace osgTreeWind

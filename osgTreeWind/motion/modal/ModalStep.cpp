@@ -13,56 +13,57 @@ namespace {
 
 constexpr std::size_t lanes = TreeLanes::count;
 constexpr std::size_t blocksPerJob = 4;
-constexpr float longestNearStep = 1.0f / 30.0f, longestFarStep = 0.2f; // seconds
+constexpr float longestNearStep = 1.0f / 30.0f; // seconds
+constexpr std::size_t turns = 16;               // into which steps of far trees are spread
+
+} // namespace
 
 /// Places and winds of one job's patches. Each thread keeps one, which a job takes while it is at work: where
 /// the wind is sampled the thread may take up another job.
-struct Scratch {
+struct ModalMotion::Scratch {
     std::vector<WindPlace> places;
     std::vector<glm::vec3> winds;
     std::vector<TreeLanes> lanes;
 };
 
-} // namespace
-
 void ModalMotion::meet(const WindField* wind, double time) {
     _work.clear();
     for (std::uint32_t g = 0; g < _groups.size(); ++g)
         for (std::uint32_t b = 0; b < _groups[g].waiting.size(); ++b)
-            _work.push_back({g, b, 0.0f});
-    advance(wind, time);
+            _work.push_back({g, b, 0.0f, time});
+    advance(wind);
 }
 
+/// Near trees step to `time`, far ones to the last time that it was their turn: every farStep seconds, from
+/// whenever time began.
 void ModalMotion::step(const WindField* wind, double time, float seconds) {
+    constexpr auto interval = static_cast<double>(farStep);
     _work.clear();
-    ++_turn;
     for (std::uint32_t g = 0; g < _groups.size(); ++g) {
         Group& group = _groups[g];
+        const bool far = group.level != 0;
         for (std::uint32_t b = 0; b < group.waiting.size(); ++b) {
-            group.waiting[b] += seconds;
-            if (group.level != 0 && (_turn + g / Archetype::levels + b) % farInterval != 0 &&
-                group.waiting[b] + 0.5f * seconds < longestWait)
-                continue;
-            _work.push_back({g, b, group.waiting[b]});
-            group.waiting[b] = 0.0f;
+            const double turn = interval * static_cast<double>((g / Archetype::levels + b) % turns) / turns;
+            const double to = far ? interval * std::floor((time - turn) / interval) + turn : time;
+            const auto late = static_cast<float>(time - to);
+            const float waited = group.waiting[b] + seconds;
+            const bool due = !far || waited - late > 0.01f * farStep; // else it was stepped to there
+            if (due)
+                _work.push_back({g, b, waited - late, to});
+            group.waiting[b] = due ? late : waited;
         }
     }
-    advance(wind, time);
+    advance(wind);
 }
 
-void ModalMotion::advance(const WindField* wind, double time) {
+void ModalMotion::advance(const WindField* wind) {
     _executor((_work.size() + blocksPerJob - 1) / blocksPerJob, [&](std::size_t job) {
-        const std::size_t end = std::min(_work.size(), (job + 1) * blocksPerJob);
+        const std::size_t first = job * blocksPerJob, end = std::min(_work.size(), first + blocksPerJob);
         thread_local Scratch kept;
         Scratch scratch = std::move(kept);
-        scratch.places.clear();
-        for (std::size_t w = job * blocksPerJob; w < end; ++w)
-            addPlaces(_work[w], scratch.places);
-        scratch.winds.assign(scratch.places.size(), glm::vec3(0.0f));
-        if (wind)
-            wind->sample(scratch.places.data(), scratch.places.size(), time, scratch.winds.data());
+        sampleWind(wind, first, end, scratch);
         const glm::vec3* met = scratch.winds.data();
-        for (std::size_t w = job * blocksPerJob; w < end; ++w) {
+        for (std::size_t w = first; w < end; ++w) {
             Group& group = _groups[_work[w].group];
             const ModalModel& model = group.model();
             const std::size_t patches = model.patches.size();
@@ -78,7 +79,7 @@ void ModalMotion::advance(const WindField* wind, double time) {
             step.wind = scratch.lanes.data();
             step.seconds = _work[w].seconds;
             step.gain = _gain;
-            const float longest = group.level == 0 ? longestNearStep : longestFarStep;
+            const float longest = group.level == 0 ? longestNearStep : farStep;
             step.substeps = std::max(step.seconds > 0.0f ? 1 : 0,
                                      static_cast<int>(std::ceil(step.seconds / longest - 0.01f)));
             stepTrees(step, _instructions);
@@ -87,6 +88,23 @@ void ModalMotion::advance(const WindField* wind, double time) {
         }
         kept = std::move(scratch);
     });
+}
+
+/// At the patches of a part of the work, at the time of each. @param wind null: calm.
+void ModalMotion::sampleWind(const WindField* wind, std::size_t first, std::size_t end,
+                             Scratch& scratch) const {
+    scratch.places.clear();
+    scratch.winds.clear();
+    for (std::size_t w = first; w < end; ++w) {
+        addPlaces(_work[w], scratch.places);
+        if (w + 1 < end && _work[w + 1].time == _work[w].time)
+            continue;
+        const std::size_t sampled = scratch.winds.size();
+        scratch.winds.resize(scratch.places.size(), glm::vec3(0.0f));
+        if (wind)
+            wind->sample(scratch.places.data() + sampled, scratch.places.size() - sampled, _work[w].time,
+                         scratch.winds.data() + sampled);
+    }
 }
 
 /// Of the patches of the trees of a block, tree after tree.
