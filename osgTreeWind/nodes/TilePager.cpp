@@ -255,18 +255,24 @@ TilePager::Changes TilePager::update(const osg::FrameStamp& stamp, Forest& fores
     std::sort(coming.begin(), coming.end(),
               [](const auto& a, const auto& b) { return a.second->distance < b.second->distance; });
     const double time = osg::Timer::instance()->time_s(),
-                 until = time + std::clamp(0.25 * (time - _updated), shortestWork, longestWork);
+                 share = _wasWhole ? 0.25 : 1.0, // nobody has seen a steady picture before
+        until = time + std::clamp(share * (time - _updated), shortestWork, longestWork);
     _updated = time;
     for (auto& [tile, slot] : coming) {
         putUp(*slot, forest, until, changes.near);
         if (_crowns && slot->coming.empty())
             _crowns->show(tile, false);
     }
+    _wasWhole = _wasWhole || (!_slots.empty() && !std::isfinite(nearest()));
     return changes;
 }
 
 double TilePager::nearestMissing() const {
     const std::lock_guard<std::mutex> lock(_mutex);
+    return nearest();
+}
+
+double TilePager::nearest() const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [tile, slot] : _slots)
         if (!slot.coming.empty() || (!slot.arrived && slot.wait == 0.0))

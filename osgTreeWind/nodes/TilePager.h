@@ -42,7 +42,7 @@ public:
         std::vector<TreeId> leaving; ///< To be unloaded: their tiles are far.
     };
     /// Puts up trees that have arrived, the nearest tiles first and for a quarter of the time since the last
-    /// update at most. In update.
+    /// update at most, but for the first ones. In update.
     Changes update(const osg::FrameStamp& stamp, Forest& forest);
     /// Reads the tile of a tree that is not there, whatever is near, and puts it up. In update or between
     /// frames.
@@ -73,6 +73,7 @@ private:
     void ask(Slot& slot, const std::string& file, float priority, osg::NodeVisitor& visitor);
     void receiveCrowns(const Forest& forest, double now);
     double distanceTo(std::size_t tile, const glm::dvec3& eye) const;
+    double nearest() const; ///< nearestMissing()
     void failed(Slot& slot, double now) const;
     void receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::Node>& file, const Forest& forest,
                  double now);
@@ -92,7 +93,8 @@ private:
     double _now = 0.0;               ///< its reference time, seconds.
     glm::dvec3 _eye{0.0};            ///< Of the last cull traversal, in the forest's frame.
     bool _pagerless = false;
-    double _updated = 0.0; ///< When the last update was, seconds of osg::Timer.
+    bool _wasWhole = false; ///< All that was in range has been there once.
+    double _updated = 0.0;  ///< When the last update was, seconds of osg::Timer.
 };
 
 } // namespace osgTreeWind
