@@ -40,3 +40,13 @@ void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles);
 /// @param withNodes it is going to be drawn, and there must be memory for that.
 std::optional<osgTreeWind::ForestDescription>
 loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {}, bool withNodes = false);
+
+/// What one run does of a world, so that many runs do all of it.
+struct ForestPart {
+    osgTreeWind::ForestDescription forest;
+    std::size_t wanted = 0; ///< Trees that are asked for, the first ones; others stand around them.
+};
+/// As loadForest(). @param margin metres around the tiles that matter to trees in them.
+std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles, double margin);
+/// How far trees shelter each other: upwind by twice their height, and as far again (CanopyOfTrees.h).
+constexpr double reachOfShelter = 200.0;

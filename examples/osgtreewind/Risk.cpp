@@ -39,17 +39,18 @@ struct Risk {
     std::vector<float> topWinds;
 };
 
-Risk riskOf(const RiskOptions& options, const PlacedForest& forest) {
+/// Of the first trees of the forest.
+Risk riskOf(const RiskOptions& options, const PlacedForest& forest, std::size_t count) {
     std::vector<double> speeds(std::begin(ladder), std::end(ladder));
     if (options.speed)
         speeds.push_back(*options.speed);
     const glm::vec3 toward = windVelocity({1.0, options.direction}, DirectionSense::From);
-    const ForestStorm storm(forest, toward, ThreadPool::executor());
-    Risk risk{std::vector<Storms>(forest.trees.size()), storm.topWinds()};
+    const ForestStorm storm(forest, toward, ThreadPool::executor(), count);
+    Risk risk{std::vector<Storms>(count), storm.topWinds()};
     Progress progress("storms", speeds.size());
     for (const double speed : speeds) { // of the same gusts, so that moments grow with the wind
         const std::vector<double> moments = storm.hourOf(speed, options.seed);
-        for (std::size_t slot = 0; slot < moments.size(); ++slot)
+        for (std::size_t slot = 0; slot < count; ++slot)
             risk.storms[slot][speed] = moments[slot];
         progress.advance();
     }
@@ -68,7 +69,7 @@ PointTable tableOf(const RiskOptions& options, const PlacedForest& forest, const
     table.numbers = {"height_m", "dbh_cm", "uproot_ms", "break_ms", "top_wind"};
     if (options.speed)
         table.numbers.insert(table.numbers.end(), {"uproot_ratio", "break_ratio"});
-    for (std::size_t slot = 0; slot < forest.trees.size(); ++slot) {
+    for (std::size_t slot = 0; slot < risk.storms.size(); ++slot) {
         const PlacedTree& tree = forest.trees[slot];
         const TreePlacement placement = forest.placementOf(slot);
         const TreeSize size = forest.measured(tree);
@@ -138,12 +139,12 @@ ExitCode run(const RiskOptions& options) {
                   << ", found something else\n";
         return BadInput;
     }
-    auto description = loadForest(options.file, options.tiles);
-    if (!description)
+    auto part = loadPart(options.file, options.tiles, reachOfShelter);
+    if (!part)
         return BadInput;
-    description->season = options.season.value_or(description->season);
-    const PlacedForest forest(std::move(*description));
-    return write(tableOf(options, forest, riskOf(options, forest)), options.output);
+    part->forest.season = options.season.value_or(part->forest.season);
+    const PlacedForest forest(std::move(part->forest));
+    return write(tableOf(options, forest, riskOf(options, forest, part->wanted)), options.output);
 }
 
 } // namespace

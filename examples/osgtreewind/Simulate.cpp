@@ -25,9 +25,11 @@ struct SimulateOptions {
     TileBox tiles;
 };
 
-void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time, bool tips) {
+/// Of the first trees.
+void writeFrame(std::FILE* out, const ForestSimulation& simulation, std::size_t count, double time,
+                bool tips) {
     UnitValues values;
-    for (std::size_t t = 0; t < simulation.trees().size(); ++t) {
+    for (std::size_t t = 0; t < count; ++t) {
         const PlacedTree& tree = simulation.trees()[t];
         const std::vector<BranchUnit>& units = simulation.models()[tree.model].skeleton.units;
         const TreeMotion motion = simulation.motion(t, values);
@@ -47,8 +49,10 @@ void writeFrame(std::FILE* out, const ForestSimulation& simulation, double time,
     }
 }
 
-void writeDamage(std::FILE* out, const ForestSimulation& simulation, double time) {
+void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t count, double time) {
     for (const TreeDamage& damage : simulation.damage()) {
+        if (simulation.slotOf(damage.tree) >= count)
+            continue;
         const PlacedTree& tree = simulation.trees()[simulation.slotOf(damage.tree)];
         const char* const kind = damage.kind == DamageKind::Snapped ? "snapped" : "uprooted";
         std::fprintf(out, "%.6g,%zu,%s,%s,%s,%u,%.6g,%.6g,%.6g,%.6g,%.6g\n", time,
@@ -61,9 +65,12 @@ void writeDamage(std::FILE* out, const ForestSimulation& simulation, double time
 }
 
 ExitCode simulate(const SimulateOptions& options) {
-    auto description = loadForest(options.file, options.tiles);
-    if (!description)
+    auto part = loadPart(options.file, options.tiles, reachOfShelter);
+    if (!part)
         return BadInput;
+    ForestDescription* const description = &part->forest;
+    if (description->windCanopy.source != CanopySource::Forest)
+        description->trees.resize(part->wanted); // nothing shelters them
     description->season = options.season.value_or(description->season);
     if (options.damage && description->law != MotionLaw::Modal) {
         std::cerr << options.file << ": --damage expects a forest under the law \"modal\"\n";
@@ -94,9 +101,9 @@ ExitCode simulate(const SimulateOptions& options) {
         const double time = static_cast<double>(frame) / options.fps;
         simulation.advance(time);
         if (options.damage)
-            writeDamage(out, simulation, time);
+            writeDamage(out, simulation, part->wanted, time);
         else
-            writeFrame(out, simulation, time, options.tips);
+            writeFrame(out, simulation, part->wanted, time, options.tips);
         progress.advance();
     }
     const bool failed = std::fflush(out) != 0 || std::ferror(out);

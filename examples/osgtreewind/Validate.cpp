@@ -13,7 +13,7 @@ void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
         auto forest = osgTreeWind::readForestFile(*file);
         osgTreeWind::Diagnostics problems = forest.problems();
         if (forest)
-            problems = loadTiles(forest.value());
+            problems = loadTiles(forest.value()).problems();
         if (problems.empty()) {
             for (const std::string& note : forest.value().notes)
                 std::cout << *file << ": note: " << note << '\n';

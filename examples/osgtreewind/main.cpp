@@ -43,25 +43,32 @@ void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles) {
         ->allow_extra_args(false);
 }
 
-std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file,
-                                                         const osgTreeWind::TileBox& tiles, bool withNodes) {
+std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles,
+                                   double margin) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
-    osgTreeWind::Diagnostics problems = forest.problems();
-    if (forest)
-        problems = loadTiles(forest.value(), tiles);
-    if (!problems.empty()) {
-        std::cerr << problems.front().text() << '\n';
-        return {};
-    }
-    if (const std::string problem =
-            withNodes ? osgTreeWind::problemOfMemory(forest.value(), true) : std::string();
-        !problem.empty()) {
-        std::cerr << file << ": " << problem << '\n';
+    osgTreeWind::Result<std::size_t> wanted = forest.problems().empty()
+                                                  ? loadTiles(forest.value(), tiles, margin)
+                                                  : osgTreeWind::Result<std::size_t>(forest.problems());
+    if (!wanted) {
+        std::cerr << wanted.problems().front().text() << '\n';
         return {};
     }
     for (const std::string& note : forest.value().notes)
         std::cerr << file << ": note: " << note << '\n';
-    return std::move(forest.value());
+    return ForestPart{std::move(forest.value()), wanted.value()};
+}
+
+std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file,
+                                                         const osgTreeWind::TileBox& tiles, bool withNodes) {
+    std::optional<ForestPart> part = loadPart(file, tiles, 0.0);
+    if (!part)
+        return {};
+    const std::string problem = withNodes ? osgTreeWind::problemOfMemory(part->forest, true) : std::string();
+    if (!problem.empty()) {
+        std::cerr << file << ": " << problem << '\n';
+        return {};
+    }
+    return std::move(part->forest);
 }
 
 int main(int argc, char** argv) {

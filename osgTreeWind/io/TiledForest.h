@@ -33,8 +33,11 @@ struct TileBox {
     std::uint32_t firstColumn = 0, firstRow = 0, lastColumn = ~0u, lastRow = ~0u;
 };
 
-/// Reads the trees of those tiles into the forest, which has no tiles then. From files, not from URLs.
-/// @return the problems; empty when all of them are there.
-OSGTREEWIND_EXPORT Diagnostics loadTiles(ForestDescription& forest, const TileBox& box = {});
+/// Reads the trees of those tiles into the forest, which has no tiles then, and keeps of its own trees those
+/// that stand there. From files, not from URLs.
+/// @param margin metres around the tiles, of which all trees come behind, for what they are to the others.
+/// @return how many trees of those tiles there are, which come first, or the problems.
+OSGTREEWIND_EXPORT Result<std::size_t> loadTiles(ForestDescription& forest, const TileBox& box = {},
+                                                 double margin = 0.0);
 
 } // namespace osgTreeWind

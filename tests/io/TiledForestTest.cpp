@@ -108,7 +108,7 @@ TEST(TiledForestTest, allTreesComeBack) {
     ASSERT_TRUE(world.tiles);
     EXPECT_EQ(world.tiles->treeCount(), 3000u);
     EXPECT_EQ(world.origin, forest.origin);
-    const Diagnostics problems = loadTiles(world);
+    const Diagnostics problems = loadTiles(world).problems();
     ASSERT_TRUE(problems.empty()) << problems.front().text();
     EXPECT_FALSE(world.tiles);
     ASSERT_EQ(world.trees.size(), 3000u);
@@ -128,10 +128,46 @@ TEST(TiledForestTest, treesWithoutAnIdAreCalledByTheirTile) {
         tree.name.clear();
     ASSERT_TRUE(writeTiledForest(forest, folder.path(), ofSize(1000.0)));
     ForestDescription world = worldOf(folder.path());
-    ASSERT_TRUE(loadTiles(world, {1, 1, 1, 1}).empty());
+    ASSERT_TRUE(loadTiles(world, {1, 1, 1, 1}));
     ASSERT_FALSE(world.trees.empty());
     for (std::size_t i = 0; i < world.trees.size(); ++i)
         EXPECT_EQ(world.trees[i].name, "1_1/" + std::to_string(i));
+}
+
+TEST(TiledForestTest, partsHaveEachTreeOnceAndThoseAroundThem) {
+    const TemporaryFolder folder;
+    const ForestDescription forest = variedForest(3000);
+    ASSERT_TRUE(writeTiledForest(forest, folder.path(), ofSize(500.0)));
+    ForestDescription edited = worldOf(folder.path());
+    TreePlacement own = forest.trees[0];
+    for (const double x : {680000.0, 690100.0, 700000.0}) { // two beyond the world's edge
+        own.position = {x, 5335100.0, 500.0};
+        own.name = "own " + std::to_string(edited.trees.size());
+        edited.trees.push_back(own);
+    }
+    std::map<std::string, int> met;
+    std::size_t count = 0;
+    for (const TileBox& box :
+         {TileBox{0, 0, 1, 3}, TileBox{2, 0, 2, 1}, TileBox{2, 2, 2, 3}, TileBox{3, 0, ~0u, ~0u}}) {
+        ForestDescription part = edited;
+        const Result<std::size_t> wanted = loadTiles(part, box, 200.0);
+        ASSERT_TRUE(wanted) << wanted.problems().front().text();
+        count += wanted.value();
+        for (std::size_t i = 0; i < part.trees.size(); ++i) {
+            const double x = (part.trees[i].position.x - 689500.0) / 500.0;
+            if (i < wanted.value())
+                ++met[part.trees[i].name];
+            else
+                EXPECT_TRUE(x >= box.firstColumn - 0.401 && x <= std::min(box.lastColumn, 9u) + 1.401) << x;
+        }
+        EXPECT_GT(part.trees.size(), wanted.value() + 50) << "there are some around";
+    }
+    EXPECT_EQ(count, 3003u);
+    EXPECT_EQ(met.size(), 3003u);
+    ForestDescription none = edited;
+    const Result<std::size_t> beyond = loadTiles(none, {6, 0, 7, 0});
+    ASSERT_FALSE(beyond);
+    EXPECT_EQ(beyond.problems().front().text(), "tiles: there are 6 columns and 4 rows of them, found 6,0");
 }
 
 TEST(TiledForestTest, theSameBytesWhateverTheThreads) {
@@ -256,7 +292,7 @@ TEST(TiledForestTest, aTileThatLacksTreesIsRefused) {
     std::string tile = textOf(world.tiles->fileOf(1));
     tile.erase(tile.rfind('\n', tile.size() - 2) + 1); // the last tree
     folder.write("tiles/1_0.trees", tile);
-    const Diagnostics problems = loadTiles(world);
+    const Diagnostics problems = loadTiles(world).problems();
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_NE(problems.front().text().find("1_0.trees: expected"), std::string::npos)
         << problems.front().text();

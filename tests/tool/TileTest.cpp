@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <random>
+#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -50,6 +53,56 @@ TEST(Tile, CutsWhatTheOtherCommandsRead) {
     EXPECT_EQ(again.err, start + ": its trees are in tiles already\n");
 }
 
+/// By id, cells by column.
+std::map<std::string, std::map<std::string, std::string>> rowsById(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string line, cell;
+    std::vector<std::string> columns;
+    std::map<std::string, std::map<std::string, std::string>> rows;
+    while (std::getline(lines, line)) {
+        std::istringstream cells(line);
+        std::map<std::string, std::string> row;
+        for (std::size_t i = 0; std::getline(cells, cell, ','); ++i)
+            if (rows.empty() && columns.size() == i && line.rfind("id,", 0) == 0)
+                columns.push_back(cell);
+            else
+                row[columns[i]] = cell;
+        if (!row.empty())
+            rows[row["id"]] = row;
+    }
+    return rows;
+}
+
+/// Trees on one side of a border shelter those on the other, in whichever part of the world they are asked
+/// for.
+TEST(Tile, PartsSayWhatTheWholeWorldDoes) {
+    const TemporaryFolder folder;
+    std::string stand = wood;
+    stand.replace(stand.find("area ="), std::string("area = [0, 0, 1000, 1000]").size(),
+                  "area = [0, 0, 120, 80]");
+    stand.replace(stand.find("400"), 3, "100");
+    const std::string world = folder.path() + "/world", start = world + "/world.treewind";
+    ASSERT_EQ(runTool({"tile", folder.write("wood.treewind", stand), "-o", world, "--size", "20"}).exitCode,
+              0);
+    const auto risk = [&](const std::vector<std::string>& tiles) {
+        std::vector<std::string> arguments = {"risk", start, "-o", folder.path() + "/risk.csv"};
+        arguments.insert(arguments.end(), tiles.begin(), tiles.end());
+        EXPECT_EQ(runTool(arguments).exitCode, 0);
+        return rowsById(contentOf(folder.path() + "/risk.csv"));
+    };
+    const auto whole = risk({});
+    auto parts = risk({"--tiles", "0,0,2,3"});
+    EXPECT_LT(parts.size(), 75u);
+    parts.merge(risk({"--tiles", "3,0,5,3"}));
+    ASSERT_EQ(whole.size(), 100u);
+    ASSERT_EQ(parts.size(), 100u);
+    for (const auto& [id, row] : whole) {
+        const double top = std::stod(row.at("top_wind"));
+        EXPECT_NEAR(std::stod(parts[id]["top_wind"]) / top, 1.0, 0.02) << id;
+        EXPECT_EQ(parts[id]["height_m"], row.at("height_m"));
+    }
+}
+
 TEST(Tile, RefusesTilesThatAreNone) {
     const TemporaryFolder folder;
     const std::string file = folder.write("wood.treewind", wood);
@@ -64,9 +117,13 @@ TEST(Tile, IsDoneWhollyOrNotAtAll) {
     const TemporaryFolder folder;
     const std::string file = folder.write("wood.treewind", wood), world = folder.path() + "/world",
                       start = world + "/world.treewind";
+    const auto begun = std::chrono::steady_clock::now();
+    ASSERT_EQ(runTool({"tile", file, "-o", world, "--size", "20"}).exitCode, 0);
+    const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - begun;
     std::mt19937 random(7);
+    std::uniform_real_distribution<double> moment(0.0, taken.count());
     int unfinished = 0;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 50; ++i) {
         const pid_t child = fork();
         if (child == 0) {
             if (!freopen("/dev/null", "w", stdout))
@@ -75,7 +132,7 @@ TEST(Tile, IsDoneWhollyOrNotAtAll) {
                   "20", nullptr);
             _exit(127);
         }
-        std::this_thread::sleep_for(std::chrono::microseconds(random() % 300000));
+        std::this_thread::sleep_for(std::chrono::duration<double, std::micro>(moment(random)));
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
         if (fs::exists(start))

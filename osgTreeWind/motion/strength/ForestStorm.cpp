@@ -27,7 +27,8 @@ std::shared_ptr<const CanopyMap> canopyAround(const std::vector<StandTree>& tree
 
 } // namespace
 
-ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor)
+ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor,
+                         std::size_t most)
     : _forest(forest), _toward(toward), _executor(executor) {
     std::vector<ModalTree> swaying;
     std::vector<StandTree> standing;
@@ -37,11 +38,13 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
             continue;
         const TreeModel& model = forest.modelOf(tree);
         const Species& species = forest.speciesOf(tree);
+        standing.emplace_back(model, tree.scale, species, tree.leaves, glm::vec2(tree.position));
+        if (slot >= most)
+            continue;
         _slots.push_back(slot);
         swaying.push_back(
             {{&model, &species, tree.scale, tree.leaves}, tree.position, tree.heading, ModalLevel::Far});
         _feet.emplace_back(swaying.back().form);
-        standing.emplace_back(model, tree.scale, species, tree.leaves, glm::vec2(tree.position));
     }
     _canopy = canopyAround(standing, forest.description().windCanopy);
     _resting = std::make_shared<const ModalMotion>(swaying, 1.0f, std::move(executor));

@@ -7,6 +7,7 @@
 #include <osgTreeWind/wind/CanopyMap.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -21,9 +22,11 @@ namespace osgTreeWind {
 class ForestStorm {
 public:
     /// @param forest must outlive it. @param toward of the wind, horizontal, of length 1.
-    ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor);
+    /// @param most of its trees sway, the first ones; the others shelter them.
+    ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor,
+                std::size_t most = std::numeric_limits<std::size_t>::max());
 
-    /// The largest moment at the foot of each tree in an hour, N m, by slot; 0 where no tree stands.
+    /// The largest moment at the foot of each tree in an hour, N m, by slot; 0 where none sways.
     /// @param speed m/s, above 0. @param seed of its gusts.
     std::vector<double> hourOf(double speed, std::uint32_t seed) const;
 
@@ -35,7 +38,7 @@ private:
     const PlacedForest& _forest;
     glm::vec3 _toward;
     Executor _executor;
-    std::vector<std::size_t> _slots; ///< Of the trees that stand.
+    std::vector<std::size_t> _slots; ///< Of the trees that sway.
     std::vector<FootMoment> _feet;
     std::shared_ptr<const ModalMotion> _resting; ///< Of the trees, in that order.
     std::shared_ptr<const CanopyMap> _canopy;
