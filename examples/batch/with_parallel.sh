@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The risk of all trees of a world by GNU parallel, a row of tiles a job. After a run that ended early: the same again.
+# Usage: with_parallel.sh WORLD FOLDER OUTPUT [RISK_OPTION...]
+set -euo pipefail
+here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
+world=$1 folder=$2 output=$3
+shift 3
+mkdir -p "$folder"
+rows=$(awk '$1 == "rows" { print $3; exit }' "$world")
+seq 0 $((rows - 1)) | OSGTREEWIND_THREADS=1 parallel --halt now,fail=1 "$here/row.sh" "$world" "$folder" {} "$@"
+"$here/merge.sh" "$world" "$folder" "$output"
