@@ -183,6 +183,7 @@ Executor ForestSimulation::executor() const {
 
 void ForestSimulation::reset() {
     _motion->reset();
+    _amongTrees->reset();
     if (_damage)
         _damage->reset();
     _time.reset();
@@ -199,7 +200,7 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
 }
 
 WindFieldPtr ForestSimulation::windHere() {
-    WindFieldPtr wind = _amongTrees->from(_wind->here(), _forest);
+    WindFieldPtr wind = _amongTrees->from(_wind->here(), _forest, *_time);
     if (_amongTrees->canopy() && _amongTrees->canopy() != _canopy) {
         _canopy = _amongTrees->canopy();
         _motion->standIn(*_canopy);

@@ -3,17 +3,23 @@
 
 #include <osgTreeWind/wind/CanopyWind.h>
 
+#include <cmath>
+
 namespace osgTreeWind {
 
 void WindAmongTrees::treeChanged(std::size_t slot) {
     if (slot < _trees.size())
         _trees[slot].reset();
-    _canopy.reset();
+    _changed = true;
 }
 
 void WindAmongTrees::allTreesChanged() {
     _trees.clear();
-    _canopy.reset();
+    _changed = true;
+}
+
+void WindAmongTrees::reset() {
+    *this = WindAmongTrees();
 }
 
 std::shared_ptr<const CanopyMap> WindAmongTrees::canopyOfForest(const PlacedForest& forest) {
@@ -35,16 +41,25 @@ std::shared_ptr<const CanopyMap> WindAmongTrees::canopyOfForest(const PlacedFore
                : canopyOf(alive, static_cast<float>(canopy.height), static_cast<float>(canopy.frontalArea));
 }
 
-WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest& forest) {
+WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest& forest, double time) {
     const WindCanopy& canopy = forest.description().windCanopy;
     if (!given || canopy.source == CanopySource::None)
         return given;
-    if (given == _given && _canopy)
-        return _met;
-    if (!_canopy)
-        _canopy = canopyOfForest(forest);
+    const bool waits = forest.description().tiles && std::abs(time - _madeAt) < patience;
+    if (!_canopy || (_changed && !waits)) {
+        const auto made = std::make_shared<CanopyMap>(*canopyOfForest(forest));
+        if (_usual.closure > 0.0f)
+            made->usual = _usual;
+        _usual = made->usual;
+        _canopy = made;
+        _changed = false;
+        _madeAt = time;
+        _given = nullptr;
+    }
+    if (given != _given)
+        _met =
+            std::make_shared<CanopyWind>(given, *_canopy, static_cast<float>(canopy.reference), canopy.seed);
     _given = given;
-    _met = std::make_shared<CanopyWind>(given, *_canopy, static_cast<float>(canopy.reference), canopy.seed);
     return _met;
 }
 

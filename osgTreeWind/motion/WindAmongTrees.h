@@ -14,21 +14,28 @@ namespace osgTreeWind {
 /// description asks for that (WindCanopy). One thread.
 class WindAmongTrees {
 public:
-    /// @param given null: calm. @return the same object while nothing changes.
-    WindFieldPtr from(const WindFieldPtr& given, const PlacedForest& forest);
+    /// @param given null: calm. @param time seconds. @return the same object while nothing changes.
+    WindFieldPtr from(const WindFieldPtr& given, const PlacedForest& forest, double time);
 
     /// The stands that the last wind was continued into; null: none yet, or it was left as given.
     const std::shared_ptr<const CanopyMap>& canopy() const { return _canopy; }
 
-    /// A tree has come, gone or changed: who shelters whom is worked out anew with the next wind.
+    /// A tree has come, gone or changed: who shelters whom is worked out anew with the next wind, or where
+    /// trees come and go by tiles, `patience` after the last time. Gusts stay what they are.
     void treeChanged(std::size_t slot);
+    static constexpr double patience = 5.0; ///< Seconds.
     void allTreesChanged();
+    /// As if nothing had been.
+    void reset();
 
 private:
     std::shared_ptr<const CanopyMap> canopyOfForest(const PlacedForest& forest);
 
     std::vector<std::optional<StandTree>> _trees; ///< By slot; none of those that changed.
-    std::shared_ptr<const CanopyMap> _canopy;     ///< Null: trees have changed.
+    std::shared_ptr<const CanopyMap> _canopy;     ///< Null: none yet.
+    bool _changed = true;                         ///< Trees have, since it was made.
+    double _madeAt = 0.0;                         ///< Seconds.
+    CanopyCell _usual;                            ///< Of the first one with trees: else gusts would jump.
     WindFieldPtr _given, _met;
 };
 

@@ -99,6 +99,30 @@ TEST(WindAmongTrees, TreesThatComeShelterTheOthers) {
     EXPECT_NEAR(meanLean(grown) / meanLean(sheltered), 1.0f, 1e-3f);
 }
 
+/// The wind goes on as it was where a stand elsewhere grows or falls, also after hours.
+TEST(WindAmongTrees, GustsDoNotJumpAsTreesComeAndGo) {
+    ForestDescription forest = stand(CanopySource::Forest, 40.0);
+    const double hours = 7200.0;
+    const auto windAt = [&](ForestSimulation& simulation, double time) {
+        simulation.advance(time);
+        glm::vec3 winds[64];
+        simulation.modal()->patchWinds(0, winds);
+        return winds[0];
+    };
+    ForestSimulation changed(forest), same(forest);
+    for (ForestSimulation* simulation : {&changed, &same})
+        windAt(*simulation, hours);
+    for (double x = 300.0; x < 400.0; x += 4.0) {
+        TreePlacement taller = spruceAt(x, 0.0);
+        taller.size.height = 35.0f;
+        ASSERT_TRUE(changed.addTree(taller));
+    }
+    for (int i = 1; i < 20; ++i) {
+        const glm::vec3 wind = windAt(same, hours + 0.1 * i);
+        EXPECT_LT(glm::length(windAt(changed, hours + 0.1 * i) - wind), 0.25f * glm::length(wind)) << i;
+    }
+}
+
 TEST(WindAmongTrees, AGivenStandSheltersASingleTree) {
     ForestSimulation given(stand(CanopySource::Given, 0.0)), open(stand(CanopySource::None, 0.0));
     EXPECT_LT(meanLean(given), 0.5f * meanLean(open));
