@@ -24,6 +24,10 @@ std::string ForestTiles::nameOf(std::size_t tile) const {
     return std::to_string(tile % columns) + '_' + std::to_string(tile / columns);
 }
 
+std::string ForestTiles::fileOf(std::size_t tile) const {
+    return folder + '/' + nameOf(tile) + ".trees";
+}
+
 std::optional<std::string> ForestTiles::fileOfId(const std::string& name) const {
     if (idFiles == 0)
         return {};

@@ -40,7 +40,7 @@ struct ForestTiles {
     /// "COLUMN_ROW".
     std::string nameOf(std::size_t tile) const;
     /// "FOLDER/COLUMN_ROW.trees"; TileTrees.h says what is in it.
-    std::string fileOf(std::size_t tile) const { return folder + '/' + nameOf(tile) + ".trees"; }
+    std::string fileOf(std::size_t tile) const;
     /// "FOLDER/all.crowns"; CrownSheet.h says what is in it.
     std::string fileOfCrowns() const { return folder + "/all.crowns"; }
     /// "FOLDER/N.ids"; TileIds.h says what is in it. Nothing where no tree has a name of its own.

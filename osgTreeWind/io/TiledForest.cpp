@@ -7,6 +7,7 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
+#include <osgTreeWind/io/TilesFlight.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -177,7 +178,7 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
             write(tile);
     for (const auto& [file, text] : ids)
         failed = failed || !writeWhole(file, text);
-    if (failed ||
+    if (failed || !writeWhole(folder + "/fly.path", flightOver(tiles, forest.origin)) ||
         !writeWhole(tiles.fileOfCrowns(), std::accumulate(crowns.begin(), crowns.end(), crownSheetHead())))
         return fileProblem(tiles.folder, "cannot be written");
     const std::string file = folder + "/world.treewind";

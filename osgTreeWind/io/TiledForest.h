@@ -19,7 +19,7 @@ struct TilingOptions {
 };
 
 /// Writes a forest as a folder that Forest draws a part of at a time (docs/worlds.md): `world.treewind` and
-/// `tiles/`. The same bytes whatever the threads.
+/// `tiles/`, and a flight over it for viewers, `fly.path`. The same bytes whatever the threads.
 ///
 /// `world.treewind` is taken away first and comes last: without it there is no world, and the same call makes
 /// one. Files of tiles that were there before and are none of it are removed.

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/quaternion.hpp>
+
 #include <cmath>
 #include <map>
 #include <random>
@@ -119,6 +121,34 @@ TEST(TiledForestTest, allTreesComeBack) {
         ASSERT_TRUE(same(bySeed[tree.seed], tree)) << tree.seed;
         EXPECT_TRUE(tree.name.empty() || bySeed[tree.seed].name == tree.name) << tree.name;
     }
+}
+
+TEST(TiledForestTest, aFlightOverItComesWithIt) {
+    const TemporaryFolder folder;
+    const auto tiles = writeTiledForest(variedForest(300), folder.path());
+    ASSERT_TRUE(tiles);
+    std::istringstream path(textOf(folder.path() + "/fly.path"));
+    double time = -1.0, next = 0.0;
+    glm::dvec3 eye(0.0), before(0.0);
+    glm::dquat rotation;
+    int count = 0;
+    for (; path >> next >> eye.x >> eye.y >> eye.z >> rotation.x >> rotation.y >> rotation.z >> rotation.w;
+         ++count, before = eye, time = next) {
+        EXPECT_GT(next, time);
+        const glm::dvec2 at = glm::dvec2(eye) + glm::dvec2(691000.0, 5334500.0); // the forest's origin
+        EXPECT_TRUE(at.x > 689500.0 && at.x < 692500.0 && at.y > 5334000.0 && at.y < 5336000.0);
+        EXPECT_GT(eye.z + 510.0, 560.0) << "above all feet";
+        const glm::dvec3 ahead = rotation * glm::dvec3(0.0, 0.0, -1.0),
+                         up = rotation * glm::dvec3(0.0, 1.0, 0.0);
+        EXPECT_LT(ahead.z, 0.0);
+        EXPECT_GT(up.z, 0.9);
+        if (count > 0) {
+            EXPECT_GT(glm::dot(glm::normalize(eye - before), ahead), 0.9) << "as it flies";
+        }
+    }
+    EXPECT_TRUE(path.eof());
+    EXPECT_GE(count, 24);
+    EXPECT_NEAR(time * 50.0, 4844.0, 200.0) << "once around an ellipse of 1000 m by 500 m";
 }
 
 TEST(TiledForestTest, treesWithoutAnIdAreCalledByTheirTile) {
