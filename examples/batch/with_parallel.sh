@@ -6,7 +6,6 @@ set -euo pipefail
 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 world=$1 folder=$2 output=$3
 shift 3
-mkdir -p "$folder"
-rows=$(awk '$1 == "rows" { print $3; exit }' "$world")
+rows=$("$here/begin.sh" "$world" "$folder" "$@")
 seq 0 $((rows - 1)) | OSGTREEWIND_THREADS=1 parallel --halt now,fail=1 "$here/row.sh" "$world" "$folder" {} "$@"
-"$here/merge.sh" "$world" "$folder" "$output"
+"$here/merge.sh" "$world" "$folder" "$output" "$rows"

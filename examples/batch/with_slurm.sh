@@ -7,9 +7,8 @@ set -euo pipefail
 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 world=$(realpath "$1") folder=$(realpath -m "$2") output=$(realpath -m "$3")
 shift 3
-mkdir -p "$folder"
-rows=$(awk '$1 == "rows" { print $3; exit }' "$world")
+rows=$("$here/begin.sh" "$world" "$folder" "$@")
 array=$(sbatch --parsable --job-name=risk --array="0-$((rows - 1))" --output="$folder/%a.log" --wrap \
     "OSGTREEWIND_THREADS=\$SLURM_CPUS_ON_NODE $(printf '%q ' "$here/row.sh" "$world" "$folder")\$SLURM_ARRAY_TASK_ID $(printf '%q ' "$@")")
 sbatch --parsable --job-name=merge --dependency="afterok:$array" --kill-on-invalid-dep=yes --output="$folder/merge.log" \
-    --wrap "$(printf '%q ' "$here/merge.sh" "$world" "$folder" "$output")"
+    --wrap "$(printf '%q ' "$here/merge.sh" "$world" "$folder" "$output" "$rows")"

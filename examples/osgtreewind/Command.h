@@ -25,6 +25,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode);
 void addWindCommand(CLI::App& app, ExitCode& exitCode);
 void addTileCommand(CLI::App& app, ExitCode& exitCode);
 void addCanopyCommand(CLI::App& app, ExitCode& exitCode);
+void addMergeCommand(CLI::App& app, ExitCode& exitCode);
 
 /// Adds --season: a word, number or date (species/Season.h).
 void addSeasonOption(CLI::App& command, std::optional<float>& season);
@@ -46,7 +47,5 @@ struct ForestPart {
     osgTreeWind::ForestDescription forest;
     std::size_t wanted = 0; ///< Trees that are asked for, the first ones; others stand around them.
 };
-/// As loadForest(). @param margin metres around the tiles that matter to trees in them.
-std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles, double margin);
-/// How far trees shelter each other: upwind by twice their height, and as far again (CanopyOfTrees.h).
-constexpr double reachOfShelter = 200.0;
+/// As loadForest(), with the trees around those tiles that shelter trees in them.
+std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles);

@@ -139,7 +139,7 @@ ExitCode run(const RiskOptions& options) {
                   << ", found something else\n";
         return BadInput;
     }
-    auto part = loadPart(options.file, options.tiles, reachOfShelter);
+    auto part = loadPart(options.file, options.tiles);
     if (!part)
         return BadInput;
     part->forest.season = options.season.value_or(part->forest.season);

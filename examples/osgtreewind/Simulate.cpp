@@ -65,7 +65,7 @@ void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t
 }
 
 ExitCode simulate(const SimulateOptions& options) {
-    auto part = loadPart(options.file, options.tiles, reachOfShelter);
+    auto part = loadPart(options.file, options.tiles);
     if (!part)
         return BadInput;
     ForestDescription* const description = &part->forest;

@@ -2,6 +2,7 @@
 #include "Command.h"
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <iostream>
@@ -43,12 +44,21 @@ void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles) {
         ->allow_extra_args(false);
 }
 
-std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles,
-                                   double margin) {
+namespace {
+
+/// How far trees shelter each other in a world that does not say how far its stands reach, metres.
+constexpr double usualShelter = 200.0;
+
+std::optional<ForestPart> load(const std::string& file, const osgTreeWind::TileBox& tiles,
+                               bool withThoseAround) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
-    osgTreeWind::Result<std::size_t> wanted = forest.problems().empty()
-                                                  ? loadTiles(forest.value(), tiles, margin)
-                                                  : osgTreeWind::Result<std::size_t>(forest.problems());
+    if (!forest) {
+        std::cerr << forest.problems().front().text() << '\n';
+        return {};
+    }
+    const osgTreeWind::WindCanopy& canopy = forest.value().windCanopy;
+    const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : usualShelter;
+    const auto wanted = loadTiles(forest.value(), tiles, withThoseAround ? shelter : 0.0);
     if (!wanted) {
         std::cerr << wanted.problems().front().text() << '\n';
         return {};
@@ -58,9 +68,15 @@ std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::T
     return ForestPart{std::move(forest.value()), wanted.value()};
 }
 
+} // namespace
+
+std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles) {
+    return load(file, tiles, true);
+}
+
 std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file,
                                                          const osgTreeWind::TileBox& tiles, bool withNodes) {
-    std::optional<ForestPart> part = loadPart(file, tiles, 0.0);
+    std::optional<ForestPart> part = load(file, tiles, false);
     if (!part)
         return {};
     const std::string problem = withNodes ? osgTreeWind::problemOfMemory(part->forest, true) : std::string();
@@ -101,6 +117,7 @@ int main(int argc, char** argv) {
     addWindCommand(app, exitCode);
     addCanopyCommand(app, exitCode);
     addTileCommand(app, exitCode);
+    addMergeCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -8,6 +8,7 @@
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TilesFlight.h>
+#include <osgTreeWind/motion/CanopyOfTrees.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -34,6 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double mostTiles = 10000.0, largestByDefault = 1000.0, treesByDefault = 2000.0, idsInFile = 5000.0;
+constexpr std::size_t treesForStands = 20000;
 
 /// Whole tiles that hold all trees, corners at multiples of their size.
 ForestTiles gridOver(const ForestDescription& forest, double size) {
@@ -113,6 +115,28 @@ std::map<std::string, std::string> idsOf(const ForestDescription& forest, Forest
     return files;
 }
 
+/// Of all trees, or of those of tiles all over the world.
+WindCanopy canopyOf(const ForestDescription& forest, const PlacedForest& shapes,
+                    const std::vector<std::vector<std::uint32_t>>& trees, const Executor& executor) {
+    const std::size_t every = (forest.trees.size() + treesForStands - 1) / treesForStands;
+    std::vector<const std::vector<std::uint32_t>*> tiles;
+    for (std::size_t tile = 0, met = 0; tile < trees.size(); ++tile)
+        if (!trees[tile].empty() && met++ % every == 0)
+            tiles.push_back(&trees[tile]);
+    std::vector<std::vector<StandTree>> stands(tiles.size());
+    executor(tiles.size(), [&](std::size_t i) {
+        for (const std::uint32_t index : *tiles[i])
+            if (const auto tree = shapes.fitted(forest.trees[index]))
+                stands[i].emplace_back(shapes.modelOf(*tree), tree->scale, shapes.speciesOf(*tree),
+                                       tree->leaves, glm::vec2(tree->position));
+    });
+    for (std::size_t i = 1; every == 1 && i < stands.size(); ++i) // no borders between tiles
+        std::move(stands[i].begin(), stands[i].end(), std::back_inserter(stands[0]));
+    if (every == 1)
+        stands.resize(1);
+    return withUsualStands(forest.windCanopy, stands);
+}
+
 /// Beside its place first: a file is whole or not there.
 bool writeWhole(const std::string& path, const std::string& text) {
     const std::string unfinished = path + ".part";
@@ -164,6 +188,8 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
     if (const std::string problem = clear(folder, tiles.folder); !problem.empty())
         return fileProblem(tiles.folder, problem);
     const PlacedForest shapes(world);
+    const Executor executor = options.executor ? options.executor : Executor(runInTurn);
+    world.windCanopy = canopyOf(forest, shapes, trees, executor);
     std::vector<std::string> crowns(trees.size());
     std::atomic<bool> failed = false;
     const auto write = [&](std::size_t tile) {
@@ -171,11 +197,7 @@ Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std:
             failed = true;
         crowns[tile] = crownSheetText(forest, shapes, trees[tile], tiles);
     };
-    if (options.executor)
-        options.executor(trees.size(), write);
-    else
-        for (std::size_t tile = 0; tile < trees.size(); ++tile)
-            write(tile);
+    executor(trees.size(), write);
     for (const auto& [file, text] : ids)
         failed = failed || !writeWhole(file, text);
     if (failed || !writeWhole(folder + "/fly.path", flightOver(tiles, forest.origin)) ||

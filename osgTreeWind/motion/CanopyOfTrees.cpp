@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace osgTreeWind {
 
@@ -21,7 +22,7 @@ constexpr float pi = 3.14159265f;
 /// et al. 1994, Gardiner et al. 1997): within two of a place that is two upwind.
 constexpr float reachInHeights = 2.0f;
 constexpr float cellsPerReach = 4.0f;
-constexpr int mostCells = 1 << 20;
+constexpr float mostCells = 0x1p20f, farthestCell = 0x1p23f;
 
 /// What trees around a place add up to, over the ground.
 struct StandSum {
@@ -77,50 +78,102 @@ CanopyCell cellOf(const StandSum& sum, float height, float frontalArea, float fa
     return cell;
 }
 
-/// Ground under the trees, in cells.
-struct StandGround {
-    float reach = 10.0f;
-    CanopyMap map;
+/// Of trees by their frontal area.
+struct MeanHeight {
+    float areas = 0.0f, heights = 0.0f;
 
-    explicit StandGround(const std::vector<StandTree>& trees) {
-        float area = 0.0f, heights = 0.0f;
-        glm::vec2 low = trees.front().place, high = low;
+    void add(const std::vector<StandTree>& trees) {
         for (const StandTree& tree : trees) {
-            area += tree.frontalArea;
+            areas += tree.frontalArea;
             heights += tree.frontalArea * tree.height;
-            low = glm::min(low, tree.place);
-            high = glm::max(high, tree.place);
         }
-        reach = std::max(area > 0.0f ? reachInHeights * heights / area : 0.0f, 2.0f);
-        const auto cellsAt = [&](float cell) {
-            const glm::vec2 count = glm::ceil((high - low + 2.0f * reach) / cell) + 1.0f;
-            map.cell = cell;
-            map.width = static_cast<int>(count.x);
-            map.length = static_cast<int>(count.y);
-            return count.x * count.y;
-        };
-        while (cellsAt(reach / cellsPerReach) > static_cast<float>(mostCells))
-            reach *= 1.5f;
-        map.corner = low - reach;
-        map.fetch = reach;
     }
+    /// How far stands of these trees reach, metres.
+    float reach() const { return areas > 0.0f ? reachInHeights * heights / areas : 0.0f; }
+};
 
-    /// Adds a tree to the ground around it, most to what is next to it.
-    void spread(const StandTree& tree, std::vector<StandSum>& sums) const {
-        const glm::vec2 at = (tree.place - map.corner) / map.cell;
-        const auto cells = static_cast<int>(std::ceil(reach / map.cell));
-        const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
-        for (int j = std::max(y - cells, 0); j <= std::min(y + cells + 1, map.length - 1); ++j)
-            for (int i = std::max(x - cells, 0); i <= std::min(x + cells + 1, map.width - 1); ++i) {
-                const glm::vec2 off = (glm::vec2(i, j) - at) * (map.cell / reach);
-                const float rest = 1.0f - off.x * off.x - off.y * off.y;
-                if (rest > 0.0f)
-                    sums[static_cast<std::size_t>(j) * static_cast<std::size_t>(map.width) +
-                         static_cast<std::size_t>(i)]
-                        .add(tree, 3.0f * rest * rest / (pi * reach * reach));
-            }
+/// Empty cells under the trees; larger ones where they would be too many.
+CanopyMap groundUnder(const std::vector<StandTree>& trees, float reach) {
+    glm::vec2 low = trees.front().place, high = low, first, count;
+    for (const StandTree& tree : trees) {
+        low = glm::min(low, tree.place);
+        high = glm::max(high, tree.place);
+    }
+    CanopyMap map;
+    map.fetch = std::max(reach, 2.0f);
+    const auto fits = [&] {
+        map.cell = map.fetch / cellsPerReach;
+        first = glm::floor((low - map.fetch) / map.cell);
+        count = glm::ceil((high + map.fetch) / map.cell) - first + 1.0f;
+        const glm::vec2 farthest = glm::max(glm::abs(first), glm::abs(first + count));
+        return count.x * count.y <= mostCells && std::max(farthest.x, farthest.y) <= farthestCell;
+    };
+    while (!fits())
+        map.fetch *= 1.5f;
+    map.first = first;
+    map.width = static_cast<int>(count.x);
+    map.length = static_cast<int>(count.y);
+    return map;
+}
+
+/// Adds a tree to the ground around it, most to what is next to it.
+void spread(const StandTree& tree, const CanopyMap& map, std::vector<StandSum>& sums) {
+    const glm::vec2 at = tree.place / map.cell;
+    const auto cells = static_cast<int>(cellsPerReach);
+    const glm::ivec2 place = glm::ivec2(glm::floor(at)) - map.first;
+    for (int j = std::max(place.y - cells, 0); j <= std::min(place.y + cells + 1, map.length - 1); ++j)
+        for (int i = std::max(place.x - cells, 0); i <= std::min(place.x + cells + 1, map.width - 1); ++i) {
+            const glm::vec2 off = (glm::vec2(map.first + glm::ivec2(i, j)) - at) / cellsPerReach;
+            const float rest = 1.0f - off.x * off.x - off.y * off.y;
+            if (rest > 0.0f)
+                sums[static_cast<std::size_t>(j) * static_cast<std::size_t>(map.width) +
+                     static_cast<std::size_t>(i)]
+                    .add(tree, 3.0f * rest * rest / (pi * map.fetch * map.fetch));
+        }
+}
+
+/// By where they stand, so that sums are the same in whatever order they are given.
+std::vector<const StandTree*> inOneOrder(const std::vector<StandTree>& trees) {
+    std::vector<const StandTree*> order(trees.size());
+    std::transform(trees.begin(), trees.end(), order.begin(), [](const StandTree& tree) { return &tree; });
+    std::sort(order.begin(), order.end(), [](const StandTree* a, const StandTree* b) {
+        return std::tie(a->place.y, a->place.x, a->height, a->frontalArea) <
+               std::tie(b->place.y, b->place.x, b->height, b->frontalArea);
+    });
+    return order;
+}
+
+/// The mean of stands, as far as there is one.
+struct UsualStand {
+    float weights = 0.0f, areas = 0.0f, heights = 0.0f;
+
+    float height() const { return heights / weights; }
+    float area() const { return areas / weights; }
+    void add(const UsualStand& other) {
+        weights += other.weights;
+        areas += other.areas;
+        heights += other.heights;
     }
 };
+
+/// Makes the cells of the ground under the trees.
+UsualStand fillCells(CanopyMap& map, const std::vector<StandTree>& trees) {
+    std::vector<StandSum> sums(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.length));
+    for (const StandTree* tree : inOneOrder(trees))
+        spread(*tree, map, sums);
+    UsualStand usual;
+    map.cells.reserve(sums.size());
+    for (const StandSum& sum : sums) {
+        map.cells.emplace_back();
+        if (!(sum.frontalArea > 0.0f))
+            continue;
+        const float height = sum.height / sum.frontalArea;
+        map.cells.back() = cellOf(sum, height, sum.frontalArea, 1.0f);
+        const float weight = map.cells.back().closure;
+        usual.add({weight, weight * sum.frontalArea, weight * height});
+    }
+    return usual;
+}
 
 } // namespace
 
@@ -145,31 +198,44 @@ StandTree::StandTree(const TreeModel& model, const TreeScale& scale, const Speci
     breezeStreamlining = foliage * species.wood.breezeStreamlining;
 }
 
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees) {
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, const WindCanopy& canopy) {
+    if (canopy.source == CanopySource::Given)
+        return canopyOf(trees, static_cast<float>(canopy.height), static_cast<float>(canopy.frontalArea));
     if (trees.empty())
         return std::make_shared<const CanopyMap>();
-    StandGround ground(trees);
-    CanopyMap& map = ground.map;
-    std::vector<StandSum> sums(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.length));
-    for (const StandTree& tree : trees)
-        ground.spread(tree, sums);
-    float weights = 0.0f, area = 0.0f, heights = 0.0f;
-    map.cells.reserve(sums.size());
-    for (const StandSum& sum : sums) {
-        map.cells.emplace_back();
-        if (!(sum.frontalArea > 0.0f))
-            continue;
-        const float height = sum.height / sum.frontalArea;
-        map.cells.back() = cellOf(sum, height, sum.frontalArea, 1.0f);
-        const float weight = map.cells.back().closure;
-        weights += weight;
-        area += weight * sum.frontalArea;
-        heights += weight * height;
+    MeanHeight mean;
+    if (!(canopy.reach > 0.0))
+        mean.add(trees);
+    CanopyMap map = groundUnder(trees, canopy.reach > 0.0 ? static_cast<float>(canopy.reach) : mean.reach());
+    const UsualStand usual = fillCells(map, trees);
+    if (usual.weights > 0.0f) {
+        map.usual.profile = CanopyProfile::over(
+            canopy.usualHeight > 0.0 ? static_cast<float>(canopy.usualHeight) : usual.height(),
+            canopy.usualFrontalArea > 0.0 ? static_cast<float>(canopy.usualFrontalArea) : usual.area());
     }
-    if (weights > 0.0f)
-        map.usual.profile = CanopyProfile::over(heights / weights, area / weights);
-    map.usual.closure = std::min(weights, 1.0f);
+    map.usual.closure = std::min(usual.weights, 1.0f);
     return std::make_shared<const CanopyMap>(std::move(map));
+}
+
+WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<StandTree>>& parts) {
+    MeanHeight mean;
+    for (const std::vector<StandTree>& part : parts)
+        mean.add(part);
+    UsualStand usual;
+    for (const std::vector<StandTree>& part : parts) {
+        if (part.empty())
+            continue;
+        CanopyMap map = groundUnder(part, mean.reach());
+        usual.add(fillCells(map, part));
+        for (const CanopyCell& cell : map.cells)
+            canopy.reference = std::max(canopy.reference, static_cast<double>(cell.profile.height));
+    }
+    canopy.reach = static_cast<double>(mean.reach());
+    if (usual.weights > 0.0f) {
+        canopy.usualHeight = static_cast<double>(usual.height());
+        canopy.usualFrontalArea = static_cast<double>(usual.area());
+    }
+    return canopy;
 }
 
 std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, float height,
@@ -182,6 +248,11 @@ std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, f
         cellOf(sum, height, frontalArea, sum.frontalArea > 0.0f ? frontalArea / sum.frontalArea : 0.0f);
     map->everywhere = true;
     return map;
+}
+
+double shelterReach(const WindCanopy& canopy) {
+    constexpr double crown = 20.0; // patches of a crown meet the wind beside its foot, in between four cells
+    return (2.0 + 2.0 / static_cast<double>(cellsPerReach)) * canopy.reach + crown;
 }
 
 } // namespace osgTreeWind

@@ -4,6 +4,7 @@
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/species/Species.h>
 #include <osgTreeWind/wind/CanopyMap.h>
+#include <osgTreeWind/wind/WindCanopy.h>
 
 #include <glm/vec2.hpp>
 
@@ -35,12 +36,20 @@ struct StandTree {
 ///
 /// A stand takes no more momentum out of the air than flows down into it: where crowns would, they shelter
 /// each other until the mean drag of the trees on the ground that is theirs is rho u*^2. That is solved at
-/// each wind, since crowns streamline.
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees);
+/// each wind, since crowns streamline. With the reach and the usual stand of `canopy` a place depends on the
+/// trees within shelterReach() of it alone, to the bit. @param canopy where given, one stand for all.
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, const WindCanopy& canopy = {});
 
 /// One stand that goes on to all sides, of trees like these. @param height of it, metres.
 /// @param frontalArea its index: m^2 over m^2 of ground.
 std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, float height,
                                           float frontalArea);
+
+/// Has parts of a forest take the stands of all of it. @param parts of it that stand for the whole: their
+/// trees.
+WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<StandTree>>& parts);
+
+/// How far trees matter to the wind at others, metres. @param canopy with a reach.
+double shelterReach(const WindCanopy& canopy);
 
 } // namespace osgTreeWind

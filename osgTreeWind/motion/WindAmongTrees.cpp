@@ -23,7 +23,6 @@ void WindAmongTrees::reset() {
 }
 
 std::shared_ptr<const CanopyMap> WindAmongTrees::canopyOfForest(const PlacedForest& forest) {
-    const WindCanopy& canopy = forest.description().windCanopy;
     _trees.resize(forest.trees.size());
     std::vector<StandTree> alive;
     alive.reserve(_trees.size());
@@ -36,9 +35,7 @@ std::shared_ptr<const CanopyMap> WindAmongTrees::canopyOfForest(const PlacedFore
                                  glm::vec2(tree.position));
         alive.push_back(*_trees[slot]);
     }
-    return canopy.source == CanopySource::Forest
-               ? canopyOf(alive)
-               : canopyOf(alive, static_cast<float>(canopy.height), static_cast<float>(canopy.frontalArea));
+    return canopyOf(alive, forest.description().windCanopy);
 }
 
 WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest& forest, double time) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/CanopyMap.h>
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 
 namespace osgTreeWind {
@@ -25,7 +27,7 @@ void CanopyMap::refer(float height) {
 float CanopyMap::crownsAt(const glm::vec2& place) const {
     if (everywhere)
         return usual.crowns;
-    const glm::vec2 at = (place - corner) / cell + 0.5f;
+    const glm::vec2 at = glm::floor(place / cell + 0.5f) - glm::vec2(first);
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width) &&
           at.y < static_cast<float>(length)))
         return 0.0f;
@@ -37,17 +39,18 @@ float CanopyMap::crownsAt(const glm::vec2& place) const {
 CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
     if (everywhere)
         return {usual.closure, usual.profile, usual.top, usual.shelterAt(speed)};
-    const glm::vec2 at = (place - corner) / cell;
+    // Places of a map do not depend on how far it goes: a part of a forest has the same cells as the whole.
+    const glm::vec2 middle = place / cell, low = glm::floor(middle), at = low - glm::vec2(first);
     CanopyAt sum;
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width - 1) &&
           at.y < static_cast<float>(length - 1)))
         return sum; // the outermost cells are open country too
     const auto x = static_cast<std::size_t>(at.x), y = static_cast<std::size_t>(at.y);
-    const float east = at.x - static_cast<float>(x), north = at.y - static_cast<float>(y);
+    const float east = middle.x - low.x, north = middle.y - low.y;
     const float shares[4] = {(1.0f - east) * (1.0f - north), east * (1.0f - north), (1.0f - east) * north,
                              east * north};
-    const CanopyCell* low = &cells[y * static_cast<std::size_t>(width) + x];
-    const CanopyCell* corners[4] = {low, low + 1, low + width, low + width + 1};
+    const CanopyCell* corner = &cells[y * static_cast<std::size_t>(width) + x];
+    const CanopyCell* corners[4] = {corner, corner + 1, corner + width, corner + width + 1};
     float top = 0.0f, shelter = 0.0f;
     for (int i = 0; i < 4; ++i) { // what a stand is like counts as far as there is one
         const float weight = shares[i] * corners[i]->closure;

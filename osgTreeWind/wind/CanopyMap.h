@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/wind/CanopyProfile.h>
 
+#include <glm/ext/vector_int2.hpp>
 #include <glm/vec2.hpp>
 
 #include <array>
@@ -37,8 +38,8 @@ struct CanopyAt {
 
 /// The stands of a forest from above: which one the air comes from at each place. Immutable once made.
 struct CanopyMap {
-    glm::vec2 corner{0.0f}; ///< Of the first cell's middle, metres.
-    float cell = 1.0f;      ///< Metres.
+    glm::ivec2 first{0}; ///< The first cell's middle, in cells from the origin.
+    float cell = 1.0f;   ///< Metres.
     int width = 0, length = 0;
     std::vector<CanopyCell> cells; ///< Eastward, then northward; those of no trees have closure 0.
     float reference = 0.0f;        ///< Where the wind is given, metres above the ground; see refer().

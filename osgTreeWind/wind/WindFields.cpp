@@ -88,6 +88,16 @@ const Fields& fieldsOf<WindCanopy>() {
         {"canopy_reference", at<&P::reference>, within(1, 1000),
          "height above the ground at which the wind is given; at least the top of the trees", "m"},
         {"canopy_seed", at<&P::seed>, {}, "one seed, one turbulence"},
+        {"canopy_reach", at<&P::reach>, within(0, 1000),
+         "how far around its middle a stand of the forest's own trees reaches; 0: twice their mean height. "
+         "`tile` writes it, so that parts of a world have the stands of the whole",
+         "m"},
+        {"canopy_usual_height", at<&P::usualHeight>, within(0, 150),
+         "height of the stand that gusts among the forest's own trees have their size and pace from; 0: the "
+         "mean of their stands. `tile` writes it, too",
+         "m"},
+        {"canopy_usual_frontal_area", at<&P::usualFrontalArea>, within(0, 20),
+         "frontal area index of that stand; 0: the mean of theirs"},
     };
     return fields;
 }

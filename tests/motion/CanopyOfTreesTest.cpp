@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace osgTreeWind;
@@ -107,6 +108,37 @@ TEST(CanopyOfTrees, NoTreesAreOpenCountryAndFarTreesFitIntoMemory) {
     EXPECT_EQ(canopyOf({})->at({0.0f, 0.0f}, 5.0f).closure, 0.0f);
     const auto map = canopyOf({treeAt(-1e5f, -1e5f), treeAt(1e5f, 1e5f)});
     EXPECT_LE(map->cells.size(), std::size_t(1) << 20);
+}
+
+/// What a part of a world has to agree with the whole in.
+void expectSame(const CanopyMap& part, const CanopyMap& whole, const glm::vec2& place) {
+    const CanopyAt a = part.at(place, 9.0f), b = whole.at(place, 9.0f);
+    EXPECT_EQ(a.closure, b.closure);
+    EXPECT_EQ(a.profile.height, b.profile.height);
+    EXPECT_EQ(a.profile.friction, b.profile.friction);
+    EXPECT_EQ(a.top, b.top);
+    EXPECT_EQ(a.shelter, b.shelter);
+}
+
+TEST(CanopyOfTrees, OfAPartOfAForestAreThoseOfTheWholeToTheBit) {
+    std::vector<StandTree> trees = plantation();
+    for (StandTree& tree : trees) // as uneven as a forest
+        tree.height += 4.0f * std::sin(tree.place.x) + 2.0f * std::sin(0.01f * tree.place.y);
+    for (float x = 500.0f; x < 800.0f; x += 7.0f)
+        trees.push_back(treeAt(x, 33.3f));
+    const WindCanopy canopy = withUsualStands({}, {trees});
+    EXPECT_NEAR(canopy.reach, 40.0, 4.0) << "twice the mean height";
+    std::vector<StandTree> around;
+    for (const StandTree& tree : trees)
+        if (static_cast<double>(std::abs(tree.place.x)) < shelterReach(canopy))
+            around.push_back(tree);
+    ASSERT_LT(around.size(), trees.size());
+    std::reverse(around.begin(), around.end());
+    const auto whole = canopyOf(trees, canopy), part = canopyOf(around, canopy);
+    for (float y = -150.0f; y < 150.0f; y += 11.0f)
+        expectSame(*part, *whole, {0.0f, y});
+    EXPECT_EQ(part->usual.profile.height, whole->usual.profile.height);
+    EXPECT_EQ(part->usual.profile.friction, whole->usual.profile.friction);
 }
 
 TEST(CanopyOfTrees, AGivenStandGoesOnToAllSides) {

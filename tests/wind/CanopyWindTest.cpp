@@ -139,7 +139,7 @@ TEST(CanopyWind, ACalmAboveIsACalmBelow) {
 std::shared_ptr<const CanopyMap> edge() {
     auto map = std::make_shared<CanopyMap>(*stand());
     map->everywhere = false;
-    map->corner = {-500.0f, -500.0f};
+    map->first = {-50, -50};
     map->cell = 10.0f;
     map->width = map->length = 100;
     map->cells.resize(10000);

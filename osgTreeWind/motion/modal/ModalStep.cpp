@@ -14,7 +14,6 @@ namespace {
 constexpr std::size_t lanes = TreeLanes::count;
 constexpr std::size_t blocksPerJob = 4;
 constexpr float longestNearStep = 1.0f / 30.0f; // seconds
-constexpr std::size_t turns = 16;               // into which steps of far trees are spread
 
 } // namespace
 
@@ -43,7 +42,8 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
         Group& group = _groups[g];
         const bool far = group.level != 0;
         for (std::uint32_t b = 0; b < group.waiting.size(); ++b) {
-            const double turn = interval * static_cast<double>((g / Archetype::levels + b) % turns) / turns;
+            const double turn = interval * static_cast<double>((g / Archetype::levels + b) % _turns) /
+                                static_cast<double>(_turns);
             const double to = far ? interval * std::floor((time - turn) / interval) + turn : time;
             const auto late = static_cast<float>(time - to);
             const float waited = group.waiting[b] + seconds;

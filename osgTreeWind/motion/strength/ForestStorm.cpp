@@ -17,10 +17,7 @@ constexpr double step = 0.2, settling = 60.0, hour = 3600.0; // seconds
 constexpr std::size_t batch = 256;
 
 std::shared_ptr<const CanopyMap> canopyAround(const std::vector<StandTree>& trees, const WindCanopy& canopy) {
-    const auto map = canopy.source == CanopySource::Given ? canopyOf(trees, static_cast<float>(canopy.height),
-                                                                     static_cast<float>(canopy.frontalArea))
-                                                          : canopyOf(trees);
-    auto referred = std::make_shared<CanopyMap>(*map);
+    auto referred = std::make_shared<CanopyMap>(*canopyOf(trees, canopy));
     referred->refer(static_cast<float>(canopy.reference));
     return referred;
 }
@@ -47,7 +44,9 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
         _feet.emplace_back(swaying.back().form);
     }
     _canopy = canopyAround(standing, forest.description().windCanopy);
-    _resting = std::make_shared<const ModalMotion>(swaying, 1.0f, std::move(executor));
+    auto resting = std::make_shared<ModalMotion>(swaying, 1.0f, std::move(executor));
+    resting->stepTogether();
+    _resting = std::move(resting);
 }
 
 std::vector<double> ForestStorm::hourOf(double speed, std::uint32_t seed) const {
