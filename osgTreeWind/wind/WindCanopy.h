@@ -22,8 +22,8 @@ struct WindCanopy {
     /// blended (Wieringa 1986); at least the canopy's top counts.
     double reference = 60.0;
     std::uint32_t seed = 1; ///< Of the turbulence.
-    /// Of a forest's own stands, metres: how far around its middle a stand reaches. 0: twice the mean height of
-    /// the trees that are there, which parts of a forest differ in.
+    /// Of a forest's own stands, metres: how far around its middle a stand reaches. 0: twice the mean height
+    /// of the trees that are there, which parts of a forest differ in.
     double reach = 0.0;
     /// Of the stand that the size and the pace of gusts among a forest's own trees go by: metres, and as
     /// `frontalArea`. 0: the mean of the stands that are there.

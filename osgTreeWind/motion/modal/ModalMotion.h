@@ -76,8 +76,7 @@ public:
     void meet(const WindField* wind, double time);
     /// Moves on by `seconds` > 0 to `time`; the wind goes evenly to what it is then.
     void step(const WindField* wind, double time, float seconds);
-    /// Has far trees step at the same times, so that none depends on which others there are. By default they
-    /// take turns, which spreads their work over frames.
+    /// Has far trees step together, so that none depends on the others; else they take turns over frames.
     void stepTogether() { _turns = 1; }
     /// Has these trees sway as if they had stood there for `seconds` up to `time`, others as they do.
     void runUp(const std::vector<std::size_t>& trees, const WindField* wind, double time, float seconds);
@@ -136,7 +135,7 @@ private:
     float _gain;
     InstructionSet _instructions = bestInstructionSet();
     bool _exact;
-    std::size_t _turns = 16; ///< Into which steps of far trees are spread.
+    std::size_t _turns = 16;                       ///< Into which steps of far trees are spread.
     std::map<ArchetypeRung, std::uint32_t> _rungs; ///< To an index of `_archetypes`.
     std::vector<std::shared_ptr<const Archetype>> _archetypes;
     std::vector<Group> _groups;       ///< Two for each archetype, one a level.
