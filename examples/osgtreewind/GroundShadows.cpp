@@ -20,6 +20,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -199,7 +200,8 @@ std::vector<glm::vec2> squares(int columns, int rows) {
 /// Hands on how far the trees lean, once they have moved.
 class LeanUpdate : public osg::NodeCallback {
 public:
-    LeanUpdate(const Forest& forest, DataTexture leans) : _forest(&forest), _leans(std::move(leans)) {}
+    LeanUpdate(const Forest& forest, DataTexture leans)
+        : _forest(&forest), _leans(std::move(leans)), _count(forest.getSimulation().trees().size()) {}
 
     void operator()(osg::Node* node, osg::NodeVisitor* visitor) override {
         traverse(node, visitor);
@@ -208,7 +210,7 @@ public:
             return;
         const ModalMotion* modal = forest->getSimulation().modal();
         const std::size_t trees = modal ? forest->getSimulation().trees().size() : 0;
-        for (std::size_t i = 0; i < trees; ++i) {
+        for (std::size_t i = 0; i < std::min(trees, _count); ++i) { // others have come since
             const glm::vec2 lean = modal->lean(i);
             _leans.data()[4 * i] = lean.x;
             _leans.data()[4 * i + 1] = lean.y;
@@ -221,6 +223,7 @@ public:
 private:
     osg::observer_ptr<const Forest> _forest;
     DataTexture _leans;
+    std::size_t _count; ///< Of trees that have a shadow.
 };
 
 } // namespace
@@ -245,6 +248,8 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     osg::ref_ptr<osg::Vec2Array> parts = new osg::Vec2Array;
     for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
         const PlacedTree& tree = simulation.trees()[i];
+        if (!tree.alive)
+            continue;
         const auto [found, first] = pictureOf.emplace(tree.model, pictures.size());
         if (first) {
             const Fall fall{turned(across, -tree.heading), turned(away, -tree.heading),
