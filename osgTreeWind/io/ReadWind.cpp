@@ -286,6 +286,8 @@ void readWind(TableReader& table, ForestReading& reading) {
     }
     RetimedWind::Clock clock;
     readFields(table, clock);
+    AdjustedWind::Adjustment adjustment;
+    readFields(table, adjustment);
     table.readChoice("frame", reading.forest.windFrame, windFrames());
     readFields(table, reading.forest.windCanopy);
     reading.forest.wind = kind(table, reading);
@@ -294,6 +296,8 @@ void readWind(TableReader& table, ForestReading& reading) {
         takeDate(date, table, reading, clock);
     if (reading.forest.wind && (clock.start != 0.0 || clock.scale != 1.0))
         reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, clock);
+    if (reading.forest.wind && (adjustment.strength != 1.0 || adjustment.turn != 0.0))
+        reading.forest.wind = std::make_shared<AdjustedWind>(reading.forest.wind, adjustment);
 }
 
 } // namespace osgTreeWind

@@ -35,6 +35,10 @@ public:
             return kind("file"), ofFiles(file->source());
         if (const auto retimed = dynamic_cast<const RetimedWind*>(&wind))
             return ofRetimed(*retimed);
+        if (const auto adjusted = dynamic_cast<const AdjustedWind*>(&wind)) {
+            const std::string problem = fields(adjusted->adjustment());
+            return problem.empty() ? write(*adjusted->inner()) : problem;
+        }
         return "a wind that no file can say: expected a uniform one, gusts, a grid, a series or one from a "
                "file, not a callable, streamed or moved one";
     }

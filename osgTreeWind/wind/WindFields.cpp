@@ -114,4 +114,15 @@ const Fields& fieldsOf<RetimedWind::Clock>() {
     return fields;
 }
 
+template <>
+const Fields& fieldsOf<AdjustedWind::Adjustment>() {
+    using P = AdjustedWind::Adjustment;
+    static const Fields fields = {
+        {"strength", at<&P::strength>, within(0, 10), "factor of all velocities"},
+        {"turn", at<&P::turn>, within(-360, 360), "turns all velocities clockwise, where they are",
+         "degrees"},
+    };
+    return fields;
+}
+
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Field.h>
+#include <osgTreeWind/wind/AdjustedWind.h>
 #include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
@@ -34,5 +35,7 @@ const Fields& fieldsOf<WindCanopy>();
 /// But for the plane.
 template <>
 const Fields& fieldsOf<RetimedWind::Clock>();
+template <>
+const Fields& fieldsOf<AdjustedWind::Adjustment>();
 
 } // namespace osgTreeWind

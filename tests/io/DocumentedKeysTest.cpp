@@ -173,6 +173,7 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     std::vector<std::string> rows;
     addRows<GustWind::Parameters>(rows, "wind");
     addRows<RetimedWind::Clock>(rows, "wind");
+    addRows<AdjustedWind::Adjustment>(rows, "wind");
     addRows<WindCanopy>(rows, "wind");
     const ForestDescription forest;
     addRows(rows, fieldsOfFile(), {{"", &forest}});

@@ -47,6 +47,9 @@ public:
         if (forest.wind && maybe(0.3))
             forest.wind = std::make_shared<RetimedWind>(
                 forest.wind, RetimedWind::Clock{number(within(-1e12, 1e12)), number(within(-1e6, 1e6))});
+        if (forest.wind && maybe(0.3))
+            forest.wind = std::make_shared<AdjustedWind>(
+                forest.wind, AdjustedWind::Adjustment{number(within(0, 10)), number(within(-360, 360))});
         return forest;
     }
 

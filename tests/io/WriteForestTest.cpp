@@ -64,6 +64,9 @@ struct Differences {
         if (const RetimedWind * x, *y; both(a, b, x, y)) {
             fields("wind.clock", x->clock(), y->clock());
             wind(x->inner(), y->inner());
+        } else if (const AdjustedWind * x, *y; both(a, b, x, y)) {
+            fields("wind.adjustment", x->adjustment(), y->adjustment());
+            wind(x->inner(), y->inner());
         } else if (const UniformWind * x, *y; both(a, b, x, y)) {
             compare("wind.velocity", x->velocity(), y->velocity());
         } else if (const GustWind * x, *y; both(a, b, x, y)) {
