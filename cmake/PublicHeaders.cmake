@@ -6,6 +6,7 @@ set(public_headers
     osgTreeWind/base/Export.h
     osgTreeWind/base/Result.h
     osgTreeWind/base/Span.h
+    osgTreeWind/controls/ForestHandler.h
     osgTreeWind/drawing/BranchTransform.h
     osgTreeWind/drawing/ForestDrawing.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h

@@ -26,6 +26,7 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode);
 void addTileCommand(CLI::App& app, ExitCode& exitCode);
 void addCanopyCommand(CLI::App& app, ExitCode& exitCode);
 void addMergeCommand(CLI::App& app, ExitCode& exitCode);
+void addViewCommand(CLI::App& app, ExitCode& exitCode);
 
 /// Adds --season: a word, number or date (species/Season.h).
 void addSeasonOption(CLI::App& command, std::optional<float>& season);

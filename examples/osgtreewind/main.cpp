@@ -118,6 +118,7 @@ int main(int argc, char** argv) {
     addCanopyCommand(app, exitCode);
     addTileCommand(app, exitCode);
     addMergeCommand(app, exitCode);
+    addViewCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

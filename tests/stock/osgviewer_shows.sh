@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Shows a file in a stock osgviewer on a virtual display: it has to end well, say nothing of warnings or errors,
-# and show moving pictures.
+# Shows a file in a stock osgviewer on a virtual display, or in the program and with the words of $viewer: it has to
+# end well, say nothing of warnings or errors, and show moving pictures.
 # Usage: osgviewer_shows.sh PLUGIN_FOLDER FILE [OSGVIEWER_OPTION...]      exit 77: not possible here
 set -euo pipefail
 folder=$1 file=$2
@@ -15,14 +15,14 @@ trap 'rm -rf "$work"' EXIT
 
 # Xvfb keeps its screen in a file, which is looked at while osgviewer runs.
 export OSG_LIBRARY_PATH=$folder OSG_RUN_FRAME_COUNT=${frames:-30} OSG_WINDOW="0 0 320 240"
-timeout 120 xvfb-run -a -s "-screen 0 320x240x24 -fbdir $work" osgviewer "$@" "$file" >"$work/said" 2>&1 &
-viewer=$!
+timeout 120 xvfb-run -a -s "-screen 0 320x240x24 -fbdir $work" ${viewer:-osgviewer} "$@" "$file" >"$work/said" 2>&1 &
+running=$!
 seen=""
-while kill -0 "$viewer" 2>/dev/null; do
+while kill -0 "$running" 2>/dev/null; do
     picture=$(md5sum "$work/Xvfb_screen0" 2>/dev/null) && seen+=$picture$'\n' # it comes and goes with Xvfb
     sleep 0.05
 done
-wait "$viewer" || { echo "failed: exit status $?"; cat "$work/said"; exit 1; }
+wait "$running" || { echo "failed: exit status $?"; cat "$work/said"; exit 1; }
 
 if grep -iE "warning|error" "$work/said"; then
     echo "failed: the lines above were said"

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/controls/ForestControls.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/controls/FormattedText.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/species/Season.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double frameTime = 1.0 / 30.0, slowest = 1.0 / 64.0; // seconds; over real time
+
+struct NamedLaw {
+    MotionLaw law;
+    const char* name;
+};
+constexpr std::array<NamedLaw, 4> laws{{{MotionLaw::Modal, "modal"},
+                                        {MotionLaw::Damped, "damped"},
+                                        {MotionLaw::Thesis, "thesis"},
+                                        {MotionLaw::ThesisSmooth, "thesis-smooth"}}};
+
+std::size_t indexOf(MotionLaw law) {
+    return static_cast<std::size_t>(
+        std::find_if(laws.begin(), laws.end(), [law](const NamedLaw& one) { return one.law == law; }) -
+        laws.begin());
+}
+
+/// A date within the year that the season is that of (Season.h).
+std::string dateText(float season) {
+    constexpr double daysInSeason = 365.0 / 4.0, midwinter = 34.0; // from the first of January
+    const auto day = static_cast<std::time_t>(midwinter + daysInSeason * static_cast<double>(season) + 0.5);
+    const std::time_t seconds = 86400 * day; // of 1970
+    std::tm date{};
+    gmtime_r(&seconds, &date);
+    char month[32];
+    std::strftime(month, sizeof month, "%B", &date);
+    return std::to_string(date.tm_mday) + ' ' + month;
+}
+
+} // namespace
+
+ForestControls::ForestControls(Forest* forest) : _forest(forest) {}
+
+void ForestControls::steer(const std::function<void(WindSteering&)>& change) {
+    if (!_forest.valid())
+        return;
+    _message.clear();
+    const WindFieldPtr now = _forest->getWind();
+    if (!_steers || now != _set) {
+        _given = now;
+        _steering = steeringOf(now);
+        _steers = true;
+    }
+    change(_steering);
+    _set = steered(_given, _steering);
+    _forest->setWind(_set, _forest->getWindFrame());
+}
+
+void ForestControls::changeSpeed(double metresPerSecond) {
+    steer([&](WindSteering& wind) { wind.strengthen(metresPerSecond); });
+}
+
+void ForestControls::turnWind(double degrees) {
+    steer([&](WindSteering& wind) { wind.turnClockwise(degrees); });
+}
+
+void ForestControls::changeGustiness(double by) {
+    steer([&](WindSteering& wind) { wind.changeGustiness(by); });
+}
+
+void ForestControls::restoreWind() {
+    if (_forest.valid() && _steers)
+        _forest->setWind(_given, _forest->getWindFrame());
+    _steers = false;
+    _message.clear();
+}
+
+void ForestControls::changeSeason(float seasons) {
+    if (_forest.valid())
+        _forest->setSeason(withinYear(0.01f * std::round(100.0f * (_forest->getSeason() + seasons))));
+}
+
+void ForestControls::grow(const std::function<void(ForestDescription&)>& change) {
+    if (!_forest.valid())
+        return;
+    ForestDescription description = _forest->getSimulation().describe();
+    change(description);
+    const Diagnostics problems = check(description);
+    _message = !problems.empty() ? problems.front().text() : BranchwiseForest::problemOf(description);
+    if (_message.empty())
+        _message = problemOfMemory(description, true);
+    if (_message.empty())
+        _forest->setDescription(std::move(description));
+}
+
+void ForestControls::nextLaw() {
+    grow([](ForestDescription& forest) { forest.law = laws[(indexOf(forest.law) + 1) % laws.size()].law; });
+}
+
+void ForestControls::changeGain(float factor) {
+    grow([factor](ForestDescription& forest) {
+        forest.gain = std::clamp(factor * std::max(forest.gain, 0.1f), 0.0f, 100.0f);
+    });
+}
+
+void ForestControls::switchDamage() {
+    grow([](ForestDescription& forest) { forest.damage = !forest.damage; });
+}
+
+void ForestControls::switchTiers() {
+    grow([](ForestDescription& forest) { forest.drawing.tiers = !forest.drawing.tiers; });
+}
+
+void ForestControls::step() {
+    _isPaused = true;
+    ++_steps;
+}
+
+void ForestControls::changePace(double factor) {
+    _pace = std::clamp(_pace * factor, slowest, 1.0 / slowest);
+}
+
+double ForestControls::simulationTime(double referenceTime) {
+    const double passed = _reference ? std::max(referenceTime - *_reference, 0.0) : 0.0;
+    _reference = referenceTime;
+    _time += _isPaused ? _steps * frameTime : passed * _pace;
+    _steps = 0;
+    return _time;
+}
+
+std::string ForestControls::windText() const {
+    const WindFieldPtr wind = _forest->getWind();
+    if (!wind)
+        return "calm";
+    const WindSteering steering = steeringOf(wind);
+    if (steering.isMadeUp)
+        return formatted("%.1f m/s from %.0f\xc2\xb0, gusts %.0f %%", steering.speed, steering.from,
+                         100.0 * steering.gustiness);
+    std::string text = "as given";
+    if (steering.strength != 1.0)
+        text += formatted(", times %.3g", steering.strength);
+    if (steering.turn != 0.0)
+        text += formatted(", turned by %.0f\xc2\xb0", steering.turn);
+    return text;
+}
+
+std::string ForestControls::text() const {
+    if (!_forest.valid())
+        return {};
+    const ForestDescription& forest = _forest->getDescription();
+    std::string text = "wind    " + windText() + "\nseason  " + dateText(_forest->getSeason()) +
+                       "\nlaw     " + laws[indexOf(forest.law)].name;
+    if (forest.gain != 1.0f)
+        text += ", gain " + numberText(std::round(100.0 * static_cast<double>(forest.gain)) / 100.0);
+    if (forest.damage)
+        text += ", with damage";
+    if (!forest.drawing.tiers)
+        text += ", all in full";
+    text += formatted("\ntime    %.1f s", _time);
+    if (_isPaused)
+        text += ", paused";
+    else if (_pace != 1.0)
+        text += formatted(", x %.3g", _pace);
+    return text;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/controls/ForestHandler.h>
+
+#include <osgTreeWind/controls/ForestControls.h>
+#include <osgTreeWind/controls/FormattedText.h>
+#include <osgTreeWind/controls/TextPanel.h>
+#include <osgTreeWind/controls/WatchedTree.h>
+#include <osgTreeWind/controls/WindArrows.h>
+#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/TreeHit.h>
+#include <osgTreeWind/drawing/stand/TreeStand.h>
+
+#include <osg/ApplicationUsage>
+#include <osg/View>
+#include <osgUtil/IntersectionVisitor>
+#include <osgUtil/LineSegmentIntersector>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+using Event = osgGA::GUIEventAdapter;
+
+struct Key {
+    int key;
+    const char *name, *does;
+    void (*act)(ForestControls&);
+};
+
+const Key keys[] = {
+    {Event::KEY_Up, "Up", "a stronger wind", [](ForestControls& f) { f.changeSpeed(1.0); }},
+    {Event::KEY_Down, "Down", "a weaker wind", [](ForestControls& f) { f.changeSpeed(-1.0); }},
+    {Event::KEY_Right, "Right", "turn the wind clockwise", [](ForestControls& f) { f.turnWind(15.0); }},
+    {Event::KEY_Left, "Left", "turn it back", [](ForestControls& f) { f.turnWind(-15.0); }},
+    {Event::KEY_Page_Up, "PageUp", "gustier", [](ForestControls& f) { f.changeGustiness(0.05); }},
+    {Event::KEY_Page_Down, "PageDown", "steadier", [](ForestControls& f) { f.changeGustiness(-0.05); }},
+    {'0', "0", "the wind that was given", [](ForestControls& f) { f.restoreWind(); }},
+    {']', "]", "later in the year", [](ForestControls& f) { f.changeSeason(0.1f); }},
+    {'[', "[", "earlier in the year", [](ForestControls& f) { f.changeSeason(-0.1f); }},
+    {'p', "p", "pause, and go on", [](ForestControls& f) { f.pause(); }},
+    {'n', "n", "a thirtieth of a second on", [](ForestControls& f) { f.step(); }},
+    {'+', "+", "time goes faster", [](ForestControls& f) { f.changePace(2.0); }},
+    {'-', "-", "time goes slower", [](ForestControls& f) { f.changePace(0.5); }},
+    {'m', "m", "the next law of motion", [](ForestControls& f) { f.nextLaw(); }},
+    {'g', "g", "half the answer to the wind", [](ForestControls& f) { f.changeGain(0.5f); }},
+    {'G', "G", "twice the answer to the wind", [](ForestControls& f) { f.changeGain(2.0f); }},
+    {'d', "d", "the wind brings down trees, or none", [](ForestControls& f) { f.switchDamage(); }},
+    {'v', "v", "far trees in full, or in tiers", [](ForestControls& f) { f.switchTiers(); }},
+};
+struct Switch {
+    int key;
+    const char *name, *does;
+};
+constexpr Switch arrowsKey{'a', "a", "arrows of the wind"}, panelKey{'i', "i", "the text at the left"},
+    helpKey{'h', "h", "these keys"};
+constexpr const char* clickName = "click";
+constexpr const char* clickDoes = "what a tree is, and how it sways";
+
+template <class Visit>
+void forEachKey(const Visit& visit) {
+    for (const Key& key : keys)
+        visit(key.name, key.does);
+    for (const Switch& key : {arrowsKey, panelKey, helpKey})
+        visit(key.name, key.does);
+    visit(clickName, clickDoes);
+}
+
+std::string helpText() {
+    std::string text;
+    forEachKey([&](const char* name, const char* does) {
+        text += formatted(text.empty() ? "%-9s %s" : "\n%-9s %s", name, does);
+    });
+    return text;
+}
+
+/// Into the forest's frame.
+osg::Matrix toForest(Forest& forest) {
+    const osg::NodePathList paths = forest.getParentalNodePaths();
+    return paths.empty() ? osg::Matrix() : osg::computeWorldToLocal(paths.front());
+}
+
+std::string drawnText(Forest& forest) {
+    std::string text = formatted("\ntrees   %zu", forest.getNumTrees());
+    if (!forest.getStand())
+        return text;
+    const auto listed = forest.getStand()->trees()->listedTrees();
+    const auto full = static_cast<std::size_t>(Tier::Full),
+               pictures = static_cast<std::size_t>(Tier::Impostor);
+    std::size_t boughs = 0, pictured = 0;
+    for (std::size_t tier = full + 1; tier < listed.size(); ++tier)
+        (tier < pictures ? boughs : pictured) += listed[tier];
+    return text +
+           formatted("; drawn %zu in full, %zu by boughs, %zu as pictures", listed[full], boughs, pictured);
+}
+
+} // namespace
+
+class ForestHandler::State {
+public:
+    explicit State(Forest* forest) : controls(forest), arrows(new WindArrows) {}
+
+    bool press(int key);
+    void pick(const Event& event, osg::View& view);
+    void refresh(double now, osg::View& view);
+
+    ForestControls controls;
+    TextPanel panel;
+    osg::ref_ptr<WindArrows> arrows;
+    std::optional<WatchedTree> watched;
+    const ForestSimulation* watchedIn = nullptr;
+    unsigned unit = 0;
+    float pushedX = 0.0f, pushedY = 0.0f;
+
+private:
+    void showArrows(Forest& forest, osg::View& view);
+    std::string statusText(Forest& forest) const;
+
+    bool _withText = true, _withHelp = false, _withArrows = false;
+    double _shownAt = -1.0, _frameTime = 0.0; ///< Seconds.
+    unsigned _frames = 0;                     ///< Since then.
+};
+
+bool ForestHandler::State::press(int key) {
+    _shownAt = -1.0;
+    const auto* found =
+        std::find_if(std::begin(keys), std::end(keys), [key](const Key& k) { return k.key == key; });
+    if (found != std::end(keys))
+        found->act(controls);
+    else if (key == arrowsKey.key)
+        _withArrows = !_withArrows;
+    else if (key == panelKey.key)
+        _withText = !_withText;
+    else if (key == helpKey.key)
+        _withHelp = !_withHelp;
+    else
+        return false;
+    return true;
+}
+
+void ForestHandler::State::pick(const Event& event, osg::View& view) {
+    constexpr float still = 3.0f; // pixels
+    Forest* forest = controls.forest();
+    if (std::abs(event.getX() - pushedX) > still || std::abs(event.getY() - pushedY) > still)
+        return; // the camera was moved
+    osg::ref_ptr<osgUtil::LineSegmentIntersector> line = new osgUtil::LineSegmentIntersector(
+        osgUtil::Intersector::PROJECTION, event.getXnormalized(), event.getYnormalized());
+    osgUtil::IntersectionVisitor visitor(line);
+    view.getCamera()->accept(visitor);
+    _shownAt = -1.0;
+    watched.reset();
+    for (const osgUtil::LineSegmentIntersector::Intersection& hit : line->getIntersections()) {
+        const auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get());
+        if (!tree || std::find(hit.nodePath.begin(), hit.nodePath.end(), forest) == hit.nodePath.end())
+            continue;
+        watchedIn = &forest->getSimulation();
+        watched.emplace(*watchedIn, tree->getTree());
+        unit = tree->getUnit(hit.primitiveIndex);
+        return;
+    }
+}
+
+std::string ForestHandler::State::statusText(Forest& forest) const {
+    std::string text = controls.text() + drawnText(forest) + formatted("\nframe   %.1f ms", 1e3 * _frameTime);
+    if (const std::string tree = watched ? watched->text(forest.getSimulation()) : ""; !tree.empty())
+        text += '\n' + tree;
+    if (!controls.message().empty())
+        text += "\nnot     " + controls.message();
+    return text + "\n\nh       keys";
+}
+
+void ForestHandler::State::showArrows(Forest& forest, osg::View& view) {
+    constexpr float most = 300.0f; // metres
+    if (!_withArrows) {
+        forest.removeChild(arrows);
+        return;
+    }
+    osg::Vec3d eye, centre, up;
+    view.getCamera()->getViewMatrixAsLookAt(eye, centre, up);
+    const osg::BoundingSphere& bound = forest.getBound();
+    const bool isAll = bound.radius() < most;
+    const osg::Vec3d middle = isAll ? osg::Vec3d(bound.center()) * toForest(forest) : eye * toForest(forest);
+    arrows->show(forest.getSimulation(), view.getFrameStamp()->getSimulationTime(),
+                 {static_cast<float>(middle.x()), static_cast<float>(middle.y())},
+                 isAll ? bound.radius() : most);
+    if (!forest.containsNode(arrows))
+        forest.addChild(arrows);
+}
+
+void ForestHandler::State::refresh(double now, osg::View& view) {
+    constexpr double patience = 0.2; // seconds
+    Forest& forest = *controls.forest();
+    if (const osg::Viewport* viewport = view.getCamera()->getViewport())
+        panel.setSize(static_cast<int>(viewport->width()), static_cast<int>(viewport->height()));
+    showArrows(forest, view);
+    if (watchedIn != &forest.getSimulation())
+        watched.reset(); // other trees are there
+    ++_frames;
+    if (_shownAt >= 0.0 && now - _shownAt < patience)
+        return;
+    if (_shownAt >= 0.0)
+        _frameTime = (now - _shownAt) / _frames;
+    panel.show(_withText ? statusText(forest) : "", _withHelp ? helpText() : "");
+    _shownAt = now;
+    _frames = 0;
+}
+
+ForestHandler::ForestHandler(Forest* forest) : _state(std::make_unique<State>(forest)) {}
+
+ForestHandler::~ForestHandler() = default;
+
+osg::Node* ForestHandler::getOverlay() const {
+    return _state->panel.camera();
+}
+
+double ForestHandler::simulationTime(double referenceTime) {
+    return _state->controls.simulationTime(referenceTime);
+}
+
+TreeId ForestHandler::getTree() const {
+    return _state->watched ? _state->watched->id() : noTree;
+}
+
+unsigned ForestHandler::getUnit() const {
+    return _state->unit;
+}
+
+bool ForestHandler::handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter& action) {
+    osg::View* view = action.asView();
+    if (event.getHandled() || !view || !_state->controls.forest())
+        return false;
+    switch (event.getEventType()) {
+    case Event::FRAME:
+        _state->refresh(event.getTime(), *view);
+        return false;
+    case Event::KEYDOWN:
+        return _state->press(event.getKey());
+    case Event::PUSH:
+        _state->pushedX = event.getX();
+        _state->pushedY = event.getY();
+        return false;
+    case Event::RELEASE:
+        if (event.getButton() == Event::LEFT_MOUSE_BUTTON)
+            _state->pick(event, *view);
+        return false;
+    default:
+        return false;
+    }
+}
+
+void ForestHandler::getUsage(osg::ApplicationUsage& usage) const {
+    forEachKey([&](const char* name, const char* does) {
+        usage.addKeyboardMouseBinding(std::string("Forest: ") + name, does);
+    });
+}
+
+} // namespace osgTreeWind

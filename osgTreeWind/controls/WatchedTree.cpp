@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/controls/WatchedTree.h>
+
+#include <osgTreeWind/controls/FormattedText.h>
+#include <osgTreeWind/motion/sway/CalmTree.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+WatchedTree::WatchedTree(const ForestSimulation& simulation, TreeId tree) : _tree(tree) {
+    if (!simulation.holds(tree))
+        return;
+    const std::size_t slot = simulation.slotOf(tree);
+    const PlacedForest& forest = simulation.forest();
+    const PlacedTree& placed = forest.trees[slot];
+    const Species& species = forest.speciesOf(placed);
+    const TreeSize size = forest.measured(placed);
+    const std::string name = simulation.nameOf(tree);
+    _what = "tree    " + (name.empty() ? std::to_string(slot) : name) + ", " + species.name +
+            formatted(": %.1f m high, trunk of %.0f cm, crown of %.1f m", static_cast<double>(size.height),
+                      100.0 * static_cast<double>(size.trunkDiameter), static_cast<double>(size.crownWidth));
+    if (!simulation.modal())
+        return;
+    TreePlacement alone = simulation.placementOf(tree);
+    alone.leaves = placed.leaves;
+    const CalmTree calm(species, alone);
+    _frequency = calm.modes().empty() ? 0.0 : calm.pace(0) / glm::two_pi<double>();
+    const SwayingTree form{&forest.modelOf(placed), &species, placed.scale, placed.leaves};
+    _foot.emplace(form);
+    _strength = TreeStrength(*form.model, form.scale, species);
+}
+
+std::string WatchedTree::swayText(const ForestSimulation& simulation) const {
+    if (!simulation.stands(_tree))
+        return "\nsway    it has come down";
+    const std::size_t slot = simulation.slotOf(_tree);
+    const ModalMotion& sway = *simulation.modal();
+    std::string text = formatted("\nsway    %.2f Hz, leans %.2f m", _frequency,
+                                 static_cast<double>(glm::length(sway.lean(slot))));
+    const double moment = _foot->of(sway, slot), uproot = _strength.uproot, breaking = _strength.breaking,
+                 limit =
+                     uproot > 0.0 && breaking > 0.0 ? std::min(uproot, breaking) : std::max(uproot, breaking);
+    text += formatted(", %.1f kN m at its foot", 0.001 * moment);
+    if (limit > 0.0)
+        text += formatted(" of %.0f that it bears", 0.001 * limit);
+    return text;
+}
+
+std::string WatchedTree::text(const ForestSimulation& simulation) const {
+    if (!simulation.holds(_tree))
+        return {};
+    return _foot && simulation.modal() ? _what + swayText(simulation) : _what;
+}
+
+} // namespace osgTreeWind

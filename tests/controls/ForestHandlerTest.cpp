@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include <tests/MessageCollector.h>
+#include <tests/nodes/ForestFixtures.h>
+
+#include <osgTreeWind/controls/ForestHandler.h>
+#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/nodes/TreeUnit.h>
+#include <osgTreeWind/wind/FunctionWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <osg/ApplicationUsage>
+#include <osgGA/GUIActionAdapter>
+#include <osgText/Text>
+#include <osgUtil/UpdateVisitor>
+#include <osgViewer/View>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace osgTreeWind;
+using Event = osgGA::GUIEventAdapter;
+
+namespace {
+
+/// A forest that nobody draws, and a person before it.
+class ForestHandlerTest : public testing::Test {
+protected:
+    explicit ForestHandlerTest(ForestDescription description = smallForest(3))
+        : forest(new Forest(std::move(description))), handler(new ForestHandler(forest)) {
+        view->setSceneData(forest);
+        view->getCamera()->setViewport(0, 0, 640, 480);
+        view->getCamera()->setProjectionMatrixAsPerspective(40.0, 640.0 / 480.0, 0.1, 1000.0);
+        view->getCamera()->setViewMatrixAsLookAt({0.0, -20.0, 2.5}, {0.0, 0.0, 2.5}, osg::Z_AXIS);
+        view->setFrameStamp(new osg::FrameStamp);
+    }
+    bool press(int key) {
+        osg::ref_ptr<Event> event = new Event;
+        event->setEventType(Event::KEYDOWN);
+        event->setKey(key);
+        return handler->handle(*event, *view);
+    }
+    void click(float x, float y, float draggedBy = 0.0f) {
+        for (const Event::EventType type : {Event::PUSH, Event::RELEASE}) {
+            osg::ref_ptr<Event> event = new Event;
+            event->setEventType(type);
+            event->setButton(Event::LEFT_MOUSE_BUTTON);
+            event->setInputRange(0.0f, 0.0f, 640.0f, 480.0f);
+            event->setX(x + (type == Event::RELEASE ? draggedBy : 0.0f));
+            event->setY(y);
+            handler->handle(*event, *view);
+        }
+    }
+    /// What is on the screen.
+    std::string shown() {
+        osg::ref_ptr<Event> event = new Event;
+        event->setEventType(Event::FRAME);
+        event->setTime(_now += 1.0);
+        handler->handle(*event, *view);
+        std::string text;
+        const osg::Group& overlay = *handler->getOverlay()->asGroup();
+        for (unsigned i = 0; i < overlay.getNumChildren(); ++i)
+            text +=
+                static_cast<const osgText::Text*>(overlay.getChild(i))->getText().createUTF8EncodedString();
+        return text;
+    }
+    bool shows(const std::string& words) { return shown().find(words) != std::string::npos; }
+
+    osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
+    osg::ref_ptr<Forest> forest;
+    osg::ref_ptr<ForestHandler> handler;
+
+private:
+    double _now = 0.0;
+};
+
+TEST_F(ForestHandlerTest, ArrowKeysSteerTheWind) {
+    ASSERT_TRUE(shows("wind    10.0 m/s from 270\xc2\xb0, gusts 0 %")) << shown();
+    EXPECT_TRUE(press(Event::KEY_Up));
+    EXPECT_TRUE(press(Event::KEY_Right));
+    const auto wind = std::dynamic_pointer_cast<const UniformWind>(forest->getWind());
+    ASSERT_TRUE(wind);
+    EXPECT_NEAR(wind->velocity().x, 11.0 * std::cos(osg::DegreesToRadians(15.0)), 1e-4);
+    EXPECT_NEAR(wind->velocity().y, -11.0 * std::sin(osg::DegreesToRadians(15.0)), 1e-4);
+    EXPECT_TRUE(shows("11.0 m/s from 285\xc2\xb0"));
+    press(Event::KEY_Page_Up);
+    EXPECT_TRUE(shows("gusts 5 %"));
+    press('0');
+    EXPECT_TRUE(shows("10.0 m/s from 270\xc2\xb0, gusts 0 %"));
+}
+
+TEST_F(ForestHandlerTest, AWindThatDiedDownComesBackFromWhereItBlew) {
+    press(Event::KEY_Right);
+    for (int i = 0; i < 12; ++i)
+        press(Event::KEY_Down);
+    EXPECT_TRUE(shows("wind    calm"));
+    EXPECT_EQ(forest->getWind(), nullptr);
+    press(Event::KEY_Up);
+    EXPECT_TRUE(shows("1.0 m/s from 285\xc2\xb0"));
+}
+
+TEST_F(ForestHandlerTest, TheWindOfAHostIsSteeredFromWhatItIs) {
+    press(Event::KEY_Up);
+    forest->setWind(
+        std::make_shared<FunctionWind>([](const glm::vec3&, double) { return glm::vec3(4, 0, 0); }));
+    press(Event::KEY_Down);
+    EXPECT_NEAR(forest->getWind()->velocity({}, 0.0).x, 3.6f, 1e-5f);
+    EXPECT_TRUE(shows("as given, times 0.9"));
+}
+
+TEST_F(ForestHandlerTest, TheYearGoesOn) {
+    ASSERT_TRUE(shows("season  6 August"));
+    for (int i = 0; i < 10; ++i)
+        press(']');
+    EXPECT_NEAR(forest->getSeason(), midautumn, 1e-5f);
+    EXPECT_TRUE(shows("5 November"));
+    for (int i = 0; i < 10; ++i)
+        press(']');
+    EXPECT_TRUE(shows("4 February")) << "past the end of the year";
+    press('[');
+    EXPECT_TRUE(shows("26 January"));
+}
+
+TEST_F(ForestHandlerTest, TimePausesStepsAndRuns) {
+    EXPECT_EQ(handler->simulationTime(100.0), 0.0) << "from now on";
+    EXPECT_EQ(handler->simulationTime(101.0), 1.0);
+    press('+');
+    EXPECT_EQ(handler->simulationTime(102.0), 3.0);
+    EXPECT_TRUE(shows("x 2"));
+    press('p');
+    EXPECT_EQ(handler->simulationTime(110.0), 3.0);
+    EXPECT_TRUE(shows("paused"));
+    press('n');
+    EXPECT_NEAR(handler->simulationTime(111.0), 3.0 + 1.0 / 30.0, 1e-12);
+    EXPECT_NEAR(handler->simulationTime(112.0), 3.0 + 1.0 / 30.0, 1e-12);
+    press('p');
+    press('-');
+    EXPECT_NEAR(handler->simulationTime(113.0), 4.0 + 1.0 / 30.0, 1e-12);
+    EXPECT_NEAR(handler->simulationTime(1.0), 4.0 + 1.0 / 30.0, 1e-12) << "a clock that was set back";
+}
+
+TEST_F(ForestHandlerTest, LawsFollowEachOtherInTheSameWind) {
+    press(Event::KEY_Up);
+    const WindFieldPtr wind = forest->getWind();
+    std::set<MotionLaw> seen;
+    for (int i = 0; i < 4; ++i) {
+        seen.insert(forest->getDescription().law);
+        press('m');
+    }
+    EXPECT_EQ(seen.size(), 4u);
+    EXPECT_EQ(forest->getDescription().law, MotionLaw::Modal);
+    EXPECT_EQ(forest->getNumTrees(), 3u);
+    EXPECT_EQ(forest->getWind(), wind);
+    press('G');
+    press('d');
+    EXPECT_EQ(forest->getDescription().gain, 2.0f);
+    EXPECT_TRUE(forest->getDescription().damage);
+    EXPECT_TRUE(shows("gain 2, with damage"));
+}
+
+TEST_F(ForestHandlerTest, WhatALawCannotDoIsSaidAndNotDone) {
+    press('d');
+    press('m'); // no law of a branch brings down trees
+    EXPECT_EQ(forest->getDescription().law, MotionLaw::Modal);
+    EXPECT_TRUE(shows("\nnot     ")) << shown();
+}
+
+TEST_F(ForestHandlerTest, AClickSaysWhatATreeIs) {
+    const osg::Vec3d foot(0.0, 0.0, 0.0), screen = (foot + osg::Vec3d(0.0, 0.0, 1.0)) *
+                                                   view->getCamera()->getViewMatrix() *
+                                                   view->getCamera()->getProjectionMatrix();
+    const auto x = static_cast<float>(320.0 * (1.0 + screen.x())),
+               y = static_cast<float>(240.0 * (1.0 + screen.y()));
+    click(x, y);
+    ASSERT_EQ(handler->getTree(), forest->getTrees()[0]);
+    EXPECT_LT(handler->getUnit(), forest->getUnits(handler->getTree()).size());
+    EXPECT_TRUE(shows("5.0 m high")) << shown();
+    EXPECT_TRUE(shows(" Hz, leans "));
+    click(x, y, 40.0f);
+    EXPECT_NE(handler->getTree(), noTree) << "the camera was turned";
+    click(10.0f, 470.0f);
+    EXPECT_EQ(handler->getTree(), noTree) << "the sky";
+    click(x, y);
+    ASSERT_TRUE(forest->removeTree(handler->getTree()).empty());
+    EXPECT_FALSE(shows("\ntree    "));
+}
+
+TEST_F(ForestHandlerTest, ArrowsComeAndGo) {
+    const unsigned before = forest->getNumChildren();
+    press('a');
+    shown();
+    EXPECT_EQ(forest->getNumChildren(), before + 1);
+    EXPECT_TRUE(forest->getChild(before)->getBound().valid());
+    press('a');
+    shown();
+    EXPECT_EQ(forest->getNumChildren(), before);
+}
+
+TEST_F(ForestHandlerTest, EveryKeyIsInTheHelpAndInTheUsage) {
+    EXPECT_FALSE(shows("PageDown"));
+    EXPECT_TRUE(press('h'));
+    const std::string help = shown();
+    const osg::ref_ptr<osg::ApplicationUsage> usage = new osg::ApplicationUsage;
+    handler->getUsage(*usage);
+    const auto& bindings = usage->getKeyboardMouseBindings();
+    EXPECT_GE(bindings.size(), 20u);
+    for (const auto& [key, does] : bindings)
+        EXPECT_NE(help.find(does), std::string::npos) << key;
+    press('i');
+    press('h');
+    EXPECT_EQ(shown(), "");
+}
+
+TEST_F(ForestHandlerTest, OtherKeysAreOthers) {
+    EXPECT_FALSE(press('s'));
+    EXPECT_FALSE(press(Event::KEY_Escape));
+}
+
+TEST_F(ForestHandlerTest, AForestThatIsGoneIsLeftAlone) {
+    view->setSceneData(nullptr);
+    forest = nullptr;
+    EXPECT_FALSE(press(Event::KEY_Up));
+    EXPECT_EQ(handler->simulationTime(1.0), 0.0);
+    EXPECT_EQ(handler->getTree(), noTree);
+}
+
+TEST_F(ForestHandlerTest, AnEmptyForestIsFine) {
+    forest->setDescription({});
+    for (const int key : {int(Event::KEY_Up), int('m'), int('a'), int('d'), int('h')})
+        press(key);
+    EXPECT_TRUE(shows("trees   0"));
+}
+
+} // namespace

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/AdjustedWind.h>
+#include <osgTreeWind/wind/FunctionWind.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindSteering.h>
+
+#include <glm/geometric.hpp>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+TEST(WindSteering, OfGustsKeepsWhatNobodySteers) {
+    GustWind::Parameters gusts;
+    gusts.mean = {0.0f, -6.0f, 0.0f}; // from the north
+    gusts.intensity = 0.3;
+    gusts.lengthScale = 44.0;
+    gusts.profile = LogProfile{12.0, 0.2};
+    gusts.seed = 9;
+    const WindFieldPtr given = GustWind::create(gusts).value();
+    WindSteering steering = steeringOf(given);
+    EXPECT_NEAR(steering.speed, 6.0, 1e-6);
+    EXPECT_NEAR(steering.from, 0.0, 1e-6);
+    EXPECT_EQ(steering.gustiness, 0.3);
+    steering.strengthen(2.0);
+    steering.turnClockwise(-90.0);
+    steering.changeGustiness(-0.1);
+    const auto wind = std::dynamic_pointer_cast<const GustWind>(steered(given, steering));
+    ASSERT_TRUE(wind);
+    const GustWind::Parameters& now = wind->parameters();
+    EXPECT_LT(glm::length(now.mean - glm::vec3(8.0f, 0.0f, 0.0f)), 1e-5f) << "from the west";
+    EXPECT_NEAR(now.intensity, 0.2, 1e-12);
+    EXPECT_EQ(now.lengthScale, 44.0);
+    EXPECT_EQ(now.profile->roughness, 0.2);
+    EXPECT_EQ(now.seed, 9u);
+}
+
+TEST(WindSteering, ACalmBeginsToBlowAndAWindDiesDown) {
+    WindSteering steering = steeringOf(nullptr);
+    EXPECT_EQ(steered(nullptr, steering), nullptr);
+    steering.strengthen(3.0);
+    const WindFieldPtr wind = steered(nullptr, steering);
+    ASSERT_TRUE(wind);
+    EXPECT_NEAR(wind->velocity(WindPlace(0.0f, 0.0f, 10.0f), 0.0).x, 3.0f, 1e-5f);
+    EXPECT_LT(wind->velocity(WindPlace(0.0f, 0.0f, 2.0f), 0.0).x, 2.5f) << "weaker near the ground";
+    steering.strengthen(-99.0);
+    EXPECT_EQ(steered(nullptr, steering), nullptr);
+}
+
+TEST(WindSteering, AUniformWindStaysOneUntilItIsGusty) {
+    const auto given = std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f));
+    WindSteering steering = steeringOf(given);
+    steering.strengthen(1.0);
+    EXPECT_TRUE(std::dynamic_pointer_cast<const UniformWind>(steered(given, steering)));
+    steering.changeGustiness(0.1);
+    EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(steered(given, steering)));
+}
+
+TEST(WindSteering, AnotherWindIsMadeStrongerAndTurned) {
+    const auto given =
+        std::make_shared<FunctionWind>([](const glm::vec3& p, double) { return glm::vec3(p.x, 0.0f, 0.0f); });
+    WindSteering steering = steeringOf(given);
+    EXPECT_FALSE(steering.isMadeUp);
+    for (int i = 0; i < 3; ++i)
+        steering.strengthen(1.0);
+    steering.turnClockwise(90.0);
+    const WindFieldPtr wind = steered(given, steering);
+    EXPECT_LT(glm::length(wind->velocity({10.0f, 0.0f, 0.0f}, 0.0) - glm::vec3(0.0f, -13.0f, 0.0f)), 1e-4f);
+    EXPECT_EQ(steeringOf(wind).strength, 1.3) << "not a hair more";
+    steering.strengthen(1.0);
+    const auto again = std::dynamic_pointer_cast<const AdjustedWind>(steered(wind, steering));
+    EXPECT_EQ(again->inner(), given) << "once, not twice";
+}
+
+} // namespace
