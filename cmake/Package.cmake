@@ -15,30 +15,36 @@ set_target_properties(osgdb_treewind osgdb_serializers_osgtreewind PROPERTIES IN
 
 function(install_export target export)
     install(TARGETS ${target} EXPORT ${export} ${ARGN}
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(EXPORT ${export} NAMESPACE osgTreeWind:: DESTINATION ${package_folder})
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+    install(EXPORT ${export} NAMESPACE osgTreeWind:: DESTINATION ${package_folder} COMPONENT development)
 endfunction()
-install_export(osgTreeWind osgTreeWindTargets FILE_SET HEADERS)
+install_export(osgTreeWind osgTreeWindTargets FILE_SET HEADERS COMPONENT development)
 foreach(backend OSMesa EGL)
     if(TARGET osgTreeWind::${backend})
         install_export(osgTreeWind${backend} osgTreeWind${backend}Targets)
     endif()
 endforeach()
 if(TARGET osgTreeWindHeadless)
-    install(TARGETS osgTreeWindHeadless LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS osgTreeWindHeadless LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/osgTreeWind COMPONENT tool)
 endif()
 
-install(DIRECTORY shaders DESTINATION ${data_folder} PATTERN CMakeLists.txt EXCLUDE)
-install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder})
-install(FILES examples/thesis.treewind examples/forest.treewind DESTINATION ${data_folder}/examples)
-install(FILES LICENSE docs/treewind.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY shaders DESTINATION ${data_folder} COMPONENT development
+    PATTERN CMakeLists.txt EXCLUDE)
+install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder} COMPONENT development)
+install(FILES examples/thesis.treewind examples/forest.treewind DESTINATION ${data_folder}/examples
+    COMPONENT tool)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 
 file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(cmake/osgTreeWind.pc.in osgTreeWind.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/osgTreeWind.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/osgTreeWind.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT development)
 
 configure_package_config_file(cmake/osgTreeWindConfig.cmake.in osgTreeWindConfig.cmake
     INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(osgTreeWindConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/osgTreeWindConfig.cmake ${PROJECT_BINARY_DIR}/osgTreeWindConfigVersion.cmake
-    cmake/OpenSceneGraphTarget.cmake cmake/FindOSMesa.cmake DESTINATION ${package_folder})
+    cmake/OpenSceneGraphTarget.cmake cmake/FindOSMesa.cmake DESTINATION ${package_folder} COMPONENT development)

@@ -227,8 +227,10 @@ void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("file", *file, "A .treewind file")->required();
     command->add_flag("--json", *json, "Print JSON");
     command->add_option("--trees", *trees, "Write every tree as it stands: a CSV file");
+    auto tiles = std::make_shared<TileBox>();
+    addTilesOption(*command, *tiles);
     command->callback([=, &exitCode] {
-        const auto forest = loadForest(*file);
+        const auto forest = loadForest(*file, *tiles);
         if (!forest) {
             exitCode = BadInput;
             return;

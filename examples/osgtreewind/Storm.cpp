@@ -232,17 +232,19 @@ ExitCode stormTable(const StormOptions& usual) {
     if (!table)
         return BadInput;
     std::vector<StormJob> jobs;
+    std::vector<std::string> ids;
     for (const CsvTable::Row& row : table->rows()) {
         StormOptions options = usual;
         if (!table->read(row, options) || !table->read(row, "spacing_m", 0.1, 1000.0, options.spacing) ||
             !table->read(row, "speed_ms", 0.0, 80.0, options.speed))
             return BadInput;
         jobs.emplace_back(options);
+        ids.push_back(table->hasIds() ? csvCell(table->id(row)) + ',' : "");
     }
     std::vector<std::string> rows(jobs.size());
     ThreadPool::executor()(jobs.size(),
-                           [&](std::size_t i) { rows[i] = rowOfTable(measured(jobs[i], nullptr)); });
-    std::string text = headOfTable();
+                           [&](std::size_t i) { rows[i] = ids[i] + rowOfTable(measured(jobs[i], nullptr)); });
+    std::string text = (table->hasIds() ? "id," : "") + headOfTable();
     for (const std::string& row : rows)
         text += row;
     if (usual.output.empty()) {
@@ -287,9 +289,11 @@ void addStormCommand(CLI::App& app, ExitCode& exitCode) {
     CLI::Option* const json = command->add_flag("--json", options->json, "Print an object instead of lines");
     command->add_flag("!--no-critical", options->critical, "Leave out critical winds, which take longest");
     command
-        ->add_option("--table", options->table,
-                     "CSV file of trees, put into storms on all processors: species, dbh_cm, height_m, "
-                     "crown_width_m, open, leaves, spacing_m, speed_ms; prints one of what --json says")
+        ->add_option(
+            "--table", options->table,
+            "CSV file of trees, put into storms on all processors: species, dbh_cm, height_m, "
+            "crown_width_m, open, leaves, spacing_m, speed_ms, or what info --trees writes; prints one of "
+            "what --json says")
         ->excludes(json);
     command->footer(
         "The trace: time (s), wind at the top (m/s), strain of the wood at the foot of the trunk, tilt of "

@@ -118,7 +118,8 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_flag("--json", options->json, "Print an object instead of a line");
     command->add_option(
         "--table", options->table,
-        "CSV file of trees: species, dbh_cm, height_m, crown_width_m, open, leaves; prints one "
+        "CSV file of trees: species, dbh_cm, height_m, crown_width_m, open, leaves, or what info --trees "
+        "writes; prints one "
         "with their frequencies and damping ratios");
     auto list = std::make_shared<bool>(false);
     command->add_flag("--list", *list, "List the built-in species and their sources");

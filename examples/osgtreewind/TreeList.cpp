@@ -24,7 +24,7 @@ std::string cell(float number) {
 
 bool writeTrees(const ForestDescription& forest, const std::string& path) {
     std::ofstream output(path, std::ios::binary);
-    output << "id,species,x,y,z,height,trunk_diameter,crown_width,given\n";
+    output << "id,species,x,y,z,height,trunk_diameter,crown_width,open,leaves,given\n";
     ForestDescription shapes = forest;
     shapes.trees.clear();
     const PlacedForest placed(std::move(shapes));
@@ -44,7 +44,8 @@ bool writeTrees(const ForestDescription& forest, const std::string& path) {
         write("height", tree.size.height, stands.height, estimated.height);
         write("trunk_diameter", tree.size.trunkDiameter, stands.trunkDiameter, estimated.trunkDiameter);
         write("crown_width", tree.size.crownWidth, stands.crownWidth, estimated.crownWidth);
-        output << ',' << (given.empty() ? "none" : given) << '\n';
+        output << ',' << tree.openGrown << ',' << cell(tree.leaves) << ',' << (given.empty() ? "none" : given)
+               << '\n';
         progress.advance();
     }
     return static_cast<bool>(output.flush());

@@ -21,15 +21,19 @@ std::optional<TreeTable> TreeTable::read(const std::string& path) {
 }
 
 bool TreeTable::read(const CsvTable::Row& row, OneTree& tree) const {
-    double open = tree.open ? 1.0 : 0.0;
-    const bool right = read(row, "dbh_cm", 0.1, 2000.0, tree.diameter) &&
-                       read(row, "height_m", 0.1, 150.0, tree.height) &&
-                       read(row, "crown_width_m", 0.1, 150.0, tree.crownWidth) &&
-                       read(row, "leaves", 0.0, 1.0, tree.leaves) && read(row, "open", 0.0, 1.0, open);
+    double open = tree.open ? 1.0 : 0.0, trunk = 0.01 * tree.diameter;
+    const bool right = read(row, "trunk_diameter", 0.001, 20.0, trunk) &&
+                       read(row, "height", 0.1, 150.0, tree.height) &&
+                       read(row, "crown_width", 0.1, 150.0, tree.crownWidth);
+    tree.diameter = 100.0 * trunk;
+    const bool alsoRight = read(row, "dbh_cm", 0.1, 2000.0, tree.diameter) &&
+                           read(row, "height_m", 0.1, 150.0, tree.height) &&
+                           read(row, "crown_width_m", 0.1, 150.0, tree.crownWidth) &&
+                           read(row, "leaves", 0.0, 1.0, tree.leaves) && read(row, "open", 0.0, 1.0, open);
     tree.open = open > 0.0;
     if (const std::string* name = cell(row, "species"))
         tree.species = *name;
-    return right;
+    return right && alsoRight;
 }
 
 bool TreeTable::read(const CsvTable::Row& row, const char* column, double low, double high,

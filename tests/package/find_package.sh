@@ -16,7 +16,7 @@ build() {
 }
 
 build -S "$here/../../examples/embed" -B "$work/build"
-LD_PRELOAD=$prefix/$library/libosgTreeWindHeadless.so:libOSMesa.so.8 \
+LD_PRELOAD=$prefix/$library/osgTreeWind/libosgTreeWindHeadless.so:libOSMesa.so.8 \
     "$work/build/osgtreewind-embed" --frames 5 | tee "$work/log"
 grep -qx "9 trees, 5 frames" "$work/log"
 

@@ -164,13 +164,13 @@ position = [428770, 4512931, 0]
     std::string header, first, second, third, none;
     std::getline(lines, header), std::getline(lines, first), std::getline(lines, second),
         std::getline(lines, third);
-    EXPECT_EQ(header, "id,species,x,y,z,height,trunk_diameter,crown_width,given");
+    EXPECT_EQ(header, "id,species,x,y,z,height,trunk_diameter,crown_width,open,leaves,given");
     EXPECT_EQ(
         first.find("\"the \"\"old\"\" one, by the gate\",oak,428759.1900000001,4512931.77,0.1,12.3,0.4,"), 0u)
         << first;
     EXPECT_NE(first.find(",height+trunk_diameter"), std::string::npos) << first;
     EXPECT_EQ(second.find(",Scots pine,428760,4512931,0,"), 0u) << second;
-    EXPECT_NE(second.find(",5.5,crown_width"), std::string::npos) << second;
+    EXPECT_NE(second.find(",5.5,0,1,crown_width"), std::string::npos) << second;
     EXPECT_NE(third.find(",none"), std::string::npos) << third;
     EXPECT_FALSE(std::getline(lines, none));
     double x = 0, y = 0, z = 0, height = 0, trunk = 0, crown = 0;

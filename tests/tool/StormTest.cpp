@@ -102,6 +102,29 @@ TEST(Storm, ATableStandsEveryTreeInItsStorm) {
     EXPECT_NE(text.find("\noak,40.0,18.0,"), std::string::npos) << text;
 }
 
+TEST(Storm, TakesTheTreesOfAPartOfAWorld) {
+    const TemporaryFolder folder;
+    folder.write("f.treewind",
+                 "version = 1\n"
+                 "[[tree]]\nid = \"a, b\"\nspecies = \"Sitka spruce\"\nposition = [5, 5]\nheight = 20\n"
+                 "trunk_diameter = 0.24\ncrown_width = 3.5\n"
+                 "[[tree]]\nspecies = \"oak\"\nposition = [25, 5]\nheight = 18\nopen_grown = true\n");
+    const auto ran = [&](const std::vector<std::string>& words) {
+        const Outcome outcome = runTool(words, folder.path());
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    };
+    ran({"tile", "f.treewind", "-o", "w", "--size", "10"});
+    ran({"info", "w/world.treewind", "--tiles", "0,0", "--trees", "trees.csv"});
+    ran({"storm", "--table", "trees.csv", "--duration", "30", "--speed", "6", "--no-critical", "-o",
+         "out.csv"});
+    const std::string text = contentOf(folder.path() + "/out.csv");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+    EXPECT_EQ(text.rfind("id,species,dbh_cm,", 0), 0u) << text;
+    const json one = stormOf({"--crown-width", "3.5", "--speed", "6", "--duration", "30", "--no-critical"});
+    EXPECT_NE(text.find("\n\"a, b\",Sitka spruce,24.0,20.0,3.5,"), std::string::npos) << text;
+    EXPECT_NE(text.find("," + one["moment"]["max"].dump() + ","), std::string::npos) << text << one.dump();
+}
+
 TEST(Storm, RefusesATableThatIsNone) {
     const TemporaryFolder folder;
     const std::string trees = folder.write("trees.csv", "species,speed_ms\noak,90\n");

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# Run by CPack on each package's tree before it is packed: what Debian wants of every package, and nothing that says where
+# libraries are, which the system knows.
+if(NOT CPACK_GENERATOR STREQUAL "DEB")
+    return()
+endif()
+file(GLOB trees LIST_DIRECTORIES true "${CPACK_TEMPORARY_DIRECTORY}/*")
+foreach(tree ${trees})
+    get_filename_component(component ${tree} NAME)
+    string(TOUPPER ${component} upper)
+    set(folder ${tree}/usr/share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+    file(MAKE_DIRECTORY ${folder})
+    file(READ ${CPACK_RESOURCE_FILE_LICENSE} licence)
+    file(WRITE ${folder}/copyright "${licence}")
+    string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+    file(WRITE ${folder}/changelog
+        "osgtreewind (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md of the sources.\n\n -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
+    execute_process(COMMAND gzip -9n ${folder}/changelog COMMAND_ERROR_IS_FATAL ANY)
+    file(GLOB_RECURSE files "${tree}/usr/bin/*" "${tree}/usr/lib/*")
+    foreach(file ${files})
+        if(NOT IS_SYMLINK ${file} AND NOT file MATCHES "\\.(a|cmake|pc)$")
+            file(RPATH_REMOVE FILE ${file})
+        endif()
+    endforeach()
+endforeach()

@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Debian packages of a build: lintian finds no error, each file is in one of them, they name what they need, and their
+# files, unpacked, show a forest in a stock osgviewer.
+# Usage: deb.sh BUILD_FOLDER LIBRARY_FOLDER      exit 77: not possible here
+set -euo pipefail
+build=$1 library=$2
+for program in cpack dpkg-shlibdeps lintian xvfb-run osgviewer; do
+    command -v "$program" >/dev/null || { echo "skipped: no $program (script/bootstrap test package)"; exit 77; }
+done
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export CPACK_COMPRESSION_TYPE=gzip
+cpack --config "$build/CPackConfig.cmake" -G DEB -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip -B "$work" >"$work/log" 2>&1 ||
+    { tail "$work/log"; exit 1; }
+lintian --fail-on error "$work"/*.deb >"$work/lintian" || { cat "$work/lintian"; exit 1; }
+root=$work/root
+for package in "$work"/*.deb; do
+    dpkg-deb --fsys-tarfile "$package" | tar -t | grep -v '/$' >>"$work/files"
+    dpkg-deb -x "$package" "$root"
+done
+twice=$(sort "$work/files" | uniq -d)
+[[ -z $twice ]] || { echo "deb: in two packages: $twice"; exit 1; }
+needs() { # PACKAGE WORD: whether its control file says so
+    dpkg-deb -f "$work"/"$1"_*.deb Depends | grep -q "$2" || { echo "deb: $1 does not depend on $2"; exit 1; }
+}
+needs libosgtreewind0.1 libopenscenegraph161
+needs libosgtreewind-dev "libosgtreewind0.1 (= "
+needs osgtreewind-plugin libosgtreewind0.1
+needs osgtreewind libosmesa6
+find "$root/usr/bin" "$root/usr/$library" -type f -exec sh -c 'readelf -d "$1" 2>/dev/null | grep -E "R(UN)?PATH" && echo "$1"' _ {} \; >"$work/paths"
+[[ ! -s $work/paths ]] || { cat "$work/paths"; echo "deb: the lines above say where libraries are"; exit 1; }
+unset OSG_FILE_PATH
+export LD_LIBRARY_PATH=$root/usr/$library
+OSG_LIBRARY_PATH=$root/usr/$library OSG_RUN_FRAME_COUNT=3 xvfb-run -a -s "-screen 0 320x240x24" \
+    osgviewer "$root/usr/share/osgTreeWind/examples/forest.treewind" >"$work/said" 2>&1 || { cat "$work/said"; exit 1; }
+! grep -iE "warning|error" "$work/said"
+"$root/usr/bin/osgtreewind" info "$root/usr/share/osgTreeWind/examples/forest.treewind" >/dev/null
+echo "passed: $(wc -l <"$work/files") files in $(ls "$work"/*.deb | wc -l) packages"
