@@ -32,7 +32,7 @@ endif()
 install(DIRECTORY shaders DESTINATION ${data_folder} COMPONENT development
     PATTERN CMakeLists.txt EXCLUDE)
 install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder} COMPONENT development)
-install(FILES examples/thesis.treewind examples/forest.treewind DESTINATION ${data_folder}/examples
+install(FILES examples/thesis.treewind examples/forest.treewind examples/helicopter.treewind DESTINATION ${data_folder}/examples
     COMPONENT tool)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)

@@ -64,6 +64,8 @@ set(public_headers
     osgTreeWind/wind/WindFrame.h
     osgTreeWind/wind/WindPlace.h
     osgTreeWind/wind/WindSeries.h
+    osgTreeWind/wind/WindSource.h
+    osgTreeWind/wind/WindWithSources.h
     osgTreeWind/windfiles/WindContent.h
     osgTreeWind/windfiles/WindFile.h
     osgTreeWind/windfiles/WindSeriesColumns.h)

@@ -6,7 +6,8 @@
 namespace osgTreeWind {
 
 /// `value` brought into [low, high]; NaN becomes `fallback`.
-inline float clampOr(float value, float low, float high, float fallback) {
+template <typename T>
+T clampOr(T value, T low, T high, T fallback) {
     if (std::isnan(value))
         return fallback;
     return value < low ? low : value > high ? high : value;

@@ -27,6 +27,14 @@ struct Clamp {
         *number = clampOr(*number, static_cast<float>(range.min), static_cast<float>(range.max),
                           **std::get_if<float*>(&usual));
     }
+    void operator()(double* number) const {
+        *number = clampOr(*number, range.min, range.max, **std::get_if<double*>(&usual));
+    }
+    void operator()(glm::dvec3* vector) const {
+        for (int i = 0; i < 3; ++i)
+            (*vector)[i] =
+                clampOr((*vector)[i], range.min, range.max, (**std::get_if<glm::dvec3*>(&usual))[i]);
+    }
     void operator()(const PartMember& part) const {
         clampFields(*part.fields, part.object, std::get_if<PartMember>(&usual)->object);
     }
@@ -43,17 +51,19 @@ struct Check {
 
     std::string key() const { return path.empty() ? field.key : path + '.' + field.key; }
     void add(const std::string& message) const { problems.push_back(keyProblem(key(), message)); }
-    void number(double value, const char* kind) const {
+    void number(double value, const char* kind, bool isAngle = false) const {
         if ((std::isfinite(value) && range.contains(value)) ||
             (!problems.empty() && problems.back().key == key()))
             return;
         const std::string limits = field.range.text();
         add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits) +
-            ", found " + numberText(field.degrees() ? static_cast<float>(glm::degrees(value)) : value));
+            ", found " + numberText(isAngle ? static_cast<float>(glm::degrees(value)) : value));
     }
 
     void operator()(const int* value) const { number(*value, "whole"); }
-    void operator()(const float* value) const { number(static_cast<double>(*value), "finite"); }
+    void operator()(const float* value) const {
+        number(static_cast<double>(*value), "finite", field.degrees());
+    }
     void operator()(const double* value) const { number(*value, "finite"); }
     template <typename T>
     void operator()(const glm::vec<3, T>* value) const {
@@ -132,16 +142,27 @@ Range memberRange(const Field& field) {
     return {end(field.range.min), end(field.range.max), field.range.aboveMin};
 }
 
+namespace {
+
+Range rangeOf(const Field& field, const Member& member) {
+    const bool isDouble =
+        std::holds_alternative<double*>(member) || std::holds_alternative<glm::dvec3*>(member);
+    return isDouble ? field.range : memberRange(field);
+}
+
+} // namespace
+
 void clampFields(const Fields& fields, void* owner, const void* usual) {
-    for (const Field& field : fields)
-        std::visit(Clamp{field, memberRange(field), field.of(usual)}, field.member(owner));
+    for (const Field& field : fields) {
+        const Member member = field.member(owner);
+        std::visit(Clamp{field, rangeOf(field, member), field.of(usual)}, member);
+    }
 }
 
 void checkFields(const Fields& fields, const void* owner, const std::string& path, Diagnostics& problems) {
     for (const Field& field : fields) {
         const Member member = field.of(owner);
-        const Range range = std::holds_alternative<double*>(member) ? field.range : memberRange(field);
-        std::visit(Check{field, range, path, problems}, member);
+        std::visit(Check{field, rangeOf(field, member), path, problems}, member);
     }
 }
 

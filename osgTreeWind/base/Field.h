@@ -46,7 +46,7 @@ struct Field {
     Member (*member)(void* owner); ///< Where it is in a struct.
     Range range;                   ///< Of a number, in `unit`.
     std::string doc;               ///< What it is, for the manual.
-    std::string unit{};            ///< As in the manual; of "degrees" the member is in radians.
+    std::string unit{};            ///< As in the manual; of "degrees" a float is in radians, a double is not.
     std::vector<std::pair<std::string, int>> words{}; ///< Of an enum, with their values.
 
     bool degrees() const { return unit == "degrees"; }

@@ -8,6 +8,7 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ std::size_t indexOf(MotionLaw law) {
 /// A date within the year that the season is that of (Season.h).
 std::string dateText(float season) {
     constexpr double daysInSeason = 365.0 / 4.0, midwinter = 34.0; // from the first of January
-    const auto day = static_cast<std::time_t>(midwinter + daysInSeason * static_cast<double>(season) + 0.5);
+    const std::time_t day = std::lround(midwinter + daysInSeason * static_cast<double>(season));
     const std::time_t seconds = 86400 * day; // of 1970
     std::tm date{};
     gmtime_r(&seconds, &date);
@@ -83,6 +84,27 @@ void ForestControls::restoreWind() {
         _forest->setWind(_given, _forest->getWindFrame());
     _steers = false;
     _message.clear();
+}
+
+void ForestControls::switchHelicopter(const glm::dvec3& hub) {
+    if (!_forest.valid())
+        return;
+    WindSource helicopter; // a Super Puma's rotor
+    helicopter.position = hub;
+    helicopter.radius = 7.8;
+    helicopter.thrust = 70000.0;
+    const WindFieldPtr now = _forest->getWind();
+    const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(now);
+    std::vector<WindSource> sources = sourced ? sourced->sources() : std::vector<WindSource>();
+    _hovers = !(_hovers && !sources.empty() && sources.back().kind == WindSource::Kind::Rotor);
+    if (_hovers)
+        sources.push_back(helicopter);
+    else
+        sources.pop_back();
+    WindFieldPtr wind = sourced ? sourced->wind() : now;
+    if (!sources.empty())
+        wind = std::make_shared<WindWithSources>(std::move(wind), std::move(sources));
+    _forest->setWind(wind, _forest->getWindFrame());
 }
 
 void ForestControls::changeSeason(float seasons) {
@@ -140,18 +162,21 @@ double ForestControls::simulationTime(double referenceTime) {
 
 std::string ForestControls::windText() const {
     const WindFieldPtr wind = _forest->getWind();
-    if (!wind)
-        return "calm";
+    const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(wind);
+    const std::string sources = sourced ? formatted(" and %zu sources", sourced->sources().size()) : "";
+    if (!(sourced ? sourced->wind() : wind))
+        return "calm" + sources;
     const WindSteering steering = steeringOf(wind);
     if (steering.isMadeUp)
         return formatted("%.1f m/s from %.0f\xc2\xb0, gusts %.0f %%", steering.speed, steering.from,
-                         100.0 * steering.gustiness);
+                         100.0 * steering.gustiness) +
+               sources;
     std::string text = "as given";
     if (steering.strength != 1.0)
         text += formatted(", times %.3g", steering.strength);
     if (steering.turn != 0.0)
         text += formatted(", turned by %.0f\xc2\xb0", steering.turn);
-    return text;
+    return text + sources;
 }
 
 std::string ForestControls::text() const {

@@ -27,6 +27,10 @@ public:
     /// The one it had when it was last set by somebody else.
     void restoreWind();
 
+    /// Has a helicopter of seven tonnes hover there; takes it away where one does. @param hub in the frame
+    /// that the wind is given in.
+    void switchHelicopter(const glm::dvec3& hub);
+
     void changeSeason(float seasons); ///< Season.h
 
     // Trees are put up anew for these, at rest, as they are by now.
@@ -57,7 +61,8 @@ private:
     WindSteering _steering;
     bool _isPaused = false;
     double _pace = 1.0, _time = 0.0;
-    int _steps = 0; ///< That wait.
+    int _steps = 0;       ///< That wait.
+    bool _hovers = false; ///< The last source of the wind, unless somebody has set another.
     std::optional<double> _reference;
     std::string _message;
 };

@@ -9,6 +9,7 @@
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/gpu/OsgConversions.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/View>
@@ -54,7 +55,8 @@ struct Switch {
     int key;
     const char *name, *does;
 };
-constexpr Switch arrowsKey{'a', "a", "arrows of the wind"}, panelKey{'i', "i", "the text at the left"},
+constexpr Switch helicopterKey{'r', "r", "a helicopter over the tree that was clicked, or none"},
+    arrowsKey{'a', "a", "arrows of the wind"}, panelKey{'i', "i", "the text at the left"},
     helpKey{'h', "h", "these keys"};
 constexpr const char* clickName = "click";
 constexpr const char* clickDoes = "what a tree is, and how it sways";
@@ -63,7 +65,7 @@ template <class Visit>
 void forEachKey(const Visit& visit) {
     for (const Key& key : keys)
         visit(key.name, key.does);
-    for (const Switch& key : {arrowsKey, panelKey, helpKey})
+    for (const Switch& key : {helicopterKey, arrowsKey, panelKey, helpKey})
         visit(key.name, key.does);
     visit(clickName, clickDoes);
 }
@@ -115,12 +117,14 @@ public:
     float pushedX = 0.0f, pushedY = 0.0f;
 
 private:
+    void hover();
     void showArrows(Forest& forest, osg::View& view);
     std::string statusText(Forest& forest) const;
 
     bool _withText = true, _withHelp = false, _withArrows = false;
     double _shownAt = -1.0, _frameTime = 0.0; ///< Seconds.
     unsigned _frames = 0;                     ///< Since then.
+    osg::Vec3d _hub{0.0, 0.0, 40.0};          ///< Of a helicopter, in the wind's frame.
 };
 
 bool ForestHandler::State::press(int key) {
@@ -129,6 +133,8 @@ bool ForestHandler::State::press(int key) {
         std::find_if(std::begin(keys), std::end(keys), [key](const Key& k) { return k.key == key; });
     if (found != std::end(keys))
         found->act(controls);
+    else if (key == helicopterKey.key)
+        hover();
     else if (key == arrowsKey.key)
         _withArrows = !_withArrows;
     else if (key == panelKey.key)
@@ -138,6 +144,20 @@ bool ForestHandler::State::press(int key) {
     else
         return false;
     return true;
+}
+
+void ForestHandler::State::hover() {
+    constexpr double clearance = 15.0; // metres above the top of the tree
+    Forest& forest = *controls.forest();
+    const ForestSimulation& simulation = forest.getSimulation();
+    if (watched && simulation.holds(watched->id())) {
+        const PlacedTree& tree = simulation.forest().trees[simulation.slotOf(watched->id())];
+        _hub = toOsg(tree.position);
+        _hub.z() += static_cast<double>(simulation.forest().measured(tree).height) + clearance;
+        if (forest.getWindFrame() == WindFrame::Scene)
+            _hub = _hub * osg::Matrix::inverse(toForest(forest));
+    }
+    controls.switchHelicopter({_hub.x(), _hub.y(), _hub.z()});
 }
 
 void ForestHandler::State::pick(const Event& event, osg::View& view) {

@@ -13,6 +13,7 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <algorithm>
@@ -255,6 +256,29 @@ void takeDate(const std::string& text, TableReader& table, const ForestReading& 
         clock.start = *date - *reading.windDate;
 }
 
+/// One [[wind.source]].
+WindSource readSource(TableReader& table, const ForestReading& reading) {
+    WindSource source;
+    readFields(table, source);
+    const auto readVector = [&](const char* key, glm::dvec3& vector, const glm::dvec3& zero) {
+        std::vector<double> numbers;
+        const Range& range =
+            fieldAt(fieldsOf<WindSource>(), key == std::string("velocity") ? key : "place").range;
+        if (table.readNumbers(key, numbers, 3, 3, range))
+            vector = glm::dvec3(numbers[0], numbers[1], numbers[2]) - zero;
+    };
+    readVector("velocity", source.velocity, glm::dvec3(0.0));
+    readVector("place", source.position, glm::dvec3(0.0));
+    readVector("position", source.position, reading.forest.origin);
+    if (!table.has("kind"))
+        table.missing("kind");
+    if (table.has("position") && table.has("place"))
+        table.problem("place", "give either this or position");
+    else if (!table.has("position") && !table.has("place"))
+        table.missing("position");
+    return source;
+}
+
 WindFieldPtr readCalm(TableReader&, ForestReading&) {
     return nullptr;
 }
@@ -298,6 +322,10 @@ void readWind(TableReader& table, ForestReading& reading) {
         reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, clock);
     if (reading.forest.wind && (adjustment.strength != 1.0 || adjustment.turn != 0.0))
         reading.forest.wind = std::make_shared<AdjustedWind>(reading.forest.wind, adjustment);
+    std::vector<WindSource> sources;
+    table.tables("source", [&](TableReader& source) { sources.push_back(readSource(source, reading)); });
+    if (!sources.empty())
+        reading.forest.wind = std::make_shared<WindWithSources>(reading.forest.wind, std::move(sources));
 }
 
 } // namespace osgTreeWind

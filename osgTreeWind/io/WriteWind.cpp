@@ -6,6 +6,7 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,8 @@ public:
             const std::string problem = fields(adjusted->adjustment());
             return problem.empty() ? write(*adjusted->inner()) : problem;
         }
+        if (dynamic_cast<const WindWithSources*>(&wind))
+            return "a wind with sources within another one";
         return "a wind that no file can say: expected a uniform one, gusts, a grid, a series or one from a "
                "file, not a callable, streamed or moved one";
     }
@@ -120,14 +123,26 @@ std::string writeWind(std::ostream& output, const ForestDescription& forest) {
     });
     if (!forest.wind && alone)
         return {};
+    const auto* const sourced = dynamic_cast<const WindWithSources*>(forest.wind.get());
+    const WindField* const wind = sourced ? sourced->wind().get() : forest.wind.get();
     output << "\n[wind]\n";
     writeFields(output, "wind", canopy, &forest.windCanopy, &usual);
-    if (!forest.wind)
-        return output << "kind = \"calm\"\n", std::string();
     for (const auto& [name, frame] : windFrames())
         if (frame == forest.windFrame && frame != WindFrame::Forest)
             output << "frame = " << tomlText(name) << '\n';
-    return WindWriter(output, forest).write(*forest.wind);
+    std::string problem;
+    if (wind)
+        problem = WindWriter(output, forest).write(*wind);
+    else
+        output << "kind = \"calm\"\n";
+    for (std::size_t i = 0; sourced && problem.empty() && i < sourced->sources().size(); ++i) {
+        output << "\n[[wind.source]]\n";
+        Diagnostics problems;
+        checkFields(sourced->sources()[i], "source", problems);
+        writeFields(output, "wind.source", fieldsOf<WindSource>(), &sourced->sources()[i], nullptr);
+        problem = problems.empty() ? "" : problems.front().text();
+    }
+    return problem;
 }
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/WindAmongTrees.h>
 
 #include <osgTreeWind/wind/CanopyWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <cmath>
 
@@ -53,9 +54,16 @@ WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest&
         _madeAt = time;
         _given = nullptr;
     }
-    if (given != _given)
-        _met =
-            std::make_shared<CanopyWind>(given, *_canopy, static_cast<float>(canopy.reference), canopy.seed);
+    if (given == _given)
+        return _met;
+    // What moves the air beside the wind does so among the trees as above them.
+    const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(given);
+    const WindFieldPtr& open = sourced ? sourced->wind() : given;
+    _met =
+        open ? std::make_shared<CanopyWind>(open, *_canopy, static_cast<float>(canopy.reference), canopy.seed)
+             : nullptr;
+    if (sourced)
+        _met = std::make_shared<WindWithSources>(_met, sourced->sources());
     _given = given;
     return _met;
 }

@@ -125,4 +125,30 @@ const Fields& fieldsOf<AdjustedWind::Adjustment>() {
     return fields;
 }
 
+template <>
+const Fields& fieldsOf<WindSource>() {
+    using P = WindSource;
+    static const Fields fields = {
+        {"kind", at<&P::kind>, {}, "what it is", "", inOrder({"rotor", "jet", "vortex", "shelter"})},
+        {"place", at<&P::position>, worldCoordinates,
+         "from the forest's origin, at time 0: a rotor's hub, a jet's mouth, the foot of a vortex or a "
+         "shelter",
+         "m"},
+        {"velocity", at<&P::velocity>, within(-1000, 1000), "it moves with", "m/s"},
+        {"radius", at<&P::radius>, above(0, 1000),
+         "of a rotor, a mouth or a shelter; where a vortex is fastest", "m"},
+        {"thrust", at<&P::thrust>, within(0, 1e7), "of a rotor: the weight that hovers", "N"},
+        {"speed", at<&P::speed>, windSpeeds,
+         "at a jet's mouth; the fastest of a vortex, counter-clockwise from above or, negative, clockwise",
+         "m/s"},
+        {"toward", at<&P::toward>, within(-360, 360), "where a jet blows, clockwise from north", "degrees"},
+        {"elevation", at<&P::elevation>, within(-90, 90), "and upward", "degrees"},
+        {"height", at<&P::height>, above(0, 10000), "up to which a vortex or a shelter reaches", "m"},
+        {"share", at<&P::share>, within(0, 1), "of the wind that a shelter leaves"},
+        {"turbulence", at<&P::turbulence>, within(0, 1),
+         "of what it adds: standard deviation of each component over the speed there"},
+    };
+    return fields;
+}
+
 } // namespace osgTreeWind

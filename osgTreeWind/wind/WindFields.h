@@ -10,6 +10,7 @@
 #include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/WindCanopy.h>
 #include <osgTreeWind/wind/WindSeries.h>
+#include <osgTreeWind/wind/WindSource.h>
 
 namespace osgTreeWind {
 
@@ -37,5 +38,7 @@ template <>
 const Fields& fieldsOf<RetimedWind::Clock>();
 template <>
 const Fields& fieldsOf<AdjustedWind::Adjustment>();
+template <>
+const Fields& fieldsOf<WindSource>();
 
 } // namespace osgTreeWind

@@ -5,6 +5,7 @@
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,8 @@ WindSteering steeringOf(const WindFieldPtr& wind) {
     WindSteering steering;
     if (!wind)
         return steering;
+    if (const auto* sourced = dynamic_cast<const WindWithSources*>(wind.get()))
+        return steeringOf(sourced->wind());
     if (const auto* gusts = dynamic_cast<const GustWind*>(wind.get()))
         return madeUp(gusts->parameters().mean, gusts->parameters().intensity);
     if (const auto* uniform = dynamic_cast<const UniformWind*>(wind.get()))
@@ -72,6 +75,8 @@ WindSteering steeringOf(const WindFieldPtr& wind) {
 }
 
 WindFieldPtr steered(const WindFieldPtr& like, const WindSteering& steering) {
+    if (const auto* sourced = dynamic_cast<const WindWithSources*>(like.get()))
+        return std::make_shared<WindWithSources>(steered(sourced->wind(), steering), sourced->sources());
     if (steering.isMadeUp)
         return madeUpLike(like.get(), steering);
     const auto* adjusted = dynamic_cast<const AdjustedWind*>(like.get());

@@ -29,7 +29,7 @@ struct WindSteering {
 /// How a wind stands. @param wind null: a calm.
 WindSteering steeringOf(const WindFieldPtr& wind);
 
-/// A wind like the one that is steered: its profile, the size of its gusts and their seed are kept.
+/// A wind like the one that is steered: its profile, the size of its gusts, their seed and sources are kept.
 /// @param like of which steeringOf() was. @return null for a calm.
 WindFieldPtr steered(const WindFieldPtr& like, const WindSteering& steering);
 

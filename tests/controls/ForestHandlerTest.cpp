@@ -8,6 +8,7 @@
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <osg/ApplicationUsage>
 #include <osgGA/GUIActionAdapter>
@@ -184,6 +185,24 @@ TEST_F(ForestHandlerTest, AClickSaysWhatATreeIs) {
     click(x, y);
     ASSERT_TRUE(forest->removeTree(handler->getTree()).empty());
     EXPECT_FALSE(shows("\ntree    "));
+}
+
+TEST_F(ForestHandlerTest, AHelicopterHoversOverATreeAndGoesAgain) {
+    const WindFieldPtr before = forest->getWind();
+    click(320.0f, 230.0f);
+    press('r');
+    const auto wind = std::dynamic_pointer_cast<const WindWithSources>(forest->getWind());
+    ASSERT_TRUE(wind);
+    EXPECT_EQ(wind->wind(), before);
+    EXPECT_LT(wind->velocity({0.0f, 0.0f, 8.0f}, 0.0).z, -5.0f);
+    EXPECT_TRUE(shows("10.0 m/s from 270\xc2\xb0, gusts 0 % and 1 sources")) << shown();
+    press(Event::KEY_Up);
+    const auto stronger = std::dynamic_pointer_cast<const WindWithSources>(forest->getWind());
+    ASSERT_TRUE(stronger) << "it stays";
+    EXPECT_NEAR(stronger->wind()->velocity({}, 0.0).x, 11.0f, 1e-5f);
+    press('r');
+    EXPECT_FALSE(std::dynamic_pointer_cast<const WindWithSources>(forest->getWind()));
+    EXPECT_NEAR(forest->getWind()->velocity({}, 0.0).x, 11.0f, 1e-5f);
 }
 
 TEST_F(ForestHandlerTest, ArrowsComeAndGo) {

@@ -59,7 +59,7 @@ std::set<std::string> knownKeys() {
         "\n[species."
         "branch]\n"
         "[species.leaf]\n[species.appearance]\n[tiles]\ncolumns = 1\nrows = 1\ntrees = [[0]]\nlow = "
-        "[[0]]\nhigh = [[0]]\n[wind]\n";
+        "[[0]]\nhigh = [[0]]\n[[wind.source]]\n[wind]\n";
     std::set<std::string> keys;
     for (const char* wind :
          {"kind = \"calm\"", "kind = \"uniform\"", "kind = \"gusts\"\nheight = 1", "kind = \"file\"",
@@ -174,6 +174,7 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     addRows<GustWind::Parameters>(rows, "wind");
     addRows<RetimedWind::Clock>(rows, "wind");
     addRows<AdjustedWind::Adjustment>(rows, "wind");
+    addRows<WindSource>(rows, "wind.source");
     addRows<WindCanopy>(rows, "wind");
     const ForestDescription forest;
     addRows(rows, fieldsOfFile(), {{"", &forest}});

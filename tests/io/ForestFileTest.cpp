@@ -292,6 +292,18 @@ TEST(ForestFile, GridIsGivenInWorldCoordinates) {
     expectNear(forest.wind->velocity({0, 0, 0}, 0.0), {2, 0, 0});
 }
 
+TEST(ForestFile, SourcesOfWindStandInWorldCoordinates) {
+    const ForestDescription forest =
+        forestOf("[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"uniform\"\nvelocity = [0, 1, "
+                 "0]\nturn = 90\n"
+                 "[[wind.source]]\nkind = \"jet\"\nposition = [500004, 4000000, 2]\nradius = 0.5\nspeed = 7\n"
+                 "toward = 90\nturbulence = 0\n[[wind.source]]\nkind = \"shelter\"\nplace = [-20, 0, 0]\nshare = 0.5\n");
+    ASSERT_TRUE(forest.wind);
+    expectNear(forest.wind->velocity({5, 0, 2}, 0.0), {8, 0, 0}, 0.01f);
+    expectNear(forest.wind->velocity({0, 0, 2}, 0.0), {1, 0, 0});
+    expectNear(forest.wind->velocity({-20, 0, 2}, 0.0), {0.5f, 0, 0});
+}
+
 TEST(ForestFile, ForestWindReadsItsArrayFromAFile) {
     const TemporaryFolder folder;
     folder.write("w.txt", "# u v w in thesis axes\n1 0 0\n2, 0, 0\n");

@@ -11,6 +11,7 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,12 @@ public:
         if (forest.wind && maybe(0.3))
             forest.wind = std::make_shared<AdjustedWind>(
                 forest.wind, AdjustedWind::Adjustment{number(within(0, 10)), number(within(-360, 360))});
+        if (maybe(0.3)) {
+            std::vector<WindSource> sources(static_cast<std::size_t>(whole(1, 3)));
+            for (WindSource& source : sources)
+                fill(source);
+            forest.wind = std::make_shared<WindWithSources>(forest.wind, std::move(sources));
+        }
         return forest;
     }
 

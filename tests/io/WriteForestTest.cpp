@@ -64,6 +64,11 @@ struct Differences {
         if (const RetimedWind * x, *y; both(a, b, x, y)) {
             fields("wind.clock", x->clock(), y->clock());
             wind(x->inner(), y->inner());
+        } else if (const WindWithSources * x, *y; both(a, b, x, y)) {
+            wind(x->wind(), y->wind());
+            compare("wind.source", x->sources().size(), y->sources().size());
+            for (std::size_t i = 0; i < std::min(x->sources().size(), y->sources().size()); ++i)
+                fields("wind.source", x->sources()[i], y->sources()[i]);
         } else if (const AdjustedWind * x, *y; both(a, b, x, y)) {
             fields("wind.adjustment", x->adjustment(), y->adjustment());
             wind(x->inner(), y->inner());

@@ -4,6 +4,7 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <gtest/gtest.h>
 
@@ -121,6 +122,29 @@ TEST(WindAmongTrees, GustsDoNotJumpAsTreesComeAndGo) {
         const glm::vec3 wind = windAt(same, hours + 0.1 * i);
         EXPECT_LT(glm::length(windAt(changed, hours + 0.1 * i) - wind), 0.25f * glm::length(wind)) << i;
     }
+}
+
+/// It stands above the trees or among them: no canopy takes it down from its reference.
+TEST(WindAmongTrees, WhatMovesTheAirBesideTheWindDoesSoAmongTrees) {
+    ForestDescription forest = stand(CanopySource::Forest, 40.0);
+    WindSource helicopter;
+    helicopter.position = {0.0, 0.0, 35.0};
+    const auto windIn = [&](WindFieldPtr wind) {
+        forest.wind = std::move(wind);
+        ForestSimulation simulation(forest);
+        simulation.advance(0.0);
+        glm::vec3 winds[64];
+        simulation.modal()->patchWinds(0, winds);
+        return winds[0];
+    };
+    const WindFieldPtr open = forest.wind;
+    const glm::vec3 added =
+                        windIn(std::make_shared<WindWithSources>(open, std::vector<WindSource>{helicopter})) -
+                        windIn(open),
+                    alone = windIn(
+                        std::make_shared<WindWithSources>(nullptr, std::vector<WindSource>{helicopter}));
+    EXPECT_LT(alone.z, -3.0f);
+    EXPECT_LT(glm::length(added - alone), 1e-4f);
 }
 
 TEST(WindAmongTrees, AGivenStandSheltersASingleTree) {

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/SourceFlow.h>
+
+#include <osgTreeWind/wind/FiniteVelocity.h>
+#include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/WindFields.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double airDensity = 1.225; // kg/m^3, standard atmosphere at sea level
+constexpr double farthest = 1e6;     // metres; nothing reaches so far
+
+// A round turbulent jet (Pope 2000, 5.1): U0/UJ = B d / (x - x0), half as fast at S (x - x0) from the axis.
+constexpr double decay = 5.8, spreading = 0.094, virtualOrigin = 4.0; // the latter in diameters of the mouth
+
+/// Of a rotor, m/s.
+double inducedSpeed(const WindSource& rotor) {
+    return std::sqrt(rotor.thrust / (2.0 * airDensity * glm::pi<double>() * rotor.radius * rotor.radius));
+}
+
+/// On the axis, over that at the mouth. @param x from the mouth, in its diameters.
+double onAxis(double x) {
+    return std::min(decay / std::max(x - virtualOrigin, decay), 1.0);
+}
+
+/// About the axis, for an even mouth that becomes a jet: 1 there, with the momentum of a top hat of radius 1.
+/// @param r over that radius.
+double topHat(double r) {
+    constexpr double width = 1.0957; // the square over the area of 1 / (1 + q^8) is 0.8330
+    return 1.0 / (1.0 + std::pow(std::min(r / width, 1e3), 8.0));
+}
+
+/// 1 below `height`, 0 above 1.2 of it.
+double below(double z, double height) {
+    return 1.0 - glm::smoothstep(height, 1.2 * height, z);
+}
+
+glm::dvec2 outward(const glm::dvec3& offset, double r) {
+    return r > 1e-9 ? glm::dvec2(offset) / r : glm::dvec2(0.0);
+}
+
+} // namespace
+
+SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)) {
+    constexpr double least = 0.001; // metres
+    _source.radius = std::max(_source.radius, least);
+    _source.height = std::max(_source.height, least);
+    const double toward = glm::radians(_source.toward), up = glm::radians(_source.elevation);
+    _along = {std::sin(toward) * std::cos(up), std::cos(toward) * std::cos(up), std::sin(up)};
+    if (_source.kind == WindSource::Kind::Jet)
+        _carries = 0.5 * _source.speed * _along;
+    else if (_source.kind == WindSource::Kind::Rotor)
+        _carries.z = -inducedSpeed(_source);
+    else
+        _carries.z = 0.2 * std::abs(_source.speed); // a whirl draws up what it holds
+}
+
+glm::dvec3 SourceFlow::offsetOf(const WindPlace& place, double time) const {
+    const double moved = std::isfinite(time) ? glm::clamp(time, -1e9, 1e9) : 0.0;
+    const glm::dvec3 offset = glm::dvec3(place.position) - _source.position - moved * _source.velocity;
+    const bool near = glm::length(offset) < farthest; // not so for what is not finite
+    return near ? offset : glm::dvec3(farthest);
+}
+
+glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height) const {
+    const double radius = _source.radius, r = glm::length(glm::dvec2(offset)), depth = -offset.z;
+    const double induced = inducedSpeed(_source);
+    const double hub = std::max(height + depth, 0.5 * radius); // above the ground
+    if (!(induced > 0.0) || !(height > 0.0))
+        return glm::dvec3(0.0);
+
+    // The column: along the axis of a vortex tube it grows from nothing above to twice the induced velocity.
+    const double wake = induced * (1.0 + depth / std::hypot(depth, radius));
+    const double narrowed = radius * std::sqrt(induced / std::max(wake, 0.05 * induced));
+    const double spread = onAxis(std::max(depth, 0.0) / (2.0 * narrowed));
+    const double down = wake * spread * topHat(r * spread / narrowed) * std::min(height / radius, 1.0);
+
+    // The wash: 1.32 sqrt(K)/H (r/H)^-1.1, half as fast at 0.098 H (r/H)^0.9 above the ground.
+    const double momentum = std::sqrt(_source.thrust / airDensity);
+    const double fullFrom = hub * std::pow(1.32 * momentum / (hub * 2.0 * induced), 1.0 / 1.1);
+    const double fastest = r > fullFrom ? 1.32 * momentum / hub * std::pow(r / hub, -1.1)
+                                        : 2.0 * induced * std::min(r / radius, 1.0);
+    const double half = 0.098 * hub * std::pow(std::max(r, fullFrom) / hub, 0.9), eta = height / half;
+    const double profile = 1.48 * std::pow(eta, 1.0 / 7.0) * (1.0 - std::erf(0.68 * eta));
+    return {outward(offset, r) * (fastest * profile), -down};
+}
+
+glm::dvec3 SourceFlow::jet(const glm::dvec3& offset) const {
+    const double x = glm::dot(offset, _along);
+    if (x < 0.0)
+        return glm::dvec3(0.0);
+    const double r = glm::length(offset - x * _along), diameter = 2.0 * _source.radius;
+    const double fromOrigin = x - virtualOrigin * diameter, share = onAxis(x / diameter);
+    if (share >= 1.0)
+        return _source.speed * topHat(r / _source.radius) * _along;
+    constexpr double a = (glm::root_two<double>() - 1.0) / (spreading * spreading);
+    const double eta = r / fromOrigin, profile = 1.0 / ((1.0 + a * eta * eta) * (1.0 + a * eta * eta));
+    return _source.speed * share * profile * _along;
+}
+
+glm::dvec3 SourceFlow::vortex(const glm::dvec3& offset) const {
+    constexpr double alpha = 1.25643; // where its speed is largest (Lamb and Oseen)
+    const double r = glm::length(glm::dvec2(offset)), q = r / _source.radius;
+    const glm::dvec2 out = outward(offset, r);
+    const double speed =
+        q > 1e-6 ? _source.speed * (1.0 + 0.5 / alpha) / q * (1.0 - std::exp(-alpha * q * q)) : 0.0;
+    return {glm::dvec2(-out.y, out.x) * (speed * below(offset.z, _source.height)), 0.0};
+}
+
+glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height) const {
+    switch (_source.kind) {
+    case WindSource::Kind::Rotor:
+        return rotor(offset, height);
+    case WindSource::Kind::Jet:
+        return jet(offset);
+    case WindSource::Kind::Vortex:
+        return vortex(offset);
+    case WindSource::Kind::Shelter:
+        break;
+    }
+    return glm::dvec3(0.0);
+}
+
+glm::dvec3 SourceFlow::noise(const glm::dvec3& offset, double time) const {
+    static const GustNoise eddies(1, 1.0, glm::dmat3(1.0), 5); // as large as 1; below, as the source
+    const double moved = std::isfinite(time) ? glm::clamp(time, -1e9, 1e9) : 0.0, size = 1.0 / _source.radius;
+    const WindPlace place(glm::vec3(offset * size));
+    NoisePoint point;
+    eddies.at(moved * size * _carries).sample(&place, 1, &point);
+    return {point.values[0], point.values[1], point.values[2]};
+}
+
+glm::vec3 SourceFlow::velocity(const WindPlace& place, double time) const {
+    constexpr double least = 0.01; // m/s
+    const glm::dvec3 offset = offsetOf(place, time);
+    const glm::dvec3 velocity = mean(offset, static_cast<double>(place.height));
+    const double speed = glm::length(velocity);
+    if (!(_source.turbulence > 0.0) || !(speed > least) || !std::isfinite(speed))
+        return calmUnlessFinite(glm::vec3(velocity));
+    return calmUnlessFinite(glm::vec3(velocity + _source.turbulence * speed * noise(offset, time)));
+}
+
+float SourceFlow::shareOfWind(const WindPlace& place, double time) const {
+    if (_source.kind != WindSource::Kind::Shelter)
+        return 1.0f;
+    const glm::dvec3 offset = offsetOf(place, time);
+    const double inside =
+        below(glm::length(glm::dvec2(offset)), _source.radius) * below(offset.z, _source.height);
+    return static_cast<float>(1.0 - inside * (1.0 - _source.share));
+}
+
+} // namespace osgTreeWind

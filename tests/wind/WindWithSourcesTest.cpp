@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include <tests/wind/Extremes.h>
+
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr double airDensity = 1.225, pi = glm::pi<double>();
+
+glm::dvec3 at(const WindSource& source, const glm::vec3& place, double time = 0.0) {
+    return glm::dvec3(WindWithSources(nullptr, {source}).velocity(WindPlace(place), time));
+}
+
+WindSource rotor(double hub) {
+    WindSource source;
+    source.position = {0.0, 0.0, hub};
+    source.radius = 8.0;
+    source.thrust = 70000.0;
+    source.turbulence = 0.0;
+    return source;
+}
+
+double inducedBy(const WindSource& source) {
+    return std::sqrt(source.thrust / (2.0 * airDensity * pi * source.radius * source.radius));
+}
+
+TEST(WindWithSources, ARotorsColumnIsThatOfMomentumTheory) {
+    const WindSource source = rotor(200.0);
+    const double induced = inducedBy(source);
+    EXPECT_NEAR(-at(source, {0.0f, 0.0f, 200.0f}).z, induced, 0.02 * induced) << "through the disk";
+    EXPECT_NEAR(-at(source, {0.0f, 0.0f, 160.0f}).z, 2.0 * induced, 0.05 * induced) << "five radii below";
+    EXPECT_LT(-at(source, {0.0f, 0.0f, 224.0f}).z, 0.06 * induced) << "three radii above";
+    double momentum = 0.0;
+    const double step = 0.02, depth = 24.0;
+    for (double r = 0.5 * step; r < 40.0; r += step) {
+        const double down = at(source, {static_cast<float>(r), 0.0f, static_cast<float>(200.0 - depth)}).z;
+        momentum += airDensity * down * down * 2.0 * pi * r * step;
+    }
+    const double wake = 1.0 + depth / std::hypot(depth, source.radius); // over the induced velocity
+    EXPECT_NEAR(momentum, 0.5 * wake * source.thrust, 0.02 * source.thrust);
+}
+
+TEST(WindWithSources, ARotorsWashIsTheRadialWallJetThatWasMeasured) {
+    const WindSource source = rotor(20.0);
+    for (const double r : {30.0, 60.0}) {
+        double fastest = 0.0, momentum = 0.0, half = 0.0;
+        const double step = 0.01;
+        for (double z = 0.5 * step; z < 40.0; z += step) {
+            const double out = at(source, {0.0f, static_cast<float>(r), static_cast<float>(z)}).y;
+            momentum += airDensity * out * out * 2.0 * pi * r * step;
+            if (out >= 0.5 * fastest)
+                half = z;
+            fastest = std::max(fastest, out);
+        }
+        const double expected =
+            1.32 * std::sqrt(source.thrust / airDensity) / 20.0 * std::pow(r / 20.0, -1.1);
+        EXPECT_NEAR(fastest, expected, 0.02 * expected) << r;
+        EXPECT_NEAR(half, 0.098 * 20.0 * std::pow(r / 20.0, 0.9), 0.05 * half) << r;
+        EXPECT_LT(momentum, source.thrust) << r;
+        EXPECT_GT(momentum, 0.5 * source.thrust) << "most of it goes on along the ground";
+    }
+    EXPECT_EQ(glm::length(at(source, {0.0f, 0.0f, 0.0f})), 0.0) << "where it meets the ground";
+}
+
+/// It brings down as much momentum from any height: what tells them apart is (r/H)^-1.1 / H.
+TEST(WindWithSources, FarOffAHigherRotorIsFeltAlikeAndBelowItLess) {
+    const auto fastest = [](double hub, float r) {
+        double most = 0.0;
+        for (float z = 0.05f; z < 20.0f; z += 0.05f)
+            most = std::max(most, at(rotor(hub), {r, 0.0f, z}).x);
+        return most;
+    };
+    EXPECT_NEAR(fastest(60.0, 80.0f) / fastest(20.0, 80.0f), std::pow(3.0, 0.1), 0.02);
+    EXPECT_LT(at(rotor(200.0), {0.0f, 0.0f, 10.0f}).z, 0.0);
+    EXPECT_LT(-at(rotor(300.0), {0.0f, 0.0f, 10.0f}).z, 0.5 * -at(rotor(60.0), {0.0f, 0.0f, 10.0f}).z);
+}
+
+WindSource fan() {
+    WindSource source;
+    source.kind = WindSource::Kind::Jet;
+    source.position = {5.0, 0.0, 3.0};
+    source.radius = 0.5;
+    source.speed = 20.0;
+    source.toward = 90.0; // east
+    source.turbulence = 0.0;
+    return source;
+}
+
+TEST(WindWithSources, AFansJetDecaysAndSpreadsAsRoundJetsDo) {
+    const WindSource source = fan();
+    EXPECT_NEAR(at(source, {6.0f, 0.0f, 3.0f}).x, 20.0, 0.1) << "its core";
+    EXPECT_NEAR(at(source, {25.0f, 0.0f, 3.0f}).x, 20.0 * 5.8 / 16.0, 0.01) << "20 diameters on";
+    EXPECT_NEAR(at(source, {25.0f, static_cast<float>(0.094 * 16.0), 3.0f}).x, 10.0 * 5.8 / 16.0, 0.01);
+    EXPECT_EQ(glm::length(at(source, {4.0f, 0.0f, 3.0f})), 0.0) << "behind it";
+    for (const float x : {6.0f, 20.0f, 60.0f}) {
+        double momentum = 0.0;
+        const double step = 0.01;
+        for (double r = 0.5 * step; r < 40.0; r += step) {
+            const double u = at(source, {5.0f + x, static_cast<float>(r), 3.0f}).x;
+            momentum += u * u * 2.0 * pi * r * step;
+        }
+        EXPECT_NEAR(momentum / (400.0 * pi * 0.25), 1.0, 0.06) << x;
+    }
+}
+
+TEST(WindWithSources, AJetBlowsWhereItIsTurned) {
+    WindSource source = fan();
+    source.toward = 180.0;
+    source.elevation = 30.0;
+    const glm::dvec3 along(0.0, -std::sqrt(0.75), 0.5);
+    const glm::dvec3 wind = at(source, glm::vec3(source.position + 3.0 * along));
+    EXPECT_LT(glm::length(wind - 20.0 * along), 0.1);
+}
+
+TEST(WindWithSources, AVortexIsFastestAtItsRadiusAndFallsAsOneOverIt) {
+    WindSource source;
+    source.kind = WindSource::Kind::Vortex;
+    source.radius = 4.0;
+    source.speed = 15.0;
+    source.height = 30.0;
+    source.turbulence = 0.0;
+    EXPECT_NEAR(at(source, {4.0f, 0.0f, 10.0f}).y, 15.0, 0.01) << "counter-clockwise from above";
+    double fastest = 0.0;
+    for (float x = 0.1f; x < 40.0f; x += 0.1f)
+        fastest = std::max(fastest, at(source, {x, 0.0f, 10.0f}).y);
+    EXPECT_NEAR(fastest, 15.0, 0.01);
+    EXPECT_NEAR(at(source, {40.0f, 0.0f, 10.0f}).y / at(source, {80.0f, 0.0f, 10.0f}).y, 2.0, 1e-3);
+    EXPECT_EQ(glm::length(at(source, {4.0f, 0.0f, 40.0f})), 0.0) << "above it";
+    EXPECT_EQ(glm::length(at(source, {0.0f, 0.0f, 10.0f})), 0.0) << "its eye";
+}
+
+TEST(WindWithSources, AShelterLeavesAShareOfTheWindAndOfNothingElse) {
+    WindSource shelter;
+    shelter.kind = WindSource::Kind::Shelter;
+    shelter.radius = 10.0;
+    shelter.height = 6.0;
+    shelter.share = 0.25;
+    WindSource blower = fan();
+    const auto wind = std::make_shared<UniformWind>(glm::vec3(0.0f, 8.0f, 0.0f));
+    const WindWithSources both(wind, {shelter, blower});
+    EXPECT_EQ(both.velocity({0.0f, 3.0f, 2.0f}, 0.0), glm::vec3(0.0f, 2.0f, 0.0f));
+    EXPECT_EQ(both.velocity({0.0f, 30.0f, 2.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));
+    EXPECT_EQ(both.velocity({0.0f, 3.0f, 20.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));
+    EXPECT_NEAR(both.velocity({6.0f, 0.0f, 3.0f}, 0.0).x, 20.0f, 0.1f) << "a fan in it blows as ever";
+    float last = 2.0f;
+    for (float y = 9.0f; y < 13.0f; y += 0.01f) {
+        const float now = both.velocity({0.0f, y, 2.0f}, 0.0).y;
+        EXPECT_LT(std::abs(now - last), 0.06f) << "no wall at " << y;
+        last = now;
+    }
+}
+
+TEST(WindWithSources, ASourceGoesWhereItDrives) {
+    WindSource source = fan();
+    source.velocity = {0.0, 12.0, 0.0};
+    EXPECT_LT(glm::length(at(source, {6.0f, 24.0f, 3.0f}, 2.0) - glm::dvec3(20.0, 0.0, 0.0)), 0.1);
+    EXPECT_LT(glm::length(at(source, {6.0f, 0.0f, 3.0f}, 2.0)), 0.1) << "where it was";
+}
+
+TEST(WindWithSources, OfAWindWithSourcesItTakesWhatIsWithin) {
+    const auto wind = std::make_shared<UniformWind>(glm::vec3(3.0f, 0.0f, 0.0f));
+    const auto once = std::make_shared<WindWithSources>(wind, std::vector<WindSource>{rotor(20.0)});
+    const WindWithSources twice(once, {fan()});
+    EXPECT_EQ(twice.wind(), wind);
+    ASSERT_EQ(twice.sources().size(), 2u);
+    const WindPlace place(glm::vec3(9.0f, 1.0f, 3.0f));
+    const glm::vec3 sum = glm::vec3(at(rotor(20.0), place.position)) + glm::vec3(at(fan(), place.position)) +
+                          glm::vec3(3.0f, 0.0f, 0.0f);
+    EXPECT_LT(glm::length(twice.velocity(place, 0.0) - sum), 1e-5f);
+    EXPECT_FALSE(twice.withoutGusts()) << "nothing of it is made up";
+}
+
+TEST(WindWithSources, EddiesAreAsStrongAsTheyAreSaidToBeAndCarriedAlong) {
+    WindSource source = fan();
+    const glm::vec3 place(25.0f, 0.0f, 3.0f);
+    const glm::dvec3 steady = at(source, place);
+    source.turbulence = 0.25;
+    glm::dvec3 sum(0.0), squares(0.0);
+    constexpr int count = 40000;
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 off = at(source, place, 0.05 * i) - steady;
+        sum += off;
+        squares += off * off;
+    }
+    EXPECT_LT(glm::length(sum / double(count)), 0.02 * glm::length(steady));
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(std::sqrt(squares[axis] / count), 0.25 * glm::length(steady), 0.02 * glm::length(steady));
+    EXPECT_LT(glm::length(at(source, place, 3.0) - at(source, place, 3.0001)), 0.05) << "no jumps";
+    EXPECT_EQ(at(source, place, 3.0), at(source, place, 3.0)) << "the same for everybody";
+}
+
+TEST(WindWithSources, WithoutGustsTheSourcesStay) {
+    GustWind::Parameters gusts;
+    gusts.mean = {8.0f, 0.0f, 0.0f};
+    const WindWithSources wind(GustWind::create(gusts).value(), {fan()});
+    ASSERT_TRUE(wind.withoutGusts());
+    EXPECT_NEAR(wind.withoutGusts()->velocity({6.0f, 0.0f, 3.0f}, 4.0).x, 28.0f, 0.1f);
+    WindSource whirl;
+    whirl.kind = WindSource::Kind::Vortex;
+    const WindFieldPtr steady = WindWithSources(nullptr, {whirl}).withoutGusts();
+    ASSERT_TRUE(steady);
+    EXPECT_EQ(steady->velocity({5.0f, 0.0f, 1.0f}, 4.0), steady->velocity({5.0f, 0.0f, 1.0f}, 9.0));
+}
+
+TEST(WindWithSources, IsFiniteForAnySourceAndPlace) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1e300;
+    for (const auto kind : {WindSource::Kind::Rotor, WindSource::Kind::Jet, WindSource::Kind::Vortex,
+                            WindSource::Kind::Shelter})
+        for (const double number : {nan, huge, -huge, 0.0, 1e-300}) {
+            WindSource source;
+            source.kind = kind;
+            expectFiniteEverywhere(WindWithSources(std::make_shared<UniformWind>(glm::vec3(1.0f)), {source}));
+            source.position = source.velocity = glm::dvec3(number);
+            source.radius = source.thrust = source.speed = source.toward = source.elevation = source.height =
+                source.share = source.turbulence = number;
+            expectFiniteEverywhere(WindWithSources(nullptr, {source}));
+        }
+}
+
+} // namespace
