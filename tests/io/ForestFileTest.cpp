@@ -297,7 +297,8 @@ TEST(ForestFile, SourcesOfWindStandInWorldCoordinates) {
         forestOf("[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"uniform\"\nvelocity = [0, 1, "
                  "0]\nturn = 90\n"
                  "[[wind.source]]\nkind = \"jet\"\nposition = [500004, 4000000, 2]\nradius = 0.5\nspeed = 7\n"
-                 "toward = 90\nturbulence = 0\n[[wind.source]]\nkind = \"shelter\"\nplace = [-20, 0, 0]\nshare = 0.5\n");
+                 "toward = 90\nturbulence = 0\n[[wind.source]]\nkind = \"shelter\"\nplace = [-20, 0, "
+                 "0]\nshare = 0.5\n");
     ASSERT_TRUE(forest.wind);
     expectNear(forest.wind->velocity({5, 0, 2}, 0.0), {8, 0, 0}, 0.01f);
     expectNear(forest.wind->velocity({0, 0, 2}, 0.0), {1, 0, 0});
