@@ -46,6 +46,23 @@ struct StandSum {
     }
 };
 
+/// At which the drag of crowns in that wind falls to a share, in which shelter counts by its square. Newton's
+/// method in logarithms, in which the drag is of straight pieces. @param wind m/s, without shelter.
+float shelterIn(const StandSum& sum, float wind, float share) {
+    const float exponent = sum.streamlining / sum.allDrag, breeze = sum.breezeStreamlining / sum.allDrag,
+                upTo = sum.streamlinedTo / sum.allDrag;
+    float shelter = 1.0f;
+    for (int i = 0; i < 5; ++i) {
+        const float felt = shelter * wind, factor = Laws().streamlinedShare(exponent, breeze, upTo, felt);
+        const float missing = share / (shelter * shelter * factor);
+        if (i == 0 && missing >= 1.0f)
+            return 1.0f; // crowns so far apart do not take as much
+        const float slope = 2.0f - (felt < 1.6f || felt > upTo ? 0.0f : felt < 10.0f ? breeze : exponent);
+        shelter = std::min(shelter * std::pow(missing, 1.0f / slope), 1.0f);
+    }
+    return shelter;
+}
+
 /// With `factor` times its drag.
 CanopyCell cellOf(const StandSum& sum, float height, float frontalArea, float factor) {
     CanopyCell cell;
@@ -63,18 +80,8 @@ CanopyCell cellOf(const StandSum& sum, float height, float frontalArea, float fa
     if (!(taken > 0.0f))
         return cell;
     const float flows = cell.profile.friction * cell.profile.friction, felt = std::sqrt(taken / drag);
-    for (std::size_t s = 0; s < CanopyCell::speeds; ++s) {
-        const float top = static_cast<float>(s) * CanopyCell::speedStep;
-        float low = 0.0f, high = 1.0f;
-        for (int i = 0; i < 20; ++i) {
-            const float shelter = 0.5f * (low + high);
-            const float share =
-                Laws().streamlinedShare(sum.streamlining / sum.allDrag, sum.breezeStreamlining / sum.allDrag,
-                                        sum.streamlinedTo / sum.allDrag, shelter * felt * top);
-            (shelter * shelter * taken * share < flows ? low : high) = shelter;
-        }
-        cell.shelter[s] = high;
-    }
+    for (std::size_t s = 0; s < CanopyCell::speeds; ++s)
+        cell.shelter[s] = shelterIn(sum, felt * static_cast<float>(s) * CanopyCell::speedStep, flows / taken);
     return cell;
 }
 
@@ -182,7 +189,7 @@ StandTree::StandTree(const TreeModel& model, const TreeScale& scale, const Speci
     : place(at), height(scale.axes.z * model.skeleton.height()), streamlinedTo(species.wood.streamlinedTo) {
     const float width = measureTree(model, scale).crownWidth;
     crownArea = 0.25f * pi * width * width;
-    const std::vector<UnitLoad> loads = makeUnitLoads(model, scale, species, leaves);
+    const std::vector<UnitLoad> loads = makeAirLoads(model, scale, species, leaves);
     float leafDrag = 0.0f, allDrag = 0.0f;
     for (std::size_t i = 0; i < loads.size(); ++i) {
         const ScaledUnit unit(model.skeleton.units[i], scale);

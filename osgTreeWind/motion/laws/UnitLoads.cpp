@@ -127,8 +127,8 @@ float leafArea(const TreeModel& model, const TreeScale& scale, const Species& sp
     return clampOr(leaves, 0.0f, 1.0f, 1.0f) * species.wood.leafArea * trunkSection(model.skeleton, scale);
 }
 
-std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
-                                    float leaves) {
+std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
+                                   float leaves) {
     const std::vector<BranchUnit>& units = model.skeleton.units;
     const WoodParameters& wood = species.wood;
     const std::vector<float> shares = leafShares(model);
@@ -156,8 +156,15 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
         if (known && units[i].level > 0) // a crown is measured with its branches
             loads[i].woodDrag *= 1.0f - share;
     }
-    weighBranches(loads, units, wood, diameter);
-    addStiffness(loads, units, scale);
+    return loads;
+}
+
+std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
+                                    float leaves) {
+    std::vector<UnitLoad> loads = makeAirLoads(model, scale, species, leaves);
+    weighBranches(loads, model.skeleton.units, species.wood,
+                  static_cast<float>(breastDiameter(model, scale)));
+    addStiffness(loads, model.skeleton.units, scale);
     return loads;
 }
 

@@ -27,6 +27,10 @@ struct UnitLoad {
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                     float leaves = 1.0f);
 
+/// The same as far as the air goes, in a fraction of the time: areas and drags alone are right.
+std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
+                                   float leaves = 1.0f);
+
 /// Diameter of its trunk at breast height (a tenth of a tree below 13 m), metres.
 double breastDiameter(const TreeModel& model, const TreeScale& scale);
 
