@@ -115,7 +115,6 @@ private:
             std::cerr << problems.front().text() << std::endl;
     }
 
-    /// The forest's units are numbered from the foot, and so far out that the branch can be seen from.
     void follow() {
         BranchTransform* branch = _forest->branch(_handler->getTree(), _handler->getUnit());
         if (!branch)

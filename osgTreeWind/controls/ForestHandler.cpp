@@ -124,7 +124,7 @@ private:
     bool _withText = true, _withHelp = false, _withArrows = false;
     double _shownAt = -1.0, _frameTime = 0.0; ///< Seconds.
     unsigned _frames = 0;                     ///< Since then.
-    osg::Vec3d _hub{0.0, 0.0, 40.0};          ///< Of a helicopter, in the wind's frame.
+    std::optional<osg::Vec3d> _hub;           ///< Of a helicopter, in the wind's frame.
 };
 
 bool ForestHandler::State::press(int key) {
@@ -152,12 +152,15 @@ void ForestHandler::State::hover() {
     const ForestSimulation& simulation = forest.getSimulation();
     if (watched && simulation.holds(watched->id())) {
         const PlacedTree& tree = simulation.forest().trees[simulation.slotOf(watched->id())];
-        _hub = toOsg(tree.position);
-        _hub.z() += static_cast<double>(simulation.forest().measured(tree).height) + clearance;
+        osg::Vec3d hub = toOsg(tree.position);
+        hub.z() += static_cast<double>(simulation.forest().measured(tree).height) + clearance;
         if (forest.getWindFrame() == WindFrame::Scene)
-            _hub = _hub * osg::Matrix::inverse(toForest(forest));
+            hub = hub * osg::Matrix::inverse(toForest(forest));
+        _hub = hub;
     }
-    controls.switchHelicopter({_hub.x(), _hub.y(), _hub.z()});
+    if (!_hub)
+        return; // nothing was clicked yet
+    controls.switchHelicopter({_hub->x(), _hub->y(), _hub->z()});
 }
 
 void ForestHandler::State::pick(const Event& event, osg::View& view) {

@@ -189,6 +189,8 @@ TEST_F(ForestHandlerTest, AClickSaysWhatATreeIs) {
 
 TEST_F(ForestHandlerTest, AHelicopterHoversOverATreeAndGoesAgain) {
     const WindFieldPtr before = forest->getWind();
+    press('r');
+    EXPECT_EQ(forest->getWind(), before) << "over what?";
     click(320.0f, 230.0f);
     press('r');
     const auto wind = std::dynamic_pointer_cast<const WindWithSources>(forest->getWind());
