@@ -22,6 +22,7 @@ set(public_headers
     osgTreeWind/forest/TreeId.h
     osgTreeWind/forest/TreeNames.h
     osgTreeWind/io/ForestFile.h
+    osgTreeWind/io/ForestStream.h
     osgTreeWind/io/SpeciesCatalogue.h
     osgTreeWind/io/TiledForest.h
     osgTreeWind/model/BranchSkin.h

@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 namespace {
 
 using namespace osgTreeWind;
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t mostTreesOfWorlds = 100000000;
 
 struct TileOptions {
     std::string file, output;
@@ -39,14 +39,17 @@ void print(const ForestTiles& tiles, bool json) {
 }
 
 ExitCode run(const TileOptions& options) {
-    const auto forest = readForestFile(options.file, mostTreesOfWorlds);
+    std::error_code ignored; // reading says so, where the folder is not there
+    std::filesystem::create_directories(options.output, ignored);
+    const auto forest = ForestStream::read(options.file, {options.output});
     if (!forest) {
-        std::cerr << forest.problems().front().text() << '\n';
-        return BadInput;
+        const Diagnostic& problem = forest.problems().front();
+        std::cerr << problem.text() << '\n';
+        return problem.file == options.output ? Failed : BadInput;
     }
-    for (const std::string& note : forest.value().notes)
+    for (const std::string& note : forest.value().description().notes)
         std::cerr << options.file << ": note: " << note << '\n';
-    if (forest.value().tiles) {
+    if (forest.value().description().tiles) {
         std::cerr << options.file << ": its trees are in tiles already\n";
         return BadInput;
     }

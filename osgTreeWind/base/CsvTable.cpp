@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/CsvTable.h>
-#include <osgTreeWind/base/Problem.h>
 
+#include <osgTreeWind/base/CsvReader.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-
-#include <csv.h>
 
 #include <algorithm>
 #include <string_view>
@@ -15,70 +14,6 @@ namespace osgTreeWind {
 namespace {
 
 using Row = CsvTable::Row;
-
-/// libcsv, fed one line of the file at a time so that every row knows its line.
-class RowReader {
-public:
-    /// @param take gets each row in turn.
-    RowReader(const std::string& file, char delimiter, std::function<void(Row&)> take)
-        : _file(file), _take(std::move(take)) {
-        csv_init(&_parser, CSV_STRICT | CSV_STRICT_FINI | CSV_REPALL_NL);
-        csv_set_delim(&_parser, static_cast<unsigned char>(delimiter));
-    }
-    RowReader(const RowReader&) = delete;
-    RowReader& operator=(const RowReader&) = delete;
-    ~RowReader() { csv_free(&_parser); }
-
-    /// What is wrong with the quotes; empty when all is well.
-    Diagnostics read(std::string_view text) {
-        for (int line = 1; !text.empty(); ++line) {
-            const std::size_t length = lineLength(text);
-            if (_rowEnded)
-                _row.line = line;
-            _rowEnded = false;
-            const std::size_t parsed = csv_parse(&_parser, text.data(), length, &onCell, &onRowEnd, this);
-            if (parsed != length)
-                return {problem(line, static_cast<int>(parsed) + 1,
-                                "misplaced quotation mark; expected \"\" inside quotes")};
-            text.remove_prefix(length);
-        }
-        if (csv_fini(&_parser, &onCell, &onRowEnd, this) != 0)
-            return {problem(_row.line, 0, "quotation mark is never closed")};
-        return {};
-    }
-
-private:
-    static void onCell(void* cell, std::size_t length, void* self) {
-        static_cast<RowReader*>(self)->_row.cells.emplace_back(static_cast<const char*>(cell), length);
-    }
-
-    static void onRowEnd(int, void* data) {
-        auto& self = *static_cast<RowReader*>(data);
-        self._rowEnded = true;
-        if (self._row.cells.empty()) // a blank line, or the LF of a CR LF
-            return;
-        self._take(self._row);
-        self._row.cells.clear();
-    }
-
-    static std::size_t lineLength(std::string_view text) {
-        const std::size_t end = text.find_first_of("\r\n");
-        if (end == std::string_view::npos)
-            return text.size();
-        return text.substr(end, 2) == "\r\n" ? end + 2 : end + 1;
-    }
-
-    Diagnostic problem(int line, int column, const char* syntax) const {
-        const int error = csv_error(&_parser);
-        return {_file, line, column, {}, error == CSV_EPARSE ? syntax : csv_strerror(error)};
-    }
-
-    const std::string& _file;
-    mutable csv_parser _parser; // csv_error takes no const
-    std::function<void(Row&)> _take;
-    Row _row;
-    bool _rowEnded = true;
-};
 
 /// The columns that a header row names.
 Diagnostics readHeader(const Row& row, CsvTable& table) {
@@ -122,7 +57,10 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, cha
     table.file = file;
     table.headerLine = 0;
     Diagnostics problems;
-    RowReader rows(file, delimiter, [&](Row& row) {
+    CsvReader rows(plain.value(), file, delimiter);
+    Result<bool> found = rows.next();
+    for (; found && found.value(); found = rows.next()) {
+        Row& row = rows.row();
         if (table.headerLine == 0)
             problems = readHeader(row, table);
         else if (row.cells.size() != table.columns.size())
@@ -133,9 +71,9 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, cha
                                            row.line));
         else if (problems.empty())
             take(table, row);
-    });
-    if (Diagnostics broken = rows.read(plain.value()); !broken.empty())
-        return broken;
+    }
+    if (!found)
+        return found.problems();
     if (table.headerLine == 0)
         return fileProblem(file, "expected a header row, found only blank lines", 1);
     if (!problems.empty())

@@ -28,13 +28,13 @@ std::string ForestTiles::fileOf(std::size_t tile) const {
     return folder + '/' + nameOf(tile) + ".trees";
 }
 
-std::optional<std::string> ForestTiles::fileOfId(const std::string& name) const {
+std::optional<std::uint32_t> ForestTiles::idFileOf(const std::string& name) const {
     if (idFiles == 0)
         return {};
     std::uint32_t hash = 2166136261u; // FNV-1a
     for (const char letter : name)
         hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619u;
-    return folder + '/' + std::to_string(hash % idFiles) + ".ids";
+    return hash % idFiles;
 }
 
 std::optional<std::size_t> ForestTiles::tileOf(const std::string& place) const {

@@ -43,8 +43,10 @@ struct ForestTiles {
     std::string fileOf(std::size_t tile) const;
     /// "FOLDER/all.crowns"; CrownSheet.h says what is in it.
     std::string fileOfCrowns() const { return folder + "/all.crowns"; }
-    /// "FOLDER/N.ids"; TileIds.h says what is in it. Nothing where no tree has a name of its own.
-    std::optional<std::string> fileOfId(const std::string& name) const;
+    /// "FOLDER/N.ids"; TileIds.h says what is in it.
+    std::string fileOfIds(std::uint32_t file) const { return folder + '/' + std::to_string(file) + ".ids"; }
+    /// Which of them a name is in. Nothing where no tree has a name of its own.
+    std::optional<std::uint32_t> idFileOf(const std::string& name) const;
     /// Of a tree by its tile and its number in it, "COLUMN_ROW/N"; that is the name of one without its own.
     std::optional<std::size_t> tileOf(const std::string& place) const;
 };

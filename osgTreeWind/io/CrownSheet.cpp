@@ -27,12 +27,6 @@ constexpr Range counts = within(0, 4294967295.0);
 const std::array<Range, SpeciesName> ranges = {counts,           counts,          within(1, 4294967295.0),
                                                worldCoordinates, above(0, 150.0), above(0, 150.0)};
 
-/// What is added up over a cell.
-struct Sums {
-    double trees = 0.0, foot = 0.0, height = 0.0, squareWidth = 0.0;
-    std::map<std::size_t, std::uint32_t> bySpecies;
-};
-
 std::string decimetres(double metres) {
     return numberText(std::round(10.0 * metres) / 10.0);
 }
@@ -50,33 +44,27 @@ std::string crownSheetHead() {
     return text + '\n';
 }
 
-std::string crownSheetText(const ForestDescription& forest, const PlacedForest& shapes,
-                           const std::vector<std::uint32_t>& trees, const ForestTiles& tiles) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Sums> cells; // by row, column
-    for (const std::uint32_t index : trees) {
-        const TreePlacement& tree = forest.trees[index];
-        const std::optional<PlacedTree> placed = shapes.fitted(tree);
-        if (!placed)
-            continue;
-        const TreeSize size = shapes.measured(*placed);
-        const glm::dvec2 cell = glm::max((glm::dvec2(tree.position) - tiles.corner) / tiles.size, 0.0) *
-                                static_cast<double>(CrownSheet::cellsAcrossTile(tiles));
-        Sums& sums = cells[{static_cast<std::uint32_t>(cell.y), static_cast<std::uint32_t>(cell.x)}];
-        sums.trees += 1.0;
-        sums.foot += tree.position.z;
-        sums.height += static_cast<double>(size.height);
-        sums.squareWidth += static_cast<double>(size.crownWidth * size.crownWidth);
-        ++sums.bySpecies[tree.species];
-    }
+void CrownSums::add(const TreePlacement& tree, const TreeSize& size, const ForestTiles& tiles) {
+    const glm::dvec2 place = glm::max((glm::dvec2(tree.position) - tiles.corner) / tiles.size, 0.0) *
+                             static_cast<double>(CrownSheet::cellsAcrossTile(tiles));
+    Cell& cell = _cells[{static_cast<std::uint32_t>(place.y), static_cast<std::uint32_t>(place.x)}];
+    cell.trees += 1.0;
+    cell.foot += tree.position.z;
+    cell.height += static_cast<double>(size.height);
+    cell.squareWidth += static_cast<double>(size.crownWidth * size.crownWidth);
+    ++cell.bySpecies[tree.species];
+}
+
+std::string CrownSums::text(const std::vector<Species>& species) const {
     std::string text;
-    for (const auto& [place, sums] : cells) {
-        const auto most = std::max_element(sums.bySpecies.begin(), sums.bySpecies.end(),
+    for (const auto& [place, cell] : _cells) {
+        const auto most = std::max_element(cell.bySpecies.begin(), cell.bySpecies.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
         text += std::to_string(place.second) + ',' + std::to_string(place.first) + ',' +
-                numberText(sums.trees) + ',' + decimetres(sums.foot / sums.trees) + ',' +
-                decimetres(std::max(sums.height / sums.trees, 0.1)) + ',' +
-                decimetres(std::max(std::sqrt(sums.squareWidth / sums.trees), 0.1)) + ',' +
-                csvCell(forest.species[most->first].name) + '\n';
+                numberText(cell.trees) + ',' + decimetres(cell.foot / cell.trees) + ',' +
+                decimetres(std::max(cell.height / cell.trees, 0.1)) + ',' +
+                decimetres(std::max(std::sqrt(cell.squareWidth / cell.trees), 0.1)) + ',' +
+                csvCell(species[most->first].name) + '\n';
     }
     return text;
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
-#include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/forest/ForestDescription.h>
 
 #include <istream>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -32,8 +34,21 @@ struct CrownSheet {
 /// @return all of it, or what is wrong, at which line. Thread-safe.
 Result<CrownSheet> readCrownSheet(std::istream& input, const std::string& file);
 std::string crownSheetHead();
-/// The rows of one tile. Thread-safe. @param shapes of `forest`, without its trees.
-std::string crownSheetText(const ForestDescription& forest, const PlacedForest& shapes,
-                           const std::vector<std::uint32_t>& trees, const ForestTiles& tiles);
+
+/// The rows of one tile, from its trees in turn.
+class CrownSums {
+public:
+    /// @param size of the tree as it stands.
+    void add(const TreePlacement& tree, const TreeSize& size, const ForestTiles& tiles);
+    /// @param species of the forest.
+    std::string text(const std::vector<Species>& species) const;
+
+private:
+    struct Cell {
+        double trees = 0.0, foot = 0.0, height = 0.0, squareWidth = 0.0;
+        std::map<std::size_t, std::uint32_t> bySpecies;
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Cell> _cells; ///< By row, column.
+};
 
 } // namespace osgTreeWind

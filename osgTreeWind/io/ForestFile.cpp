@@ -33,35 +33,52 @@ void sortByPlace(Diagnostics& problems, const std::string& document) {
 
 } // namespace
 
-Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options) {
-    ForestReading reading;
+void readDocument(std::istream& input, const ForestFileOptions& options, ForestReading& reading) {
     reading.log.file = options.file;
     reading.mostTrees = options.mostTrees;
     reading.forest.folder = absolute(options.folder);
     reading.folders = {reading.forest.folder};
     auto text = readText(input, options.file);
     if (!text.ok())
-        return text.problems();
+        return reading.log.add(text.problems().front());
     reading.forest.source = std::move(text.value());
     TableReader::readDocument(reading.forest.source, reading.log,
                               [&](TableReader& root) { readRoot(root, reading); });
+    sortByPlace(reading.log.problems, options.file);
+}
 
+void readDocumentFile(const std::string& path, std::size_t mostTrees, ForestReading& reading) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        return reading.log.add(fileProblem(path, "no such file"));
+    if (!std::filesystem::is_regular_file(path, error))
+        return reading.log.add(fileProblem(path, "not a regular file"));
+    std::ifstream input(path, std::ios::binary);
+    if (!input)
+        return reading.log.add(fileProblem(path, "cannot be opened for reading"));
+    readDocument(input, {path, std::filesystem::path(path).parent_path().string(), mostTrees}, reading);
+}
+
+namespace {
+
+Result<ForestDescription> whatWasRead(ForestReading& reading) {
     if (reading.log.problems.empty())
         return std::move(reading.forest);
-    sortByPlace(reading.log.problems, options.file);
     return std::move(reading.log.problems);
 }
 
+} // namespace
+
+Result<ForestDescription> readForest(std::istream& input, const ForestFileOptions& options) {
+    ForestReading reading;
+    readDocument(input, options, reading);
+    return whatWasRead(reading);
+}
+
 Result<ForestDescription> readForestFile(const std::string& path, std::size_t mostTrees) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error))
-        return fileProblem(path, "no such file");
-    if (!std::filesystem::is_regular_file(path, error))
-        return fileProblem(path, "not a regular file");
-    std::ifstream input(path, std::ios::binary);
-    if (!input)
-        return fileProblem(path, "cannot be opened for reading");
-    return readForest(input, {path, std::filesystem::path(path).parent_path().string(), mostTrees});
+    ForestReading reading;
+    readDocumentFile(path, mostTrees, reading);
+    return whatWasRead(reading);
 }
 
 } // namespace osgTreeWind

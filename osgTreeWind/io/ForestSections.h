@@ -2,8 +2,11 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/io/TableReader.h>
+#include <osgTreeWind/io/TreeStore.h>
+#include <osgTreeWind/io/TreesInAll.h>
 #include <osgTreeWind/places/Crs.h>
 
 #include <fstream>
@@ -24,12 +27,12 @@ struct ForestReading {
     std::uint32_t seed = 1;
     float leaves = 1.0f; ///< Of trees that do not say.
     ForestDescription forest;
+    TreeStore trees{forest.trees};
     std::optional<Crs> crs;          ///< That of the forest.
     std::optional<double> windDate;  ///< Seconds since 1970 of the wind's time 0, where its files say.
     std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
     std::set<std::string> treeNames;                  ///< Of all trees so far.
-    std::vector<std::size_t> onGround;                ///< Trees whose height the document does not give.
     const SpeciesCatalogue* catalogue = nullptr;      ///< Null until it is asked for.
 
     /// Index of the species with this name or alias, whatever its case.
@@ -40,6 +43,7 @@ struct ForestReading {
     /// Where species are looked for that the document has not. If that of the host is broken, its problems
     /// are now those of the reading.
     const SpeciesCatalogue& builtIn();
+    TreesInAll treesInAll();
     /// Takes the crs that an inventory or the ground asks for.
     void choose(const Crs& chosen);
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
@@ -55,7 +59,11 @@ struct ForestReading {
     std::optional<InputFile> open(TableReader& table, const std::string& key, const std::string& name);
 };
 
-/// The whole document.
+/// The whole document; problems are those of the reading's log, in order of place.
+void readDocument(std::istream& input, const ForestFileOptions& options, ForestReading& reading);
+/// The same of a file, and what keeps it from being opened.
+void readDocumentFile(const std::string& path, std::size_t mostTrees, ForestReading& reading);
+
 void readRoot(TableReader& root, ForestReading& reading);
 
 void readVersion(TableReader& root);                            ///< Of any document.

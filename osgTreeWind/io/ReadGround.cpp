@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/forest/StandOnGround.h>
+#include <osgTreeWind/forest/FeetOnGround.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/places/RasterGround.h>
@@ -22,6 +22,20 @@ std::vector<std::string> findFiles(TableReader& table, ForestReading& reading) {
         if (const auto file = reading.open(table, "file", name))
             paths.push_back(file->path);
     return paths.size() == names.size() ? paths : std::vector<std::string>();
+}
+
+void putTreesOnGround(TableReader& table, ForestReading& reading) {
+    ForestDescription forest;
+    forest.species = reading.forest.species;
+    forest.ground = reading.forest.ground;
+    forest.tiles = reading.forest.tiles ? *reading.forest.tiles : ForestTiles();
+    reading.treesInAll().nameCompanies(forest.species, *forest.tiles);
+    FeetOnGround feet(forest);
+    reading.trees.change([&](TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
+        feet.put(trees, onGround);
+    });
+    for (const Diagnostic& problem : feet.problems())
+        table.problem("file", problem.message);
 }
 
 } // namespace
@@ -50,8 +64,7 @@ void readGround(TableReader& table, ForestReading& reading) {
     if (ground.value()->map() && !reading.crs)
         reading.choose(*ground.value()->map());
     if (reading.log.problems.empty())
-        for (const Diagnostic& problem : standOnGround(reading.forest, reading.onGround))
-            table.problem("file", problem.message);
+        putTreesOnGround(table, reading);
 }
 
 std::string writeGround(std::ostream& output, const ForestDescription& forest) {

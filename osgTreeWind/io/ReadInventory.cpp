@@ -141,9 +141,7 @@ private:
         if (_standsFor)
             ++_unmatched[*_standsFor];
         tree.name = nameOf(said);
-        if (!place.hasHeight)
-            _reading.onGround.push_back(_reading.forest.trees.size());
-        _reading.forest.trees.push_back(tree);
+        _reading.trees.add(tree, !place.hasHeight);
     }
 
     template <typename T>

@@ -53,6 +53,12 @@ const SpeciesCatalogue& ForestReading::builtIn() {
     return *catalogue;
 }
 
+TreesInAll ForestReading::treesInAll() {
+    TreesInAll all;
+    trees.visit([&](const TreeStore::Trees& some) { all.add(some); });
+    return all;
+}
+
 void ForestReading::choose(const Crs& chosen) {
     crs = chosen;
     forest.crs = chosen.text();
@@ -60,7 +66,7 @@ void ForestReading::choose(const Crs& chosen) {
 }
 
 bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
-    if (count <= mostTrees && forest.trees.size() + count <= mostTrees)
+    if (count <= mostTrees && trees.size() + count <= mostTrees)
         return true;
     table.problem(key, "more than " + std::to_string(mostTrees) + " trees in all");
     return false;
@@ -168,31 +174,29 @@ void ensureSpecies(TableReader& root, ForestReading& reading) {
 }
 
 /// Without the species that ensureSpecies() made, where all trees are of built-in ones.
-void dropUnusedDefault(ForestDescription& forest) {
-    for (const TreePlacement& tree : forest.trees)
-        if (tree.species == 0)
-            return;
-    if (forest.species.size() == 1)
+void dropUnusedDefault(ForestReading& reading) {
+    std::vector<Species>& species = reading.forest.species;
+    bool isUsed = species.size() == 1;
+    reading.trees.visit([&](const TreeStore::Trees& trees) {
+        isUsed = isUsed || std::any_of(trees.begin(), trees.end(),
+                                       [](const TreePlacement& tree) { return tree.species == 0; });
+    });
+    if (isUsed)
         return;
-    forest.species.erase(forest.species.begin());
-    for (TreePlacement& tree : forest.trees)
-        --tree.species;
+    species.erase(species.begin());
+    reading.trees.change([](TreeStore::Trees& trees, const std::vector<std::size_t>&) {
+        for (TreePlacement& tree : trees)
+            --tree.species;
+    });
 }
 
 /// (0, 0, 0) for trees near it; else the whole-metre centre of the trees, at the height of the lowest.
-glm::dvec3 defaultOrigin(const std::vector<TreePlacement>& trees) {
+glm::dvec3 defaultOrigin(const TreesInAll& trees) {
     constexpr double near = 10000.0;
-    if (trees.empty())
+    if (glm::length(glm::max(glm::abs(trees.low), glm::abs(trees.high))) < near)
         return glm::dvec3(0.0);
-    glm::dvec3 low = trees.front().position, high = low;
-    for (const TreePlacement& tree : trees) {
-        low = glm::min(low, tree.position);
-        high = glm::max(high, tree.position);
-    }
-    if (glm::length(glm::max(glm::abs(low), glm::abs(high))) < near)
-        return glm::dvec3(0.0);
-    const glm::dvec3 centre = 0.5 * (low + high);
-    return {std::round(centre.x), std::round(centre.y), std::floor(low.z)};
+    const glm::dvec3 centre = 0.5 * (trees.low + trees.high);
+    return {std::round(centre.x), std::round(centre.y), std::floor(trees.low.z)};
 }
 
 void readOrigin(TableReader& root, ForestReading& reading) {
@@ -203,12 +207,19 @@ void readOrigin(TableReader& root, ForestReading& reading) {
     else if (forest.tiles)
         root.problem("origin", "missing: expected it beside [tiles]");
     else
-        forest.origin = defaultOrigin(forest.trees);
-    for (const TreePlacement& tree : forest.trees)
-        if (glm::distance(tree.position, forest.origin) > farthestTree)
-            return root.problem(
-                "origin", "a tree at (" + numberText(tree.position.x) + ", " + numberText(tree.position.y) +
-                              ", " + numberText(tree.position.z) + ") is more than 100 km from the origin");
+        forest.origin = defaultOrigin(reading.treesInAll());
+    const auto isFar = [&](const TreePlacement& tree) {
+        return glm::distance(tree.position, forest.origin) > farthestTree;
+    };
+    std::optional<glm::dvec3> first;
+    reading.trees.visit([&](const TreeStore::Trees& trees) {
+        const auto far = first ? trees.end() : std::find_if(trees.begin(), trees.end(), isFar);
+        if (far != trees.end())
+            first = far->position;
+    });
+    if (first)
+        root.problem("origin", "a tree at (" + numberText(first->x) + ", " + numberText(first->y) + ", " +
+                                   numberText(first->z) + ") is more than 100 km from the origin");
 }
 
 } // namespace
@@ -240,7 +251,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
         root.problem("tiles", "expected the law \"modal\" with it");
 
     if (!root.has("species"))
-        dropUnusedDefault(reading.forest);
+        dropUnusedDefault(reading);
 
     root.table("ground", [&](TableReader& table) { readGround(table, reading); });
     if (reading.log.problems.empty())

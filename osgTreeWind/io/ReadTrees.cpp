@@ -193,14 +193,12 @@ void readTree(TableReader& table, ForestReading& reading) {
         tree.position = {position[0], position[1], position.size() > 2 ? position[2] : 0.0};
     else
         table.missing("position");
-    if (position.size() == 2)
-        reading.onGround.push_back(reading.forest.trees.size());
     tree.leaves = reading.leaves;
-    tree.seed = reading.seed + static_cast<std::uint32_t>(reading.forest.trees.size());
+    tree.seed = reading.seed + static_cast<std::uint32_t>(reading.trees.size());
     readFields(table, tree);
     if (!tree.name.empty() && !reading.treeNames.insert(tree.name).second)
         table.problem("id", "the id " + inQuotes(tree.name) + " is taken already");
-    reading.forest.trees.push_back(tree);
+    reading.trees.add(tree, position.size() == 2);
 }
 
 void readScatter(TableReader& table, ForestReading& reading) {
@@ -256,8 +254,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
         tree.leaves = scatter.leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
-        reading.onGround.push_back(reading.forest.trees.size());
-        reading.forest.trees.push_back(tree);
+        reading.trees.add(tree, true);
     }
 }
 

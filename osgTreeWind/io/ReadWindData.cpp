@@ -66,11 +66,14 @@ bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::
 
 /// A note where trees stand beside the points of a file's grid.
 void noteTreesOutside(const WindFile& file, const glm::dvec3& offset, const std::string& path,
-                      ForestDescription& forest) {
-    const auto count =
-        std::count_if(forest.trees.begin(), forest.trees.end(), [&](const TreePlacement& tree) {
+                      ForestReading& reading) {
+    ForestDescription& forest = reading.forest;
+    std::ptrdiff_t count = 0;
+    reading.trees.visit([&](const TreeStore::Trees& trees) {
+        count += std::count_if(trees.begin(), trees.end(), [&](const TreePlacement& tree) {
             return !file.covers(glm::dvec2(tree.position - forest.origin));
         });
+    });
     if (count == 0)
         return;
     const WindSummary& wind = file.summary;
@@ -81,24 +84,18 @@ void noteTreesOutside(const WindFile& file, const glm::dvec3& offset, const std:
         if (wind.points[axis] > 1)
             extent +=
                 std::string(axis == 0 ? ", x " : ", y ") + rounded(low[axis]) + " to " + rounded(high[axis]);
-    forest.notes.push_back(std::to_string(count) + " of " + std::to_string(forest.trees.size()) +
+    forest.notes.push_back(std::to_string(count) + " of " + std::to_string(reading.trees.size()) +
                            " trees stand outside the grid of " + path + extent +
                            "; the wind at its edges holds there");
 }
 
 /// Wind is wanted where trees stand, and a kilometre around.
-void chooseArea(const ForestDescription& forest, WindFileOptions& options) {
+void chooseArea(ForestReading& reading, WindFileOptions& options) {
     constexpr double around = 1000.0;
-    const auto placeOf = [&](const TreePlacement& tree) { return glm::dvec2(tree.position - forest.origin); };
-    const glm::dvec2 first = forest.trees.empty() ? glm::dvec2(0.0) : placeOf(forest.trees.front());
-    glm::dvec2 low = first, high = first;
-    for (const TreePlacement& tree : forest.trees) {
-        const glm::dvec2 place = placeOf(tree);
-        low = glm::min(low, place);
-        high = glm::max(high, place);
-    }
-    options.low = low - around;
-    options.high = high + around;
+    const TreesInAll trees = reading.treesInAll();
+    const glm::dvec3 zero = trees.count > 0 ? reading.forest.origin : glm::dvec3(0.0);
+    options.low = glm::dvec2(trees.low - zero) - around;
+    options.high = glm::dvec2(trees.high - zero) + around;
 }
 
 } // namespace
@@ -113,7 +110,7 @@ WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
     options.crs = reading.forest.crs;
     table.read("roughness", options.roughness, fieldAt(fieldsOf<LogProfile>(), "roughness").range);
     table.read("height", options.height, fieldAt(fieldsOf<LogProfile>(), "height").range);
-    chooseArea(reading.forest, options);
+    chooseArea(reading, options);
     std::vector<std::string> paths;
     std::vector<double> times;
     if (!readDataPaths(table, reading, paths, times) || !known)
@@ -127,7 +124,7 @@ WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
     reading.windDate = parseIsoTime(wind.value().summary.start);
     for (const std::string& note : wind.value().summary.notes)
         reading.forest.notes.push_back(paths.front() + ": " + note);
-    noteTreesOutside(wind.value(), offset, paths.front(), reading.forest);
+    noteTreesOutside(wind.value(), offset, paths.front(), reading);
     return std::make_shared<FileWind>(wind.value().field,
                                       FileWind::Source{paths, table.has("files"), times, offset,
                                                        reading.forest.origin, options.crs, options.roughness,

@@ -16,7 +16,9 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -198,13 +200,38 @@ Diagnostics TileTrees::fit(const std::vector<Species>& known, std::size_t count,
     return {};
 }
 
-std::string tileText(const ForestDescription& forest, const std::vector<std::uint32_t>& trees) {
+Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species, const ForestTiles& tiles,
+                                            std::size_t tile) {
+    if (tiles.tiles[tile].trees == 0)
+        return std::vector<TreePlacement>();
+    const std::string file = tiles.fileOf(tile);
+    std::ifstream input(file, std::ios::binary);
+    if (!input)
+        return fileProblem(file, "cannot be opened for reading");
+    Result<TileTrees> read = readTileTrees(input, file);
+    if (!read)
+        return read.problems();
+    if (Diagnostics problems = read.value().fit(species, tiles.tiles[tile].trees, file); !problems.empty())
+        return problems;
+    std::vector<TreePlacement> trees = std::move(read.value().trees);
+    trees.erase(std::remove_if(trees.begin(), trees.end(),
+                               [&](const TreePlacement& tree) { return tiles.removed.count(tree.name) > 0; }),
+                trees.end());
+    return trees;
+}
+
+std::string tileHead() {
     std::string text;
     for (const char* name : columnNames)
         text.append(text.empty() ? "" : ",").append(name);
-    text += '\n';
+    return text + '\n';
+}
+
+std::string tileRows(const std::vector<TreePlacement>& all, const std::vector<std::uint32_t>& trees,
+                     const std::vector<Species>& species) {
+    std::string text;
     for (const std::uint32_t tree : trees)
-        appendTree(text, forest.trees[tree], forest.species[forest.trees[tree].species].name);
+        appendTree(text, all[tree], species[all[tree].species].name);
     return text;
 }
 

@@ -28,8 +28,14 @@ struct TileTrees {
 /// @return all of it, or what is wrong, at which line. Thread-safe.
 Result<TileTrees> readTileTrees(std::istream& input, const std::string& file);
 
-/// What readTileTrees() reads, to the bit but for places. Thread-safe.
-/// @param trees of `forest`, by number.
-std::string tileText(const ForestDescription& forest, const std::vector<std::uint32_t>& trees);
+/// The trees of one tile, but for those that are removed; none where the tile has none. Thread-safe.
+Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species, const ForestTiles& tiles,
+                                            std::size_t tile);
+
+std::string tileHead();
+/// What readTileTrees() reads, to the bit but for places. Thread-safe. @param trees some of them, by number.
+/// @param species of the forest.
+std::string tileRows(const std::vector<TreePlacement>& all, const std::vector<std::uint32_t>& trees,
+                     const std::vector<Species>& species);
 
 } // namespace osgTreeWind

@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/io/ForestStream.h>
 
 #include <string>
 
@@ -26,6 +27,10 @@ struct TilingOptions {
 /// @return the tiles, or what keeps it from being written.
 OSGTREEWIND_EXPORT Result<ForestTiles> writeTiledForest(const ForestDescription& forest,
                                                         const std::string& folder,
+                                                        const TilingOptions& options = {});
+
+/// The same of a forest that is not in memory; the same bytes, whatever of it is at once.
+OSGTREEWIND_EXPORT Result<ForestTiles> writeTiledForest(const ForestStream& forest, const std::string& folder,
                                                         const TilingOptions& options = {});
 
 /// Columns and rows of tiles, both ends included.

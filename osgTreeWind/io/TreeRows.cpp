@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TreeRows.h>
 
-#include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/CsvReader.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 
@@ -22,29 +23,36 @@ namespace {
 
 class CsvRows final : public TreeRows {
 public:
-    explicit CsvRows(CsvTable table) : _table(std::move(table)) {}
+    /// @param text as readText() gives it, in which readCsvRows() found nothing wrong and that head.
+    CsvRows(CsvTable head, std::string text, char delimiter)
+        : _head(std::move(head)), _text(std::move(text)), _delimiter(delimiter) {
+        rewind();
+    }
 
-    const std::string& file() const override { return _table.file; }
+    const std::string& file() const override { return _head.file; }
     const std::string& format() const override { return _format; }
-    const std::vector<std::string>& columns() const override { return _table.columns; }
+    const std::vector<std::string>& columns() const override { return _head.columns; }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
-    void rewind() override { _next = 0; }
-    Result<bool> next() override { return _next++ < _table.rows.size(); }
-    bool has(std::size_t column) const override { return !row().cells[column].empty(); }
-    std::string text(std::size_t column) const override { return row().cells[column]; }
-    Result<double> number(std::size_t column) const override { return _table.number(row(), column); }
+    void rewind() override {
+        _reader.emplace(_text, _head.file, _delimiter);
+        static_cast<void>(_reader->next()); // the header, which was read before
+    }
+    Result<bool> next() override { return _reader->next(); }
+    bool has(std::size_t column) const override { return !text(column).empty(); }
+    std::string text(std::size_t column) const override { return _reader->row().cells[column]; }
+    Result<double> number(std::size_t column) const override { return _head.number(_reader->row(), column); }
     Result<VectorPlace> place(const CrsWay&) const override { return VectorPlace(); }
     Diagnostic problem(const std::string& column, const std::string& message) const override {
-        return {_table.file, row().line, 0, column, message};
+        return {_head.file, _reader->row().line, 0, column, message};
     }
 
 private:
-    const CsvTable::Row& row() const { return _table.rows[_next - 1]; }
-
-    CsvTable _table;
+    CsvTable _head;
+    std::string _text;
+    char _delimiter;
     const std::string _format = "CSV";
-    std::size_t _next = 0;
+    std::optional<CsvReader> _reader;
     std::optional<Crs> _crs;
 };
 
@@ -96,9 +104,12 @@ private:
 };
 
 std::unique_ptr<TreeRows> openCsv(ForestReading::InputFile file, char delimiter, ForestReading& reading) {
-    auto table = readCsvTable(file.stream, file.path, delimiter);
+    Result<std::string> text = readText(file.stream, file.path);
+    const Result<CsvTable> table =
+        text ? readCsvRows(text.value(), file.path, delimiter, [](const CsvTable&, CsvTable::Row&) {})
+             : Result<CsvTable>(text.problems());
     if (table)
-        return std::make_unique<CsvRows>(std::move(table.value()));
+        return std::make_unique<CsvRows>(table.value(), std::move(text.value()), delimiter);
     for (const Diagnostic& problem : table.problems())
         reading.log.add(problem);
     return {};

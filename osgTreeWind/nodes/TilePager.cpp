@@ -199,14 +199,14 @@ void TilePager::leave(Slot& slot, const Forest& forest, std::vector<TreeId>& lea
 std::optional<std::size_t> TilePager::tileWith(const std::string& name) const {
     if (const std::optional<std::size_t> tile = _tiles.tileOf(name))
         return tile;
-    const std::optional<std::string> file = _tiles.fileOfId(name);
-    if (!file)
+    const std::optional<std::uint32_t> number = _tiles.idFileOf(name);
+    if (!number)
         return {};
-    const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(*file);
+    const std::string file = _tiles.fileOfIds(*number);
+    const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(file);
     const auto* ids = dynamic_cast<const IdFile*>(read.get());
     if (!ids) {
-        OSG_WARN << "osgTreeWind: " << *file << ": expected ids; no tree is found by one of them"
-                 << std::endl;
+        OSG_WARN << "osgTreeWind: " << file << ": expected ids; no tree is found by one of them" << std::endl;
         return {};
     }
     const auto place = ids->content.find(name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The crowns of a world as they look from afar.
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/io/CrownSheet.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TiledForest.h>

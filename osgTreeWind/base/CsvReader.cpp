@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/CsvReader.h>
+
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+std::size_t lineLength(std::string_view text) {
+    const std::size_t end = text.find_first_of("\r\n");
+    if (end == std::string_view::npos)
+        return text.size();
+    return text.substr(end, 2) == "\r\n" ? end + 2 : end + 1;
+}
+
+} // namespace
+
+CsvReader::CsvReader(std::string_view text, std::string file, char delimiter)
+    : _text(text), _file(std::move(file)) {
+    csv_init(&_parser, CSV_STRICT | CSV_STRICT_FINI | CSV_REPALL_NL);
+    csv_set_delim(&_parser, static_cast<unsigned char>(delimiter));
+}
+
+CsvReader::~CsvReader() {
+    csv_free(&_parser);
+}
+
+Result<bool> CsvReader::next() {
+    _row.cells.clear();
+    _isWhole = false;
+    while (!_isWhole && !_text.empty()) {
+        const std::size_t length = lineLength(_text);
+        ++_line;
+        if (!_isBegun)
+            _row.line = _line;
+        _isBegun = true;
+        const std::size_t parsed = csv_parse(&_parser, _text.data(), length, &onCell, &onRowEnd, this);
+        if (parsed != length)
+            return problem(_line, static_cast<int>(parsed) + 1,
+                           "misplaced quotation mark; expected \"\" inside quotes");
+        _text.remove_prefix(length);
+    }
+    if (!_isWhole && !std::exchange(_isFinished, true) && csv_fini(&_parser, &onCell, &onRowEnd, this) != 0)
+        return problem(_row.line, 0, "quotation mark is never closed");
+    return _isWhole;
+}
+
+void CsvReader::onCell(void* cell, std::size_t length, void* self) {
+    static_cast<CsvReader*>(self)->_row.cells.emplace_back(static_cast<const char*>(cell), length);
+}
+
+void CsvReader::onRowEnd(int, void* self) {
+    auto& reader = *static_cast<CsvReader*>(self);
+    reader._isBegun = false;
+    if (!reader._row.cells.empty()) // else a blank line, or the LF of a CR LF
+        reader._isWhole = true;
+}
+
+Diagnostic CsvReader::problem(int line, int column, const char* syntax) const {
+    const int error = csv_error(&_parser);
+    return {_file, line, column, {}, error == CSV_EPARSE ? syntax : csv_strerror(error)};
+}
+
+} // namespace osgTreeWind

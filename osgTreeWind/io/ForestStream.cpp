@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/ForestStream.h>
+
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/io/ForestSections.h>
+
+#include <utility>
+
+namespace osgTreeWind {
+
+struct ForestStream::Reading : ForestReading {};
+
+ForestStream::ForestStream() = default;
+ForestStream::ForestStream(ForestStream&&) noexcept = default;
+ForestStream& ForestStream::operator=(ForestStream&&) noexcept = default;
+ForestStream::~ForestStream() = default;
+
+Result<ForestStream> ForestStream::read(const std::string& path, const ForestStreamOptions& options) {
+    ForestStream stream;
+    stream._reading = std::make_unique<Reading>();
+    Reading& reading = *stream._reading;
+    if (!reading.trees.useFile(options.folder, options.treesAtOnce))
+        return fileProblem(options.folder, "cannot be written");
+    readDocumentFile(path, options.mostTrees, reading);
+    if (reading.trees.failed())
+        return fileProblem(options.folder, "cannot hold " + std::to_string(reading.trees.size()) +
+                                               " trees while they are read, some 90 bytes each");
+    if (!reading.log.problems.empty())
+        return std::move(reading.log.problems);
+    reading.treeNames.clear();
+    return stream;
+}
+
+const ForestDescription& ForestStream::description() const {
+    return _reading->forest;
+}
+
+std::size_t ForestStream::treeCount() const {
+    return _reading->trees.size();
+}
+
+bool ForestStream::visit(const std::function<void(const std::vector<TreePlacement>&)>& take) const {
+    _reading->trees.visit(take);
+    return !_reading->trees.failed();
+}
+
+} // namespace osgTreeWind

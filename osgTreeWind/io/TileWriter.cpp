@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/TileWriter.h>
+
+#include <osgTreeWind/io/TileIds.h>
+#include <osgTreeWind/io/TileTrees.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <system_error>
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string unfinished(const std::string& path) {
+    return path + ".part";
+}
+
+bool append(const std::string& path, const std::string& text) {
+    return bool((std::ofstream(unfinished(path), std::ios::binary | std::ios::app) << text).flush());
+}
+
+bool finishFile(const std::string& path) {
+    std::error_code error;
+    fs::rename(unfinished(path), path, error);
+    return !error;
+}
+
+std::size_t tileAt(const ForestTiles& tiles, const glm::dvec3& place) {
+    const glm::dvec2 cell =
+        glm::floor(glm::dvec2(place) / tiles.size) - glm::round(tiles.corner / tiles.size);
+    return static_cast<std::size_t>(cell.y) * tiles.columns + static_cast<std::size_t>(cell.x);
+}
+
+} // namespace
+
+bool writeWholeFile(const std::string& path, const std::string& text) {
+    std::error_code error;
+    if ((std::ofstream(unfinished(path), std::ios::binary) << text).flush() && finishFile(path))
+        return true;
+    fs::remove(unfinished(path), error);
+    return false;
+}
+
+TileWriter::TileWriter(const ForestDescription& world, Executor executor)
+    : _tiles(*world.tiles), _executor(std::move(executor)), _shapes(world), _crowns(_tiles.tiles.size()),
+      _numbered(_tiles.tiles.size()), _idFiles(_tiles.idFiles) {}
+
+bool TileWriter::add(const std::vector<TreePlacement>& trees) {
+    if (_failed)
+        return false;
+    std::vector<std::vector<std::uint32_t>> byTile(_tiles.tiles.size());
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        byTile[tileAt(_tiles, trees[i].position)].push_back(static_cast<std::uint32_t>(i));
+    addIds(trees);
+    std::atomic<bool> failed = _failed;
+    _executor(byTile.size(), [&](std::size_t tile) {
+        if (!failed && !byTile[tile].empty() && !addToTile(tile, trees, byTile[tile]))
+            failed = true;
+    });
+    _failed = failed;
+    return !_failed;
+}
+
+void TileWriter::addIds(const std::vector<TreePlacement>& trees) {
+    std::map<std::uint32_t, std::string> files;
+    for (const TreePlacement& tree : trees) {
+        const std::size_t tile = tileAt(_tiles, tree.position);
+        const std::uint32_t number = _numbered[tile]++;
+        if (tree.name.empty())
+            continue;
+        const std::uint32_t file = *_tiles.idFileOf(tree.name);
+        if (!_idFiles[file])
+            files[file] = tileIdsHead();
+        _idFiles[file] = true;
+        files[file] += tileIdsRow(tree.name, _tiles.nameOf(tile) + '/' + std::to_string(number));
+    }
+    for (const auto& [file, text] : files)
+        _failed = _failed || !append(_tiles.fileOfIds(file), text);
+}
+
+bool TileWriter::addToTile(std::size_t tile, const std::vector<TreePlacement>& all,
+                           const std::vector<std::uint32_t>& trees) {
+    ForestTiles::Tile& entry = _tiles.tiles[tile];
+    const std::string head = entry.trees == 0 ? tileHead() : std::string();
+    for (const std::uint32_t index : trees) {
+        const auto z = static_cast<float>(all[index].position.z);
+        entry.low = entry.trees == 0 ? z : std::min(entry.low, z);
+        entry.high = entry.trees == 0 ? z : std::max(entry.high, z);
+        ++entry.trees;
+        if (const std::optional<PlacedTree> placed = _shapes.fitted(all[index]))
+            _crowns[tile].add(all[index], _shapes.measured(*placed), _tiles);
+    }
+    return append(_tiles.fileOf(tile), head + tileRows(all, trees, _shapes.description().species));
+}
+
+bool TileWriter::finish() {
+    std::string crowns = crownSheetHead();
+    for (std::size_t tile = 0; !_failed && tile < _tiles.tiles.size(); ++tile) {
+        crowns += _crowns[tile].text(_shapes.description().species);
+        _failed = _tiles.tiles[tile].trees > 0 && !finishFile(_tiles.fileOf(tile));
+    }
+    for (std::uint32_t file = 0; !_failed && file < _idFiles.size(); ++file)
+        _failed = _idFiles[file] && !finishFile(_tiles.fileOfIds(file));
+    return !_failed && writeWholeFile(_tiles.fileOfCrowns(), crowns);
+}
+
+} // namespace osgTreeWind
