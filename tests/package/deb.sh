@@ -32,7 +32,8 @@ find "$root/usr/bin" "$root/usr/$library" -type f -exec sh -c 'readelf -d "$1" 2
 [[ ! -s $work/paths ]] || { cat "$work/paths"; echo "deb: the lines above say where libraries are"; exit 1; }
 unset OSG_FILE_PATH
 export LD_LIBRARY_PATH=$root/usr/$library
-OSG_LIBRARY_PATH=$root/usr/$library OSG_RUN_FRAME_COUNT=3 xvfb-run -a -s "-screen 0 320x240x24" \
+# OSG opens a display twice: an Xvfb that starts anew in between (no -noreset) breaks the second one.
+OSG_LIBRARY_PATH=$root/usr/$library OSG_RUN_FRAME_COUNT=3 xvfb-run -a -s "-noreset -screen 0 320x240x24" \
     osgviewer "$root/usr/share/osgTreeWind/examples/forest.treewind" >"$work/said" 2>&1 || { cat "$work/said"; exit 1; }
 ! grep -iE "warning|error" "$work/said"
 "$root/usr/bin/osgtreewind" info "$root/usr/share/osgTreeWind/examples/forest.treewind" >/dev/null

@@ -15,7 +15,8 @@ trap 'rm -rf "$work"' EXIT
 
 # Xvfb keeps its screen in a file, which is looked at while osgviewer runs.
 export OSG_LIBRARY_PATH=$folder OSG_RUN_FRAME_COUNT=${frames:-30} OSG_WINDOW="0 0 320 240"
-timeout 120 xvfb-run -a -s "-screen 0 320x240x24 -fbdir $work" ${viewer:-osgviewer} "$@" "$file" >"$work/said" 2>&1 &
+# OSG opens a display twice: an Xvfb that starts anew in between (no -noreset) breaks the second one.
+timeout 120 xvfb-run -a -s "-noreset -screen 0 320x240x24 -fbdir $work" ${viewer:-osgviewer} "$@" "$file" >"$work/said" 2>&1 &
 running=$!
 seen=""
 while kill -0 "$running" 2>/dev/null; do
