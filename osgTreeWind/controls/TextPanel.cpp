@@ -48,7 +48,7 @@ TextPanel::TextPanel() : _camera(new osg::Camera) {
     state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
     const osg::ref_ptr<osgText::Font> font = fontForColumns();
     _corner = textOf(font);
-    _corner->setAlignment(osgText::TextBase::LEFT_TOP);
+    _corner->setAlignment(osgText::TextBase::LEFT_BOTTOM);
     _middle = textOf(font);
     _middle->setAlignment(osgText::TextBase::LEFT_CENTER);
     setSize(1280, 720);
@@ -65,7 +65,7 @@ void TextPanel::setSize(int width, int height) {
         text->setBoundingBoxMargin(0.5f * size);
         text->setFontResolution(static_cast<unsigned>(size), static_cast<unsigned>(size));
     }
-    _corner->setPosition(osg::Vec3(size, static_cast<float>(height) - size, 0.0f));
+    _corner->setPosition(osg::Vec3(size, size, 0.0f));
 }
 
 void TextPanel::show(const std::string& corner, const std::string& middle) {

@@ -8,8 +8,8 @@
 
 namespace osgTreeWind {
 
-/// Two texts over a picture, of a size that can be read on any screen: one at the upper left, and one that
-/// fills the middle.
+/// Two texts over a picture, of a size that can be read on any screen: one at the lower left (OSG's
+/// statistics are above), and one that fills the middle.
 class TextPanel {
 public:
     TextPanel();

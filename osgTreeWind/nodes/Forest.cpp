@@ -10,6 +10,7 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/GivenWind.h>
@@ -19,6 +20,7 @@
 #include <osg/NodeVisitor>
 #include <osg/Notify>
 #include <osg/Switch>
+#include <osg/Timer>
 #include <osg/Transform>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -311,11 +313,15 @@ osg::Vec3d Forest::getOrigin() const {
 
 void Forest::traverse(osg::NodeVisitor& visitor) {
     const osg::FrameStamp* stamp = visitor.getFrameStamp();
+    const osg::ElapsedTime clock;
     if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && stamp)
         update(visitor);
-    if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && stamp)
+    const bool isCull = visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && stamp;
+    if (isCull)
         _culledFrame = stamp->getFrameNumber();
     osg::Group::traverse(visitor);
+    if (isCull)
+        reportStatistics(*this, visitor, _stepTime, clock.elapsedTime());
 }
 
 osg::BoundingSphere Forest::computeBound() const {
@@ -360,6 +366,7 @@ void Forest::update(osg::NodeVisitor& visitor) {
         return;
     }
     _lastFrame = stamp.getFrameNumber();
+    const osg::ElapsedTime clock;
     stand(path);
     if (_tiles) {
         const TilePager::Changes changes = _tiles->update(stamp, *this);
@@ -372,6 +379,7 @@ void Forest::update(osg::NodeVisitor& visitor) {
         _drawing->treeChanged(_simulation->slotOf(damage.tree));
     if (_damageCallback)
         std::for_each(down.begin(), down.end(), _damageCallback);
+    _stepTime = clock.elapsedTime();
 }
 
 } // namespace osgTreeWind

@@ -39,8 +39,7 @@ struct TreeUnit;
 /// (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of where it
 /// really stands; with two parents, that of the first one. docs/coordinates.md says what its frames are.
 ///
-/// Its bounding boxes (osg::ComputeBoundsVisitor) are those of trees at rest, its bounding sphere holds them
-/// as far as they sway.
+/// Its bounding boxes (osg::ComputeBoundsVisitor) are of trees at rest, its sphere holds them as they sway.
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
@@ -143,7 +142,8 @@ private:
     std::size_t _treeCount = 0;
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};
-    osg::Matrix _place; ///< To the scene's root, in the last update.
+    osg::Matrix _place;     ///< To the scene's root, in the last update.
+    double _stepTime = 0.0; ///< Of the last update, seconds.
     bool _twoPlaces = false;
 };
 
