@@ -5,7 +5,7 @@
 # Usage: deb.sh BUILD_FOLDER LIBRARY_FOLDER      exit 77: not possible here
 set -euo pipefail
 build=$1 library=$2
-for program in cpack dpkg-shlibdeps lintian xvfb-run osgviewer; do
+for program in cpack dpkg-shlibdeps lintian help2man xvfb-run osgviewer; do
     command -v "$program" >/dev/null || { echo "skipped: no $program (script/bootstrap test package)"; exit 77; }
 done
 work=$(mktemp -d)
@@ -36,5 +36,9 @@ export LD_LIBRARY_PATH=$root/usr/$library
 OSG_LIBRARY_PATH=$root/usr/$library OSG_RUN_FRAME_COUNT=3 xvfb-run -a -s "-noreset -screen 0 320x240x24" \
     osgviewer "$root/usr/share/osgTreeWind/examples/forest.treewind" >"$work/said" 2>&1 || { cat "$work/said"; exit 1; }
 ! grep -iE "warning|error" "$work/said"
+for command in "" $("$root/usr/bin/osgtreewind" --help | sed -n '/^Subcommands:/,/^$/ s/^  \([a-z]*\) .*/-\1/p'); do
+    zcat "$root/usr/share/man/man1/osgtreewind$command.1.gz" | grep -q "^osgtreewind$command .- [a-z]" ||
+        { echo "deb: no manual page of osgtreewind$command"; exit 1; }
+done
 "$root/usr/bin/osgtreewind" info "$root/usr/share/osgTreeWind/examples/forest.treewind" >/dev/null
 echo "passed: $(wc -l <"$work/files") files in $(ls "$work"/*.deb | wc -l) packages"
