@@ -58,7 +58,11 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)
     _source.height = std::max(_source.height, least);
     const double toward = glm::radians(_source.toward), up = glm::radians(_source.elevation);
     _along = {std::sin(toward) * std::cos(up), std::cos(toward) * std::cos(up), std::sin(up)};
-    if (_source.kind == WindSource::Kind::Jet)
+    if (_source.kind == WindSource::Kind::Vehicle) {
+        const double speed = glm::length(glm::dvec2(_source.velocity));
+        _along = speed > 0.0 ? glm::dvec3(glm::dvec2(_source.velocity) / speed, 0.0) : glm::dvec3(0.0);
+        _carries = -_source.velocity; // they stay where they were made
+    } else if (_source.kind == WindSource::Kind::Jet)
         _carries = 0.5 * _source.speed * _along;
     else if (_source.kind == WindSource::Kind::Rotor)
         _carries.z = -inducedSpeed(_source);
@@ -118,6 +122,38 @@ glm::dvec3 SourceFlow::vortex(const glm::dvec3& offset) const {
     return {glm::dvec2(-out.y, out.x) * (speed * below(offset.z, _source.height)), 0.0};
 }
 
+glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height) const {
+    constexpr double eddyViscosity = 0.08; // over the largest speed and the half width of a wake: 1 / 12.5
+    const double speed = glm::dot(_source.velocity, _along), z = std::max(height, 0.0);
+    if (!(speed > 0.0))
+        return glm::dvec3(0.0);
+
+    // Of a wake M z exp(-(y^2 + z^2) / (2 s^2)) / (pi s^4), which is fastest at z = s, M is the moment of the
+    // drag over rho U, with the drag at half of the height. It is never faster than the vehicle.
+    const double moment = 0.5 * _source.dragArea * speed * 0.5 * _source.height;
+    const double fastest =
+        moment * std::exp(-0.5) / (glm::pi<double>() * speed); // s^3 of the vehicle's own speed
+    const double behind = -glm::dot(offset, _along);
+    const double s2 =
+        std::sqrt(std::pow(fastest, 4.0 / 3.0) + 4.0 * eddyViscosity * fastest * std::max(behind, 0.0));
+    const glm::dvec2 aside = glm::dvec2(offset) + behind * glm::dvec2(_along);
+    const double follows = s2 > 0.0 ? moment * z * std::exp(-0.5 * (glm::dot(aside, aside) + z * z) / s2) /
+                                          (glm::pi<double>() * s2 * s2)
+                                    : 0.0;
+    glm::dvec3 velocity = glm::smoothstep(0.0, _source.height, behind) * follows * _along;
+
+    const double section = 2.0 * _source.radius * _source.height,
+                 inside = section / (4.0 * glm::pi<double>());
+    for (const double end : {1.0, -1.0})        // front, and rear
+        for (const double side : {1.0, -1.0}) { // above the ground, and mirrored below it
+            glm::dvec3 from(glm::dvec2(offset), z - side * 0.5 * _source.height);
+            if (end > 0.0)
+                from -= _source.length * _along;
+            velocity += end * speed * inside * from / std::pow(glm::dot(from, from) + inside, 1.5);
+        }
+    return velocity;
+}
+
 glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height) const {
     switch (_source.kind) {
     case WindSource::Kind::Rotor:
@@ -126,6 +162,8 @@ glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height) const {
         return jet(offset);
     case WindSource::Kind::Vortex:
         return vortex(offset);
+    case WindSource::Kind::Vehicle:
+        return vehicle(offset, height);
     case WindSource::Kind::Shelter:
         break;
     }

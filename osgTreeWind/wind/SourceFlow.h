@@ -22,13 +22,14 @@ private:
     glm::dvec3 rotor(const glm::dvec3& offset, double height) const;
     glm::dvec3 jet(const glm::dvec3& offset) const;
     glm::dvec3 vortex(const glm::dvec3& offset) const;
+    glm::dvec3 vehicle(const glm::dvec3& offset, double height) const;
     /// Of what it adds on the average.
     glm::dvec3 mean(const glm::dvec3& offset, double height) const;
     /// Three numbers of mean 0 and variance 1, which the flow carries along.
     glm::dvec3 noise(const glm::dvec3& offset, double time) const;
 
     WindSource _source;
-    glm::dvec3 _along{0.0};   ///< A jet, of unit length.
+    glm::dvec3 _along{0.0};   ///< A jet, or a vehicle's way; of unit length.
     glm::dvec3 _carries{0.0}; ///< Its eddies, m/s.
 };
 

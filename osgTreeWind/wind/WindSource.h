@@ -21,16 +21,30 @@ struct WindSource {
         Vortex,
         /// Less wind between walls, behind screens: a share of it is left.
         Shelter,
+        /// A lorry, a train. Behind it the air follows: a wake that keeps its moment about the ground, decays
+        /// as
+        /// distance^-3/4 and widens as distance^1/4, as theory and wind tunnel have it (Eskridge and Hunt
+        /// 1979;
+        /// Eskridge and Thompson 1982, from 10 heights behind on); its eddy viscosity is that of wakes
+        /// (Tennekes and Lumley 1972, 4.2). Around it the flow about a body of its section (a source before
+        /// it
+        /// and a sink behind, as Sanz-Andres et al. 2003 for what stands beside a road). No wind carries it
+        /// off.
+        Vehicle,
     };
     Kind kind = Kind::Rotor;
-    glm::dvec3 position{0.0}; ///< At time 0: a rotor's hub, a jet's mouth, the foot of a vortex or a shelter.
-    glm::dvec3 velocity{0.0}; ///< It moves with, m/s, each within [-1000, 1000].
-    double radius = 5.0;      ///< Of a rotor, a mouth or a shelter; where a vortex is fastest. (0, 1000]
+    glm::dvec3 position{0.0}; ///< At time 0: a rotor's hub, a jet's mouth, the foot of a vortex or a
+                              ///< shelter, the ground below the middle of a vehicle's rear.
+    glm::dvec3 velocity{0.0}; ///< It moves with, m/s, each within [-1000, 1000]; a vehicle on the level.
+    double radius = 5.0;      ///< Of a rotor, a mouth or a shelter; where a vortex is fastest; half of a
+                              ///< vehicle's width. (0, 1000]
     double thrust = 30000.0;  ///< Of a rotor, N: the weight that hovers. [0, 1e7]
     double speed = 10.0;      ///< At a jet's mouth; the fastest of a vortex, negative: clockwise. [-200, 200]
     double toward = 0.0;      ///< Where a jet blows: degrees clockwise from north, [-360, 360], and
     double elevation = 0.0;   ///< upward, [-90, 90].
-    double height = 10.0;     ///< Up to which a vortex or a shelter reaches. (0, 10000]
+    double height = 10.0;     ///< Up to which a vortex or a shelter reaches; of a vehicle. (0, 10000]
+    double length = 16.0;     ///< Of a vehicle. (0, 1000]
+    double dragArea = 6.0;    ///< Of a vehicle: Cd A, m^2; 6 of a lorry, 0.7 of a car. [0, 1000]
     double share = 0.2;       ///< Of the wind that a shelter leaves. [0, 1]
     /// Of what it adds: standard deviation of each component over the speed there, [0, 1]. On the axis of a
     /// round jet it is a quarter (Hussein, Capp and George 1994), in wall jets as much.

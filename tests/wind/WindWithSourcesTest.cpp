@@ -160,6 +160,75 @@ TEST(WindWithSources, AShelterLeavesAShareOfTheWindAndOfNothingElse) {
     }
 }
 
+WindSource lorry() {
+    WindSource source;
+    source.kind = WindSource::Kind::Vehicle;
+    source.velocity = {0.0, 25.0, 0.0};
+    source.radius = 1.25;
+    source.height = 4.0;
+    source.turbulence = 0.0;
+    return source;
+}
+
+/// Eskridge and Thompson (1982) measured both powers from 10 to 80 heights behind.
+TEST(WindWithSources, ALorrysWakeKeepsItsMomentAndDecaysAsMeasured) {
+    WindSource without = lorry(); // a wake
+    without.dragArea = 0.0;
+    double nearSpeed = 0.0, nearHeight = 0.0;
+    for (const double behind : {40.0, 320.0}) {
+        double moment = 0.0, fastest = 0.0, highest = 0.0;
+        const double step = 0.1;
+        for (double z = 0.5 * step; z < 25.0; z += step)
+            for (double x = -25.0; x < 25.0; x += step) {
+                const glm::vec3 place(static_cast<float>(x), static_cast<float>(-behind),
+                                      static_cast<float>(z));
+                const double u = at(lorry(), place).y - at(without, place).y;
+                moment += u * z * step * step;
+                if (u > fastest) {
+                    fastest = u;
+                    highest = z;
+                }
+            }
+        const double expected = 0.5 * 6.0 * 25.0 * 2.0; // half of Cd A U, at half of its height
+        EXPECT_NEAR(moment, expected, 0.03 * expected) << behind;
+        if (behind > 100.0) {
+            EXPECT_NEAR(std::log(fastest / nearSpeed) / std::log(8.0), -0.75, 0.03);
+            EXPECT_NEAR(std::log(highest / nearHeight) / std::log(8.0), 0.25, 0.03);
+        }
+        nearSpeed = fastest;
+        nearHeight = highest;
+    }
+    EXPECT_GT(nearSpeed, 0.5) << "a breeze, 320 m behind";
+    EXPECT_LT(glm::length(at(lorry(), {0.0f, -320.0f, 0.0f})), 0.01) << "none at the ground";
+}
+
+/// What its section sweeps goes out at the front and comes in at the rear.
+TEST(WindWithSources, ALorryPushesTheAirAside) {
+    WindSource source = lorry();
+    source.dragArea = 0.0; // no wake
+    const auto outThrough = [&](float y0, float y1) {
+        double out = 0.0;
+        const float step = 0.25f, half = 6.0f;
+        for (float a = -half + 0.5f * step; a < half; a += step)
+            for (float z = 0.5f * step; z < half; z += step) // two walls along, two across
+                out += at(source, {a, y1, z}).y - at(source, {a, y0, z}).y;
+        for (float y = y0 + 0.5f * step; y < y1; y += step) {
+            for (float z = 0.5f * step; z < half; z += step)
+                out += at(source, {half, y, z}).x - at(source, {-half, y, z}).x;
+            for (float x = -half + 0.5f * step; x < half; x += step)
+                out += at(source, {x, y, half}).z - at(source, {x, y, 0.0f}).z;
+        }
+        return out * step * step;
+    };
+    const double swept = 25.0 * 2.5 * 4.0;
+    EXPECT_NEAR(outThrough(8.0f, 24.0f), swept, 0.05 * swept) << "about the front, at y = 16";
+    EXPECT_NEAR(outThrough(-8.0f, 8.0f), -swept, 0.05 * swept) << "about the rear";
+    EXPECT_EQ(at(source, {3.0f, 20.0f, 0.0f}).z, 0.0) << "not through the ground";
+    EXPECT_GT(at(source, {0.0f, 24.0f, 2.0f}).y, 0.3) << "ahead it is pushed on";
+    source.velocity = glm::dvec3(0.0);
+    EXPECT_EQ(glm::length(at(source, {3.0f, 16.0f, 2.0f})), 0.0) << "parked";
+}
+
 TEST(WindWithSources, ASourceGoesWhereItDrives) {
     WindSource source = fan();
     source.velocity = {0.0, 12.0, 0.0};
@@ -215,7 +284,7 @@ TEST(WindWithSources, WithoutGustsTheSourcesStay) {
 TEST(WindWithSources, IsFiniteForAnySourceAndPlace) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1e300;
     for (const auto kind : {WindSource::Kind::Rotor, WindSource::Kind::Jet, WindSource::Kind::Vortex,
-                            WindSource::Kind::Shelter})
+                            WindSource::Kind::Shelter, WindSource::Kind::Vehicle})
         for (const double number : {nan, huge, -huge, 0.0, 1e-300}) {
             WindSource source;
             source.kind = kind;
