@@ -86,6 +86,8 @@ Result<CrownSheet> readCrownSheet(std::istream& input, const std::string& file) 
                                      expectedFound("a number " + ranges[i].text(), row.cells[i])};
             numbers[i] = number.value_or(0.0);
         }
+        if (problem)
+            return;
         const auto [known, isNew] = species.emplace(row.cells[SpeciesName], sheet.species.size());
         if (isNew)
             sheet.species.push_back(known->first);

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Everything switched now and then, for as many frames as OSGTREEWIND_SOAK_FRAMES says (script/soak): nothing said,
+// nothing that is not a number, and memory that stays flat.
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/ForestFixtures.h>
+
+#include <osgTreeWind/controls/ForestHandler.h>
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/nodes/TreeUnit.h>
+#include <osgTreeWind/wind/FunctionWind.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
+
+#include <osg/MatrixTransform>
+#include <osg/ShapeDrawable>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <random>
+#include <sstream>
+
+using namespace osgTreeWind;
+
+namespace {
+
+class SoakGlTest : public GlTest {
+protected:
+    SoakGlTest() {
+        open(96, 72);
+        viewer().setSceneData(root);
+        viewer().getCamera()->setProjectionMatrixAsPerspective(40, 96.0 / 72.0, 0.5, 5000);
+        viewer().getViewerStats()->collectStats("update", true);
+        put(new Forest(smallForest(8)));
+    }
+
+    unsigned below(unsigned count) { return static_cast<unsigned>(random()) % count; }
+    double uniform(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    }
+
+    void put(const osg::ref_ptr<Forest>& next) {
+        root->removeChildren(0, root->getNumChildren());
+        forest = next;
+        handler = new ForestHandler(forest);
+        place = new osg::MatrixTransform;
+        place->addChild(forest);
+        root->addChild(place);
+        root->addChild(handler->getOverlay());
+    }
+
+    WindFieldPtr anyWind() {
+        const glm::vec3 mean(uniform(-20.0, 20.0), uniform(-20.0, 20.0), 0.0);
+        GustWind::Parameters gusts;
+        gusts.mean = mean;
+        WindSource source;
+        source.kind = static_cast<WindSource::Kind>(below(5));
+        source.position = {uniform(-5.0, 15.0), uniform(-5.0, 15.0), uniform(0.0, 20.0)};
+        source.velocity = {uniform(-9.0, 9.0), 0.0, 0.0};
+        switch (below(5)) {
+        case 0:
+            return nullptr;
+        case 1:
+            return GustWind::create(gusts).value();
+        case 2:
+            return std::make_shared<WindWithSources>(std::make_shared<UniformWind>(mean),
+                                                     std::vector<WindSource>{source});
+        case 3:
+            return std::make_shared<FunctionWind>(
+                [mean](const glm::vec3&, double time) { return mean * static_cast<float>(std::sin(time)); });
+        default:
+            return std::make_shared<UniformWind>(mean);
+        }
+    }
+
+    TreePlacement anyTree() {
+        TreePlacement tree = smallForest(1).trees.front();
+        tree.position = {uniform(-10.0, 20.0), uniform(-10.0, 20.0), uniform(-1.0, 1.0)};
+        tree.size.height = static_cast<float>(uniform(1.0, 12.0));
+        tree.leaves = static_cast<float>(uniform(0.0, 1.0));
+        tree.openGrown = below(2) == 0;
+        tree.seed = below(1000);
+        return tree;
+    }
+
+    ForestDescription anyForest() {
+        ForestDescription description = smallForest(static_cast<int>(below(12)));
+        if (below(50) == 0)
+            description.species.front() = *findSpecies("silver birch");
+        if (below(3) == 0)
+            description.law = static_cast<MotionLaw>(below(4));
+        description.damage = description.law == MotionLaw::Modal && below(3) == 0;
+        description.gain = static_cast<float>(uniform(0.0, 4.0));
+        description.season = static_cast<float>(uniform(0.0, 4.0));
+        description.windCanopy.source = below(3) == 0 ? CanopySource::Forest : CanopySource::None;
+        description.drawing.tiers = below(4) > 0;
+        description.drawing.budget = below(4) == 0 ? 5.0f : 0.0f;
+        description.wind = anyWind();
+        return description;
+    }
+
+    TreeId anyTreeOfIt() {
+        const std::vector<TreeId> trees = forest->getTrees();
+        return trees.empty() ? noTree : trees[below(static_cast<unsigned>(trees.size()))];
+    }
+
+    void followABranch() {
+        const TreeId tree = anyTreeOfIt();
+        const std::size_t units = tree == noTree ? 0 : forest->getUnits(tree).size();
+        if (units == 0)
+            return;
+        const unsigned unit = below(static_cast<unsigned>(units));
+        BranchTransform* branch = forest->branch(tree, unit);
+        if (branch && below(3) > 0)
+            branch->addChild(new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(), 0.1f)));
+        else
+            forest->unfollow(tree, unit);
+    }
+
+    void pressAKey() {
+        constexpr char keys[] = "0[]pn+-mgGdvrahi";
+        osg::ref_ptr<osgGA::GUIEventAdapter> event = new osgGA::GUIEventAdapter;
+        event->setEventType(osgGA::GUIEventAdapter::KEYDOWN);
+        const unsigned key = below(sizeof keys + 5);
+        event->setKey(key < sizeof keys - 1 ? keys[key]
+                                            : osgGA::GUIEventAdapter::KEY_Left + static_cast<int>(key % 6));
+        handler->handle(*event, viewer());
+        event->setEventType(osgGA::GUIEventAdapter::FRAME);
+        event->setTime(time += 0.3);
+        handler->handle(*event, viewer());
+    }
+
+    /// As a file has it.
+    void readWhatIsWritten() {
+        ForestDescription description = forest->getSimulation().describe();
+        if (dynamic_cast<const FunctionWind*>(description.wind.get()))
+            description.wind = nullptr;
+        std::stringstream text;
+        const Diagnostics problems = writeForest(description, text);
+        ASSERT_TRUE(problems.empty() || problems.front().key == "wind") << problems.front().text();
+        if (!problems.empty())
+            return;
+        const auto again = readForest(text);
+        ASSERT_TRUE(again) << again.problems().front().text() << text.str();
+        ASSERT_EQ(again.value().trees.size(), description.trees.size());
+        forest->setDescription(again.value());
+    }
+
+    void lookElsewhere() {
+        const double distance = std::pow(10.0, uniform(0.5, 3.0)), turn = uniform(0.0, 6.28);
+        viewer().getCamera()->setViewMatrixAsLookAt(
+            {5.0 + distance * std::cos(turn), 3.0 + distance * std::sin(turn), uniform(0.5, 0.8 * distance)},
+            {5.0, 3.0, 2.0}, osg::Z_AXIS);
+    }
+
+    void switchSomething() {
+        const std::vector<std::function<void()>> all = {
+            [&] { forest->setWind(anyWind(), static_cast<WindFrame>(below(2))); },
+            [&] { forest->setSeason(static_cast<float>(uniform(0.0, 4.0))); },
+            [&] {
+                if (forest->getNumTrees() < 30)
+                    static_cast<void>(forest->addTree(anyTree()).ok());
+            },
+            [&] { forest->removeTree(anyTreeOfIt()); },
+            [&] { forest->changeTree(anyTreeOfIt(), anyTree()); },
+            [&] { followABranch(); },
+            [&] { pressAKey(); },
+            [&] { lookElsewhere(); },
+            [&] { place->setMatrix(osg::Matrix::rotate(uniform(0.0, 6.28), osg::Z_AXIS)); },
+            [&] { time += below(2) == 0 ? 1e-4 : uniform(0.0, 20.0); },
+            [&] { root->releaseGLObjects(below(2) == 0 ? context().getState() : nullptr); },
+            [&] { put(static_cast<Forest*>(forest->clone(osg::CopyOp::SHALLOW_COPY))); },
+            [&] { forest->setDescription(anyForest()); },
+            [&] { put(new Forest(anyForest())); },
+            [&] { readWhatIsWritten(); },
+        };
+        all[below(static_cast<unsigned>(all.size()))]();
+    }
+
+    std::mt19937 random{7};
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    osg::ref_ptr<osg::MatrixTransform> place;
+    osg::ref_ptr<Forest> forest;
+    osg::ref_ptr<ForestHandler> handler;
+    double time = 0.0;
+};
+
+} // namespace
+
+TEST_F(SoakGlTest, everythingIsSwitchedNowAndThen) {
+    const char* given = std::getenv("OSGTREEWIND_SOAK_FRAMES");
+    const int frames = given ? std::atoi(given) : 400;
+    std::size_t settled = 0;
+    for (int i = 0; i < frames && !HasFailure(); ++i) {
+        SCOPED_TRACE("frame " + std::to_string(i));
+        if (below(4) == 0)
+            switchSomething();
+        frame(time += 1.0 / 60.0);
+        if (frames >= 20 && i % (frames / 20) == 0) {
+            if (given)
+                std::cout << "frame " << i << ": " << residentMemory() / 1000000 << " MB" << std::endl;
+            for (const TreeId tree : forest->getTrees())
+                for (const TreeUnit& unit : forest->getUnits(tree))
+                    ASSERT_TRUE(std::isfinite(unit.base.length()));
+        }
+        if (i == frames / 4)
+            settled = residentMemory();
+    }
+    if (frames >= 10000) {
+        EXPECT_LT(residentMemory(), settled + keptMemory);
+    }
+}
