@@ -90,9 +90,10 @@ public:
     bool has(Column column) const { return !text(column).empty(); }
     double number(Column column, const Range& range) {
         const std::optional<double> number = parseNumber(text(column));
-        if (!number || !range.contains(*number))
-            expect(column, "a number " + range.text());
-        return number.value_or(0.0);
+        if (number && range.contains(*number))
+            return *number;
+        expect(column, "a number " + range.text());
+        return 0.0;
     }
     void expect(Column column, const std::string& what) {
         if (!_problem)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything switched now and then, for as many frames as OSGTREEWIND_SOAK_FRAMES says (script/soak): nothing said,
-// nothing that is not a number, and memory that stays flat.
+// Everything switched now and then, for as many frames as OSGTREEWIND_SOAK_FRAMES says (script/soak): nothing
+// said, nothing that is not a number, and memory that stays flat.
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/ForestFixtures.h>
 
@@ -170,7 +170,12 @@ protected:
             [&] { lookElsewhere(); },
             [&] { place->setMatrix(osg::Matrix::rotate(uniform(0.0, 6.28), osg::Z_AXIS)); },
             [&] { time += below(2) == 0 ? 1e-4 : uniform(0.0, 20.0); },
-            [&] { root->releaseGLObjects(below(2) == 0 ? context().getState() : nullptr); },
+            [&] {
+                root->releaseGLObjects(below(2) == 0 ? context().getState() : nullptr);
+                context()
+                    .getState()
+                    ->dirtyAllVertexArrays(); // OSG 3.6.5 takes the same array for still bound
+            },
             [&] { put(static_cast<Forest*>(forest->clone(osg::CopyOp::SHALLOW_COPY))); },
             [&] { forest->setDescription(anyForest()); },
             [&] { put(new Forest(anyForest())); },
