@@ -37,7 +37,7 @@ CLI::Validator within(double low, double high);
 /// Adds --tiles: which of a world's.
 void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles);
 
-/// The forest in `file`; prints the first problem, or what is worth knowing, on standard error.
+/// The forest in `file`; prints the problems, or what is worth knowing, on standard error.
 /// @param tiles of a world whose trees are wanted: there are no tiles in what comes out.
 /// @param withNodes it is going to be drawn, and there must be memory for that.
 std::optional<osgTreeWind::ForestDescription>

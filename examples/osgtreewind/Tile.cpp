@@ -43,9 +43,8 @@ ExitCode run(const TileOptions& options) {
     std::filesystem::create_directories(options.output, ignored);
     const auto forest = ForestStream::read(options.file, {options.output});
     if (!forest) {
-        const Diagnostic& problem = forest.problems().front();
-        std::cerr << problem.text() << '\n';
-        return problem.file == options.output ? Failed : BadInput;
+        std::cerr << linesOf(forest.problems()) << '\n';
+        return forest.problems().front().file == options.output ? Failed : BadInput;
     }
     for (const std::string& note : forest.value().description().notes)
         std::cerr << options.file << ": note: " << note << '\n';

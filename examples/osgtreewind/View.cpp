@@ -172,7 +172,7 @@ ExitCode show(const ViewOptions& options) {
         return runOtherBackend("egl"); // windows need the system's OpenGL
     auto description = readForestFile(options.file);
     if (!description) {
-        std::cerr << description.problems().front().text() << '\n';
+        std::cerr << linesOf(description.problems()) << '\n';
         return BadInput;
     }
     for (const std::string& note : description.value().notes)

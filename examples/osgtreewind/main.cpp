@@ -53,14 +53,14 @@ std::optional<ForestPart> load(const std::string& file, const osgTreeWind::TileB
                                bool withThoseAround) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
     if (!forest) {
-        std::cerr << forest.problems().front().text() << '\n';
+        std::cerr << linesOf(forest.problems()) << '\n';
         return {};
     }
     const osgTreeWind::WindCanopy& canopy = forest.value().windCanopy;
     const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : usualShelter;
     const auto wanted = loadTiles(forest.value(), tiles, withThoseAround ? shelter : 0.0);
     if (!wanted) {
-        std::cerr << wanted.problems().front().text() << '\n';
+        std::cerr << linesOf(wanted.problems()) << '\n';
         return {};
     }
     for (const std::string& note : forest.value().notes)

@@ -20,6 +20,13 @@ std::string Diagnostic::text() const {
     return result + message;
 }
 
+std::string linesOf(const Diagnostics& problems) {
+    std::string lines;
+    for (const Diagnostic& problem : problems)
+        lines += (lines.empty() ? "" : "\n") + problem.text();
+    return lines;
+}
+
 void warnOfNoValue(const Diagnostics& problems) {
     std::cerr << "osgTreeWind: there is no value: " + problems.front().text() + '\n';
 }

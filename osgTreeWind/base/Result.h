@@ -23,6 +23,9 @@ struct OSGTREEWIND_EXPORT Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Their texts, a line each; the last one without its end.
+OSGTREEWIND_EXPORT std::string linesOf(const Diagnostics& problems);
+
 /// Says on stderr that somebody took the value of a Result that has none, and why it has none.
 OSGTREEWIND_EXPORT void warnOfNoValue(const Diagnostics& problems);
 

@@ -72,7 +72,7 @@ private:
     static ReadResult read(std::istream& input, const ForestFileOptions& where) {
         Result<ForestDescription> forest = readForest(input, where);
         if (!forest)
-            return ReadResult(forest.problems().front().text());
+            return ReadResult(linesOf(forest.problems()));
         const std::vector<std::string> notes = forest.value().notes;
         Result<osg::ref_ptr<Forest>> node = Forest::create(std::move(forest.value()));
         if (!node) {
@@ -98,7 +98,7 @@ private:
                                    forest->getChild(i)->getName());
         ForestDescription now = forest->getSimulation().describe();
         const Diagnostics problems = writer(now);
-        return problems.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(problems.front().text());
+        return problems.empty() ? WriteResult(WriteResult::FILE_SAVED) : WriteResult(linesOf(problems));
     }
 };
 

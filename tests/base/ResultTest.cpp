@@ -20,6 +20,11 @@ TEST(Diagnostic, TextLeavesOutWhatIsUnknown) {
     EXPECT_EQ((Diagnostic{{}, 0, 0, {}, "wrong"}.text()), "wrong");
 }
 
+TEST(Diagnostic, ProblemsHaveALineEach) {
+    EXPECT_EQ(linesOf({}), "");
+    EXPECT_EQ(linesOf({{"f", 1, 0, {}, "first"}, {"f", 2, 0, {}, "second"}}), "f:1: first\nf:2: second");
+}
+
 TEST(Result, HoldsAValueOrItsProblems) {
     const Result<int> good = 3;
     ASSERT_TRUE(good.ok());
