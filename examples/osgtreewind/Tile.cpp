@@ -38,9 +38,7 @@ void print(const ForestTiles& tiles, bool json) {
                   << " m\n";
 }
 
-ExitCode run(const TileOptions& options) {
-    std::error_code ignored; // reading says so, where the folder is not there
-    std::filesystem::create_directories(options.output, ignored);
+ExitCode cut(const TileOptions& options) {
     const auto forest = ForestStream::read(options.file, {options.output});
     if (!forest) {
         std::cerr << linesOf(forest.problems()) << '\n';
@@ -63,6 +61,16 @@ ExitCode run(const TileOptions& options) {
     }
     print(tiles.value(), options.json);
     return Succeeded;
+}
+
+/// Of input that is no good nothing is left, not even a folder.
+ExitCode run(const TileOptions& options) {
+    std::error_code ignored; // reading says so, where the folder is not there
+    const bool isNew = std::filesystem::create_directories(options.output, ignored);
+    const ExitCode exitCode = cut(options);
+    if (exitCode == BadInput && isNew)
+        std::filesystem::remove(options.output, ignored);
+    return exitCode;
 }
 
 } // namespace

@@ -24,7 +24,7 @@ Result<ForestStream> ForestStream::read(const std::string& path, const ForestStr
     readDocumentFile(path, options.mostTrees, reading);
     if (reading.trees.failed())
         return fileProblem(options.folder, "cannot hold " + std::to_string(reading.trees.size()) +
-                                               " trees while they are read, some 90 bytes each");
+                                               " trees while they are read, 72 bytes each and their ids");
     if (!reading.log.problems.empty())
         return std::move(reading.log.problems);
     reading.treeNames.clear();

@@ -17,11 +17,11 @@ namespace osgTreeWind {
 struct ForestStreamOptions {
     std::string folder;                ///< Of the file that trees lie in; it is there.
     std::size_t mostTrees = 100000000; ///< More than these are a problem.
-    std::size_t treesAtOnce = 262144;  ///< In memory, at least 1; some 110 bytes each.
+    std::size_t treesAtOnce = 262144;  ///< In memory, at least 1; some 100 bytes each.
 };
 
 /// The forest of a file that may have more trees than memory should hold: they lie in a file without a name,
-/// some 90 bytes each and their ids. In memory are ids, places of a [[scatter]] with a spacing, and the text
+/// 72 bytes each and their ids. In memory are ids, places of a [[scatter]] with a spacing, and the text
 /// of a table. Not thread-safe.
 class OSGTREEWIND_EXPORT ForestStream {
 public:

@@ -51,6 +51,7 @@ TEST(Tile, CutsWhatTheOtherCommandsRead) {
     const Outcome again = runTool({"tile", start, "-o", folder.path() + "/other"});
     EXPECT_EQ(again.exitCode, 2);
     EXPECT_EQ(again.err, start + ": its trees are in tiles already\n");
+    EXPECT_FALSE(fs::exists(folder.path() + "/other"));
 }
 
 /// By id, cells by column.
