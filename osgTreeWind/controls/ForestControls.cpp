@@ -143,6 +143,13 @@ void ForestControls::switchTiers() {
     grow([](ForestDescription& forest) { forest.drawing.tiers = !forest.drawing.tiers; });
 }
 
+void ForestControls::switchBudget() {
+    constexpr float budget = 33.0f; // milliseconds
+    grow([](ForestDescription& forest) {
+        forest.drawing.budget = forest.drawing.budget > 0.0f ? 0.0f : budget;
+    });
+}
+
 void ForestControls::step() {
     _isPaused = true;
     ++_steps;
@@ -191,6 +198,8 @@ std::string ForestControls::text() const {
         text += ", with damage";
     if (!forest.drawing.tiers)
         text += ", all in full";
+    if (forest.drawing.budget > 0.0f)
+        text += formatted(", budget %.3g ms", static_cast<double>(forest.drawing.budget));
     text += formatted("\ntime    %.1f s", _time);
     if (_isPaused)
         text += ", paused";

@@ -38,6 +38,7 @@ public:
     void changeGain(float factor);
     void switchDamage();
     void switchTiers();
+    void switchBudget(); ///< 33 ms a frame, or none.
 
     void pause() { _isPaused = !_isPaused; }
     void step(); ///< On by a thirtieth of a second of a forest that pauses.

@@ -50,6 +50,8 @@ const Key keys[] = {
     {'G', "G", "twice the answer to the wind", [](ForestControls& f) { f.changeGain(2.0f); }},
     {'d', "d", "the wind brings down trees, or none", [](ForestControls& f) { f.switchDamage(); }},
     {'v', "v", "far trees in full, or in tiers", [](ForestControls& f) { f.switchTiers(); }},
+    {'b', "b", "far trees coarser where frames take over 33 ms, or not",
+     [](ForestControls& f) { f.switchBudget(); }},
 };
 struct Switch {
     int key;

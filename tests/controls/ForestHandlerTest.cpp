@@ -158,6 +158,11 @@ TEST_F(ForestHandlerTest, LawsFollowEachOtherInTheSameWind) {
     EXPECT_EQ(forest->getDescription().gain, 2.0f);
     EXPECT_TRUE(forest->getDescription().damage);
     EXPECT_TRUE(shows("gain 2, with damage"));
+    press('b');
+    EXPECT_EQ(forest->getDescription().drawing.budget, 33.0f);
+    EXPECT_TRUE(shows("with damage, budget 33 ms"));
+    press('b');
+    EXPECT_EQ(forest->getDescription().drawing.budget, 0.0f);
 }
 
 TEST_F(ForestHandlerTest, WhatALawCannotDoIsSaidAndNotDone) {

@@ -123,7 +123,7 @@ protected:
     }
 
     void pressAKey() {
-        constexpr char keys[] = "0[]pn+-mgGdvrahi";
+        constexpr char keys[] = "0[]pn+-mgGdvbrahi";
         osg::ref_ptr<osgGA::GUIEventAdapter> event = new osgGA::GUIEventAdapter;
         event->setEventType(osgGA::GUIEventAdapter::KEYDOWN);
         const unsigned key = below(sizeof keys + 5);
