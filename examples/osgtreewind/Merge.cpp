@@ -24,13 +24,6 @@ struct MergeOptions {
     std::string output, world;
 };
 
-std::string lineOf(const std::vector<std::string>& cells) {
-    std::string line;
-    for (const std::string& cell : cells)
-        line += (&cell == &cells.front() ? "" : ",") + csvCell(cell);
-    return line + '\n';
-}
-
 /// Tables of parts of a world, one below the other, or by time where rows have one.
 class MergedTable {
 public:
@@ -75,13 +68,13 @@ private:
             if (!tree)
                 return fails(problems, table,
                              "expected a table of risk or of simulate --damage, found the columns " +
-                                 lineOf(table.columns));
+                                 csvLine(table.columns));
             _tree = *tree;
             _columns = table.columns;
-            _output << lineOf(_columns);
+            _output << csvLine(_columns);
         }
         return table.columns == _columns ||
-               fails(problems, table, "expected the columns of the first part, " + lineOf(_columns));
+               fails(problems, table, "expected the columns of the first part, " + csvLine(_columns));
     }
 
     void takeRow(const CsvTable& table, const CsvTable::Row& row, Diagnostics& problems) {
@@ -91,12 +84,12 @@ private:
             fails(problems, table, "the tree " + tree + " is in another row already", row.line);
         ++_rows;
         if (!_time) {
-            _output << lineOf(row.cells);
+            _output << csvLine(row.cells);
             return;
         }
         const Result<double> time = table.number(row, *_time);
         problems.insert(problems.end(), time.problems().begin(), time.problems().end());
-        _byTime.emplace_back(time ? time.value() : 0.0, lineOf(row.cells));
+        _byTime.emplace_back(time ? time.value() : 0.0, csvLine(row.cells));
     }
 
     static bool fails(Diagnostics& problems, const CsvTable& table, std::string message, int line = 0) {

@@ -15,4 +15,13 @@ inline std::string csvCell(const std::string& text) {
     return quoted + '"';
 }
 
+/// Texts as a line of CSV, with its end.
+template <typename Texts>
+std::string csvLine(const Texts& texts) {
+    std::string line;
+    for (const auto& text : texts)
+        line += (&text == &*texts.begin() ? "" : ",") + csvCell(text);
+    return line + '\n';
+}
+
 } // namespace osgTreeWind

@@ -6,6 +6,7 @@
 #include <osgTreeWind/controls/TextPanel.h>
 #include <osgTreeWind/controls/WatchedTree.h>
 #include <osgTreeWind/controls/WindArrows.h>
+#include <osgTreeWind/drawing/stand/DrawnTrees.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
@@ -90,14 +91,9 @@ std::string drawnText(Forest& forest) {
     std::string text = formatted("\ntrees   %zu", forest.getNumTrees());
     if (!forest.getStand())
         return text;
-    const auto listed = forest.getStand()->trees()->listedTrees();
-    const auto full = static_cast<std::size_t>(Tier::Full),
-               pictures = static_cast<std::size_t>(Tier::Impostor);
-    std::size_t boughs = 0, pictured = 0;
-    for (std::size_t tier = full + 1; tier < listed.size(); ++tier)
-        (tier < pictures ? boughs : pictured) += listed[tier];
-    return text +
-           formatted("; drawn %zu in full, %zu by boughs, %zu as pictures", listed[full], boughs, pictured);
+    const DrawnTrees drawn(forest.getStand()->trees()->listedTrees());
+    return text + formatted("; drawn %zu in full, %zu by boughs, %zu as pictures", drawn.full, drawn.byBoughs,
+                            drawn.asPictures);
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include <osgTreeWind/forest/ShapeFamilies.h>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -38,10 +38,7 @@ std::uint32_t CrownSheet::cellsAcrossTile(const ForestTiles& tiles) {
 }
 
 std::string crownSheetHead() {
-    std::string text;
-    for (const char* name : columnNames)
-        text.append(text.empty() ? "" : ",").append(name);
-    return text + '\n';
+    return csvLine(columnNames);
 }
 
 void CrownSums::add(const TreePlacement& tree, const TreeSize& size, const ForestTiles& tiles) {

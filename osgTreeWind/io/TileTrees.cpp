@@ -222,10 +222,7 @@ Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species,
 }
 
 std::string tileHead() {
-    std::string text;
-    for (const char* name : columnNames)
-        text.append(text.empty() ? "" : ",").append(name);
-    return text + '\n';
+    return csvLine(columnNames);
 }
 
 std::string tileRows(const std::vector<TreePlacement>& all, const std::vector<std::uint32_t>& trees,

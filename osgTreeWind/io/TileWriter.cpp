@@ -52,15 +52,25 @@ bool writeWholeFile(const std::string& path, const std::string& text) {
 
 TileWriter::TileWriter(const ForestDescription& world, Executor executor)
     : _tiles(*world.tiles), _executor(std::move(executor)), _shapes(world), _crowns(_tiles.tiles.size()),
-      _numbered(_tiles.tiles.size()), _idFiles(_tiles.idFiles) {}
+      _idFiles(_tiles.idFiles) {}
 
 bool TileWriter::add(const std::vector<TreePlacement>& trees) {
-    if (_failed)
-        return false;
     std::vector<std::vector<std::uint32_t>> byTile(_tiles.tiles.size());
-    for (std::size_t i = 0; i < trees.size(); ++i)
-        byTile[tileAt(_tiles, trees[i].position)].push_back(static_cast<std::uint32_t>(i));
-    addIds(trees);
+    std::map<std::uint32_t, std::string> ids; // by file
+    for (std::size_t i = 0; !_failed && i < trees.size(); ++i) {
+        const std::size_t tile = tileAt(_tiles, trees[i].position);
+        const std::string& name = trees[i].name;
+        if (!name.empty()) {
+            const std::uint32_t file = *_tiles.idFileOf(name);
+            const std::size_t number = _tiles.tiles[tile].trees + byTile[tile].size();
+            ids[file] += (_idFiles[file] ? "" : tileIdsHead()) +
+                         tileIdsRow(name, _tiles.nameOf(tile) + '/' + std::to_string(number));
+            _idFiles[file] = true;
+        }
+        byTile[tile].push_back(static_cast<std::uint32_t>(i));
+    }
+    for (const auto& [file, text] : ids)
+        _failed = _failed || !append(_tiles.fileOfIds(file), text);
     std::atomic<bool> failed = _failed;
     _executor(byTile.size(), [&](std::size_t tile) {
         if (!failed && !byTile[tile].empty() && !addToTile(tile, trees, byTile[tile]))
@@ -68,23 +78,6 @@ bool TileWriter::add(const std::vector<TreePlacement>& trees) {
     });
     _failed = failed;
     return !_failed;
-}
-
-void TileWriter::addIds(const std::vector<TreePlacement>& trees) {
-    std::map<std::uint32_t, std::string> files;
-    for (const TreePlacement& tree : trees) {
-        const std::size_t tile = tileAt(_tiles, tree.position);
-        const std::uint32_t number = _numbered[tile]++;
-        if (tree.name.empty())
-            continue;
-        const std::uint32_t file = *_tiles.idFileOf(tree.name);
-        if (!_idFiles[file])
-            files[file] = tileIdsHead();
-        _idFiles[file] = true;
-        files[file] += tileIdsRow(tree.name, _tiles.nameOf(tile) + '/' + std::to_string(number));
-    }
-    for (const auto& [file, text] : files)
-        _failed = _failed || !append(_tiles.fileOfIds(file), text);
 }
 
 bool TileWriter::addToTile(std::size_t tile, const std::vector<TreePlacement>& all,

@@ -26,16 +26,14 @@ public:
     const PlacedForest& shapes() const { return _shapes; }
 
 private:
-    void addIds(const std::vector<TreePlacement>& trees);
     bool addToTile(std::size_t tile, const std::vector<TreePlacement>& all,
                    const std::vector<std::uint32_t>& trees);
 
     ForestTiles _tiles;
     Executor _executor;
     PlacedForest _shapes;
-    std::vector<CrownSums> _crowns;       ///< Per tile.
-    std::vector<std::uint32_t> _numbered; ///< Per tile: trees that have a place in it.
-    std::vector<bool> _idFiles;           ///< Those that are begun.
+    std::vector<CrownSums> _crowns; ///< Per tile.
+    std::vector<bool> _idFiles;     ///< Those that are begun.
     bool _failed = false;
 };
 

@@ -131,30 +131,29 @@ bool TreeStore::load(const Part& part, Trees& trees, std::vector<std::size_t>& o
 }
 
 void TreeStore::visit(const std::function<void(const Trees&)>& take) {
+    eachPart([&](const Part*, Trees& trees, const std::vector<std::size_t>&) { take(trees); });
+}
+
+void TreeStore::change(
+    const std::function<void(Trees& trees, const std::vector<std::size_t>& onGround)>& change) {
+    eachPart([&](const Part* part, Trees& trees, const std::vector<std::size_t>& onGround) {
+        change(trees, onGround);
+        if (part)
+            write(*part, bytesOf(trees, onGround));
+    });
+}
+
+void TreeStore::eachPart(
+    const std::function<void(const Part*, Trees& trees, const std::vector<std::size_t>& onGround)>& use) {
     if (!_file)
-        return take(_memory);
+        return use(nullptr, _memory, _onGround);
     store();
     Trees().swap(_memory);
     Trees trees;
     std::vector<std::size_t> onGround;
     for (const Part& part : _parts)
         if (load(part, trees, onGround))
-            take(trees);
-}
-
-void TreeStore::change(
-    const std::function<void(Trees& trees, const std::vector<std::size_t>& onGround)>& change) {
-    if (!_file)
-        return change(_memory, _onGround);
-    store();
-    Trees().swap(_memory);
-    Trees trees;
-    std::vector<std::size_t> onGround;
-    for (const Part& part : _parts)
-        if (load(part, trees, onGround)) {
-            change(trees, onGround);
-            write(part, bytesOf(trees, onGround));
-        }
+            use(&part, trees, onGround);
 }
 
 } // namespace osgTreeWind

@@ -43,6 +43,9 @@ private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
+    /// Null for the part: they are in memory.
+    void eachPart(const std::function<void(const Part* part, Trees& trees,
+                                           const std::vector<std::size_t>& onGround)>& use);
     void store();
     void write(const Part& part, const std::string& bytes);
     bool load(const Part& part, Trees& trees, std::vector<std::size_t>& onGround);

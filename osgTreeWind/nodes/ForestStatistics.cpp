@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/ForestStatistics.h>
 
+#include <osgTreeWind/drawing/stand/DrawnTrees.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -8,8 +9,6 @@
 #include <osg/Stats>
 #include <osg/View>
 #include <osgUtil/CullVisitor>
-
-#include <numeric>
 
 namespace osgTreeWind {
 
@@ -25,12 +24,10 @@ void reportStatistics(Forest& forest, osg::NodeVisitor& cullVisitor, double step
     stats->setAttribute(frame, "Forest trees", static_cast<double>(forest.getNumTrees()));
     if (!forest.getStand())
         return;
-    const auto listed = forest.getStand()->trees()->listedTrees();
-    const auto full = listed.begin() + static_cast<std::size_t>(Tier::Full),
-               pictures = listed.begin() + static_cast<std::size_t>(Tier::Impostor);
-    stats->setAttribute(frame, "Forest trees in full", static_cast<double>(*full));
-    stats->setAttribute(frame, "Forest trees by boughs", std::accumulate(full + 1, pictures, 0.0));
-    stats->setAttribute(frame, "Forest trees as pictures", std::accumulate(pictures, listed.end(), 0.0));
+    const DrawnTrees drawn(forest.getStand()->trees()->listedTrees());
+    stats->setAttribute(frame, "Forest trees in full", static_cast<double>(drawn.full));
+    stats->setAttribute(frame, "Forest trees by boughs", static_cast<double>(drawn.byBoughs));
+    stats->setAttribute(frame, "Forest trees as pictures", static_cast<double>(drawn.asPictures));
 }
 
 } // namespace osgTreeWind

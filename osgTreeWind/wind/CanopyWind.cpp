@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/CanopyWind.h>
 
 #include <osgTreeWind/wind/FiniteVelocity.h>
+#include <osgTreeWind/wind/HeldTime.h>
 #include <osgTreeWind/wind/SwingingWind.h>
 
 #include <glm/common.hpp>
@@ -114,8 +115,7 @@ glm::vec3 CanopyWind::among(const CanopyAt& stand, const WindPlace& place, const
 }
 
 void CanopyWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
-    const GustNoise::At noise =
-        _noise.at(glm::dvec3(_pace) * (std::isfinite(time) ? glm::clamp(time, -1e12, 1e12) : 0.0));
+    const GustNoise::At noise = _noise.at(glm::dvec3(_pace) * heldTime(time, 1e12));
     constexpr std::size_t block = GustNoise::block;
     WindPlace raised[block], canopied[block];
     glm::vec3 given[block];

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/HeldTime.h>
 #include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
@@ -55,8 +56,7 @@ WindFieldPtr GustWind::withoutGusts() const {
 }
 
 void GustWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
-    const glm::dvec3 travelled =
-        glm::dvec3(_parameters.mean) * (std::isfinite(time) ? glm::clamp(time, -1e12, 1e12) : 0.0);
+    const glm::dvec3 travelled = glm::dvec3(_parameters.mean) * heldTime(time, 1e12);
     const GustNoise::At noise = _noise->at(travelled);
     for (std::size_t first = 0; first < count; first += GustNoise::block) {
         const std::size_t size = std::min(count - first, GustNoise::block);

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/HeldTime.h>
 #include <osgTreeWind/wind/WindFields.h>
 
 #include <glm/common.hpp>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double airDensity = 1.225; // kg/m^3, standard atmosphere at sea level
 constexpr double farthest = 1e6;     // metres; nothing reaches so far
+constexpr double longest = 1e9;      // seconds
 
 // A round turbulent jet (Pope 2000, 5.1): U0/UJ = B d / (x - x0), half as fast at S (x - x0) from the axis.
 constexpr double decay = 5.8, spreading = 0.094, virtualOrigin = 4.0; // the latter in diameters of the mouth
@@ -71,7 +73,7 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)
 }
 
 glm::dvec3 SourceFlow::offsetOf(const WindPlace& place, double time) const {
-    const double moved = std::isfinite(time) ? glm::clamp(time, -1e9, 1e9) : 0.0;
+    const double moved = heldTime(time, longest);
     const glm::dvec3 offset = glm::dvec3(place.position) - _source.position - moved * _source.velocity;
     const bool near = glm::length(offset) < farthest; // not so for what is not finite
     return near ? offset : glm::dvec3(farthest);
@@ -172,7 +174,7 @@ glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height) const {
 
 glm::dvec3 SourceFlow::noise(const glm::dvec3& offset, double time) const {
     static const GustNoise eddies(1, 1.0, glm::dmat3(1.0), 5); // as large as 1; below, as the source
-    const double moved = std::isfinite(time) ? glm::clamp(time, -1e9, 1e9) : 0.0, size = 1.0 / _source.radius;
+    const double moved = heldTime(time, longest), size = 1.0 / _source.radius;
     const WindPlace place(glm::vec3(offset * size));
     NoisePoint point;
     eddies.at(moved * size * _carries).sample(&place, 1, &point);

@@ -10,10 +10,9 @@ namespace osgTreeWind {
 struct WindSource {
     enum class Kind {
         /// A hovering helicopter, and its wash along the ground. The column below the disk is that of
-        /// momentum
-        /// theory (Leishman 2006, 2.2: twice the induced velocity far below, momentum equal to the thrust);
-        /// what it makes of the ground is a radial wall jet (Poreh, Tsuei and Cermak 1967; profile: Verhoff
-        /// 1963). No wind bends it.
+        /// momentum theory (Leishman 2006, 2.2: twice the induced velocity far below, momentum equal to the
+        /// thrust); what it makes of the ground is a radial wall jet (Poreh, Tsuei and Cermak 1967; profile:
+        /// Verhoff 1963). No wind bends it.
         Rotor,
         /// A fan, a blower: a round turbulent jet (Pope 2000, 5.1: B = 5.8, S = 0.094).
         Jet,
@@ -21,15 +20,12 @@ struct WindSource {
         Vortex,
         /// Less wind between walls, behind screens: a share of it is left.
         Shelter,
-        /// A lorry, a train. Behind it the air follows: a wake that keeps its moment about the ground, decays
-        /// as
-        /// distance^-3/4 and widens as distance^1/4, as theory and wind tunnel have it (Eskridge and Hunt
-        /// 1979;
-        /// Eskridge and Thompson 1982, from 10 heights behind on); its eddy viscosity is that of wakes
-        /// (Tennekes and Lumley 1972, 4.2). Around it the flow about a body of its section (a source before
-        /// it
-        /// and a sink behind, as Sanz-Andres et al. 2003 for what stands beside a road). No wind carries it
-        /// off.
+        /// A lorry, a train. Behind it the air follows: a wake that keeps its moment about the ground,
+        /// decays as distance^-3/4 and widens as distance^1/4, as theory and wind tunnel have it (Eskridge
+        /// and Hunt 1979; Eskridge and Thompson 1982, from 10 heights behind on); its eddy viscosity is that
+        /// of wakes (Tennekes and Lumley 1972, 4.2). Around it the flow about a body of its section (a
+        /// source before it and a sink behind, as Sanz-Andres et al. 2003 for what stands beside a road). No
+        /// wind carries it off.
         Vehicle,
     };
     Kind kind = Kind::Rotor;
