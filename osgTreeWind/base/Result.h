@@ -33,13 +33,13 @@ OSGTREEWIND_EXPORT void warnOfNoValue(const Diagnostics& problems);
 template <typename T>
 class [[nodiscard]] Result {
 public:
-    Result(T value) : _value(std::move(value)) {}
-    Result(Diagnostic problem) : _problems{std::move(problem)} {}
+    Result(T value) : _value(std::move(value)) {}                 ///< Succeeded.
+    Result(Diagnostic problem) : _problems{std::move(problem)} {} ///< Failed.
     /// @param problems at least one.
     Result(Diagnostics problems) : _problems(std::move(problems)) {}
 
-    bool ok() const { return _problems.empty(); }
-    explicit operator bool() const { return ok(); }
+    bool ok() const { return _problems.empty(); }   ///< Whether there is a value.
+    explicit operator bool() const { return ok(); } ///< The same.
 
     /// The value; where there is none an empty one, T(), with a warning on stderr.
     T& value() {
@@ -47,6 +47,7 @@ public:
             warnOfNoValue(_problems);
         return _value;
     }
+    /// The same of one that is kept.
     const T& value() const { return const_cast<Result*>(this)->value(); }
 
     /// All problems in the order of the input; none when ok().

@@ -25,6 +25,7 @@ class Forest;
 /// One viewer. It does not keep the forest.
 class OSGTREEWIND_EXPORT ForestHandler : public osgGA::GUIEventHandler {
 public:
+    /// Of a forest, which it keeps; not null.
     explicit ForestHandler(Forest* forest);
 
     /// The text over the picture.
@@ -39,7 +40,9 @@ public:
     unsigned getUnit() const;
 
     using osgGA::GUIEventHandler::handle;
+    /// osgGA::GUIEventHandler: keys, clicks, and a frame's panel.
     bool handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter& action) override;
+    /// osgGA::GUIEventHandler: the keys, for `--help-keys`.
     void getUsage(osg::ApplicationUsage& usage) const override;
 
 protected:

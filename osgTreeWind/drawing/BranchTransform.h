@@ -15,18 +15,20 @@ public:
     BranchTransform();
     /// @param unit index in access order; @param base attach point in the tree's frame at rest, metres.
     BranchTransform(unsigned unit, const osg::Vec3& base);
+    /// A copy for osg::clone.
     BranchTransform(const BranchTransform& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, BranchTransform)
 
+        /// Index in access order.
         unsigned getUnit() const {
         return _unit;
     }
-    const osg::Vec3& getBase() const { return _base; }
+    const osg::Vec3& getBase() const { return _base; } ///< Attach point, tree's frame, at rest, metres.
 
     /// The branch's own turn about its base, in the tree's rest axes, under any law. Setting it sets the
     /// matrix T(base) R T(-base).
     void setRotation(const osg::Quat& rotation);
-    const osg::Quat& getRotation() const { return _rotation; }
+    const osg::Quat& getRotation() const { return _rotation; } ///< As set last.
     /// The same turn, where what carries the branch stands above no node: the matrix is given whole.
     void setPose(const osg::Matrix& matrix, const osg::Quat& rotation);
 

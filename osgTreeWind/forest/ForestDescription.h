@@ -44,26 +44,26 @@ struct TreePlacement {
 
 /// A whole forest as plain values: what a .treewind file says.
 struct ForestDescription {
-    std::vector<Species> species;
-    std::vector<TreePlacement> trees;
+    std::vector<Species> species;     ///< That trees are of, by index.
+    std::vector<TreePlacement> trees; ///< In the order that ids go by.
     std::optional<ForestTiles> tiles; ///< More trees, which come and go; under the law `modal`.
     glm::dvec3 origin{0.0};           ///< World position of the scene's origin; geometry is relative to it.
     /// What world coordinates are of: a map in metres, in any words that PROJ knows ("EPSG:25832"). Empty:
     /// none.
     std::string crs;
     GroundPtr ground; ///< Null: none. Trees stand where they are put (StandOnGround.h puts them on it).
-    MotionLaw law = MotionLaw::Modal;
+    MotionLaw law = MotionLaw::Modal; ///< How they move.
     /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
     float gain = 1.0f;
     /// Whether the wind brings down trees that it pulls at beyond what roots and stems bear; `modal` alone.
     bool damage = false;
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;
-    WindFieldPtr wind; ///< Null: calm.
-    WindFrame windFrame = WindFrame::Forest;
-    WindCanopy windCanopy;    ///< Of whatever wind the forest is given.
-    float season = midsummer; ///< Of the year (Season.h).
-    DrawingOptions drawing;
+    WindFieldPtr wind;                       ///< Null: calm.
+    WindFrame windFrame = WindFrame::Forest; ///< Whose axes the wind is given in.
+    WindCanopy windCanopy;                   ///< Of whatever wind the forest is given.
+    float season = midsummer;                ///< Of the year (Season.h).
+    DrawingOptions drawing;                  ///< How they are drawn.
 
     bool crsChosen = false;         ///< `crs` is what an inventory asked for, the file does not say it.
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.

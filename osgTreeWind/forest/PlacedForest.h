@@ -17,50 +17,56 @@ class ShapeFamilies;
 
 /// A tree where it stands.
 struct PlacedTree {
-    std::uint32_t model = 0; ///< Index into PlacedForest::models().
-    std::uint32_t species = 0;
-    TreeScale scale;
-    glm::vec3 position{0.0f}; ///< Scene coordinates.
-    float heading = 0.0f;
+    std::uint32_t model = 0;   ///< Index into PlacedForest::models().
+    std::uint32_t species = 0; ///< Index into the description's.
+    TreeScale scale;           ///< Of the model.
+    glm::vec3 position{0.0f};  ///< Scene coordinates.
+    float heading = 0.0f;      ///< Radians, counterclockwise from above.
     float leaves = 1.0f;       ///< Share that it bears now,
     float summerLeaves = 1.0f; ///< and in summer.
-    std::uint32_t seed = 0;
+    std::uint32_t seed = 0;    ///< Picks its shape, and what is at random in its motion.
     // For the laws of a branch; 0 in a tree that was added later.
     std::uint32_t firstUnit = 0;  ///< Units of all trees before it.
     std::uint32_t firstLeaf = 0;  ///< Leaf clusters of all trees before it.
     std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
     bool alive = true;            ///< No: it was removed, and nothing else here counts.
-    bool openGrown = false;
-    bool tiled = false;       ///< TreePlacement::tiled.
-    EstimatedSizes estimated; ///< Of `given`.
-    TreeSize given;           ///< From which, with openGrown, `scale` follows.
+    bool openGrown = false;       ///< In the open (TreePlacement::openGrown).
+    bool tiled = false;           ///< TreePlacement::tiled.
+    EstimatedSizes estimated;     ///< Of `given`.
+    TreeSize given;               ///< From which, with openGrown, `scale` follows.
 };
 
 /// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes.
 struct OSGTREEWIND_EXPORT PlacedForest {
-    /// Trees of a species that is not there are left out. @param placed called after each tree; may be empty.
+    /// Trees of a species that is not there are left out; `placed`, which may be empty, is called after each.
     explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
 
-    std::vector<PlacedTree> trees;     ///< By slot: in the order of the description, then as they were added.
-    std::size_t units = 0, leaves = 0; ///< Of the description's trees.
-    TreeNames names;
+    std::vector<PlacedTree> trees; ///< By slot: in the order of the description, then as they were added.
+    std::size_t units = 0;         ///< Of the description's trees,
+    std::size_t leaves = 0;        ///< and their leaf clusters.
+    TreeNames names;               ///< That trees have, by slot.
 
     /// As given, but without its trees, and with its first season.
     const ForestDescription& description() const { return *_description; }
-    const std::vector<TreeModel>& models() const { return *_models; }
+    const std::vector<TreeModel>& models() const { return *_models; } ///< Shapes, shared by trees.
 
+    /// Its shape.
     const TreeModel& modelOf(const PlacedTree& tree) const { return models()[tree.model]; }
+    /// Its species.
     const Species& speciesOf(const PlacedTree& tree) const { return description().species[tree.species]; }
     /// Of which species a model is a shape.
     std::size_t speciesOfModel(std::size_t model) const;
+    /// How many it has.
     std::size_t unitsOf(const PlacedTree& tree) const { return modelOf(tree).skeleton.units.size(); }
+    /// How many clusters it has.
     std::size_t leavesOf(const PlacedTree& tree) const { return modelOf(tree).leaves.size(); }
 
     /// A tree as it would stand; nothing if there is no such species. Of a species whose trees all stood in a
-    /// forest, or all in the open, as the forest was made, it takes their shapes. @param before keeps its
-    /// scale where the placement gives its model and measured sizes.
+    /// forest, or all in the open, as the forest was made, it takes their shapes. The scale of `before` is
+    /// kept where the placement gives its model and measured sizes.
     std::optional<PlacedTree> fitted(const TreePlacement& placement,
                                      const PlacedTree* before = nullptr) const;
+    /// Its sizes as it stands.
     TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
     /// What gives that tree again; all of its sizes are given.
     TreePlacement placementOf(std::size_t slot) const;
@@ -74,13 +80,15 @@ struct OSGTREEWIND_EXPORT PlacedForest {
 
     /// Puts a tree into a slot, at most trees.size(), instead of the one that stands or stood there.
     void put(std::size_t slot, PlacedTree tree, const std::string& name);
+    /// The tree in a slot is there no more, and its id is of none.
     void remove(std::size_t slot);
     /// Has the tree of a tile not come again, once it is gone. Others are none of its business.
     void strike(std::size_t slot);
     /// ForestTiles::removed, as it is by now.
     const std::set<std::string>& struck() const { return _struck; }
 
-    bool holds(TreeId id) const;
+    bool holds(TreeId id) const; ///< Whether that tree is there.
+    /// Of the tree in a slot.
     TreeId idOf(std::size_t slot) const { return makeTreeId(slot, trees[slot].generation); }
 
 private:

@@ -16,13 +16,13 @@ namespace osgTreeWind {
 class OSGTREEWIND_EXPORT TreeNames {
 public:
     TreeNames() = default;
-    TreeNames(const TreeNames& other) { *this = other; }
-    TreeNames& operator=(const TreeNames& other);
+    TreeNames(const TreeNames& other) { *this = other; } ///< All names.
+    TreeNames& operator=(const TreeNames& other);        ///< All names.
 
     /// Gives the tree in a slot that name instead of its own; empty: none. @return false where another tree
     /// has it: then this one has none.
     bool set(std::uint32_t slot, const std::string& name);
-    std::optional<std::uint32_t> find(const std::string& name) const;
+    std::optional<std::uint32_t> find(const std::string& name) const; ///< Nothing: none has it.
     /// Empty for none.
     std::string of(std::uint32_t slot) const;
 

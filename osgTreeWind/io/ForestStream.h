@@ -30,13 +30,13 @@ public:
     static Result<ForestStream> read(const std::string& path, const ForestStreamOptions& options);
 
     ForestStream();
-    ForestStream(ForestStream&&) noexcept;
-    ForestStream& operator=(ForestStream&&) noexcept;
+    ForestStream(ForestStream&&) noexcept;            ///< What was read goes along.
+    ForestStream& operator=(ForestStream&&) noexcept; ///< What was read goes along.
     ~ForestStream();
 
     /// Without its trees.
     const ForestDescription& description() const;
-    std::size_t treeCount() const;
+    std::size_t treeCount() const; ///< Of all that were read.
     /// Hands over all trees in their order, some at a time. @return false where the file cannot be read.
     bool visit(const std::function<void(const std::vector<TreePlacement>& trees)>& take) const;
 

@@ -26,7 +26,7 @@ public:
 
     /// This one with the species of a file. One of the name of a species here takes its place and keeps its
     /// aliases; others come last. An alias that another species has here is taken from it.
-    /// @param file for diagnostics. @param folder for relative paths in it. @return every problem otherwise.
+    /// `file` is for diagnostics, `folder` for relative paths in it. @return every problem otherwise.
     Result<SpeciesCatalogue> with(const std::string& text, const std::string& file,
                                   const std::string& folder) const;
 

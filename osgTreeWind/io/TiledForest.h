@@ -35,7 +35,10 @@ OSGTREEWIND_EXPORT Result<ForestTiles> writeTiledForest(const ForestStream& fore
 
 /// Columns and rows of tiles, both ends included.
 struct TileBox {
-    std::uint32_t firstColumn = 0, firstRow = 0, lastColumn = ~0u, lastRow = ~0u;
+    std::uint32_t firstColumn = 0;  ///< The westernmost,
+    std::uint32_t firstRow = 0;     ///< the southernmost,
+    std::uint32_t lastColumn = ~0u; ///< the easternmost,
+    std::uint32_t lastRow = ~0u;    ///< the northernmost.
 };
 
 /// Reads the trees of those tiles into the forest, which has no tiles then, and keeps of its own trees those

@@ -22,7 +22,7 @@ struct SkinVertex {
     /// circumference, from its parent's end on.
     glm::vec2 uv{0.0f};
 
-    glm::vec3 position() const { return centre + radius * outward; }
+    glm::vec3 position() const { return centre + radius * outward; } ///< Of the vertex.
 };
 
 /// How much of a skin is made.
@@ -39,8 +39,9 @@ struct BranchSkin {
     std::vector<SkinVertex> vertices;   ///< The thesis' `vertices`: a ring per skeleton point.
     std::vector<std::uint32_t> indices; ///< Triangles, counter-clockwise seen from outside, unit after unit.
 
-    /// Where the vertices and the indices of each unit begin; one more for the end of the last.
-    std::vector<std::uint32_t> firstVertices{0}, firstIndices{0};
+    /// Where the vertices of each unit begin; one more for the end of the last.
+    std::vector<std::uint32_t> firstVertices{0};
+    std::vector<std::uint32_t> firstIndices{0}; ///< The same of its indices.
 
     /// The thesis' `newArr` (§2.3.5): vertices in the order in which triangles use them.
     std::vector<SkinVertex> drawOrder() const;
@@ -60,7 +61,8 @@ BranchSkin makeBranchSkin(const Skeleton& skeleton, const SkinDetail& detail = {
 
 /// Numbers of the vertices and triangles of a whole skin, without making it.
 struct SkinSize {
-    std::uint64_t vertices = 0, triangles = 0;
+    std::uint64_t vertices = 0;  ///< Of all units.
+    std::uint64_t triangles = 0; ///< Of all units.
 };
 SkinSize sizeOfBranchSkin(const Skeleton& skeleton);
 

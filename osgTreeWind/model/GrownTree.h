@@ -41,13 +41,15 @@ struct GrownTreeParameters {
     float flare = 0.0f;           ///< How much wider its bark is at the ground, over its radius: StemFoot.h.
     int forks = 3;                ///< Boughs that spring from the very end of the trunk.
     float forkInclination = 0.4f; ///< Their angle from the trunk.
-    CrownOutline shape = CrownOutline::Sphere;
-    float crownBase = 0.3f;   ///< Height of the lowest bough over that of the tree.
-    float crownWidth = 10.0f; ///< Where it is widest, at most 4 heights, at least 0.01 of it.
-    int whorl = 1;            ///< Boughs at about one height.
-    GrownBranches boughs{12}, branches{8}, twigs{2};
-    int ringsPerBranch = 8; ///< Points of each unit.
-    std::uint32_t seed = 1; ///< One seed gives one tree, bit for bit, on every machine.
+    CrownOutline shape = CrownOutline::Sphere; ///< Of the crown.
+    float crownBase = 0.3f;                    ///< Height of the lowest bough over that of the tree.
+    float crownWidth = 10.0f;  ///< Where it is widest, at most 4 heights, at least 0.01 of it.
+    int whorl = 1;             ///< Boughs at about one height.
+    GrownBranches boughs{12};  ///< Of the trunk.
+    GrownBranches branches{8}; ///< Of each bough.
+    GrownBranches twigs{2};    ///< Of each branch.
+    int ringsPerBranch = 8;    ///< Points of each unit.
+    std::uint32_t seed = 1;    ///< One seed gives one tree, bit for bit, on every machine.
 };
 
 /// The parameters with every value brought into its range; NaN becomes the default. Twigs, then branches are

@@ -35,9 +35,9 @@ struct LeafParameters {
     /// Of `clusters` with an inclination: each is drawn as a twig with two rows of shoots that hang, more
     /// than twice as long as wide, and one upon it. How wide a crown is does not follow from it.
     bool hanging = false;
-    float area = 0.0f; ///< Of all quads over the trunk's cross-section at breast height; 0: length
-                       ///< and width hold as they are, else they tell the proportions.
-    std::uint32_t seed = 1;
+    float area = 0.0f;      ///< Of all quads over the trunk's cross-section at breast height; 0: length
+                            ///< and width hold as they are, else they tell the proportions.
+    std::uint32_t seed = 1; ///< One seed gives the same leaves.
 };
 
 /// The parameters with every value brought into its range; NaN becomes the default.
@@ -64,8 +64,8 @@ inline bool isBorne(std::size_t cluster, float share) {
 /// A corner of one of the three quads that make up a cluster, in the leaf frame.
 struct LeafVertex {
     glm::vec3 corner{0.0f}; ///< Metres; the petiole starts at the origin.
-    glm::vec3 normal{0.0f};
-    glm::vec2 uv{0.0f}; ///< (0,0) to (1,1) over each quad, v along the petiole; of fronds across it.
+    glm::vec3 normal{0.0f}; ///< Of its face, unit.
+    glm::vec2 uv{0.0f};     ///< (0,0) to (1,1) over each quad, v along the petiole; of fronds across it.
 };
 
 constexpr int quadsPerLeafCluster = 3;

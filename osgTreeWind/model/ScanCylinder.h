@@ -12,10 +12,11 @@ namespace osgTreeWind {
 
 /// A piece of a tree's wood as laser scans are fitted: a round cylinder, and which one it springs from.
 struct ScanCylinder {
-    glm::dvec3 start{0.0}, end{0.0}; ///< Of its axis, metres, z up; coordinates of a map are welcome.
-    double radius = 0.0;             ///< Metres.
-    int parent = -1;                 ///< Index of the cylinder it springs from; -1 for the root. Any order.
-    int line = 0;                    ///< Of the file it stands in, 1-based; 0 when unknown.
+    glm::dvec3 start{0.0}; ///< Of its axis, metres, z up; coordinates of a map are welcome.
+    glm::dvec3 end{0.0};   ///< Likewise.
+    double radius = 0.0;   ///< Metres.
+    int parent = -1;       ///< Index of the cylinder it springs from; -1 for the root. Any order.
+    int line = 0;          ///< Of the file it stands in, 1-based; 0 when unknown.
 };
 
 /// All cylinders of one tree.

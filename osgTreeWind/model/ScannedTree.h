@@ -34,8 +34,8 @@ struct ScanReport {
 
 /// A tree as it was measured.
 struct ScannedTree {
-    Skeleton skeleton;
-    ScanReport report;
+    Skeleton skeleton; ///< Of the cylinders, joined.
+    ScanReport report; ///< What was mended on the way.
 };
 
 /// Cylinders as the skeleton of a tree that stands at the origin with the start of its root.

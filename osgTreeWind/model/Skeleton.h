@@ -30,6 +30,7 @@ struct Skeleton {
     std::vector<BranchUnit> units; ///< In access order.
     std::vector<glm::vec3> points; ///< units.size() * ringsPerBranch, unit after unit, base to tip.
 
+    /// A point of a unit, from its base on; unchecked.
     const glm::vec3& point(std::size_t unit, int ring) const {
         return points[unit * static_cast<std::size_t>(ringsPerBranch) + static_cast<std::size_t>(ring)];
     }

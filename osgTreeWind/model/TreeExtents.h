@@ -20,14 +20,17 @@ struct TreeScale;
 /// factor. Whatever s and t above 0 are, the farthest is a corner of the convex hull of (along, beyond).
 struct TreeExtents {
     using Hull = std::vector<glm::vec2>; ///< (along, beyond), metres.
+    /// What may reach farthest on one side.
     struct Side {
-        Hull wood, leaves;
+        Hull wood;   ///< Of bark.
+        Hull leaves; ///< Of leaves.
     };
     std::array<Side, 5> sides;     ///< +x, -x, +y, -y, +z.
     std::vector<BranchUnit> trunk; ///< Units of level 0, from the ground up.
 
     /// How far the tree reaches on each side from the foot of its trunk, at least 0.
     std::array<float, 5> reach(const TreeScale& scale) const;
+    /// Of the trunk at a height above its foot; metres.
     float trunkRadius(const TreeScale& scale, float height) const;
 };
 

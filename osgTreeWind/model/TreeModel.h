@@ -20,19 +20,19 @@ namespace osgTreeWind {
 
 /// Everything that shapes a tree.
 struct TreeParameters {
-    RecursiveTreeParameters wood;
+    RecursiveTreeParameters wood;             ///< Of a tree grown by the rule of the thesis.
     std::optional<GrownTreeParameters> grown; ///< In place of `wood`.
     /// In place of both: variant v takes scan v modulo their number. Null or at least one.
     std::shared_ptr<const std::vector<ScannedTree>> scans;
-    LeafParameters leaves;
+    LeafParameters leaves; ///< That hang on its wood.
 };
 
 /// The rest geometry of one tree shape, shared by all trees drawn with it.
 struct TreeModel {
-    Skeleton skeleton;
-    BranchSkin skin;
-    std::vector<LeafCluster> leaves;
-    std::array<LeafVertex, verticesPerLeafCluster> leafMesh;
+    Skeleton skeleton;                                       ///< Its wood in units.
+    BranchSkin skin;                                         ///< Its bark.
+    std::vector<LeafCluster> leaves;                         ///< Where leaves hang.
+    std::array<LeafVertex, verticesPerLeafCluster> leafMesh; ///< One cluster of them, shared.
     TreeExtents extents; ///< makeTreeExtents() of the above without `hanging`: measureTree(), fitTree().
 };
 
@@ -41,13 +41,17 @@ OSGTREEWIND_EXPORT TreeModel makeTreeModel(const TreeParameters& parameters, std
 
 /// What a tree is made of. Vertices are unique ones; triangles are what is drawn.
 struct OSGTREEWIND_EXPORT TreeCounts {
-    std::uint64_t units = 0, branches = 0, skeletonPoints = 0;
-    std::uint64_t skinVertices = 0, skinTriangles = 0;
-    std::uint64_t leafVertices = 0, leafTriangles = 0;
+    std::uint64_t units = 0;          ///< Pieces of wood that turn.
+    std::uint64_t branches = 0;       ///< Of one or more units.
+    std::uint64_t skeletonPoints = 0; ///< Points of centre lines.
+    std::uint64_t skinVertices = 0;   ///< Of bark.
+    std::uint64_t skinTriangles = 0;  ///< Of bark.
+    std::uint64_t leafVertices = 0;   ///< Of all clusters.
+    std::uint64_t leafTriangles = 0;  ///< Of all clusters.
 
-    std::uint64_t totalVertices() const { return skinVertices + leafVertices; }
-    std::uint64_t totalTriangles() const { return skinTriangles + leafTriangles; }
-    TreeCounts& operator+=(const TreeCounts& other);
+    std::uint64_t totalVertices() const { return skinVertices + leafVertices; }    ///< Of bark and leaves.
+    std::uint64_t totalTriangles() const { return skinTriangles + leafTriangles; } ///< Of bark and leaves.
+    TreeCounts& operator+=(const TreeCounts& other);                               ///< Adds each.
 };
 
 OSGTREEWIND_EXPORT TreeCounts countTree(const TreeModel& model);

@@ -15,15 +15,17 @@ struct TreeSize {
 
 /// Which measures of a TreeSize nobody took: they follow from laws of its species.
 struct EstimatedSizes {
-    bool height = false, trunkDiameter = false, crownWidth = false;
+    bool height = false;        ///< Metres were not given,
+    bool trunkDiameter = false; ///< nor these,
+    bool crownWidth = false;    ///< nor these.
 };
 
 /// How a shared model is stretched to one tree: a rest point p of the centre line becomes axes * p, radii are
 /// multiplied by `radius`, leaf clusters by `leaf`.
 struct TreeScale {
-    glm::vec3 axes{1.0f};
-    float radius = 1.0f;
-    float leaf = 1.0f;
+    glm::vec3 axes{1.0f}; ///< Of positions along x, y and z.
+    float radius = 1.0f;  ///< Of radii of wood.
+    float leaf = 1.0f;    ///< Of leaf clusters.
 };
 
 /// Size of a model under a scale whose parts are above 0: that of all its wood and leaves.

@@ -39,10 +39,10 @@ public:
     /// The forest as it is now: the trees that are alive, with the sizes they were given and names, in the
     /// season and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
     ForestDescription describe() const;
-    const std::vector<TreeModel>& models() const { return _forest.models(); }
+    const std::vector<TreeModel>& models() const { return _forest.models(); } ///< Shapes, shared by trees.
     /// By slot: in the order of the description, then as they were added. Not all of them are alive.
     const std::vector<PlacedTree>& trees() const { return _forest.trees; }
-    const PlacedForest& forest() const { return _forest; }
+    const PlacedForest& forest() const { return _forest; } ///< Trees at rest.
 
     // Trees come and go in a time that does not depend on the forest (ModalMotion::add()). It is a problem,
     // and nothing is changed, under a law of a branch, and where there is no such tree or species.
@@ -62,13 +62,13 @@ public:
     void runUp(const std::vector<TreeId>& trees);
     static constexpr float runUpTime = 40.0f; ///< Seconds.
 
-    bool holds(TreeId tree) const { return _forest.holds(tree); }
+    bool holds(TreeId tree) const { return _forest.holds(tree); } ///< Whether it is there.
     /// Where a tree stands in trees().
     std::size_t slotOf(TreeId tree) const { return slotOfTree(tree); }
     /// Of the tree in a slot; the description's have their numbers, 0 and up.
     TreeId idOf(std::size_t slot) const { return _forest.idOf(slot); }
-    std::optional<TreeId> findTree(const std::string& name) const;
-    std::string nameOf(TreeId tree) const; ///< Empty for none.
+    std::optional<TreeId> findTree(const std::string& name) const; ///< None has it: nothing.
+    std::string nameOf(TreeId tree) const;                         ///< Empty for none.
     /// What would put that tree up again, with all of its sizes, in world coordinates. Only of one it holds.
     TreePlacement placementOf(TreeId tree) const { return _forest.placementOf(slotOf(tree)); }
 
@@ -77,11 +77,11 @@ public:
     /// once and in each step that comes, which takes up to 10 ms more: 100,000 trees of five species follow
     /// within some 700 steps.
     void setSeason(float season);
-    float season() const { return _forest.season(); }
+    float season() const { return _forest.season(); } ///< Of the year.
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
     void setWind(WindFieldPtr wind);
-    WindFieldPtr wind() const;
+    WindFieldPtr wind() const; ///< Null: calm.
     /// Its home.
     const std::shared_ptr<GivenWind>& givenWind() const { return _wind; }
 
@@ -97,7 +97,7 @@ public:
     /// goes evenly from the sample before to this one, under `modal` with one every tenth of a second on its
     /// way. Does not allocate in steady state. @return whether a step was taken.
     bool advance(double time);
-    static constexpr double maxStep = 1.0;
+    static constexpr double maxStep = 1.0; ///< Seconds.
 
     /// Back to rest; trees that have come down stand again.
     void reset();
@@ -122,10 +122,10 @@ public:
     /// The trees under the law `modal`, which also knows how closely each is followed; null under another
     /// law. They come and go through this class only.
     ModalMotion* modal();
-    const ModalMotion* modal() const;
+    const ModalMotion* modal() const; ///< The same.
     /// The branches, where each has a state; null under `modal`.
     BranchwiseMotion* branches();
-    const BranchwiseMotion* branches() const;
+    const BranchwiseMotion* branches() const; ///< The same.
 
     /// Instead of advance(), for those who work out states elsewhere (gpu/branchwise/AnglePrePass.h): moves
     /// on to `time` and samples the wind. @return seconds to step, or nothing when the state is to be kept.

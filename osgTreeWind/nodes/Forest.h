@@ -46,7 +46,7 @@ public:
     /// As setDescription().
     explicit Forest(ForestDescription description);
     /// The same with an answer where it cannot be as asked for: numbers out of range (check()), no memory, no
-    /// room in textures. @param executor as of setExecutor().
+    /// room in textures. `executor` is as of setExecutor().
     static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
     /// children go by `copyop`; branches that are followed are not copied.
@@ -61,8 +61,8 @@ public:
     /// The wind from the next frame on, and whose axes it is given in; null for calm. Any thread, any time,
     /// also while a description is set, which says both too: whichever of the two comes last counts.
     void setWind(WindFieldPtr wind, WindFrame frame = WindFrame::Scene);
-    WindFieldPtr getWind() const;
-    WindFrame getWindFrame() const;
+    WindFieldPtr getWind() const;   ///< Null: calm.
+    WindFrame getWindFrame() const; ///< As set.
 
     /// A host's threads to step it from now on, and to grow descriptions to come (SimulationOptions says
     /// more); null: those of the process. In update or between frames.
@@ -70,7 +70,7 @@ public:
 
     /// Of the year (species/Season.h): leaves, and how trees sway with them. In update or between frames.
     void setSeason(float season);
-    float getSeason() const;
+    float getSeason() const; ///< Of the year.
 
     /// The node's own origin in the world's frame: geometry is relative to it, precise far from the world's.
     osg::Vec3d getOrigin() const;
@@ -88,7 +88,7 @@ public:
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
     /// By the name it has; noTree for none. One whose tile is not there is read from it, in milliseconds.
     TreeId findTree(const std::string& name);
-    std::size_t getNumTrees() const { return _treeCount; }
+    std::size_t getNumTrees() const { return _treeCount; } ///< Those of tiles that are there, too.
     /// Their ids, those of the description first and in its order as long as none was removed.
     std::vector<TreeId> getTrees() const;
     /// What would put it up again, with all of its sizes; nothing for a tree that is not there.
@@ -118,8 +118,8 @@ public:
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }
 
-    void traverse(osg::NodeVisitor& visitor) override;
-    osg::BoundingSphere computeBound() const override;
+    void traverse(osg::NodeVisitor& visitor) override; ///< osg::Node.
+    osg::BoundingSphere computeBound() const override; ///< osg::Node.
 
 protected:
     ~Forest() override;

@@ -12,8 +12,9 @@ namespace osgTreeWind {
 
 /// Where a ground is known, in the world's frame, metres.
 struct GroundArea {
-    glm::dvec2 low{-1e8}, high{1e8};
-    double cell = 1.0; ///< Distance between places whose height was measured.
+    glm::dvec2 low{-1e8}; ///< Its least x and y,
+    glm::dvec2 high{1e8}; ///< and its greatest.
+    double cell = 1.0;    ///< Distance between places whose height was measured.
 };
 
 /// The ground that a forest stands on. Immutable once shared: any number of threads may ask one.

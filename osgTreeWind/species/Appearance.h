@@ -44,23 +44,24 @@ enum class BarkForm {
 
 /// How a kind of tree looks. Linear RGB colours, each in [0, 1].
 struct Appearance {
-    glm::vec3 bark{0.18f, 0.15f, 0.12f};
+    glm::vec3 bark{0.18f, 0.15f, 0.12f};         ///< Of the stem.
     glm::vec3 leaves{0.13f, 0.21f, 0.05f};       ///< In summer.
     glm::vec3 springLeaves{0.19f, 0.29f, 0.06f}; ///< As they unfold,
     glm::vec3 autumnLeaves{0.32f, 0.17f, 0.03f}; ///< and before they fall.
     float underside =
         1.15f; ///< Luminance of the underside of leaves over the upper one's; what is more is grey.
-    std::optional<bool> evergreen; ///< Not given: as the form of its leaves says.
-    LeafForm leafForm = LeafForm::Blade;
-    BarkForm barkForm = BarkForm::Furrowed;
+    std::optional<bool> evergreen;          ///< Not given: as the form of its leaves says.
+    LeafForm leafForm = LeafForm::Blade;    ///< Of leaves.
+    BarkForm barkForm = BarkForm::Furrowed; ///< Of the stem.
     std::string leafImage; ///< A picture file to take instead of what we paint: drawing/looks/TreePicture.h.
-    std::string barkImage;
+    std::string barkImage; ///< Likewise, of bark.
 
     /// Of twigs: darker than the bark of the stem, and never white.
     glm::vec3 twigs() const {
         return barkForm == BarkForm::Banded ? glm::vec3(0.06f, 0.035f, 0.028f) : 0.6f * bark;
     }
-    bool needles() const { return isNeedles(leafForm); }
+    bool needles() const { return isNeedles(leafForm); } ///< Rather than blades.
+    /// Green in winter.
     bool isEvergreen() const {
         return evergreen.value_or((needles() && leafForm != LeafForm::Tufts) || leafForm == LeafForm::Frond);
     }

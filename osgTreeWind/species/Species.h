@@ -49,20 +49,28 @@ struct WoodParameters {
 /// Height from the diameter of the trunk at breast height: scale * diameter^power, metres. A scale of 0: not
 /// known. The spreads of this and of the crown are standard deviations of logarithms.
 struct HeightAllometry {
-    float scale = 0.0f, power = 0.6f, spread = 0.0f;             ///< In a forest.
-    float openScale = 0.0f, openPower = 0.6f, openSpread = 0.0f; ///< With room on all sides.
-    std::string source;                                          ///< Of its numbers, for people.
+    float scale = 0.0f;      ///< In a forest.
+    float power = 0.6f;      ///< In a forest.
+    float spread = 0.0f;     ///< In a forest.
+    float openScale = 0.0f;  ///< With room on all sides.
+    float openPower = 0.6f;  ///< With room on all sides.
+    float openSpread = 0.0f; ///< With room on all sides.
+    std::string source;      ///< Of its numbers, for people.
 };
 
 /// Width of a crown from the diameter of its trunk at breast height: base + perDiameter * diameter, metres;
 /// and its depth from the height of the tree. All 0: not known.
 struct CrownAllometry {
-    float base = 0.0f, perDiameter = 0.0f;         ///< In a forest.
-    float openBase = 0.0f, openPerDiameter = 0.0f; ///< With room on all sides.
-    float spread = 0.0f, openSpread = 0.0f;        ///< Of trees about that.
+    float base = 0.0f;            ///< In a forest, metres.
+    float perDiameter = 0.0f;     ///< In a forest.
+    float openBase = 0.0f;        ///< With room on all sides, metres.
+    float openPerDiameter = 0.0f; ///< With room on all sides.
+    float spread = 0.0f;          ///< In a forest.
+    float openSpread = 0.0f;      ///< With room on all sides.
     /// From the lowest green bough to the top, in a forest; with room on all sides it is as the species
     /// grows.
-    float depth = 0.0f, depthPerHeight = 0.0f;
+    float depth = 0.0f;
+    float depthPerHeight = 0.0f; ///< What is added to it for each metre of height.
 };
 
 /// How branches answer the wind under the thesis' laws (§3.1, appendix B). Angles in radians.
@@ -90,17 +98,17 @@ constexpr int mostShapes = 64;
 
 /// A kind of tree: how it grows, moves and looks.
 struct Species {
-    std::string name;
+    std::string name;                 ///< Common, as files have it.
     std::vector<std::string> aliases; ///< Other names, common and scientific ones.
     std::string source;               ///< Of its numbers, for people.
-    TreeParameters tree;
-    int shapes = 3; ///< Distinct models shared by all trees of the species.
-    HeightAllometry height;
-    CrownAllometry crown;
-    WoodParameters wood;
-    BranchParameters branch;
-    LeafMotion leaf;
-    Appearance appearance;
+    TreeParameters tree;              ///< How it grows.
+    int shapes = 3;                   ///< Distinct models shared by all trees of the species.
+    HeightAllometry height;           ///< From its diameter.
+    CrownAllometry crown;             ///< From its diameter and height.
+    WoodParameters wood;              ///< What it is made of.
+    BranchParameters branch;          ///< How the laws of the thesis turn it.
+    LeafMotion leaf;                  ///< How its leaves flutter.
+    Appearance appearance;            ///< How it looks.
 };
 
 } // namespace osgTreeWind

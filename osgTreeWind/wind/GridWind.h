@@ -51,7 +51,7 @@ public:
     /// What is wrong with a grid; empty where create() takes it.
     static Diagnostics check(const Grid& grid);
 
-    const Grid& grid() const { return _grid; }
+    const Grid& grid() const { return _grid; } ///< As given.
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;

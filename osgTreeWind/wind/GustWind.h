@@ -24,20 +24,21 @@ class GustNoise;
 /// the height of a place above it.
 class OSGTREEWIND_EXPORT GustWind final : public WindField {
 public:
+    /// How fast, how gusty, how large.
     struct Parameters {
         glm::vec3 mean{5.0f, 0.0f, 0.0f}; ///< m/s toward, horizontal, at most 200; at the profile's height.
         double intensity = 0.2;           ///< Standard deviation along the wind over mean speed.
         double lengthScale = 60.0;        ///< Integral length scale of the turbulence along the wind, metres.
         std::optional<LogProfile>
             profile; ///< Scales mean and turbulence with height above the ground; empty: all heights alike.
-        std::uint32_t seed = 1;
+        std::uint32_t seed = 1; ///< One seed gives one wind.
     };
 
     /// A field, or what is wrong with the parameters: diagnostics with the member's name, or its key in
     /// WindFields.h.
     static Result<std::shared_ptr<const GustWind>> create(const Parameters& parameters);
 
-    const Parameters& parameters() const { return _parameters; }
+    const Parameters& parameters() const { return _parameters; } ///< As given.
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;

@@ -18,7 +18,7 @@ public:
     /// A field over the record, or what is wrong with it: diagnostics with the member's name as key.
     static Result<std::shared_ptr<const TimeSeriesWind>> create(WindSeries series);
 
-    const WindSeries& series() const { return _series; }
+    const WindSeries& series() const { return _series; } ///< As given.
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;

@@ -14,7 +14,7 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
 
-    const glm::vec3& velocity() const { return _velocity; }
+    const glm::vec3& velocity() const { return _velocity; } ///< As given.
 
 private:
     glm::vec3 _velocity;

@@ -14,8 +14,8 @@ enum class CanopySource {
 
 /// The stand into which a wind from above is continued (CanopyWind).
 struct WindCanopy {
-    CanopySource source = CanopySource::None;
-    double height = 20.0; ///< Of a given stand, metres.
+    CanopySource source = CanopySource::None; ///< Whose stands they are.
+    double height = 20.0;                     ///< Of a given stand, metres.
     double frontalArea =
         2.0; ///< Of a given stand: half of its leaf area, and wood from the side, over the ground's.
     /// Metres above the ground where the wind is that of open country still. 60 is where roughness below is
@@ -25,9 +25,10 @@ struct WindCanopy {
     /// Of a forest's own stands, metres: how far around its middle a stand reaches. 0: twice the mean height
     /// of the trees that are there, which parts of a forest differ in.
     double reach = 0.0;
-    /// Of the stand that the size and the pace of gusts among a forest's own trees go by: metres, and as
-    /// `frontalArea`. 0: the mean of the stands that are there.
-    double usualHeight = 0.0, usualFrontalArea = 0.0;
+    /// Of the stand that the size and the pace of gusts among a forest's own trees go by: metres; 0: the mean
+    /// of the stands that are there.
+    double usualHeight = 0.0;
+    double usualFrontalArea = 0.0; ///< The same, as `frontalArea`.
 };
 
 } // namespace osgTreeWind

@@ -8,6 +8,7 @@ namespace osgTreeWind {
 /// Air that something moves in a place, beside the wind there (WindWithSources). Metres, seconds, the axes
 /// that the wind is given in. Members that a kind has no use for do not count.
 struct WindSource {
+    /// What moves it, and by which model.
     enum class Kind {
         /// A hovering helicopter, and its wash along the ground. The column below the disk is that of
         /// momentum theory (Leishman 2006, 2.2: twice the induced velocity far below, momentum equal to the
@@ -28,7 +29,7 @@ struct WindSource {
         /// wind carries it off.
         Vehicle,
     };
-    Kind kind = Kind::Rotor;
+    Kind kind = Kind::Rotor;  ///< Of these.
     glm::dvec3 position{0.0}; ///< At time 0: a rotor's hub, a jet's mouth, the foot of a vortex or a
                               ///< shelter, the ground below the middle of a vehicle's rear.
     glm::dvec3 velocity{0.0}; ///< It moves with, m/s, each within [-1000, 1000]; a vehicle on the level.

@@ -25,8 +25,8 @@ public:
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
     WindFieldPtr withoutGusts() const override;
 
-    const WindFieldPtr& wind() const { return _wind; } ///< Null: calm.
-    const std::vector<WindSource>& sources() const { return _sources; }
+    const WindFieldPtr& wind() const { return _wind; }                  ///< Null: calm.
+    const std::vector<WindSource>& sources() const { return _sources; } ///< As given.
 
 private:
     WindFieldPtr _wind;

@@ -33,15 +33,15 @@ struct WindSummary {
     bool aboveGround = false;  ///< Heights count from the ground below each place.
     std::vector<double> times; ///< Seconds; empty for a wind that does not change.
     double slowest = 0.0;      ///< m/s, over all points and times.
-    double fastest = 0.0;
+    double fastest = 0.0;      ///< m/s, likewise.
 };
 
 /// What the reader of one format hands over: velocities in the file's unit along the axes of its own map (on
 /// degrees: toward east and true north), NaN where it has no data, and the textual part of the summary.
 struct WindContent {
-    WindSummary summary;
-    std::variant<GridWind::Grid, WindSeries> data;
-    std::size_t missing = 0;  ///< Velocities without data that were taken as calm.
+    WindSummary summary;                           ///< What it says of itself.
+    std::variant<GridWind::Grid, WindSeries> data; ///< On a grid, or over time at one place.
+    std::size_t missing = 0;                       ///< Velocities without data that were taken as calm.
     double travelSpeed = 0.0; ///< m/s along x at which the whole grid drifts past; 0 where it stands.
 };
 

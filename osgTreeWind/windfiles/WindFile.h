@@ -24,8 +24,10 @@ struct WindFileOptions {
     /// The map on which `origin` and the scene are, in metres, by any text that PROJ knows: a file that says
     /// to be on another, or on degrees, is brought to it, places and velocities. Empty: the file's own.
     std::string crs;
-    /// With `crs`, where wind is wanted, metres from `origin`: what lies well beyond need not be read.
-    glm::dvec2 low{-50000.0}, high{50000.0};
+    /// With `crs`, where wind is wanted, least x and y, metres from `origin`: what lies well beyond need not
+    /// be read.
+    glm::dvec2 low{-50000.0};
+    glm::dvec2 high{50000.0}; ///< Greatest x and y of it.
     /// Unit of speeds where the file does not say: "m/s", "km/h", "kn", "mph" or "ft/s".
     std::string speedUnit = "m/s";
     /// Roughness length of the ground, metres, below the lowest height of the data: wind beneath follows the
@@ -44,8 +46,8 @@ struct WindFileOptions {
 
 /// A file of wind data as a field, and what was understood.
 struct WindFile {
-    WindSummary summary;
-    WindFieldPtr field; ///< In the scene; never null.
+    WindSummary summary; ///< What it says of itself.
+    WindFieldPtr field;  ///< In the scene; never null.
     /// Whether the file has points around a place of the scene, so that its wind there is not that of its
     /// edge; of a record at one point it has all.
     std::function<bool(const glm::dvec2& place)> covers;

@@ -66,18 +66,18 @@ public:
 
     /// Not during a traversal.
     void setBranchDrawing(BranchDrawing drawing);
-    BranchDrawing getBranchDrawing() const { return _branchDrawing; }
+    BranchDrawing getBranchDrawing() const { return _branchDrawing; } ///< As set.
 
     /// Not during a traversal.
     void setLeafDrawing(LeafDrawing drawing);
-    LeafDrawing getLeafDrawing() const { return _leafDrawing; }
+    LeafDrawing getLeafDrawing() const { return _leafDrawing; } ///< As set.
 
     /// Of all trees. Not during a traversal.
     void setLodRanges(const TreeLodRanges& ranges);
-    const TreeLodRanges& getLodRanges() const { return _lodRanges; }
+    const TreeLodRanges& getLodRanges() const { return _lodRanges; } ///< As set.
 
-    unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); }
-    TreeNode* getTree(unsigned index) const { return _trees[index].get(); }
+    unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); } ///< As many as were given.
+    TreeNode* getTree(unsigned index) const { return _trees[index].get(); } ///< In their order; unchecked.
 
     /// The passes at work; null with CPU_ANGLES.
     const AnglePrePass* getAnglePrePass() const { return _prePass.get(); }
@@ -90,9 +90,9 @@ public:
     BranchTransform* follow(TreeId tree, unsigned unit) override;
     bool unfollow(TreeId tree, unsigned unit) override;
 
-    void traverse(osg::NodeVisitor& visitor) override;
-    void resizeGLObjectBuffers(unsigned maxSize) override;
-    void releaseGLObjects(osg::State* state = nullptr) const override;
+    void traverse(osg::NodeVisitor& visitor) override;                 ///< osg::Node.
+    void resizeGLObjectBuffers(unsigned maxSize) override;             ///< osg::Node.
+    void releaseGLObjects(osg::State* state = nullptr) const override; ///< osg::Node.
 
 protected:
     ~BranchwiseForest() override;

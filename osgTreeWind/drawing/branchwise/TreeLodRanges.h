@@ -5,7 +5,8 @@ namespace osgTreeWind {
 
 /// Up to which distance a tree is drawn how, in heights of the tree; infinity: however far.
 struct TreeLodRanges {
-    float full = 8.0f, leaves = 20.0f;
+    float full = 8.0f;    ///< Up to here all of a tree is drawn,
+    float leaves = 20.0f; ///< and up to here its leaves.
 };
 
 } // namespace osgTreeWind

@@ -17,6 +17,7 @@ class OSGTREEWIND_EXPORT StandDrawing : public ForestDrawing {
 public:
     /// No trees.
     StandDrawing();
+    /// Draws the trees of a simulation, which it keeps; not null.
     explicit StandDrawing(const std::shared_ptr<ForestSimulation>& simulation);
     /// Of the same trees, which the original's forest moves; branches that are followed are not copied.
     StandDrawing(const StandDrawing& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
@@ -27,6 +28,7 @@ public:
         /// `treeState` at the attribute locations 12, 13 and 14 (shaders/instance.glsl). Not during a
         /// traversal. @return false where there is no such species.
         bool setBarkState(std::size_t species, osg::StateSet* state);
+    /// The same for leaves.
     bool setLeafState(std::size_t species, osg::StateSet* state);
     /// Draws the trees of a model (index into ForestSimulation::models()) from these, at every tier with
     /// branches, null for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and

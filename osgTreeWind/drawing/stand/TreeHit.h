@@ -19,7 +19,9 @@ namespace osgTreeWind {
 class OSGTREEWIND_EXPORT TreeHit : public osg::Drawable {
 public:
     TreeHit() = default;
+    /// The tree in a slot of a simulation that outlives this.
     TreeHit(const ForestSimulation& simulation, std::size_t slot);
+    /// A copy for osg::clone.
     TreeHit(const TreeHit& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, TreeHit)
 
@@ -33,11 +35,13 @@ public:
     bool isLeaf(unsigned primitive) const { return primitive >= _barkTriangles; }
 
     using osg::Drawable::accept;
-    bool supports(const osg::PrimitiveFunctor&) const override { return true; }
+    bool supports(const osg::PrimitiveFunctor&) const override {
+        return true;
+    } ///< osg::Drawable: it has triangles.
     /// Hands over bark, then leaves.
     void accept(osg::PrimitiveFunctor& functor) const override;
-    osg::BoundingBox computeBoundingBox() const override;
-    void drawImplementation(osg::RenderInfo&) const override {}
+    osg::BoundingBox computeBoundingBox() const override;       ///< osg::Drawable.
+    void drawImplementation(osg::RenderInfo&) const override {} ///< Nothing is drawn.
 
 protected:
     ~TreeHit() override = default;

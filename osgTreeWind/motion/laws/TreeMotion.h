@@ -31,19 +31,21 @@ struct TreeMotion {
 
 /// One unit as it stands now: a pose and a rotation of TreeMotion.
 struct UnitMotion {
-    UnitPose pose;
-    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    UnitPose pose;                              ///< In the tree's frame.
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< Its own turn about its base, in the tree's rest axes.
 };
 
 /// Memory for the values of one tree.
 struct UnitValues {
-    std::vector<glm::vec2> angles;
-    std::vector<UnitPose> poses;
-    std::vector<glm::quat> rotations;
-    std::vector<glm::vec4> states;
-    std::vector<glm::vec3> winds;
-    std::vector<glm::vec4> leaves, pulls;
+    std::vector<glm::vec2> angles;    ///< Per unit: those of the thesis, radians.
+    std::vector<UnitPose> poses;      ///< As TreeMotion::poses,
+    std::vector<glm::quat> rotations; ///< rotations,
+    std::vector<glm::vec4> states;    ///< states,
+    std::vector<glm::vec3> winds;     ///< winds,
+    std::vector<glm::vec4> leaves;    ///< leaves
+    std::vector<glm::vec4> pulls;     ///< and pulls.
 
+    /// Room for so many.
     void resize(std::size_t units, std::size_t clusters) {
         angles.resize(units);
         poses.resize(units);

@@ -13,10 +13,12 @@ namespace osgTreeWind {
 /// Where a branch unit stands: a rest point p of the scaled tree is drawn at rotation * p + translation,
 /// in the tree's own frame (metres, Z up).
 struct UnitPose {
-    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
-    glm::vec3 translation{0.0f};
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< About the origin,
+    glm::vec3 translation{0.0f};                ///< and then this far, metres.
 
-    glm::vec3 apply(const glm::vec3& p) const { return rotation * p + translation; }
+    glm::vec3 apply(const glm::vec3& p) const {
+        return rotation * p + translation;
+    } ///< Where a point at rest is now.
 };
 
 /// M(unit) = M(parent) * T(base) * R(unit) * T(-base) (thesis §3.1.3), of one unit.
