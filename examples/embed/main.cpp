@@ -1,101 +1,119 @@
 // SPDX-License-Identifier: MIT
-// A simulator in under 100 lines: a small wood, and a vortex worked out in a thread of its own.
-// Usage: osgtreewind-embed [--frames N]     (without it: until escape is pressed)
-#include <osgTreeWind/drawing/BranchTransform.h>
+// A lorry drives through a wood on hilly ground, in a wind of its own. Usage: osgtreewind-embed [--frames N]
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/places/FunctionGround.h>
 #include <osgTreeWind/wind/StreamedWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
-#include <osg/ArgumentParser>
+#include <osg/MatrixTransform>
 #include <osg/ShapeDrawable>
-#include <osgGA/TrackballManipulator>
 #include <osgViewer/Viewer>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <iostream>
+#include <string>
 #include <thread>
 
 using namespace osgTreeWind;
 
-namespace {
+constexpr double lane = 60.0, speed = 14.0, length = 12.0; // radius of the road; of the lorry: m/s, metres
 
-/// Nine young maples, 8 m apart: what a .treewind file would say.
-ForestDescription describeForest() {
+/// The simulator's own terrain.
+static float groundAt(double x, double y) {
+    return static_cast<float>(2.0 * std::sin(0.05 * x) * std::cos(0.04 * y));
+}
+
+/// Where the lorry is: x ahead, z up, its rear in the middle of the lane.
+static osg::Matrix driveTo(double time) {
+    const double angle = speed / lane * time, x = lane * std::cos(angle), y = lane * std::sin(angle);
+    return osg::Matrix::rotate(angle + osg::PI_2, 0, 0, 1) * osg::Matrix::translate(x, y, groundAt(x, y));
+}
+
+/// Birches on both sides of a road that goes round: what a .treewind file would say.
+static ForestDescription describeForest() {
     ForestDescription description;
-    description.species = {*findSpecies("red maple")};
-    for (int i = 0; i < 9; ++i) {
-        TreePlacement tree;
-        tree.position = 8.0 * glm::dvec3(i % 3 - 1, i / 3 - 1, 0);
-        tree.heading = 0.7f * static_cast<float>(i);
-        tree.size.height = 7.0f + static_cast<float>(i % 4);
-        tree.seed = static_cast<std::uint32_t>(i);
-        description.trees.push_back(tree);
+    description.ground = std::make_shared<FunctionGround>(groundAt);
+    description.species = {*findSpecies("silver birch")};
+    for (unsigned i = 0; i < 180; ++i) {
+        const osg::Vec3d place = osg::Vec3d(0, i % 2 ? 6.0 + i % 9 : -6.0 - i % 12, 0) * driveTo(0.15 * i);
+        TreePlacement& tree = description.trees.emplace_back();
+        tree.position = {place.x(), place.y(), groundAt(place.x(), place.y())};
+        tree.size.height = 7.0f + static_cast<float>(i % 7);
+        tree.seed = i;
     }
     return description;
 }
 
-/// The simulator's own wind: here a vortex in a breeze, on a grid of 32 x 32 points.
-GridWind::Grid simulateWind(double time) {
-    constexpr int size = 32;
+/// The simulator's own wind, at 32 places 6 m apart from west to east: gusts that cross the wood.
+static GridWind::Grid simulateWind(double time) {
     GridWind::Grid grid;
-    grid.points = {size, size, 1};
-    grid.origin = {-16.0, -16.0, 0.0};
-    const glm::dvec2 vortex(10.0 * std::cos(0.4 * time), 10.0 * std::sin(0.4 * time));
-    for (int i = 0; i < size * size; ++i) {
-        const glm::dvec2 from = glm::dvec2(grid.origin) + glm::dvec2(i % size, i / size) - vortex;
-        const double turn = 30.0 / (9.0 + from.x * from.x + from.y * from.y); // 1/s
-        for (const double component : {3.0 - turn * from.y, turn * from.x, 0.0})
-            grid.values.push_back(static_cast<float>(component));
-    }
+    grid.points = {32, 1, 1};
+    grid.origin = {-96.0, 0.0, 0.0};
+    grid.cell = {6.0, 1.0, 1.0};
+    for (int i = 0; i < 32; ++i)
+        grid.values.insert(grid.values.end(),
+                           {4.0f + 3.0f * static_cast<float>(std::sin(0.6 * i - 0.5 * time)), 0.0f, 0.0f});
     return grid;
 }
 
-/// A new wind sixty times a second.
-void streamWind(StreamedWind& wind, const std::atomic<bool>& done) {
-    for (double time = 0.0; !done; time += 1.0 / 60.0) {
-        wind.update({simulateWind(time).values}); // gives what is wrong with them: nothing
-        std::this_thread::sleep_for(std::chrono::microseconds(16667));
-    }
+/// The air that it moves.
+static WindSource flowAround(double time) {
+    const osg::Vec3d rear = driveTo(time).getTrans(), ahead = osg::Vec3d(speed, 0, 0) * driveTo(time) - rear;
+    WindSource flow;
+    flow.velocity = {ahead.x(), ahead.y(), 0.0};
+    flow.position = glm::dvec3(rear.x(), rear.y(), rear.z()) - time * flow.velocity; // as if from time 0 on
+    flow.kind = WindSource::Kind::Vehicle, flow.radius = 1.25, flow.height = 4.0, flow.length = length;
+    return flow;
 }
 
-/// Hangs a red ball on a branch: it goes where the branch goes.
-void markBranch(Forest& forest, TreeId tree, unsigned unit) {
-    BranchTransform* branch = forest.branch(tree, unit);
-    osg::ref_ptr<osg::ShapeDrawable> ball = new osg::ShapeDrawable(new osg::Sphere(branch->getBase(), 0.15f));
-    ball->setColor(osg::Vec4(0.9f, 0.1f, 0.1f, 1.0f));
-    branch->addChild(ball);
+static void add(osg::Group& group, osg::Shape* shape, const osg::Vec4& colour) {
+    osg::ref_ptr<osg::ShapeDrawable> drawable = new osg::ShapeDrawable(shape);
+    drawable->setColor(colour);
+    group.addChild(drawable);
 }
-
-} // namespace
 
 int main(int argc, char** argv) {
-    unsigned frames = 0;
-    osg::ArgumentParser(&argc, argv).read("--frames", frames);
+    unsigned long frames = argc > 2 ? std::stoul(argv[2]) : ~0ul;
+    osg::ref_ptr<osg::HeightField> ground = new osg::HeightField;
+    ground->allocate(100, 100);
+    ground->setOrigin({-100, -100, 0});
+    ground->setXInterval(2), ground->setYInterval(2);
+    for (unsigned i = 0; i < 100 * 100; ++i)
+        ground->setHeight(i % 100, i / 100, groundAt(2.0 * (i % 100) - 100, 2.0 * (i / 100) - 100));
+    osg::ref_ptr<osg::MatrixTransform> lorry = new osg::MatrixTransform;
+    add(*lorry, new osg::Box({length / 2, 0, 2.2f}, length, 2.5f, 3.6f), {0.7f, 0.1f, 0.05f, 1.0f});
     osg::ref_ptr<Forest> forest = new Forest(describeForest());
-    markBranch(*forest, TreeId(4), 60); // trees of the description have their numbers for ids
-    const auto wind = StreamedWind::create(simulateWind(0.0));
-    if (!wind) {
-        for (const Diagnostic& problem : wind.problems())
-            std::cerr << problem.text() << '\n';
-        return 1;
-    }
-    forest->setWind(wind.value());
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    add(*scene, ground, {0.2f, 0.26f, 0.1f, 1.0f});
+    scene->addChild(lorry);
+    scene->addChild(forest);
     osgViewer::Viewer viewer;
-    viewer.setSceneData(forest);
-    viewer.setCameraManipulator(new osgGA::TrackballManipulator);
-    viewer.setUpViewInWindow(50, 50, 640, 360);
+    viewer.setSceneData(scene);
+    viewer.setLightingMode(osg::View::SKY_LIGHT);
+    viewer.setUpViewInWindow(50, 50, 960, 540);
     viewer.realize();
     if (!viewer.isRealized())
         return 1; // no window, as OSG has said
+    const auto wind = StreamedWind::create(simulateWind(0.0)).value();
     std::atomic<bool> done{false};
-    std::thread simulator([&] { streamWind(*wind.value(), done); });
-    while (!viewer.done() && (frames == 0 || viewer.getFrameStamp()->getFrameNumber() < frames))
-        viewer.frame();
+    std::thread simulator([&] {
+        for (double time = 0.0; !done; time += 1.0 / 60.0) { // a new wind sixty times a second
+            wind->update({simulateWind(time).values});       // gives what is wrong with them: nothing
+            std::this_thread::sleep_for(std::chrono::microseconds(16667));
+        }
+    });
+    for (; !viewer.done() && frames > 0; --frames) {
+        const double time = viewer.elapsedTime();
+        lorry->setMatrix(driveTo(time));
+        forest->setWind(std::make_shared<WindWithSources>(wind, std::vector{flowAround(time)}));
+        const osg::Vec3d behind = osg::Vec3d(0, 0, 6) * driveTo(time - 1.6),
+                         front = lorry->getBound().center();
+        viewer.getCamera()->setViewMatrixAsLookAt(behind, front, {0, 0, 1});
+        viewer.frame(time);
+    }
     done = true;
     simulator.join();
-    std::cout << forest->getNumTrees() << " trees, " << viewer.getFrameStamp()->getFrameNumber()
-              << " frames\n";
 }

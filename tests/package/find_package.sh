@@ -17,8 +17,7 @@ build() {
 
 build -S "$here/../../examples/embed" -B "$work/build"
 LD_PRELOAD=$prefix/$library/osgTreeWind/libosgTreeWindHeadless.so:libOSMesa.so.8 \
-    "$work/build/osgtreewind-embed" --frames 5 | tee "$work/log"
-grep -qx "9 trees, 5 frames" "$work/log"
+    "$work/build/osgtreewind-embed" --frames 5
 
 rm -rf "$work/build"
 build -S "$here" -B "$work/build" "-DBACKENDS=$(IFS=';'; echo "$*")"
