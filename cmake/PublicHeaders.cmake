@@ -7,6 +7,7 @@ set(public_headers
     osgTreeWind/base/Result.h
     osgTreeWind/base/Span.h
     osgTreeWind/controls/ForestHandler.h
+    osgTreeWind/controls/StatisticsLines.h
     osgTreeWind/drawing/BranchTransform.h
     osgTreeWind/drawing/ForestDrawing.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h

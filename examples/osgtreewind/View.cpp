@@ -7,6 +7,7 @@
 #include "SunOption.h"
 
 #include <osgTreeWind/controls/ForestHandler.h>
+#include <osgTreeWind/controls/StatisticsLines.h>
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/forest/ForestTiles.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -154,19 +155,6 @@ osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> waysToLook(const ForestView& vie
     return ways;
 }
 
-/// OSG's, with a line for each thing that the forest says of itself (docs/view.md).
-osg::ref_ptr<osgViewer::StatsHandler> statistics() {
-    const osg::Vec4 color(0.6f, 1.0f, 0.5f, 1.0f);
-    osg::ref_ptr<osgViewer::StatsHandler> handler = new osgViewer::StatsHandler;
-    for (const char* name : {"Forest step", "Forest cull"})
-        handler->addUserStatsLine(name + std::string(", ms"), color, color, name, 1000.0f, true, false, "",
-                                  "", 100.0f);
-    for (const char* name :
-         {"Forest trees", "Forest trees in full", "Forest trees by boughs", "Forest trees as pictures"})
-        handler->addUserStatsLine(name, color, color, name, 1.0f, false, false, "", "", 1e6f);
-    return handler;
-}
-
 ExitCode show(const ViewOptions& options) {
     if (offscreenBackendName() != std::string("egl"))
         return runOtherBackend("egl"); // windows need the system's OpenGL
@@ -200,7 +188,9 @@ ExitCode show(const ViewOptions& options) {
     viewer.setCameraManipulator(ways);
     viewer.addEventHandler(handler);
     viewer.addEventHandler(new StageKeys(stage, forest, handler, ways, options.save));
-    viewer.addEventHandler(statistics());
+    osg::ref_ptr<osgViewer::StatsHandler> statistics = new osgViewer::StatsHandler;
+    addStatisticsLines(*statistics);
+    viewer.addEventHandler(statistics);
     viewer.addEventHandler(new osgViewer::WindowSizeHandler);
     viewer.addEventHandler(
         new osgViewer::ScreenCaptureHandler(new osgViewer::ScreenCaptureHandler::WriteToFile(

@@ -35,6 +35,7 @@ void sortByPlace(Diagnostics& problems, const std::string& document) {
 
 void readDocument(std::istream& input, const ForestFileOptions& options, ForestReading& reading) {
     reading.log.file = options.file;
+    reading.log.settings = options.settings;
     reading.mostTrees = options.mostTrees;
     reading.forest.folder = absolute(options.folder);
     reading.folders = {reading.forest.folder};
@@ -44,6 +45,8 @@ void readDocument(std::istream& input, const ForestFileOptions& options, ForestR
     reading.forest.source = std::move(text.value());
     TableReader::readDocument(reading.forest.source, reading.log,
                               [&](TableReader& root) { readRoot(root, reading); });
+    if (!options.settings.empty())
+        reading.forest.source.clear(); // it says something else
     sortByPlace(reading.log.problems, options.file);
 }
 
@@ -56,7 +59,7 @@ void readDocumentFile(const std::string& path, std::size_t mostTrees, ForestRead
     std::ifstream input(path, std::ios::binary);
     if (!input)
         return reading.log.add(fileProblem(path, "cannot be opened for reading"));
-    readDocument(input, {path, std::filesystem::path(path).parent_path().string(), mostTrees}, reading);
+    readDocument(input, {path, std::filesystem::path(path).parent_path().string(), mostTrees, {}}, reading);
 }
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include <istream>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -15,6 +16,9 @@ struct ForestFileOptions {
     std::string file;   ///< Name used in diagnostics; may be empty.
     std::string folder; ///< Folder of the document, for relative paths in it; empty: the current folder.
     std::size_t mostTrees = 1000000; ///< More than these are a problem.
+    /// Keys to be other than the document says: "wind.speed=15", "season=autumn". What is not TOML's is a
+    /// text; not in arrays of tables.
+    std::vector<std::string> settings = {};
 };
 
 /// Reads a .treewind document (docs/treewind.md) and the files it names.

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/io/TomlText.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -48,16 +49,47 @@ std::string describe(const toml::node& node) {
     return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
 }
 
+/// In the document, or in a setting.
+Diagnostic problemAt(const toml::source_region& place, const std::string& key, const std::string& message) {
+    return {place.path ? *place.path : "", static_cast<int>(place.begin.line),
+            static_cast<int>(place.begin.column), key, message};
+}
+
+Diagnostic problemOf(const toml::parse_error& error) {
+    return problemAt(error.source(), "", "not valid TOML: " + printable(std::string(error.description())));
+}
+
+/// "KEY=VALUE" as a document.
+toml::parse_result parseSetting(const std::string& setting) {
+    const std::string name = "setting " + inQuotes(setting);
+    toml::parse_result parsed = toml::parse(setting, name);
+    const std::size_t equals = setting.find('=');
+    if (parsed || equals == std::string::npos)
+        return parsed;
+    return toml::parse(setting.substr(0, equals + 1) + tomlText(setting.substr(equals + 1)), name);
+}
+
+void merge(toml::table& document, toml::table& settings) {
+    for (auto&& [key, node] : settings) {
+        toml::table* const before = document[key].as_table();
+        if (before && node.is_table())
+            merge(*before, *node.as_table());
+        else
+            node.visit([&, &key = key](auto& value) { document.insert_or_assign(key, std::move(value)); });
+    }
+}
+
 } // namespace
 
 void TableReader::readDocument(const std::string& text, ReadLog& log, const Section& root) {
-    const toml::parse_result parsed = toml::parse(text, log.file);
-    if (!parsed) {
-        const toml::parse_error& error = parsed.error();
-        const toml::source_position place = error.source().begin;
-        log.add({log.file, static_cast<int>(place.line), static_cast<int>(place.column), "",
-                 "not valid TOML: " + printable(std::string(error.description()))});
-        return;
+    toml::parse_result parsed = toml::parse(text, log.file);
+    if (!parsed)
+        return log.add(problemOf(parsed.error()));
+    for (const std::string& setting : log.settings) {
+        toml::parse_result set = parseSetting(setting);
+        if (!set)
+            return log.add(problemOf(set.error()));
+        merge(parsed.table(), set.table());
     }
     TableReader reader(parsed.table(), "", log);
     root(reader);
@@ -87,8 +119,7 @@ bool TableReader::hasArray(const std::string& key) const {
 }
 
 void TableReader::problemAt(const toml::node& node, const std::string& key, const std::string& message) {
-    const toml::source_position place = node.source().begin;
-    _log.add({_log.file, static_cast<int>(place.line), static_cast<int>(place.column), dotted(key), message});
+    _log.add(osgTreeWind::problemAt(node.source(), dotted(key), message));
 }
 
 void TableReader::problem(const std::string& key, const std::string& message) {
@@ -346,11 +377,9 @@ void TableReader::reportUnknown() {
         if (_asked.count(name))
             continue;
         const std::string near = nearestName(name, known);
-        const toml::source_position place = key.source().begin;
-        _log.add({_log.file, static_cast<int>(place.line), static_cast<int>(place.column),
-                  dotted(printable(name)),
-                  "unknown key; " +
-                      (near.empty() ? "known here: " + joined(known) : "did you mean " + near + '?')});
+        _log.add(osgTreeWind::problemAt(key.source(), dotted(printable(name)),
+                                        "unknown key; " + (near.empty() ? "known here: " + joined(known)
+                                                                        : "did you mean " + near + '?')));
     }
 }
 

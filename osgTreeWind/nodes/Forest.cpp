@@ -321,7 +321,7 @@ void Forest::traverse(osg::NodeVisitor& visitor) {
         _culledFrame = stamp->getFrameNumber();
     osg::Group::traverse(visitor);
     if (isCull)
-        reportStatistics(*this, visitor, _stepTime, clock.elapsedTime());
+        reportStatistics(*this, visitor, _stepTime, clock.elapsedTime(), _tiles.get());
 }
 
 osg::BoundingSphere Forest::computeBound() const {

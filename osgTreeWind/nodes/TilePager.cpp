@@ -272,6 +272,13 @@ double TilePager::nearestMissing() const {
     return nearest();
 }
 
+std::size_t TilePager::countThere() const {
+    const std::lock_guard<std::mutex> lock(_mutex);
+    return static_cast<std::size_t>(std::count_if(_slots.begin(), _slots.end(), [](const auto& slot) {
+        return slot.second.arrived && slot.second.coming.empty();
+    }));
+}
+
 double TilePager::nearest() const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [tile, slot] : _slots)

@@ -50,6 +50,8 @@ public:
     /// Metres from an eye to the nearest tile that is to be there and is not, infinite where all are; those
     /// that cannot be read do not count.
     double nearestMissing() const;
+    /// How many tiles are there, with all of their trees.
+    std::size_t countThere() const;
 
     void traverse(osg::NodeVisitor& visitor) override;
     osg::BoundingSphere computeBound() const override;

@@ -2,12 +2,16 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <plugins/treewind/StatisticsOfViewer.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
 #include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -17,7 +21,11 @@ using namespace osgTreeWind;
 /// pager threads may share it.
 class ReaderWriterTreewind : public osgDB::ReaderWriter {
 public:
-    ReaderWriterTreewind() { supportsExtension("treewind", "osgTreeWind forest description"); }
+    ReaderWriterTreewind() {
+        supportsExtension("treewind", "osgTreeWind forest description");
+        supportsOption("treewind.KEY=VALUE",
+                       "a key of the file to be other than it says, as treewind.wind.speed=15");
+    }
 
     const char* className() const override { return "osgTreeWind forest reader and writer"; }
 
@@ -37,12 +45,14 @@ public:
         std::ifstream input(path, std::ios::binary);
         if (!input)
             return ReadResult(path + ": cannot be opened");
-        return read(input, {path, osgDB::getFilePath(path)});
+        return read(input,
+                    {path, osgDB::getFilePath(path), ForestFileOptions().mostTrees, settingsOf(options)});
     }
 
     /// Relative paths are looked for in the first folder of the options' database paths.
     ReadResult readNode(std::istream& input, const Options* options) const override {
         ForestFileOptions where;
+        where.settings = settingsOf(options);
         if (options && !options->getDatabasePathList().empty())
             where.folder = options->getDatabasePathList().front();
         return read(input, where);
@@ -69,6 +79,18 @@ public:
     }
 
 private:
+    /// Of the words of an options string those that begin with "treewind.", without it: `-O
+    /// "treewind.season=autumn"`.
+    static std::vector<std::string> settingsOf(const Options* options) {
+        const std::string prefix = "treewind.";
+        std::vector<std::string> settings;
+        std::istringstream words(options ? options->getOptionString() : "");
+        for (std::string word; words >> word;)
+            if (word.compare(0, prefix.size(), prefix) == 0)
+                settings.push_back(word.substr(prefix.size()));
+        return settings;
+    }
+
     static ReadResult read(std::istream& input, const ForestFileOptions& where) {
         Result<ForestDescription> forest = readForest(input, where);
         if (!forest)
@@ -82,6 +104,7 @@ private:
         }
         for (const std::string& note : notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
+        node.value()->setEventCallback(new StatisticsOfViewer);
         node.value()->setName(osgDB::getSimpleFileName(where.file));
         return node.value().get();
     }

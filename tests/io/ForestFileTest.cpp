@@ -353,6 +353,32 @@ TEST(ForestFile, MessagesCarryFileLineAndColumn) {
               "my.treewind:4:10: tree.height: expected a finite number in (0, 150], found -2");
 }
 
+TEST(ForestFile, SettingsStandInPlaceOfTheDocumentsKeys) {
+    const std::string document = "version = 1\nseason = \"winter\"\n[wind]\nkind = \"uniform\"\nspeed = 3.0\n"
+                                 "direction_from = 270.0\n" +
+                                 tree;
+    const auto with = [&](const std::vector<std::string>& settings) {
+        std::istringstream input(document);
+        return readForest(input, {"my.treewind", "", 100, settings});
+    };
+    const ForestDescription forest =
+        expectForest(with({"wind.speed=15", "season=autumn", "motion.gain = 2"}));
+    expectNear(forest.wind->velocity({}, 0.0), {15, 0, 0});
+    EXPECT_EQ(forest.season, expectForest(with({"season=\"autumn\""})).season);
+    EXPECT_NE(forest.season, expectForest(with({})).season);
+    EXPECT_EQ(forest.source, "") << "it says something else";
+    const auto problem = [&](const std::string& setting) {
+        const auto result = with({setting});
+        return result.ok() ? "" : result.problems().front().text();
+    };
+    EXPECT_EQ(problem("wind.speed=fast"),
+              "setting \"wind.speed=fast\":1:12: wind.speed: expected a number, found the text \"fast\"");
+    EXPECT_EQ(problem("wind.sped=3"),
+              "setting \"wind.sped=3\":1:6: wind.sped: unknown key; did you mean speed?");
+    EXPECT_EQ(problem("season").rfind("setting \"season\":1:", 0), 0u) << problem("season");
+    EXPECT_NE(problem("tree.height=3"), "") << "an array of tables";
+}
+
 TEST(ForestFile, AForestThatDoesNotFitIntoMemoryIsRefusedOnce) {
     const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "100M");
     std::istringstream input("version = 1\n[scatter]\ncount = 1000000\narea = [0, 0, 9000, 9000]\n");

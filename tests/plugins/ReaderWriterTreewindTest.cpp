@@ -72,6 +72,19 @@ TEST_F(ReaderWriterTreewindTest, readObjectGivesTheForestToo) { // osgconv asks 
     EXPECT_NE(dynamic_cast<Forest*>(object.get()), nullptr);
 }
 
+TEST_F(ReaderWriterTreewindTest, optionsStandInPlaceOfTheFilesKeys) {
+    const osg::ref_ptr<osgDB::Options> options =
+        new osgDB::Options("noRotation treewind.season=winter treewind.wind.height=20");
+    osg::ref_ptr<Forest> forest =
+        dynamic_cast<Forest*>(osgDB::readRefNodeFile(exampleFile("forest.treewind"), options).get());
+    ASSERT_TRUE(forest);
+    EXPECT_EQ(forest->getSeason(), midwinter);
+    EXPECT_EQ(said(), "");
+    options->setOptionString("treewind.wind.heigt=20");
+    EXPECT_FALSE(osgDB::readRefNodeFile(exampleFile("forest.treewind"), options));
+    EXPECT_NE(said().find("did you mean height"), std::string::npos) << said();
+}
+
 TEST_F(ReaderWriterTreewindTest, aBrokenFileGivesNothingAndSaysWhere) {
     const TemporaryFolder folder;
     const std::string file = folder.write(
