@@ -4,6 +4,7 @@
 # Usage: run.sh [OPTION OF FGFS...]     e.g. run.sh --disable-clouds3d --disable-random-objects --geometry=640x400
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
+PATH=$PATH:/usr/games
 command -v fgfs >/dev/null || { echo "no FlightGear; apt-get install --no-install-recommends flightgear (1.8 GB)" >&2; exit 1; }
 # The plugin of this build, where there is one; else that of the package.
 if [[ -d ../../../build/lib/osgPlugins-3.6.5 ]]; then export OSG_LIBRARY_PATH=${OSG_LIBRARY_PATH:-$(realpath ../../../build/lib)}; fi
