@@ -77,8 +77,9 @@ private:
 class StageKeys : public osgGA::GUIEventHandler {
 public:
     StageKeys(Stage& stage, Forest* forest, ForestHandler* handler, osgGA::KeySwitchMatrixManipulator* ways,
-              std::string save)
-        : _stage(stage), _forest(forest), _handler(handler), _ways(ways), _save(std::move(save)) {}
+              std::string file, std::string save)
+        : _stage(stage), _forest(forest), _handler(handler), _ways(ways), _file(std::move(file)),
+          _save(std::move(save)) {}
 
     using osgGA::GUIEventHandler::handle;
     bool handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter&) override {
@@ -109,11 +110,11 @@ public:
 
 private:
     void write() {
-        const Diagnostics problems = writeForestFile(_forest->getSimulation().describe(), _save);
+        const Diagnostics problems = editForestFile(_forest->getSimulation().describe(), _file, _save);
         if (problems.empty())
             std::cout << "wrote " << _save << std::endl;
         else
-            std::cerr << problems.front().text() << std::endl;
+            std::cerr << linesOf(problems) << std::endl;
     }
 
     void follow() {
@@ -132,7 +133,7 @@ private:
     osg::ref_ptr<Forest> _forest;
     osg::ref_ptr<ForestHandler> _handler;
     osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> _ways;
-    std::string _save;
+    std::string _file, _save;
 };
 
 /// Of a world's middle, or as a person stands before a forest.
@@ -187,7 +188,7 @@ ExitCode show(const ViewOptions& options) {
     viewer.getCamera()->setNearFarRatio(2e-5); // 6 cm before the eye, with the ground's rim at 3 km
     viewer.setCameraManipulator(ways);
     viewer.addEventHandler(handler);
-    viewer.addEventHandler(new StageKeys(stage, forest, handler, ways, options.save));
+    viewer.addEventHandler(new StageKeys(stage, forest, handler, ways, options.file, options.save));
     osg::ref_ptr<osgViewer::StatsHandler> statistics = new osgViewer::StatsHandler;
     addStatisticsLines(*statistics);
     viewer.addEventHandler(statistics);

@@ -46,4 +46,10 @@ OSGTREEWIND_EXPORT Diagnostics writeForest(const ForestDescription& description,
 /// The same into a file.
 OSGTREEWIND_EXPORT Diagnostics writeForestFile(const ForestDescription& description, const std::string& path);
 
+/// The same as an edit of the file that the forest was read from: where nothing but its season, wind, motion
+/// and drawing are others now, the file's text with those keys changed, its comments and order kept. Whatever
+/// cannot be said so is written as by writeForestFile(). @param path may be `from`.
+OSGTREEWIND_EXPORT Diagnostics editForestFile(const ForestDescription& now, const std::string& from,
+                                              const std::string& path);
+
 } // namespace osgTreeWind

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/TomlEdit.h>
+
+#include <osgTreeWind/io/Toml.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+
+namespace osgTreeWind {
+
+namespace {
+
+std::size_t lineBegin(const std::string& text, std::size_t line) { // 1: the first
+    std::size_t at = 0;
+    for (; line > 1 && at < text.size(); --line)
+        at = std::min(text.find('\n', at), text.size() - 1) + 1;
+    return at;
+}
+
+/// Columns count characters, of one byte or more each.
+std::size_t offsetOf(const std::string& text, const toml::source_position& place) {
+    std::size_t at = lineBegin(text, place.line);
+    for (std::size_t column = 1; column < place.column && at < text.size(); ++column)
+        do
+            ++at;
+        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80);
+    return at;
+}
+
+/// The table of that name, or of none the document itself; null where there is none.
+toml::table* tableOf(toml::parse_result& document, const std::string& name) {
+    if (!document)
+        return nullptr;
+    return name.empty() ? &document.table() : document.table()[name].as_table();
+}
+
+/// The line behind which a further key of a table comes; nothing where no key can.
+std::optional<std::size_t> lastLineOf(const toml::table& table, bool isDocument) {
+    if (table.is_inline())
+        return std::nullopt;
+    std::size_t last = isDocument ? 0 : table.source().begin.line;
+    for (const auto& [key, node] : table) {
+        const bool isSection =
+            (node.is_table() && !node.as_table()->is_inline()) || node.is_array_of_tables();
+        if (!isSection)
+            last = std::max<std::size_t>(last, node.source().end.line);
+    }
+    return last;
+}
+
+} // namespace
+
+void TomlEdit::append(const std::string& lines) {
+    if (!_text.empty() && _text.back() != '\n')
+        _text += '\n';
+    _text += lines;
+}
+
+void TomlEdit::set(const std::string& table, const std::string& key, const std::string& value) {
+    toml::parse_result document = toml::parse(_text);
+    toml::table* const found = tableOf(document, table);
+    const std::string line = key + " = " + value + '\n';
+    if (!found)
+        return append("\n[" + table + "]\n" + line);
+    if (const toml::node* node = found->get(key)) {
+        const std::size_t begin = offsetOf(_text, node->source().begin);
+        _text.replace(begin, offsetOf(_text, node->source().end) - begin, value);
+    } else if (const auto last = lastLineOf(*found, table.empty())) {
+        const std::size_t at = lineBegin(_text, *last + 1);
+        if (at == _text.size())
+            append(line);
+        else
+            _text.insert(at, line);
+    }
+}
+
+void TomlEdit::remove(const std::string& table, const std::string& key) {
+    toml::parse_result document = toml::parse(_text);
+    const toml::table* const found = tableOf(document, table);
+    const toml::node* const node = found && !found->is_inline() ? found->get(key) : nullptr;
+    if (!node)
+        return;
+    const std::size_t begin = lineBegin(_text, node->source().begin.line);
+    _text.erase(begin, lineBegin(_text, node->source().end.line + 1) - begin);
+}
+
+void TomlEdit::replaceTables(const std::string& table, const std::string& lines) {
+    const std::regex header(R"(^\s*\[\[?\s*([A-Za-z0-9_.-]+))"), said(R"(^\s*[^#\s])");
+    const std::string parent = table.substr(0, table.find('.'));
+    std::string kept, name, before; // what may be said of the next table: comments and empty lines
+    std::optional<std::size_t> place, behindParent;
+    for (std::size_t at = 0; at < _text.size();) {
+        const std::size_t next = std::min(_text.find('\n', at), _text.size() - 1) + 1;
+        const std::string line = _text.substr(at, next - at);
+        at = next;
+        std::smatch found;
+        if (std::regex_search(line, found, header))
+            name = found[1];
+        const bool goes = name == table || name.compare(0, table.size() + 1, table + '.') == 0;
+        if (!std::regex_search(line, said)) {
+            before += line;
+            continue;
+        }
+        if (goes && !place)
+            place = (kept += before).size();
+        else if (!goes)
+            kept += before;
+        before.clear();
+        if (!goes)
+            kept += line;
+        if (name == parent)
+            behindParent = kept.size();
+    }
+    _text = kept + before;
+    if (place)
+        _text.insert(*place, lines);
+    else if (behindParent)
+        _text.insert(*behindParent, '\n' + lines);
+    else
+        append('\n' + lines);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <tests/io/TemporaryFolder.h>
+
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/wind/AdjustedWind.h>
+#include <osgTreeWind/wind/GustWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace osgTreeWind {
+
+namespace {
+
+const std::string document = "# Wäldchen am Fluß\n"
+                             "version = 1\n"
+                             "seed = 5\n"
+                             "season = \"summer\" # see the calendar\n"
+                             "\n"
+                             "[wind] # of the mast\n"
+                             "kind = \"uniform\"\n"
+                             "speed = 7.5   # ü ok\n"
+                             "direction_from = 270.0\n"
+                             "\n"
+                             "# Our trees\n"
+                             "[inventory]\n"
+                             "file = \"trees.csv\" # beside this\n"
+                             "columns = { x = \"x\", y = \"y\" }\n"
+                             "\n"
+                             "[[species]] # all of them\n"
+                             "name = \"oak\"\n";
+
+/// The file, read, and as a forest tells it while it runs.
+class EditForestTest : public ::testing::Test {
+protected:
+    EditForestTest() {
+        _folder.write("trees.csv", "x,y\n1.1,2.3\n3,4\n5,6\n");
+        file = _folder.write("wood.treewind", document);
+        const auto read = readForestFile(file);
+        EXPECT_TRUE(read) << linesOf(read.problems());
+        now = ForestSimulation(read.value()).describe();
+    }
+
+    std::string edit(const std::string& name = "edited.treewind") {
+        const std::string path = (std::filesystem::path(file).parent_path() / name).string();
+        EXPECT_EQ(linesOf(editForestFile(now, file, path)), "");
+        std::stringstream text;
+        text << std::ifstream(path, std::ios::binary).rdbuf();
+        return text.str();
+    }
+    static std::string with(std::string text, const std::string& part, const std::string& other) {
+        const std::size_t at = text.find(part);
+        EXPECT_NE(at, std::string::npos) << part;
+        return text.replace(at, part.size(), other);
+    }
+    ForestDescription again(const std::string& name = "edited.treewind") {
+        const auto read = readForestFile((std::filesystem::path(file).parent_path() / name).string());
+        EXPECT_TRUE(read) << linesOf(read.problems());
+        return read ? read.value() : ForestDescription();
+    }
+
+    TemporaryFolder _folder;
+    std::string file;
+    ForestDescription now;
+};
+
+} // namespace
+
+TEST_F(EditForestTest, whatIsAsItWasStaysToTheByte) {
+    EXPECT_EQ(edit(), document);
+}
+
+TEST_F(EditForestTest, aValueChangesInItsPlace) {
+    now.season = 3.0f;
+    EXPECT_EQ(edit(), with(document, "season = \"summer\" # see", "season = 3 # see"));
+}
+
+TEST_F(EditForestTest, aNewKeyComesBehindThoseOfItsTable) {
+    now.wind = std::make_shared<AdjustedWind>(now.wind, AdjustedWind::Adjustment{1.5, 20.0});
+    EXPECT_EQ(edit(), with(document, "direction_from = 270.0\n",
+                           "direction_from = 270.0\nstrength = 1.5\nturn = 20\n"));
+}
+
+TEST_F(EditForestTest, aNewTableComesLast) {
+    now.gain = 2.0f;
+    EXPECT_EQ(edit(), document + "\n[motion]\ngain = 2\n");
+}
+
+TEST_F(EditForestTest, aKeyThatIsAsUsualAgainGoes) {
+    std::ofstream(file, std::ios::binary)
+        << with(document, "seed = 5\n", "seed = 5\nmotion.gain = 2.0 # more\n");
+    EXPECT_EQ(edit(), document);
+}
+
+TEST_F(EditForestTest, sourcesComeBehindTheWind) {
+    const WindFieldPtr calm = now.wind;
+    now.wind = std::make_shared<WindWithSources>(calm, std::vector<WindSource>(2));
+    const std::string two = edit("wood.treewind");
+    EXPECT_EQ(two.find("[[wind.source]]"), two.find("270.0\n") + 7);
+    EXPECT_EQ(two.substr(two.find("\n# Our")), document.substr(document.find("\n# Our")));
+    now.wind = std::make_shared<WindWithSources>(calm, std::vector<WindSource>(1));
+    const std::string one = edit("wood.treewind");
+    EXPECT_EQ(one.rfind("[[wind.source]]"), one.find("[[wind.source]]"));
+    now.wind = calm;
+    EXPECT_EQ(edit().find("wind.source"), std::string::npos);
+}
+
+TEST_F(EditForestTest, anotherKindOfWindTakesThePlaceOfTheSection) {
+    now.wind = GustWind::create({}).value();
+    const std::string text = edit();
+    for (const char* kept :
+         {"# Wäldchen am Fluß\n", "# see the calendar", "# Our trees\n", "# beside this", "# all"})
+        EXPECT_NE(text.find(kept), std::string::npos) << kept << " in\n" << text;
+    EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(again().wind));
+    EXPECT_LT(text.find("gusts"), text.find("# Our trees"));
+}
+
+TEST_F(EditForestTest, aFileMayBeEditedInItsPlace) {
+    now.season = 3.0f;
+    edit("wood.treewind");
+    now.season = 1.0f;
+    EXPECT_EQ(edit("wood.treewind"), with(document, "season = \"summer\"", "season = 1"));
+}
+
+TEST_F(EditForestTest, otherTreesAreWrittenOut) {
+    now.trees.pop_back();
+    EXPECT_NE(edit().find("[[tree]]"), std::string::npos);
+    EXPECT_EQ(again().trees.size(), 2u);
+}
+
+TEST_F(EditForestTest, inAnotherFolderWhatLiesBesideTheFileIsFound) {
+    const TemporaryFolder other;
+    const std::string path = other.path() + "/edited.treewind";
+    now.season = 3.0f;
+    ASSERT_EQ(linesOf(editForestFile(now, file, path)), "");
+    const auto read = readForestFile(path);
+    ASSERT_TRUE(read) << linesOf(read.problems());
+    EXPECT_EQ(read.value().trees.size(), 3u);
+    EXPECT_EQ(read.value().season, 3.0f);
+}
+
+TEST_F(EditForestTest, aFileThatIsGoneIsWrittenAnew) {
+    std::filesystem::remove(file);
+    EXPECT_NE(edit().find("[[tree]]"), std::string::npos);
+}
+
+} // namespace osgTreeWind
