@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgViewer/ViewerEventHandlers>
+#include <osg/Vec4>
 
 #include <string>
 
 namespace osgTreeWind {
 
 /// Has OSG's statistics (key `s`) show what forests say of themselves in a view's osg::Stats (docs/view.md):
-/// a line for each. Once for each handler, before its first key. Here in full, so that the library does not
-/// need osgViewer.
-inline void addStatisticsLines(osgViewer::StatsHandler& handler) {
+/// a line for each. Once for each handler, before its first key. @param handler an osgViewer::StatsHandler;
+/// the library itself does without osgViewer.
+template <typename StatsHandler>
+void addStatisticsLines(StatsHandler& handler) {
     const osg::Vec4 color(0.6f, 1.0f, 0.5f, 1.0f);
     const auto line = [&](const std::string& name, const std::string& unit, float scale, float most) {
         handler.addUserStatsLine(name + unit, color, color, name, scale, unit == ", ms", false, "", "", most);

@@ -7,6 +7,7 @@
 #include <osg/ValueObject>
 #include <osgGA/EventVisitor>
 #include <osgViewer/View>
+#include <osgViewer/ViewerEventHandlers>
 
 /// Gives the statistics of a viewer that knows nothing of forests their lines: an event callback of what it
 /// has read. An .osgb has it as an osg::NodeCallback, which does nothing.
