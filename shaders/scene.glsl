@@ -2,8 +2,9 @@
 // What the scene does to a fragment: shadows that fall on it, the encoding of its colour, and fog, which is mixed in as
 // OpenGL does, in the values that are written (osgTreeWind/drawing/looks/SceneShading.h says which).
 // SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
+// TIERS_COLORED: each tree in the `tierColor` of how finely it is drawn, as bright as it is.
 // SHADOW_CLEARANCE: metres toward the light within which nothing throws a shadow: crowns are shaded within (light.glsl).
-#pragma import_defines(FOG_MODE, SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1)
+#pragma import_defines(FOG_MODE, SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1, TIERS_COLORED)
 #ifndef SHADOW_CLEARANCE
 #define SHADOW_CLEARANCE 1.5
 #endif
@@ -17,6 +18,9 @@ in vec3 sunLight; // of the light on the fragment, that of the sun
 const vec3 sunLight = vec3(0.0);
 #endif
 
+#ifdef TIERS_COLORED
+uniform vec3 tierColor;
+#endif
 #ifdef SHADOW_MAP
 uniform sampler2DShadow osgShadow_shadowTexture;
 uniform vec2 osgShadow_ambientBias; // of the sun's light, in place of its ambient, which osgShadow::ShadowMap sets to black
@@ -83,6 +87,9 @@ float fogLeft(vec3 eyePosition) {
 
 /// The colour of a fragment as it is seen. @param color lit, linear.
 vec3 sceneColor(vec3 color, vec3 eyePosition) {
+#ifdef TIERS_COLORED
+    color = tierColor * (0.05 + 2.0 * dot(color, vec3(0.2126, 0.7152, 0.0722)));
+#endif
     vec3 lit = encoded(color);
 #ifdef FOG_MODE
     lit = mix(gl_Fog.color.rgb, lit, fogLeft(eyePosition));

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/controls/FormattedText.h>
+#include <osgTreeWind/controls/SourcesByHand.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/motion/ForestMemory.h>
@@ -86,25 +87,51 @@ void ForestControls::restoreWind() {
     _message.clear();
 }
 
-void ForestControls::switchHelicopter(const glm::dvec3& hub) {
+void ForestControls::changeSources(const std::function<void(std::vector<WindSource>&)>& change) {
     if (!_forest.valid())
         return;
-    WindSource helicopter; // a Super Puma's rotor
-    helicopter.position = hub;
-    helicopter.radius = 7.8;
-    helicopter.thrust = 70000.0;
     const WindFieldPtr now = _forest->getWind();
     const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(now);
     std::vector<WindSource> sources = sourced ? sourced->sources() : std::vector<WindSource>();
-    _hovers = !(_hovers && !sources.empty() && sources.back().kind == WindSource::Kind::Rotor);
-    if (_hovers)
-        sources.push_back(helicopter);
-    else
-        sources.pop_back();
+    change(sources);
     WindFieldPtr wind = sourced ? sourced->wind() : now;
     if (!sources.empty())
         wind = std::make_shared<WindWithSources>(std::move(wind), std::move(sources));
     _forest->setWind(wind, _forest->getWindFrame());
+}
+
+void ForestControls::nextSource(const glm::dvec3& foot, double height) {
+    changeSources([&](std::vector<WindSource>& sources) {
+        const std::vector<WindSource> choice = sourcesByHand(foot, height);
+        const bool isThere = _byHand && !sources.empty() && sources.back().kind == choice[*_byHand].kind;
+        if (isThere)
+            sources.pop_back();
+        _byHand = isThere ? *_byHand + 1 : 0;
+        if (*_byHand < choice.size())
+            sources.push_back(choice[*_byHand]);
+        else
+            _byHand.reset();
+    });
+}
+
+void ForestControls::removeSource() {
+    changeSources([](std::vector<WindSource>& sources) {
+        if (!sources.empty())
+            sources.pop_back();
+    });
+    _byHand.reset();
+}
+
+void ForestControls::switchTierColors() {
+    if (!_forest.valid())
+        return;
+    osg::StateSet* state = _forest->getOrCreateStateSet();
+    if (state->getDefinePair("TIERS_COLORED")) {
+        state->removeDefine("TIERS_COLORED");
+    } else {
+        state->setDefine("TIERS_COLORED");
+        state->getOrCreateUniform("tierColor", osg::Uniform::FLOAT_VEC3)->set(osg::Vec3(1.0f, 1.0f, 1.0f));
+    }
 }
 
 void ForestControls::changeSeason(float seasons) {
@@ -200,6 +227,9 @@ std::string ForestControls::text() const {
         text += ", all in full";
     if (forest.drawing.budget > 0.0f)
         text += formatted(", budget %.3g ms", static_cast<double>(forest.drawing.budget));
+    const osg::StateSet* state = _forest->getStateSet();
+    if (state && state->getDefinePair("TIERS_COLORED"))
+        text += "\ncolours red: in full; yellow to green: by boughs; blue: pictures; violet: far tiles";
     text += formatted("\ntime    %.1f s", _time);
     if (_isPaused)
         text += ", paused";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/wind/WindSource.h>
 #include <osgTreeWind/wind/WindSteering.h>
 
 #include <osg/observer_ptr>
@@ -27,9 +28,10 @@ public:
     /// The one it had when it was last set by somebody else.
     void restoreWind();
 
-    /// Has a helicopter of seven tonnes hover there; takes it away where one does. @param hub in the frame
-    /// that the wind is given in.
-    void switchHelicopter(const glm::dvec3& hub);
+    /// Puts the next of sourcesByHand() to a tree in place of the one before; behind the last there is none.
+    void nextSource(const glm::dvec3& foot, double height);
+    void keepSource() { _byHand.reset(); } ///< The next one comes beside it.
+    void removeSource();                   ///< The last of the wind's.
 
     void changeSeason(float seasons); ///< Season.h
 
@@ -39,6 +41,9 @@ public:
     void switchDamage();
     void switchTiers();
     void switchBudget(); ///< 33 ms a frame, or none.
+
+    /// Each tree in the colour of its tier, or in its own.
+    void switchTierColors();
 
     void pause() { _isPaused = !_isPaused; }
     void step(); ///< On by a thirtieth of a second of a forest that pauses.
@@ -54,6 +59,7 @@ public:
 private:
     void steer(const std::function<void(WindSteering&)>& change);
     void grow(const std::function<void(ForestDescription&)>& change);
+    void changeSources(const std::function<void(std::vector<WindSource>&)>& change);
     std::string windText() const;
 
     osg::observer_ptr<Forest> _forest;
@@ -62,8 +68,8 @@ private:
     WindSteering _steering;
     bool _isPaused = false;
     double _pace = 1.0, _time = 0.0;
-    int _steps = 0;       ///< That wait.
-    bool _hovers = false; ///< The last source of the wind, unless somebody has set another.
+    int _steps = 0;                     ///< That wait.
+    std::optional<std::size_t> _byHand; ///< Which of sourcesByHand() is the last source of the wind.
     std::optional<double> _reference;
     std::string _message;
 };

@@ -51,6 +51,10 @@ const Key keys[] = {
     {'G', "G", "twice the answer to the wind", [](ForestControls& f) { f.changeGain(2.0f); }},
     {'d', "d", "the wind brings down trees, or none", [](ForestControls& f) { f.switchDamage(); }},
     {'v', "v", "far trees in full, or in tiers", [](ForestControls& f) { f.switchTiers(); }},
+    {'V', "V", "trees in the colours of their tiers, or in their own",
+     [](ForestControls& f) { f.switchTierColors(); }},
+    {'R', "R", "the source of wind stays, r puts another", [](ForestControls& f) { f.keepSource(); }},
+    {Event::KEY_Delete, "Delete", "take away the last source", [](ForestControls& f) { f.removeSource(); }},
     {'b', "b", "far trees coarser where frames take over 33 ms, or not",
      [](ForestControls& f) { f.switchBudget(); }},
 };
@@ -58,7 +62,8 @@ struct Switch {
     int key;
     const char *name, *does;
 };
-constexpr Switch helicopterKey{'r', "r", "a helicopter over the tree that was clicked, or none"},
+constexpr Switch sourceKey{'r', "r",
+                           "a helicopter, a fan, a whirl, a shelter or none at the tree that was clicked"},
     arrowsKey{'a', "a", "arrows of the wind"}, panelKey{'i', "i", "the text at the left"},
     helpKey{'h', "h", "these keys"};
 constexpr const char* clickName = "click";
@@ -68,7 +73,7 @@ template <class Visit>
 void forEachKey(const Visit& visit) {
     for (const Key& key : keys)
         visit(key.name, key.does);
-    for (const Switch& key : {helicopterKey, arrowsKey, panelKey, helpKey})
+    for (const Switch& key : {sourceKey, arrowsKey, panelKey, helpKey})
         visit(key.name, key.does);
     visit(clickName, clickDoes);
 }
@@ -115,14 +120,15 @@ public:
     float pushedX = 0.0f, pushedY = 0.0f;
 
 private:
-    void hover();
+    void putSource();
     void showArrows(Forest& forest, osg::View& view);
     std::string statusText(Forest& forest) const;
 
     bool _withText = true, _withHelp = false, _withArrows = false;
     double _shownAt = -1.0, _frameTime = 0.0; ///< Seconds.
     unsigned _frames = 0;                     ///< Since then.
-    std::optional<osg::Vec3d> _hub;           ///< Of a helicopter, in the wind's frame.
+    std::optional<osg::Vec3d> _sourceFoot;    ///< Of the tree it is put to, in the wind's frame.
+    double _sourceHeight = 0.0;
 };
 
 bool ForestHandler::State::press(int key) {
@@ -131,8 +137,8 @@ bool ForestHandler::State::press(int key) {
         std::find_if(std::begin(keys), std::end(keys), [key](const Key& k) { return k.key == key; });
     if (found != std::end(keys))
         found->act(controls);
-    else if (key == helicopterKey.key)
-        hover();
+    else if (key == sourceKey.key)
+        putSource();
     else if (key == arrowsKey.key)
         _withArrows = !_withArrows;
     else if (key == panelKey.key)
@@ -144,21 +150,18 @@ bool ForestHandler::State::press(int key) {
     return true;
 }
 
-void ForestHandler::State::hover() {
-    constexpr double clearance = 15.0; // metres above the top of the tree
+void ForestHandler::State::putSource() {
     Forest& forest = *controls.forest();
     const ForestSimulation& simulation = forest.getSimulation();
     if (watched && simulation.holds(watched->id())) {
         const PlacedTree& tree = simulation.forest().trees[simulation.slotOf(watched->id())];
-        osg::Vec3d hub = toOsg(tree.position);
-        hub.z() += static_cast<double>(simulation.forest().measured(tree).height) + clearance;
+        _sourceFoot = toOsg(tree.position);
         if (forest.getWindFrame() == WindFrame::Scene)
-            hub = hub * osg::Matrix::inverse(toForest(forest));
-        _hub = hub;
+            *_sourceFoot = *_sourceFoot * osg::Matrix::inverse(toForest(forest));
+        _sourceHeight = static_cast<double>(simulation.forest().measured(tree).height);
     }
-    if (!_hub)
-        return; // nothing was clicked yet
-    controls.switchHelicopter({_hub->x(), _hub->y(), _hub->z()});
+    if (_sourceFoot) // else nothing was clicked yet
+        controls.nextSource({_sourceFoot->x(), _sourceFoot->y(), _sourceFoot->z()}, _sourceHeight);
 }
 
 void ForestHandler::State::pick(const Event& event, osg::View& view) {

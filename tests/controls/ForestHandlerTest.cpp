@@ -207,9 +207,51 @@ TEST_F(ForestHandlerTest, AHelicopterHoversOverATreeAndGoesAgain) {
     const auto stronger = std::dynamic_pointer_cast<const WindWithSources>(forest->getWind());
     ASSERT_TRUE(stronger) << "it stays";
     EXPECT_NEAR(stronger->wind()->velocity({}, 0.0).x, 11.0f, 1e-5f);
-    press('r');
+    press(Event::KEY_Delete);
     EXPECT_FALSE(std::dynamic_pointer_cast<const WindWithSources>(forest->getWind()));
     EXPECT_NEAR(forest->getWind()->velocity({}, 0.0).x, 11.0f, 1e-5f);
+}
+
+TEST_F(ForestHandlerTest, SourcesFollowEachOtherAtATreeAndStayIfTheyAreToStay) {
+    const auto kinds = [this] {
+        std::vector<WindSource::Kind> kinds;
+        if (const auto wind = std::dynamic_pointer_cast<const WindWithSources>(forest->getWind()))
+            for (const WindSource& source : wind->sources())
+                kinds.push_back(source.kind);
+        return kinds;
+    };
+    using Kind = WindSource::Kind;
+    click(320.0f, 230.0f);
+    for (const std::vector<Kind>& expected : {std::vector<Kind>{Kind::Rotor},
+                                              {Kind::Jet},
+                                              {Kind::Vortex},
+                                              {Kind::Shelter},
+                                              {},
+                                              {Kind::Rotor},
+                                              {Kind::Jet}}) {
+        press('r');
+        EXPECT_EQ(kinds(), expected);
+    }
+    const auto fan = std::dynamic_pointer_cast<const WindWithSources>(forest->getWind());
+    EXPECT_GT(fan->velocity({0.0f, 0.0f, 3.0f}, 0.0).x, 15.0f) << "at the tree";
+    press('R');
+    press('r');
+    EXPECT_EQ(kinds(), (std::vector<Kind>{Kind::Jet, Kind::Rotor}));
+    press(Event::KEY_Delete);
+    press(Event::KEY_Delete);
+    press(Event::KEY_Delete);
+    EXPECT_TRUE(kinds().empty());
+    press('r');
+    EXPECT_EQ(kinds(), std::vector<Kind>{Kind::Rotor});
+}
+
+TEST_F(ForestHandlerTest, TiersHaveColoursOrNot) {
+    press('V');
+    EXPECT_TRUE(forest->getStateSet()->getDefinePair("TIERS_COLORED"));
+    EXPECT_TRUE(shows("red: in full")) << shown();
+    press('V');
+    EXPECT_FALSE(forest->getStateSet()->getDefinePair("TIERS_COLORED"));
+    EXPECT_FALSE(shows("red: in full")) << shown();
 }
 
 TEST_F(ForestHandlerTest, ArrowsComeAndGo) {

@@ -76,6 +76,7 @@ FarCrowns::FarCrowns(const CrownSheet& sheet, const ForestDescription& world)
     state->setAttributeAndModes(createProgram("crowns", "crowns"), ownProgram);
     state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
     state->addUniform(_colors);
+    state->addUniform(new osg::Uniform("tierColor", osg::Vec3(0.5f, 0.05f, 1.0f)));
     const ForestTiles& tiles = *world.tiles;
     const std::uint32_t across = CrownSheet::cellsAcrossTile(tiles);
     const double side = tiles.size / across;

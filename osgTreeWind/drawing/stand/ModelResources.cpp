@@ -24,6 +24,7 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
                 makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, detail), model.leafMesh, crown);
         _states[tier] = new osg::StateSet;
         _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
+        _states[tier]->addUniform(new osg::Uniform("tierColor", tierColor(static_cast<Tier>(tier))));
     }
 }
 
@@ -41,8 +42,10 @@ void ModelResources::paint(Tier tier, const TreeModel& model, const Appearance& 
                            osg::Program* program) {
     ImpostorSettings settings;
     settings.leaves = leavesOn(tier);
-    _impostors[static_cast<int>(tier) - branchTiers] =
+    osg::ref_ptr<ImpostorStrip> impostor =
         new ImpostorStrip(paintImpostor(model, appearance, settings), program);
+    impostor->stateSet()->addUniform(new osg::Uniform("tierColor", tierColor(tier)));
+    _impostors[static_cast<int>(tier) - branchTiers] = impostor;
 }
 
 void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {

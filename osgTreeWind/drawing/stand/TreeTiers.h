@@ -3,6 +3,8 @@
 
 #include <osgTreeWind/forest/DrawingOptions.h>
 
+#include <osg/Vec3>
+
 #include <cmath>
 
 namespace osgTreeWind {
@@ -23,6 +25,15 @@ enum class Tier {
 constexpr int tierCount = 10;
 constexpr int branchTiers = 5; ///< The first ones, which draw branches.
 constexpr int impostorTiers = tierCount - branchTiers;
+
+/// Under TIERS_COLORED (shaders/scene.glsl), linear: red in full, yellow to green by boughs, blue pictures.
+inline osg::Vec3 tierColor(Tier tier) {
+    const int index = static_cast<int>(tier);
+    if (index >= branchTiers)
+        return {0.05f, 0.15f, 1.0f};
+    const float coarse = static_cast<float>(index) / (branchTiers - 1);
+    return tier == Tier::Full ? osg::Vec3(1.0f, 0.05f, 0.05f) : osg::Vec3(1.0f - coarse, 0.8f, 0.05f);
+}
 
 /// The nearest picture to a tree with this share of its leaves, [0, 1].
 inline Tier impostorTier(float leaves) {

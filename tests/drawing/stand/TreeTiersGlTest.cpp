@@ -114,6 +114,29 @@ TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
     }
 }
 
+TEST_F(TreeTiersGlTest, theyHaveColoursOnDemand) {
+    show(wood(40, true));
+    for (int i = 0; i < 3; ++i) // what is seen is followed from the next frame on
+        pictureFrom({0, -25, 3}, {0, 140, 8}, 0.0);
+    const Picture usual = pictureFrom({0, -25, 3}, {0, 140, 8}, 0.0);
+    _forest->getOrCreateStateSet()->setDefine("TIERS_COLORED");
+    const Picture colored = pictureFrom({0, -25, 3}, {0, 140, 8}, 0.0);
+    std::size_t red = 0, yellow = 0, blue = 0;
+    for (std::size_t i = 0; i < colored.size(); i += 4) {
+        const int r = colored[i], g = colored[i + 1], b = colored[i + 2];
+        red += r > g + 40 && r > b + 40;
+        yellow += g > b + 40 && g > r - 60;
+        blue += b > r + 40 && b > g + 40;
+    }
+    const auto listed = _forest->getStand()->trees()->listedTrees();
+    EXPECT_EQ(listed.front() > 0, red > 100) << red;
+    EXPECT_GT(yellow, 100u);
+    EXPECT_GT(blue, 100u);
+    EXPECT_NEAR(coveredPixels(colored) / coveredPixels(usual), 1.0, 0.05) << "none of them is black";
+    _forest->getStateSet()->removeDefine("TIERS_COLORED");
+    EXPECT_EQ(pictureFrom({0, -25, 3}, {0, 140, 8}, 0.0), usual);
+}
+
 TEST_F(TreeTiersGlTest, nothingPopsInAFlight) {
     const int frames = std::getenv("OSGTREEWIND_FLIGHT") ? std::atoi(std::getenv("OSGTREEWIND_FLIGHT"))
                                                          : 30; // a longer one by hand
