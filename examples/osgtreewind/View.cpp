@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "ClipRecorder.h"
 #include "Command.h"
 #include "DefaultView.h"
 #include "FeetGround.h"
@@ -77,9 +78,9 @@ private:
 class StageKeys : public osgGA::GUIEventHandler {
 public:
     StageKeys(Stage& stage, Forest* forest, ForestHandler* handler, osgGA::KeySwitchMatrixManipulator* ways,
-              std::string file, std::string save)
+              std::string file, std::string save, ClipRecorder* recorder)
         : _stage(stage), _forest(forest), _handler(handler), _ways(ways), _file(std::move(file)),
-          _save(std::move(save)) {}
+          _save(std::move(save)), _recorder(recorder) {}
 
     using osgGA::GUIEventHandler::handle;
     bool handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter&) override {
@@ -95,6 +96,9 @@ public:
         case 'w':
             write();
             return true;
+        case 'C':
+            std::cout << _recorder->toggle() << std::endl;
+            return true;
         case 'x':
             follow();
             return true;
@@ -105,6 +109,7 @@ public:
     void getUsage(osg::ApplicationUsage& usage) const override {
         usage.addKeyboardMouseBinding("View: k, K", "later, earlier in the day");
         usage.addKeyboardMouseBinding("View: w", "write the forest as it is, to " + _save);
+        usage.addKeyboardMouseBinding("View: C", "begin or end a clip");
         usage.addKeyboardMouseBinding("View: x", "ride on the branch that was clicked");
     }
 
@@ -134,6 +139,7 @@ private:
     osg::ref_ptr<ForestHandler> _handler;
     osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> _ways;
     std::string _file, _save;
+    osg::ref_ptr<ClipRecorder> _recorder;
 };
 
 /// Of a world's middle, or as a person stands before a forest.
@@ -181,6 +187,7 @@ ExitCode show(const ViewOptions& options) {
     Stage stage(forest, handler, view, options.sun);
     const osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> ways = waysToLook(view);
 
+    const osg::ref_ptr<ClipRecorder> recorder = new ClipRecorder;
     osgViewer::Viewer viewer;
     viewer.setUpViewInWindow(60, 60, options.width, options.height);
     viewer.setLightingMode(osg::View::NO_LIGHT);
@@ -188,7 +195,7 @@ ExitCode show(const ViewOptions& options) {
     viewer.getCamera()->setNearFarRatio(2e-5); // 6 cm before the eye, with the ground's rim at 3 km
     viewer.setCameraManipulator(ways);
     viewer.addEventHandler(handler);
-    viewer.addEventHandler(new StageKeys(stage, forest, handler, ways, options.file, options.save));
+    viewer.addEventHandler(new StageKeys(stage, forest, handler, ways, options.file, options.save, recorder));
     osg::ref_ptr<osgViewer::StatsHandler> statistics = new osgViewer::StatsHandler;
     addStatisticsLines(*statistics);
     viewer.addEventHandler(statistics);
@@ -196,6 +203,7 @@ ExitCode show(const ViewOptions& options) {
     viewer.addEventHandler(
         new osgViewer::ScreenCaptureHandler(new osgViewer::ScreenCaptureHandler::WriteToFile(
             "view", "png", osgViewer::ScreenCaptureHandler::WriteToFile::SEQUENTIAL_NUMBER)));
+    viewer.getCamera()->setPostDrawCallback(recorder);
     viewer.setSceneData(stage.root());
     viewer.realize();
     if (!viewer.isRealized()) {
@@ -203,7 +211,7 @@ ExitCode show(const ViewOptions& options) {
         return Failed;
     }
     for (int frame = 0; !viewer.done() && (options.frames == 0 || frame < options.frames); ++frame)
-        viewer.frame(handler->simulationTime(viewer.elapsedTime()));
+        viewer.frame(handler->simulationTime(recorder->referenceTime(viewer.elapsedTime())));
     return Succeeded;
 }
 
