@@ -26,9 +26,21 @@ constexpr double longest = 1e9;      // seconds
 // A round turbulent jet (Pope 2000, 5.1): U0/UJ = B d / (x - x0), half as fast at S (x - x0) from the axis.
 constexpr double decay = 5.8, spreading = 0.094, virtualOrigin = 4.0; // the latter in diameters of the mouth
 
-/// Of a rotor, m/s.
-double inducedSpeed(const WindSource& rotor) {
-    return std::sqrt(rotor.thrust / (2.0 * airDensity * glm::pi<double>() * rotor.radius * rotor.radius));
+/// Of a rotor past which air goes: v sqrt(air^2 + v^2) is what it is in a calm (Glauert), m/s.
+double inducedSpeed(const WindSource& rotor, double air = 0.0) {
+    const double calm2 = rotor.thrust / (2.0 * airDensity * glm::pi<double>() * rotor.radius * rotor.radius);
+    const double half = 0.5 * air * air;
+    return calm2 > 0.0 ? calm2 / std::sqrt(half + std::hypot(half, calm2)) : 0.0;
+}
+
+/// How far the air has carried a column at a depth below its rotor, over what it goes past in the time in
+/// which the column sinks by a metre: the integral of 1 / (1 + s / hypot(s, radius)).
+double carried(double depth, double radius) {
+    if (!(depth > 0.0))
+        return 0.0;
+    const double q = depth / radius, h = std::hypot(q, 1.0);
+    // q - (h^3 - 1 - q^3) / 3, without the difference of large numbers
+    return radius * (q - ((h * h + h * q + q * q) / (h + q) - 1.0) / 3.0);
 }
 
 /// On the axis, over that at the mouth. @param x from the mouth, in its diameters.
@@ -79,12 +91,25 @@ glm::dvec3 SourceFlow::offsetOf(const WindPlace& place, double time) const {
     return near ? offset : glm::dvec3(farthest);
 }
 
-glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height) const {
-    const double radius = _source.radius, r = glm::length(glm::dvec2(offset)), depth = -offset.z;
-    const double induced = inducedSpeed(_source);
+glm::dvec2 SourceFlow::airPast(const WindPlace& place, double time, const WindField* wind) const {
+    if (!wind || (_source.kind != WindSource::Kind::Rotor && _source.kind != WindSource::Kind::Vehicle))
+        return -glm::dvec2(_source.velocity);
+    const float ground = place.position.z - place.height;
+    glm::vec3 middle(_source.position + heldTime(time, longest) * _source.velocity);
+    if (_source.kind == WindSource::Kind::Vehicle)
+        middle.z = ground + 0.5f * static_cast<float>(_source.height);
+    const glm::vec3 air = calmUnlessFinite(wind->velocity(WindPlace(middle, ground), time));
+    return glm::dvec2(air) - glm::dvec2(_source.velocity);
+}
+
+glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height, const glm::dvec2& air) const {
+    const double radius = _source.radius, depth = -offset.z;
+    const double induced = inducedSpeed(_source, glm::length(air));
     const double hub = std::max(height + depth, 0.5 * radius); // above the ground
     if (!(induced > 0.0) || !(height > 0.0))
         return glm::dvec3(0.0);
+
+    const double r = glm::length(glm::dvec2(offset) - air / induced * carried(depth, radius));
 
     // The column: along the axis of a vortex tube it grows from nothing above to twice the induced velocity.
     const double wake = induced * (1.0 + depth / std::hypot(depth, radius));
@@ -92,14 +117,16 @@ glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height) const {
     const double spread = onAxis(std::max(depth, 0.0) / (2.0 * narrowed));
     const double down = wake * spread * topHat(r * spread / narrowed) * std::min(height / radius, 1.0);
 
-    // The wash: 1.32 sqrt(K)/H (r/H)^-1.1, half as fast at 0.098 H (r/H)^0.9 above the ground.
+    // The wash from where it meets the ground: 1.32 sqrt(K)/H (r/H)^-1.1, half as fast at 0.098 H (r/H)^0.9.
+    const glm::dvec3 fromFoot(glm::dvec2(offset) - air / induced * carried(hub, radius), 0.0);
+    const double along = glm::length(fromFoot);
     const double momentum = std::sqrt(_source.thrust / airDensity);
     const double fullFrom = hub * std::pow(1.32 * momentum / (hub * 2.0 * induced), 1.0 / 1.1);
-    const double fastest = r > fullFrom ? 1.32 * momentum / hub * std::pow(r / hub, -1.1)
-                                        : 2.0 * induced * std::min(r / radius, 1.0);
-    const double half = 0.098 * hub * std::pow(std::max(r, fullFrom) / hub, 0.9), eta = height / half;
+    const double fastest = along > fullFrom ? 1.32 * momentum / hub * std::pow(along / hub, -1.1)
+                                            : 2.0 * induced * std::min(along / radius, 1.0);
+    const double half = 0.098 * hub * std::pow(std::max(along, fullFrom) / hub, 0.9), eta = height / half;
     const double profile = 1.48 * std::pow(eta, 1.0 / 7.0) * (1.0 - std::erf(0.68 * eta));
-    return {outward(offset, r) * (fastest * profile), -down};
+    return {outward(fromFoot, along) * (fastest * profile), -down};
 }
 
 glm::dvec3 SourceFlow::jet(const glm::dvec3& offset) const {
@@ -124,25 +151,28 @@ glm::dvec3 SourceFlow::vortex(const glm::dvec3& offset) const {
     return {glm::dvec2(-out.y, out.x) * (speed * below(offset.z, _source.height)), 0.0};
 }
 
-glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height) const {
+glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height, const glm::dvec2& air) const {
     constexpr double eddyViscosity = 0.08; // over the largest speed and the half width of a wake: 1 / 12.5
     const double speed = glm::dot(_source.velocity, _along), z = std::max(height, 0.0);
     if (!(speed > 0.0))
         return glm::dvec3(0.0);
 
+    // The wake lies where the air goes: through it the vehicle drives at `pace`.
+    const double pace = glm::length(air);
+    const glm::dvec3 against(pace > 1e-9 ? -air / pace : glm::dvec2(_along), 0.0);
     // Of a wake M z exp(-(y^2 + z^2) / (2 s^2)) / (pi s^4), which is fastest at z = s, M is the moment of the
     // drag over rho U, with the drag at half of the height. It is never faster than the vehicle.
-    const double moment = 0.5 * _source.dragArea * speed * 0.5 * _source.height;
+    const double moment = 0.5 * _source.dragArea * pace * 0.5 * _source.height;
     const double fastest =
-        moment * std::exp(-0.5) / (glm::pi<double>() * speed); // s^3 of the vehicle's own speed
-    const double behind = -glm::dot(offset, _along);
+        moment * std::exp(-0.5) / (glm::pi<double>() * std::max(pace, 1e-9)); // s^3 of its own pace
+    const double behind = -glm::dot(offset, against);
     const double s2 =
         std::sqrt(std::pow(fastest, 4.0 / 3.0) + 4.0 * eddyViscosity * fastest * std::max(behind, 0.0));
-    const glm::dvec2 aside = glm::dvec2(offset) + behind * glm::dvec2(_along);
+    const glm::dvec2 aside = glm::dvec2(offset) + behind * glm::dvec2(against);
     const double follows = s2 > 0.0 ? moment * z * std::exp(-0.5 * (glm::dot(aside, aside) + z * z) / s2) /
                                           (glm::pi<double>() * s2 * s2)
                                     : 0.0;
-    glm::dvec3 velocity = glm::smoothstep(0.0, _source.height, behind) * follows * _along;
+    glm::dvec3 velocity = glm::smoothstep(0.0, _source.height, behind) * follows * against;
 
     const double section = 2.0 * _source.radius * _source.height,
                  inside = section / (4.0 * glm::pi<double>());
@@ -156,16 +186,16 @@ glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height) const {
     return velocity;
 }
 
-glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height) const {
+glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height, const glm::dvec2& air) const {
     switch (_source.kind) {
     case WindSource::Kind::Rotor:
-        return rotor(offset, height);
+        return rotor(offset, height, air);
     case WindSource::Kind::Jet:
         return jet(offset);
     case WindSource::Kind::Vortex:
         return vortex(offset);
     case WindSource::Kind::Vehicle:
-        return vehicle(offset, height);
+        return vehicle(offset, height, air);
     case WindSource::Kind::Shelter:
         break;
     }
@@ -181,10 +211,10 @@ glm::dvec3 SourceFlow::noise(const glm::dvec3& offset, double time) const {
     return {point.values[0], point.values[1], point.values[2]};
 }
 
-glm::vec3 SourceFlow::velocity(const WindPlace& place, double time) const {
+glm::vec3 SourceFlow::velocity(const WindPlace& place, double time, const WindField* wind) const {
     constexpr double least = 0.01; // m/s
     const glm::dvec3 offset = offsetOf(place, time);
-    const glm::dvec3 velocity = mean(offset, static_cast<double>(place.height));
+    const glm::dvec3 velocity = mean(offset, static_cast<double>(place.height), airPast(place, time, wind));
     const double speed = glm::length(velocity);
     if (!(_source.turbulence > 0.0) || !(speed > least) || !std::isfinite(speed))
         return calmUnlessFinite(glm::vec3(velocity));

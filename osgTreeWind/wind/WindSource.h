@@ -13,7 +13,10 @@ struct WindSource {
         /// A hovering helicopter, and its wash along the ground. The column below the disk is that of
         /// momentum theory (Leishman 2006, 2.2: twice the induced velocity far below, momentum equal to the
         /// thrust); what it makes of the ground is a radial wall jet (Poreh, Tsuei and Cermak 1967; profile:
-        /// Verhoff 1963). No wind bends it.
+        /// Verhoff 1963). Air that goes past it takes from the induced velocity (Glauert; Leishman
+        /// 2006, 2.14)
+        /// and carries the column off as it sinks; from where it meets the ground the wash goes out evenly,
+        /// which holds for winds below that velocity.
         Rotor,
         /// A fan, a blower: a round turbulent jet (Pope 2000, 5.1: B = 5.8, S = 0.094).
         Jet,
@@ -25,8 +28,8 @@ struct WindSource {
         /// decays as distance^-3/4 and widens as distance^1/4, as theory and wind tunnel have it (Eskridge
         /// and Hunt 1979; Eskridge and Thompson 1982, from 10 heights behind on); its eddy viscosity is that
         /// of wakes (Tennekes and Lumley 1972, 4.2). Around it the flow about a body of its section (a
-        /// source before it and a sink behind, as Sanz-Andres et al. 2003 for what stands beside a road). No
-        /// wind carries it off.
+        /// source before it and a sink behind, as Sanz-Andres et al. 2003 for what stands beside a road). The
+        /// wake lies along the air as the vehicle meets it, wind included.
         Vehicle,
     };
     Kind kind = Kind::Rotor;  ///< Of these.

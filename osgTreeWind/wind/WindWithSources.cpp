@@ -14,6 +14,9 @@ WindWithSources::WindWithSources(WindFieldPtr wind, std::vector<WindSource> sour
         _wind = before->_wind;
         _sources.insert(_sources.begin(), before->_sources.begin(), before->_sources.end());
     }
+    _mean = _wind ? _wind->withoutGusts() : nullptr;
+    if (!_mean)
+        _mean = _wind;
     for (const WindSource& source : _sources)
         _flows.emplace_back(source);
 }
@@ -36,7 +39,7 @@ void WindWithSources::sample(const WindPlace* places, std::size_t count, double 
         glm::vec3 added(0.0f);
         for (const SourceFlow& flow : _flows) {
             share *= flow.shareOfWind(places[i], time);
-            added += flow.velocity(places[i], time);
+            added += flow.velocity(places[i], time, _mean.get());
         }
         out[i] = share * out[i] + added;
     }

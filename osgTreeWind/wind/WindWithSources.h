@@ -11,9 +11,10 @@ namespace osgTreeWind {
 
 class SourceFlow;
 
-/// A wind, and what moves the air beside it: shelters take their share of it, all others are added. A wind
-/// that is continued into the trees (WindCanopy) is so before they are. To place, move or take away sources
-/// while a forest runs, hand it another one of these: any thread, any time.
+/// A wind, and what moves the air beside it: shelters take their share of it, all others are added; it bends
+/// a rotor's column and carries a vehicle's wake off. A wind that is continued into the trees (WindCanopy) is
+/// so before they are. To place, move or take away sources while a forest runs, hand it another one of these:
+/// any thread, any time.
 class OSGTREEWIND_EXPORT WindWithSources final : public WindField {
 public:
     /// @param wind null: calm. Of one with sources it takes the wind within, and theirs with these.
@@ -29,7 +30,7 @@ public:
     const std::vector<WindSource>& sources() const { return _sources; } ///< As given.
 
 private:
-    WindFieldPtr _wind;
+    WindFieldPtr _wind, _mean; ///< The latter without gusts.
     std::vector<WindSource> _sources;
     std::vector<SourceFlow> _flows;
 };

@@ -127,8 +127,11 @@ TEST(WindAmongTrees, GustsDoNotJumpAsTreesComeAndGo) {
 /// It stands above the trees or among them: no canopy takes it down from its reference.
 TEST(WindAmongTrees, WhatMovesTheAirBesideTheWindDoesSoAmongTrees) {
     ForestDescription forest = stand(CanopySource::Forest, 40.0);
-    WindSource helicopter;
-    helicopter.position = {0.0, 0.0, 35.0};
+    WindSource fan; // which no wind bends
+    fan.kind = WindSource::Kind::Jet;
+    fan.position = {0.0, 0.0, 35.0};
+    fan.elevation = -90.0;
+    fan.radius = 8.0;
     const auto windIn = [&](WindFieldPtr wind) {
         forest.wind = std::move(wind);
         ForestSimulation simulation(forest);
@@ -138,11 +141,9 @@ TEST(WindAmongTrees, WhatMovesTheAirBesideTheWindDoesSoAmongTrees) {
         return winds[0];
     };
     const WindFieldPtr open = forest.wind;
-    const glm::vec3 added =
-                        windIn(std::make_shared<WindWithSources>(open, std::vector<WindSource>{helicopter})) -
-                        windIn(open),
-                    alone = windIn(
-                        std::make_shared<WindWithSources>(nullptr, std::vector<WindSource>{helicopter}));
+    const glm::vec3 added = windIn(std::make_shared<WindWithSources>(open, std::vector<WindSource>{fan})) -
+                            windIn(open),
+                    alone = windIn(std::make_shared<WindWithSources>(nullptr, std::vector<WindSource>{fan}));
     EXPECT_LT(alone.z, -3.0f);
     EXPECT_LT(glm::length(added - alone), 1e-4f);
 }
