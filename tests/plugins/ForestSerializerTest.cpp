@@ -5,8 +5,11 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
+#include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
+#include <osg/AnimationPath>
+#include <osg/ShapeDrawable>
 #include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
 
@@ -86,6 +89,53 @@ TEST_P(ForestSerializerTest, keepsTheSceneAroundIt) {
     ASSERT_NE(back, nullptr);
     EXPECT_EQ(back->getName(), "the tree");
     EXPECT_EQ(back->getNumTrees(), 1u);
+    EXPECT_EQ(takeSaid(), "");
+}
+
+TEST_P(ForestSerializerTest, aSceneOfGroundSourcesAndAVehicleMovesAsTheOriginal) {
+    const TemporaryFolder folder;
+    std::string slope = "ncols 5\nnrows 5\nxllcorner -50\nyllcorner -50\ncellsize 25\n";
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 5; ++column)
+            slope += std::to_string(2 * row + column) + (column < 4 ? " " : "\n");
+    folder.write("slope.asc", slope);
+    const std::string file = folder.write(
+        "scene.treewind", "version = 1\n[ground]\nfile = \"slope.asc\"\n[wind]\nkind = \"gusts\"\nspeed = "
+                          "8.0\ndirection_from = 250.0\n"
+                          "[[wind.source]]\nkind = \"rotor\"\nposition = [0.0, 0.0, 40.0]\n"
+                          "[[wind.source]]\nkind = \"vehicle\"\nposition = [-20.0, 6.0, 0.0]\n"
+                          "velocity = [15.0, 0.0, 0.0]\n[scatter]\ncount = 12\narea = [-20, -20, 20, 20]\n"
+                          "species = [\"silver birch\", \"Norway spruce\"]\n");
+    osg::ref_ptr<osg::AnimationPath> path = new osg::AnimationPath;
+    path->insert(0.0, {osg::Vec3d(-20.0, 6.0, 0.0)});
+    path->insert(10.0, {osg::Vec3d(130.0, 6.0, 0.0)});
+    osg::ref_ptr<osg::MatrixTransform> lorry = new osg::MatrixTransform;
+    lorry->addChild(new osg::ShapeDrawable(new osg::Box({6.0f, 0.0f, 2.0f}, 12.0f, 2.5f, 4.0f)));
+    lorry->setUpdateCallback(new osg::AnimationPathCallback(path));
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->addChild(lorry);
+    scene->addChild(osgDB::readRefNodeFile(file));
+
+    osg::ref_ptr<osg::Node> back = thereAndBack(*scene, GetParam());
+    ASSERT_TRUE(back && back->asGroup()->getNumChildren() == 2u) << takeSaid();
+    updateFrames(*scene, 1, 75);
+    updateFrames(*back, 1, 75);
+    auto* one = dynamic_cast<Forest*>(scene->getChild(1));
+    auto* other = dynamic_cast<Forest*>(back->asGroup()->getChild(1));
+    ASSERT_TRUE(one && other);
+    ASSERT_EQ(other->getTrees().size(), 12u);
+    float most = 0.0f;
+    for (std::size_t i = 0; i < 12; ++i) {
+        const std::vector<TreeUnit> units = one->getUnits(one->getTrees()[i]),
+                                    others = other->getUnits(other->getTrees()[i]);
+        ASSERT_EQ(units.size(), others.size());
+        for (std::size_t unit = 0; unit < units.size(); ++unit) {
+            most = std::max(most, (units[unit].tip - others[unit].tip).length());
+        }
+    }
+    EXPECT_LT(most, 1e-4f) << "metres";
+    const auto matrix = [](osg::Node* node) { return node->asTransform()->asMatrixTransform()->getMatrix(); };
+    EXPECT_EQ(matrix(back->asGroup()->getChild(0)), matrix(lorry));
     EXPECT_EQ(takeSaid(), "");
 }
 
