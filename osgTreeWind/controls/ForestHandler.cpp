@@ -6,6 +6,7 @@
 #include <osgTreeWind/controls/TextPanel.h>
 #include <osgTreeWind/controls/WatchedTree.h>
 #include <osgTreeWind/controls/WindArrows.h>
+#include <osgTreeWind/controls/WindStreaks.h>
 #include <osgTreeWind/drawing/stand/DrawnTrees.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
@@ -64,8 +65,8 @@ struct Switch {
 };
 constexpr Switch sourceKey{'r', "r",
                            "a helicopter, a fan, a whirl, a shelter or none at the tree that was clicked"},
-    arrowsKey{'a', "a", "arrows of the wind"}, panelKey{'i', "i", "the text at the left"},
-    helpKey{'h', "h", "these keys"};
+    arrowsKey{'a', "a", "arrows of the wind"}, streaksKey{'A', "A", "streaks that travel with the wind"},
+    panelKey{'i', "i", "the text at the left"}, helpKey{'h', "h", "these keys"};
 constexpr const char* clickName = "click";
 constexpr const char* clickDoes = "what a tree is, and how it sways";
 
@@ -73,7 +74,7 @@ template <class Visit>
 void forEachKey(const Visit& visit) {
     for (const Key& key : keys)
         visit(key.name, key.does);
-    for (const Switch& key : {sourceKey, arrowsKey, panelKey, helpKey})
+    for (const Switch& key : {sourceKey, arrowsKey, streaksKey, panelKey, helpKey})
         visit(key.name, key.does);
     visit(clickName, clickDoes);
 }
@@ -105,7 +106,7 @@ std::string drawnText(Forest& forest) {
 
 class ForestHandler::State {
 public:
-    explicit State(Forest* forest) : controls(forest), arrows(new WindArrows) {}
+    explicit State(Forest* forest) : controls(forest) {}
 
     bool press(int key);
     void pick(const Event& event, osg::View& view);
@@ -113,7 +114,6 @@ public:
 
     ForestControls controls;
     TextPanel panel;
-    osg::ref_ptr<WindArrows> arrows;
     std::optional<WatchedTree> watched;
     const ForestSimulation* watchedIn = nullptr;
     unsigned unit = 0;
@@ -121,10 +121,12 @@ public:
 
 private:
     void putSource();
-    void showArrows(Forest& forest, osg::View& view);
+    void showWind(Forest& forest, osg::View& view);
     std::string statusText(Forest& forest) const;
 
-    bool _withText = true, _withHelp = false, _withArrows = false;
+    osg::ref_ptr<WindArrows> _arrows = new WindArrows;
+    osg::ref_ptr<WindStreaks> _streaks = new WindStreaks;
+    bool _withText = true, _withHelp = false, _withArrows = false, _withStreaks = false;
     double _shownAt = -1.0, _frameTime = 0.0; ///< Seconds.
     unsigned _frames = 0;                     ///< Since then.
     std::optional<osg::Vec3d> _sourceFoot;    ///< Of the tree it is put to, in the wind's frame.
@@ -141,6 +143,8 @@ bool ForestHandler::State::press(int key) {
         putSource();
     else if (key == arrowsKey.key)
         _withArrows = !_withArrows;
+    else if (key == streaksKey.key)
+        _withStreaks = !_withStreaks;
     else if (key == panelKey.key)
         _withText = !_withText;
     else if (key == helpKey.key)
@@ -195,22 +199,28 @@ std::string ForestHandler::State::statusText(Forest& forest) const {
     return text + "\n\nh       keys";
 }
 
-void ForestHandler::State::showArrows(Forest& forest, osg::View& view) {
+void ForestHandler::State::showWind(Forest& forest, osg::View& view) {
     constexpr float most = 300.0f; // metres
-    if (!_withArrows) {
-        forest.removeChild(arrows);
-        return;
-    }
     osg::Vec3d eye, centre, up;
     view.getCamera()->getViewMatrixAsLookAt(eye, centre, up);
     const osg::BoundingSphere& bound = forest.getBound();
     const bool isAll = bound.radius() < most;
     const osg::Vec3d middle = isAll ? osg::Vec3d(bound.center()) * toForest(forest) : eye * toForest(forest);
-    arrows->show(forest.getSimulation(), view.getFrameStamp()->getSimulationTime(),
-                 {static_cast<float>(middle.x()), static_cast<float>(middle.y())},
-                 isAll ? bound.radius() : most);
-    if (!forest.containsNode(arrows))
-        forest.addChild(arrows);
+    const auto show = [&](auto& picture, bool isShown, const osg::Vec3d& about, float reach) {
+        if (!isShown) {
+            forest.removeChild(picture);
+            return;
+        }
+        picture->show(forest.getSimulation(), view.getFrameStamp()->getSimulationTime(),
+                      {static_cast<float>(about.x()), static_cast<float>(about.y())}, reach);
+        if (!forest.containsNode(picture))
+            forest.addChild(picture);
+    };
+    show(_arrows, _withArrows, middle, isAll ? bound.radius() : most);
+    constexpr float near = 50.0f; // metres
+    osg::Vec3d ahead = centre - eye;
+    ahead.normalize();
+    show(_streaks, _withStreaks, (eye + ahead * 0.8 * near) * toForest(forest), near);
 }
 
 void ForestHandler::State::refresh(double now, osg::View& view) {
@@ -218,7 +228,7 @@ void ForestHandler::State::refresh(double now, osg::View& view) {
     Forest& forest = *controls.forest();
     if (const osg::Viewport* viewport = view.getCamera()->getViewport())
         panel.setSize(static_cast<int>(viewport->width()), static_cast<int>(viewport->height()));
-    showArrows(forest, view);
+    showWind(forest, view);
     if (watchedIn != &forest.getSimulation())
         watched.reset(); // other trees are there
     ++_frames;
