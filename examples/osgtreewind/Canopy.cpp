@@ -2,8 +2,8 @@
 #include "CanopyFile.h"
 #include "Command.h"
 #include "Progress.h"
-#include "WholeFile.h"
 
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <nlohmann/json.hpp>

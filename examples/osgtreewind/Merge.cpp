@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
-#include "WholeFile.h"
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/WholeFile.h>
 
 #include <algorithm>
 #include <fstream>

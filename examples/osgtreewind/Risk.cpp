@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
 #include "Progress.h"
-#include "WholeFile.h"
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/motion/strength/CriticalSpeeds.h>
 #include <osgTreeWind/motion/strength/ForestStorm.h>
 #include <osgTreeWind/places/PointTable.h>

@@ -2,10 +2,10 @@
 #include "Command.h"
 #include "OneTree.h"
 #include "TreeTable.h"
-#include "WholeFile.h"
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/motion/sway/StormTree.h>
 #include <osgTreeWind/motion/sway/SwayFeatures.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestFile.h>
@@ -100,7 +101,7 @@ Diagnostics editForestFile(const ForestDescription& now, const std::string& from
         read ? edited(document.str(), read.value(), now, path) : std::nullopt;
     if (!text)
         return writeForestFile(now, path);
-    if (!(std::ofstream(path, std::ios::binary) << *text).flush())
+    if (!writeWholeFile(path, *text))
         return {fileProblem(path, "cannot be written")};
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TileWriter.h>
 
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
 
@@ -41,14 +42,6 @@ std::size_t tileAt(const ForestTiles& tiles, const glm::dvec3& place) {
 }
 
 } // namespace
-
-bool writeWholeFile(const std::string& path, const std::string& text) {
-    std::error_code error;
-    if ((std::ofstream(unfinished(path), std::ios::binary) << text).flush() && finishFile(path))
-        return true;
-    fs::remove(unfinished(path), error);
-    return false;
-}
 
 TileWriter::TileWriter(const ForestDescription& world, Executor executor)
     : _tiles(*world.tiles), _executor(std::move(executor)), _shapes(world), _crowns(_tiles.tiles.size()),

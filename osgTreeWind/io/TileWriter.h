@@ -37,7 +37,4 @@ private:
     bool _failed = false;
 };
 
-/// Beside its place first: a file is whole or not there.
-bool writeWholeFile(const std::string& path, const std::string& text);
-
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/io/TiledForest.h>
 
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TileWriter.h>
@@ -127,12 +128,7 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
     ForestTiles result = tiles;
     tiles.folder = "tiles";
     const std::string file = folder + "/world.treewind";
-    Diagnostics problems = writeForestFile(forest, file + ".part");
-    std::error_code error;
-    if (problems.empty())
-        fs::rename(file + ".part", file, error);
-    if (error)
-        problems.push_back(fileProblem(file, error.message()));
+    Diagnostics problems = writeForestFile(forest, file);
     if (!problems.empty())
         return problems;
     return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestFile.h>
@@ -11,7 +12,6 @@
 #include <osgTreeWind/species/SpeciesFields.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -186,7 +186,7 @@ Diagnostics writeForestFile(const ForestDescription& forest, const std::string& 
     std::ostringstream text;
     Diagnostics problems =
         forest.tiles ? writeForest(besideItsTiles(forest, path), text) : writeForest(forest, text);
-    if (problems.empty() && !(std::ofstream(path, std::ios::binary) << text.str()).flush())
+    if (problems.empty() && !writeWholeFile(path, text.str()))
         problems.push_back(keyProblem({}, "cannot be written"));
     for (Diagnostic& problem : problems)
         problem.file = path;

@@ -3,6 +3,8 @@
 
 #include <string>
 
+namespace osgTreeWind {
+
 /// A file that is there when it is complete, and not before: it is written beside its place and brought there
 /// in the end. What was there before stays until then.
 class WholeFile {
@@ -24,3 +26,8 @@ public:
 private:
     std::string _path, _unfinished;
 };
+
+/// Writes a text as a whole file, or straight into what is there and no file. @return whether it is written.
+bool writeWholeFile(const std::string& path, const std::string& text);
+
+} // namespace osgTreeWind

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "WholeFile.h"
+#include <osgTreeWind/base/WholeFile.h>
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include <unistd.h>
+
+namespace osgTreeWind {
 
 WholeFile::WholeFile(const std::string& path) {
     std::error_code problem;
@@ -29,3 +32,13 @@ bool WholeFile::putInPlace() {
     _unfinished.clear();
     return true;
 }
+
+bool writeWholeFile(const std::string& path, const std::string& text) {
+    WholeFile file(path);
+    const std::string& place = file.isTaken() ? path : file.unfinished();
+    if (!(std::ofstream(place, std::ios::binary) << text).flush())
+        return false;
+    return file.isTaken() || file.putInPlace();
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <tests/io/TemporaryFolder.h>
+
+#include <osgTreeWind/base/WholeFile.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace osgTreeWind;
+
+namespace {
+
+std::string textOf(const std::string& path) {
+    std::ifstream input(path);
+    return {std::istreambuf_iterator<char>(input), {}};
+}
+
+std::size_t filesIn(const std::string& folder) {
+    const std::filesystem::directory_iterator first(folder);
+    return static_cast<std::size_t>(std::distance(first, {}));
+}
+
+} // namespace
+
+TEST(WholeFile, WhatWasThereStaysUntilTheNewOneIsWhole) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a", "before");
+    {
+        WholeFile file(path);
+        std::ofstream(file.unfinished()) << "half";
+        EXPECT_EQ(textOf(path), "before");
+    }
+    EXPECT_EQ(textOf(path), "before");
+    EXPECT_EQ(filesIn(folder.path()), 1u) << "what was begun is gone";
+    EXPECT_TRUE(writeWholeFile(path, "after"));
+    EXPECT_EQ(textOf(path), "after");
+    EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(WholeFile, WritesWhereALinkLeadsAndIntoDevices) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a", "before"), link = folder.path() + "/link";
+    std::filesystem::create_symlink(path, link);
+    EXPECT_TRUE(writeWholeFile(link, "after"));
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_EQ(textOf(path), "after");
+    EXPECT_TRUE(writeWholeFile("/dev/null", "nothing"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(WholeFile, WhereNothingCanBeWrittenItSaysSo) {
+    const TemporaryFolder folder;
+    EXPECT_FALSE(writeWholeFile(folder.path() + "/no/a", "text"));
+    EXPECT_FALSE(writeWholeFile(folder.path(), "text")) << "a folder";
+}
