@@ -229,6 +229,7 @@ void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--trees", *trees, "Write every tree as it stands: a CSV file");
     auto tiles = std::make_shared<TileBox>();
     addTilesOption(*command, *tiles);
+    command->footer("Example: osgtreewind info forest.treewind --json");
     command->callback([=, &exitCode] {
         const auto forest = loadForest(*file, *tiles);
         if (!forest) {

@@ -9,6 +9,7 @@ void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
     CLI::App* command = app.add_subcommand("validate", "List every problem of a file, with line and column");
     auto file = std::make_shared<std::string>();
     command->add_option("file", *file, "A .treewind file")->required();
+    command->footer("Example: osgtreewind validate forest.treewind");
     command->callback([file, &exitCode] {
         auto forest = osgTreeWind::readForestFile(*file);
         osgTreeWind::Diagnostics problems = forest.problems();

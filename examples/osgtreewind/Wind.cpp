@@ -218,5 +218,6 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
                         "Of speeds where the file does not say: m/s, km/h, kn, mph, ft/s");
     command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");
     command->add_flag("--json", arguments->json, "Print JSON");
+    command->footer("Example: osgtreewind wind wind.vtk --at 120,40,10");
     command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
 }

@@ -92,17 +92,6 @@ int main(int argc, char** argv) {
     app.name("osgtreewind");
     app.set_version_flag("--version", "osgtreewind " OSGTREEWIND_VERSION);
     app.require_subcommand(1);
-    app.footer("Examples:\n"
-               "  osgtreewind info forest.treewind --json\n"
-               "  osgtreewind render forest.treewind -o forest.png --size 1280x720 --start 3\n"
-               "  osgtreewind render forest.treewind -o clip.mp4 --frames 150 --fps 30\n"
-               "  osgtreewind simulate forest.treewind --duration 10 --fps 60 -o motion.csv\n"
-               "  osgtreewind wind wind.vtk --at 120,40,10\n"
-               "  osgtreewind canopy forest.treewind -o canopy.nc --cell 2\n"
-               "  osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225\n"
-               "  osgtreewind tile region.treewind -o world\n"
-               "  osgtreewind bench -o results.json --chart chart.svg\n"
-               "Exit status: 0 done, 1 failed, 2 bad usage or bad input.");
 
     ExitCode exitCode = Succeeded;
     addInfoCommand(app, exitCode);
@@ -119,6 +108,17 @@ int main(int argc, char** argv) {
     addTileCommand(app, exitCode);
     addMergeCommand(app, exitCode);
     addViewCommand(app, exitCode);
+    app.footer("Examples:\n"
+               "  osgtreewind info forest.treewind --json\n"
+               "  osgtreewind render forest.treewind -o forest.png --size 1280x720 --start 3\n"
+               "  osgtreewind render forest.treewind -o clip.mp4 --frames 150 --fps 30\n"
+               "  osgtreewind simulate forest.treewind --duration 10 --fps 60 -o motion.csv\n"
+               "  osgtreewind wind wind.vtk --at 120,40,10\n"
+               "  osgtreewind canopy forest.treewind -o canopy.nc --cell 2\n"
+               "  osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225\n"
+               "  osgtreewind tile region.treewind -o world\n"
+               "  osgtreewind bench -o results.json --chart chart.svg\n"
+               "Exit status: 0 done, 1 failed, 2 bad usage or bad input.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

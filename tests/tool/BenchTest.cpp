@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/tool/DocumentedFields.h>
 #include <tests/tool/Tool.h>
 
 #include <examples/osgtreewind/BenchStatistics.h>
@@ -62,6 +63,14 @@ json BenchTest::report;
 
 TEST_F(BenchTest, SaysNothingOnStandardError) {
     EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(BenchTest, DocumentsEveryFieldOfItsReport) {
+    const DocumentedFields table = documentedFields(pageOf("results.md"), "## The JSON document");
+    std::set<std::string> fields;
+    addFields(report, "", fields);
+    for (const std::string& field : fields)
+        EXPECT_TRUE(isDocumented(table, field)) << field << " is not documented";
 }
 
 TEST_F(BenchTest, MeasuresEveryStage) {
