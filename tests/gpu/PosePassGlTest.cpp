@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/NamesInOrder.h>
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/ForestFixtures.h>
 
@@ -191,7 +192,8 @@ TEST_P(PosePassLevelsGlTest, treesThatHaveComeDownAreWhereTheCpuHasThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(NearAndFar, PosePassLevelsGlTest,
-                         ::testing::Values(ModalMotion::Level::Near, ModalMotion::Level::Far));
+                         ::testing::Values(ModalMotion::Level::Near, ModalMotion::Level::Far),
+                         NamesInOrder({"Near", "Far"}));
 
 TEST_F(PosePassGlTest, posesAreThoseOfEachFrame) {
     begin(mixedForest(15.0f));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <tests/NamesInOrder.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <gtest/gtest.h>
@@ -108,4 +109,5 @@ TEST_P(ForestCopyTest, needsItsOwnUpdateOnly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ShallowAndDeep, ForestCopyTest,
-                         ::testing::Values(osg::CopyOp::SHALLOW_COPY, osg::CopyOp::DEEP_COPY_ALL));
+                         ::testing::Values(osg::CopyOp::SHALLOW_COPY, osg::CopyOp::DEEP_COPY_ALL),
+                         NamesInOrder({"Shallow", "Deep"}));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/NamesInOrder.h>
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
@@ -137,4 +138,5 @@ TEST_P(OptimizedForestGlTest, givesTheSamePicture) {
 
 INSTANTIATE_TEST_SUITE_P(DefaultAndAll, OptimizedForestGlTest,
                          ::testing::Values(osgUtil::Optimizer::DEFAULT_OPTIMIZATIONS,
-                                           osgUtil::Optimizer::ALL_OPTIMIZATIONS));
+                                           osgUtil::Optimizer::ALL_OPTIMIZATIONS),
+                         NamesInOrder({"Default", "All"}));

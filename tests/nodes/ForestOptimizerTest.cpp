@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/NamesInOrder.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osg/ShapeDrawable>
@@ -100,4 +101,5 @@ TEST_P(ForestOptimizerTest, aForestOfOneTreeTakesAnotherDescriptionAfterwards) {
 
 INSTANTIATE_TEST_SUITE_P(DefaultAndAll, ForestOptimizerTest,
                          ::testing::Values(osgUtil::Optimizer::DEFAULT_OPTIMIZATIONS,
-                                           osgUtil::Optimizer::ALL_OPTIMIZATIONS));
+                                           osgUtil::Optimizer::ALL_OPTIMIZATIONS),
+                         NamesInOrder({"Default", "All"}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
+#include <tests/gl/ThreadingModels.h>
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
@@ -167,8 +168,4 @@ TEST_P(ManyCamerasGlTest, aForestIsReleasedAndShownAgain) {
         EXPECT_EQ(difference(*picture, *before[0]).mean, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, ManyCamerasGlTest,
-                         ::testing::Values(osgViewer::ViewerBase::SingleThreaded,
-                                           osgViewer::ViewerBase::CullDrawThreadPerContext,
-                                           osgViewer::ViewerBase::DrawThreadPerContext,
-                                           osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext));
+INSTANTIATE_TEST_SUITE_P(Models, ManyCamerasGlTest, threadingModels, nameOfModel);

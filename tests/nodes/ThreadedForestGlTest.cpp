@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
+#include <tests/gl/ThreadingModels.h>
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
@@ -45,4 +46,5 @@ TEST_P(ThreadedForestGlTest, showsThePicturesOfASingleThread) {
 INSTANTIATE_TEST_SUITE_P(Models, ThreadedForestGlTest,
                          ::testing::Values(osgViewer::ViewerBase::CullDrawThreadPerContext,
                                            osgViewer::ViewerBase::DrawThreadPerContext,
-                                           osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext));
+                                           osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext),
+                         nameOfModel);

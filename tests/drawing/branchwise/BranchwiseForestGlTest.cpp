@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
+#include <tests/gl/ThreadingModels.h>
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 #include <tests/plugins/PluginPath.h>
@@ -198,8 +199,4 @@ TEST_P(BranchwiseThreadingGlTest, aForestMayGoWhileItsFrameIsDrawn) {
     viewer().setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, BranchwiseThreadingGlTest,
-                         ::testing::Values(osgViewer::ViewerBase::SingleThreaded,
-                                           osgViewer::ViewerBase::CullDrawThreadPerContext,
-                                           osgViewer::ViewerBase::DrawThreadPerContext,
-                                           osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext));
+INSTANTIATE_TEST_SUITE_P(Models, BranchwiseThreadingGlTest, threadingModels, nameOfModel);

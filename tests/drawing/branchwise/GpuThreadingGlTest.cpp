@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 #include <tests/gl/GlTest.h>
+#include <tests/gl/ThreadingModels.h>
 
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
@@ -49,11 +50,7 @@ TEST_P(GpuThreadingGlTest, SixHundredFramesBringBackWholeStatesOneFrameOld) {
     viewer().setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, GpuThreadingGlTest,
-                         ::testing::Values(osgViewer::ViewerBase::SingleThreaded,
-                                           osgViewer::ViewerBase::CullDrawThreadPerContext,
-                                           osgViewer::ViewerBase::DrawThreadPerContext,
-                                           osgViewer::ViewerBase::CullThreadPerCameraDrawThreadPerContext));
+INSTANTIATE_TEST_SUITE_P(Models, GpuThreadingGlTest, threadingModels, nameOfModel);
 
 class ShadowedForestGlTest : public GlTest {};
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/NamesInOrder.h>
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 #include <tests/drawing/branchwise/Onlooker.h>
 
@@ -68,7 +69,8 @@ TEST_P(PickingTest, doesNotHitABranchWhereItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(TreeAndBranch, PickingTest,
-                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING));
+                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING),
+                         NamesInOrder({"Tree", "Branch"}));
 
 class LeafPickingTest : public ::testing::TestWithParam<BranchwiseForest::LeafDrawing> {};
 
@@ -87,7 +89,8 @@ TEST_P(LeafPickingTest, hitsALeafWhereItIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(TreeAndCluster, LeafPickingTest,
-                         ::testing::Values(BranchwiseForest::TREE_LEAVES, BranchwiseForest::LEAF_TRANSFORMS));
+                         ::testing::Values(BranchwiseForest::TREE_LEAVES, BranchwiseForest::LEAF_TRANSFORMS),
+                         NamesInOrder({"Tree", "Cluster"}));
 
 TEST(BoundsTest, holdEveryPosedPointInAStorm) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(3, 45.0f)));
@@ -153,7 +156,8 @@ TEST_P(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
 }
 
 INSTANTIATE_TEST_SUITE_P(TreeAndBranch, StatisticsTest,
-                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING));
+                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING),
+                         NamesInOrder({"Tree", "Branch"}));
 
 TEST(TreeDrawableTest, emptyOnesHaveNoBoundsAndNoTriangles) {
     for (osg::ref_ptr<osg::Drawable> drawable :

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/NamesInOrder.h>
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
@@ -134,4 +135,5 @@ TEST_P(TreeNodeCopyTest, doesNotTurnTheOriginalToRest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ShallowAndDeep, TreeNodeCopyTest,
-                         ::testing::Values(osg::CopyOp::SHALLOW_COPY, osg::CopyOp::DEEP_COPY_ALL));
+                         ::testing::Values(osg::CopyOp::SHALLOW_COPY, osg::CopyOp::DEEP_COPY_ALL),
+                         NamesInOrder({"Shallow", "Deep"}));

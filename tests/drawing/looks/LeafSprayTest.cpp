@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
+#include <tests/NamesInOrder.h>
 
 #include <osgTreeWind/drawing/looks/BoughCard.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
@@ -130,7 +131,10 @@ TEST_P(LeafSprayOf, BoughsBearAsManyLeavesAsTheirSize) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayOf, testing::Range(0, leafForms));
+INSTANTIATE_TEST_SUITE_P(Forms, LeafSprayOf, testing::Range(0, leafForms),
+                         NamesInOrder({"Blade", "Lobed", "Ovate", "Rhombic", "Palmate", "Pinnate", "Heart",
+                                       "Round", "Fingered", "Fan", "Needles", "Bundles", "Tufts", "Frond",
+                                       "Pointed"}));
 
 TEST(LeafSpray, EveryFormLooksDifferent) {
     for (int a = 0; a < leafForms; ++a)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/NamesInOrder.h>
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
@@ -334,4 +335,5 @@ TEST_P(ShadowsGlTest, ofTreesMoveOnTheGroundWithTheWind) {
     EXPECT_GT(difference(*first, *later).outliers, 0.01) << "it stands still";
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, ShadowsGlTest, ::testing::Values(Map, ViewDependent, TwoViewDependent));
+INSTANTIATE_TEST_SUITE_P(Techniques, ShadowsGlTest, ::testing::Values(Map, ViewDependent, TwoViewDependent),
+                         NamesInOrder({"ShadowMap", "ViewDependent", "TwoViewDependent"}));
