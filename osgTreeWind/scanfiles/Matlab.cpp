@@ -22,6 +22,8 @@ Result<ScanFile> readMatlab(const std::string& path) {
     });
     if (problem)
         return *problem;
+    if (!*scan)
+        return std::move(*scan);
     for (std::size_t tree = 0; tree < scan->value().trees.size(); ++tree)
         if (auto unsound = problemOfScan(scan->value().trees[tree])) {
             const std::string of = "tree " + std::to_string(tree + 1);

@@ -90,6 +90,7 @@ const BadInput badInputs[] = {
     {"InvalidUtf8", head + "# ca@f\xe9\n", "", "not valid TOML"},
     {"BrokenHeader", head + "[@=]\n", "", "not valid TOML"},
     {"Truncated", head + "[wind@\n", "", "not valid TOML"},
+    {"LetterBeyondAscii", head + "seed = 3 @é\n", "", "not valid TOML"},
     {"UnclosedString", head + "search = [\"a@\n", "", "not valid TOML"},
     {"KeyTwice", head + tree + "height = 3\nheight = @4\n", "", "not valid TOML"},
     {"NoVersion", "@" + tree, "version", "missing"},

@@ -168,6 +168,7 @@ TEST_P(Matlab, ChangedBytesAreReadOrRefused) {
     const std::string whole = bytesOf(write({qsmStruct("QSM", {arrays})}));
     std::mt19937 random(6);
     int ended = 0;
+    testing::internal::CaptureStderr();
     for (int round = 0; round < 150; ++round) {
         std::string bytes = whole;
         for (unsigned changes = 1u << round % 5; changes > 0; --changes)
@@ -183,6 +184,8 @@ TEST_P(Matlab, ChangedBytesAreReadOrRefused) {
         ended += reason.find("its reader ended") != std::string::npos;
     }
     RecordProperty("readers_ended", ended);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(said.find("there is no value"), std::string::npos) << said;
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, Matlab, testing::ValuesIn(matVersions),

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+/// What libFuzzer calls, over and over; see script/fuzz.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace osgTreeWind {
+
+inline std::string textOf(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data), size};
+}
+
+/// Stops the program unless there is a reason.
+template <typename T>
+void expectReason(const Result<T>& result) {
+    if (!result && (result.problems().empty() || result.problems().front().message.empty()))
+        std::abort();
+}
+
+/// Stops the program unless there is a reason, or a forest that is the same when it is written and read.
+inline void expectForest(const std::string& document) {
+    ForestFileOptions options;
+    options.file = "fuzz";
+    options.mostTrees = 2000;
+    std::istringstream input(document);
+    const auto forest = readForest(input, options);
+    expectReason(forest);
+    std::ostringstream written, again;
+    if (!forest || !writeForest(forest.value(), written).empty())
+        return;
+    std::istringstream second(written.str());
+    const auto read = readForest(second, options);
+    if (!read || !writeForest(read.value(), again).empty() || again.str() != written.str())
+        std::abort();
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <tests/fuzz/FuzzForest.h>
+
+#include <osgTreeWind/io/Toml.h>
+#include <osgTreeWind/io/TomlEdit.h>
+
+using namespace osgTreeWind;
+
+/// What is not asked for stays, as long as the document is one after the edit.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text = textOf(data, size);
+    const toml::parse_result before = toml::parse(text);
+    if (!before)
+        return 0;
+    TomlEdit edit(text);
+    edit.set("wind", "speed", "1.5");
+    edit.remove("motion", "gain");
+    const toml::parse_result after = toml::parse(edit.text());
+    if (!after || after["wind"]["speed"].value<double>() != 1.5)
+        return 0;
+    toml::table old = before.table(), now = after.table();
+    for (toml::table* document : {&old, &now}) {
+        if (toml::table* wind = (*document)["wind"].as_table())
+            wind->erase("speed");
+        if (toml::table* motion = (*document)["motion"].as_table())
+            motion->erase("gain");
+    }
+    if (!old.contains("wind"))
+        now.erase("wind");
+    if (old == old && old != now) // numbers that are none are not themselves
+        std::abort();
+    return 0;
+}
