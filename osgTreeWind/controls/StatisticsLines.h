@@ -16,7 +16,7 @@ void addStatisticsLines(StatsHandler& handler) {
     const auto line = [&](const std::string& name, const std::string& unit, float scale, float most) {
         handler.addUserStatsLine(name + unit, color, color, name, scale, unit == ", ms", false, "", "", most);
     };
-    for (const char* name : {"Forest step", "Forest cull"})
+    for (const char* name : {"Forest step", "Forest cull", "Forest pose", "Forest draw"})
         line(name, ", ms", 1000.0f, 100.0f);
     for (const char* name : {"Forest trees", "Forest trees in full", "Forest trees by boughs",
                              "Forest trees as pictures", "Forest tiles"})

@@ -37,6 +37,8 @@ TEST_F(ForestStatisticsGlTest, whatItCostsAndDraws) {
     EXPECT_GT(said("Forest step"), 0.0);
     EXPECT_LT(said("Forest step"), 10.0);
     EXPECT_GT(said("Forest cull"), 0.0);
+    EXPECT_GT(said("Forest pose"), 0.0);
+    EXPECT_GT(said("Forest draw"), 0.0);
     EXPECT_EQ(said("Forest trees"), 8.0);
     const double drawn =
         said("Forest trees in full") + said("Forest trees by boughs") + said("Forest trees as pictures");
@@ -64,5 +66,7 @@ TEST_F(ForestStatisticsGlTest, aLawOfABranchHasNoTiers) {
     frame(0.0);
     EXPECT_GE(said("Forest step"), 0.0);
     EXPECT_EQ(said("Forest trees"), 4.0);
+    EXPECT_GT(said("Forest draw"), 0.0);
+    EXPECT_EQ(said("Forest pose"), -1.0);
     EXPECT_EQ(said("Forest trees in full"), -1.0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
+#include <osgTreeWind/gpu/DrawTime.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 namespace osgTreeWind {
@@ -23,8 +24,10 @@ void TreeDrawable::accept(osg::PrimitiveFunctor& functor) const {
 }
 
 void TreeDrawable::drawImplementation(osg::RenderInfo& renderInfo) const {
-    if (_geometry && canRunPrograms(*renderInfo.getState()))
-        _geometry->draw(renderInfo);
+    if (!_geometry || !canRunPrograms(*renderInfo.getState()))
+        return;
+    const DrawTime time(renderInfo, "Forest draw");
+    _geometry->draw(renderInfo);
 }
 
 void TreeDrawable::compileGLObjects(osg::RenderInfo& renderInfo) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/InstancedDraw.h>
 
+#include <osgTreeWind/gpu/DrawTime.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/GLExtensions>
@@ -37,8 +38,11 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     state.unbindVertexArrayObject(); // where there is one it would be of the geometry drawn before
     state.setCurrentToGlobalVertexArrayState();
-    if (_trees->page)
+    if (_trees->page) {
+        const DrawTime time(renderInfo, "Forest pose");
         _trees->passes->apply(state, *_trees->page);
+    }
+    const DrawTime time(renderInfo, "Forest draw");
     if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
         static const unsigned name = osg::Uniform::getNameID("flutterPhases");
         const GLint location = program->getUniformLocation(name);
