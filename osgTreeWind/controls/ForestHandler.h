@@ -22,10 +22,10 @@ class Forest;
 ///     while (!viewer.done())
 ///         viewer.frame(handler->simulationTime(viewer.elapsedTime()));
 ///
-/// One viewer. It does not keep the forest.
+/// One viewer, which calls it in its event traversal.
 class OSGTREEWIND_EXPORT ForestHandler : public osgGA::GUIEventHandler {
 public:
-    /// Of a forest, which it keeps; not null.
+    /// Of a forest, which it does not keep; not null.
     explicit ForestHandler(Forest* forest);
 
     /// The text over the picture.

@@ -9,7 +9,7 @@ namespace osgTreeWind {
 
 /// One branch unit as a transform: it turns about its base, and everything below it goes along (the
 /// glPushMatrix and glPopMatrix of thesis §3.1.3). Coordinates below it are those of the tree at rest, so a
-/// node placed at a rest position of the branch stays attached to it.
+/// node placed at a rest position of the branch stays attached to it. Changed in update, or between frames.
 class OSGTREEWIND_EXPORT BranchTransform : public osg::MatrixTransform {
 public:
     BranchTransform();

@@ -36,7 +36,8 @@ struct PlacedTree {
     TreeSize given;               ///< From which, with openGrown, `scale` follows.
 };
 
-/// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes.
+/// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes. Read by many threads while
+/// none writes.
 struct OSGTREEWIND_EXPORT PlacedForest {
     /// Trees of a species that is not there are left out; `placed`, which may be empty, is called after each.
     explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
