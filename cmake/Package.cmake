@@ -32,7 +32,7 @@ endif()
 install(DIRECTORY shaders DESTINATION ${data_folder} COMPONENT development
     PATTERN CMakeLists.txt EXCLUDE)
 install(FILES osgTreeWind/species/species.treewind DESTINATION ${data_folder} COMPONENT development)
-install(FILES examples/thesis.treewind examples/forest.treewind examples/helicopter.treewind examples/lorry.treewind DESTINATION ${data_folder}/examples
+install(FILES examples/thesis.treewind examples/forest.treewind examples/helicopter.treewind examples/lorry.treewind examples/explosion.treewind DESTINATION ${data_folder}/examples
     COMPONENT tool)
 find_program(help2man help2man)
 if(help2man AND TARGET osgtreewind)

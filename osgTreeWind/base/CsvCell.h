@@ -5,9 +5,12 @@
 
 namespace osgTreeWind {
 
-/// A text as a cell of CSV, in quotes where it needs them.
+/// A text as a cell of CSV, in quotes where it needs them: readers drop blanks about a cell.
 inline std::string csvCell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
+    constexpr const char *marks = ",\"\r\n", *blanks = " \t";
+    const bool isBare = text.find_first_of(marks) == std::string::npos && text.find_first_of(blanks) != 0 &&
+                        text.find_last_of(blanks) + 1 != text.size();
+    if (isBare || text.empty())
         return text;
     std::string quoted = "\"";
     for (const char c : text)

@@ -100,9 +100,9 @@ void ForestControls::changeSources(const std::function<void(std::vector<WindSour
     _forest->setWind(wind, _forest->getWindFrame());
 }
 
-void ForestControls::nextSource(const glm::dvec3& foot, double height) {
+void ForestControls::nextSource(const glm::dvec3& foot, double height, double time) {
     changeSources([&](std::vector<WindSource>& sources) {
-        const std::vector<WindSource> choice = sourcesByHand(foot, height);
+        const std::vector<WindSource> choice = sourcesByHand(foot, height, time);
         const bool isThere = _byHand && !sources.empty() && sources.back().kind == choice[*_byHand].kind;
         if (isThere)
             sources.pop_back();

@@ -29,7 +29,7 @@ public:
     void restoreWind();
 
     /// Puts the next of sourcesByHand() to a tree in place of the one before; behind the last there is none.
-    void nextSource(const glm::dvec3& foot, double height);
+    void nextSource(const glm::dvec3& foot, double height, double time);
     void keepSource() { _byHand.reset(); } ///< The next one comes beside it.
     void removeSource();                   ///< The last of the wind's.
 

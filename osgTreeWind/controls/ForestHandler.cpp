@@ -64,7 +64,7 @@ struct Switch {
     const char *name, *does;
 };
 constexpr Switch sourceKey{'r', "r",
-                           "a helicopter, a fan, a whirl, a shelter or none at the tree that was clicked"},
+                           "a helicopter, a fan, a whirl, a shelter, an explosion or none at the tree clicked"},
     arrowsKey{'a', "a", "arrows of the wind"}, streaksKey{'A', "A", "streaks that travel with the wind"},
     panelKey{'i', "i", "the text at the left"}, helpKey{'h', "h", "these keys"};
 constexpr const char* clickName = "click";
@@ -131,6 +131,7 @@ private:
     unsigned _frames = 0;                     ///< Since then.
     std::optional<osg::Vec3d> _sourceFoot;    ///< Of the tree it is put to, in the wind's frame.
     double _sourceHeight = 0.0;
+    double _time = 0.0; ///< Of the simulation.
 };
 
 bool ForestHandler::State::press(int key) {
@@ -165,7 +166,7 @@ void ForestHandler::State::putSource() {
         _sourceHeight = static_cast<double>(simulation.forest().measured(tree).height);
     }
     if (_sourceFoot) // else nothing was clicked yet
-        controls.nextSource({_sourceFoot->x(), _sourceFoot->y(), _sourceFoot->z()}, _sourceHeight);
+        controls.nextSource({_sourceFoot->x(), _sourceFoot->y(), _sourceFoot->z()}, _sourceHeight, _time);
 }
 
 void ForestHandler::State::pick(const Event& event, osg::View& view) {
@@ -229,6 +230,7 @@ void ForestHandler::State::refresh(double now, osg::View& view) {
     if (const osg::Viewport* viewport = view.getCamera()->getViewport())
         panel.setSize(static_cast<int>(viewport->width()), static_cast<int>(viewport->height()));
     showWind(forest, view);
+    _time = view.getFrameStamp()->getSimulationTime();
     if (watchedIn != &forest.getSimulation())
         watched.reset(); // other trees are there
     ++_frames;

@@ -3,7 +3,7 @@
 
 namespace osgTreeWind {
 
-std::vector<WindSource> sourcesByHand(const glm::dvec3& foot, double height) {
+std::vector<WindSource> sourcesByHand(const glm::dvec3& foot, double height, double time) {
     WindSource helicopter; // a Super Puma's rotor
     helicopter.position = foot + glm::dvec3(0.0, 0.0, height + 15.0);
     helicopter.radius = 7.8;
@@ -26,7 +26,12 @@ std::vector<WindSource> sourcesByHand(const glm::dvec3& foot, double height) {
     shelter.radius = 10.0;
     shelter.height = 1.2 * height;
     shelter.share = 0.1;
-    return {helicopter, fan, whirl, shelter};
+    WindSource explosion;
+    explosion.kind = WindSource::Kind::Explosion;
+    explosion.position = foot + glm::dvec3(-15.0, 0.0, 0.0);
+    explosion.charge = 100.0;
+    explosion.time = time + 1.0;
+    return {helicopter, fan, whirl, shelter, explosion};
 }
 
 } // namespace osgTreeWind

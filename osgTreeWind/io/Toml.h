@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 // libtomlplusplus throws parse errors; as headers alone it returns them.
 #undef TOML_SHARED_LIB
 #undef TOML_HEADER_ONLY

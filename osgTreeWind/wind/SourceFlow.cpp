@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/SourceFlow.h>
 
+#include <osgTreeWind/wind/BlastWave.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/GustNoise.h>
 #include <osgTreeWind/wind/HeldTime.h>
@@ -76,6 +77,9 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)
         const double speed = glm::length(glm::dvec2(_source.velocity));
         _along = speed > 0.0 ? glm::dvec3(glm::dvec2(_source.velocity) / speed, 0.0) : glm::dvec3(0.0);
         _carries = -_source.velocity; // they stay where they were made
+    } else if (_source.kind == WindSource::Kind::Explosion) {
+        _source.velocity = glm::dvec3(0.0);
+        _source.turbulence = 0.0;
     } else if (_source.kind == WindSource::Kind::Jet)
         _carries = 0.5 * _source.speed * _along;
     else if (_source.kind == WindSource::Kind::Rotor)
@@ -186,7 +190,15 @@ glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height, const gl
     return velocity;
 }
 
-glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height, const glm::dvec2& air) const {
+glm::dvec3 SourceFlow::explosion(const glm::dvec3& offset, double time) const {
+    const double distance = glm::length(offset), since = heldTime(time, longest) - _source.time;
+    if (!(since > 0.0) || !(distance > 1e-9))
+        return glm::dvec3(0.0);
+    return BlastWave(_source.charge).wind(distance, since) / distance * offset;
+}
+
+glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height, const glm::dvec2& air,
+                            double time) const {
     switch (_source.kind) {
     case WindSource::Kind::Rotor:
         return rotor(offset, height, air);
@@ -196,6 +208,8 @@ glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height, const glm::
         return vortex(offset);
     case WindSource::Kind::Vehicle:
         return vehicle(offset, height, air);
+    case WindSource::Kind::Explosion:
+        return explosion(offset, time);
     case WindSource::Kind::Shelter:
         break;
     }
@@ -214,7 +228,8 @@ glm::dvec3 SourceFlow::noise(const glm::dvec3& offset, double time) const {
 glm::vec3 SourceFlow::velocity(const WindPlace& place, double time, const WindField* wind) const {
     constexpr double least = 0.01; // m/s
     const glm::dvec3 offset = offsetOf(place, time);
-    const glm::dvec3 velocity = mean(offset, static_cast<double>(place.height), airPast(place, time, wind));
+    const glm::dvec3 velocity =
+        mean(offset, static_cast<double>(place.height), airPast(place, time, wind), time);
     const double speed = glm::length(velocity);
     if (!(_source.turbulence > 0.0) || !(speed > least) || !std::isfinite(speed))
         return calmUnlessFinite(glm::vec3(velocity));

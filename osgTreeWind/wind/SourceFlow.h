@@ -28,9 +28,10 @@ private:
     glm::dvec3 rotor(const glm::dvec3& offset, double height, const glm::dvec2& air) const;
     glm::dvec3 jet(const glm::dvec3& offset) const;
     glm::dvec3 vortex(const glm::dvec3& offset) const;
+    glm::dvec3 explosion(const glm::dvec3& offset, double time) const;
     glm::dvec3 vehicle(const glm::dvec3& offset, double height, const glm::dvec2& air) const;
     /// Of what it adds on the average.
-    glm::dvec3 mean(const glm::dvec3& offset, double height, const glm::dvec2& air) const;
+    glm::dvec3 mean(const glm::dvec3& offset, double height, const glm::dvec2& air, double time) const;
     /// Three numbers of mean 0 and variance 1, which the flow carries along.
     glm::dvec3 noise(const glm::dvec3& offset, double time) const;
 

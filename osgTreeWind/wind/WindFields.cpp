@@ -134,10 +134,10 @@ const Fields& fieldsOf<WindSource>() {
          {},
          "what it is",
          "",
-         inOrder({"rotor", "jet", "vortex", "shelter", "vehicle"})},
+         inOrder({"rotor", "jet", "vortex", "shelter", "vehicle", "explosion"})},
         {"place", at<&P::position>, worldCoordinates,
          "from the forest's origin, at time 0: a rotor's hub, a jet's mouth, the foot of a vortex or a "
-         "shelter, the ground below the middle of a vehicle's rear",
+         "shelter, the ground below the middle of a vehicle's rear, a charge",
          "m"},
         {"velocity", at<&P::velocity>, within(-1000, 1000), "it moves with", "m/s"},
         {"radius", at<&P::radius>, above(0, 1000),
@@ -154,6 +154,8 @@ const Fields& fieldsOf<WindSource>() {
         {"drag_area", at<&P::dragArea>, within(0, 1000),
          "of a vehicle: drag coefficient times frontal area; 6 of a lorry, 0.7 of a car", "m^2"},
         {"share", at<&P::share>, within(0, 1), "of the wind that a shelter leaves"},
+        {"charge", at<&P::charge>, above(0, 1e9), "of an explosion: as much TNT", "kg"},
+        {"time", at<&P::time>, within(-1e9, 1e9), "at which an explosion goes off", "s"},
         {"turbulence", at<&P::turbulence>, within(0, 1),
          "of what it adds: standard deviation of each component over the speed there"},
     };

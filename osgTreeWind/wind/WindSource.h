@@ -31,10 +31,16 @@ struct WindSource {
         /// source before it and a sink behind, as Sanz-Andres et al. 2003 for what stands beside a road). The
         /// wake lies along the air as the vehicle meets it, wind included.
         Vehicle,
+        /// An explosion on the ground: the air behind its front, which dies down and flows back (Kinney and
+        /// Graham 1985). It comes as the wind whose drag is the mean drag of the last 0.2 s, up to 200 m/s:
+        /// the push that a tree feels is that of the blast, its peak is not. It stands still, and is as it
+        /// is:
+        /// no wind carries it off, it knows no turbulence.
+        Explosion,
     };
     Kind kind = Kind::Rotor;  ///< Of these.
     glm::dvec3 position{0.0}; ///< At time 0: a rotor's hub, a jet's mouth, the foot of a vortex or a
-                              ///< shelter, the ground below the middle of a vehicle's rear.
+                              ///< shelter, the ground below the middle of a vehicle's rear, a charge.
     glm::dvec3 velocity{0.0}; ///< It moves with, m/s, each within [-1000, 1000]; a vehicle on the level.
     double radius = 5.0;      ///< Of a rotor, a mouth or a shelter; where a vortex is fastest; half of a
                               ///< vehicle's width. (0, 1000]
@@ -46,6 +52,8 @@ struct WindSource {
     double length = 16.0;     ///< Of a vehicle. (0, 1000]
     double dragArea = 6.0;    ///< Of a vehicle: Cd A, m^2; 6 of a lorry, 0.7 of a car. [0, 1000]
     double share = 0.2;       ///< Of the wind that a shelter leaves. [0, 1]
+    double charge = 10.0;     ///< Of an explosion: kg of TNT. (0, 1e9]
+    double time = 0.0;        ///< At which it goes off: seconds of the wind's time. [-1e9, 1e9]
     /// Of what it adds: standard deviation of each component over the speed there, [0, 1]. On the axis of a
     /// round jet it is a quarter (Hussein, Capp and George 1994), in wall jets as much.
     double turbulence = 0.25;

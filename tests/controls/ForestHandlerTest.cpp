@@ -230,6 +230,7 @@ TEST_F(ForestHandlerTest, SourcesFollowEachOtherAtATreeAndStayIfTheyAreToStay) {
                                               {Kind::Jet},
                                               {Kind::Vortex},
                                               {Kind::Shelter},
+                                              {Kind::Explosion},
                                               {},
                                               {Kind::Rotor},
                                               {Kind::Jet}}) {

@@ -43,7 +43,7 @@ TEST(StatisticsOfViewerTest, aViewerThatKnowsNoForestsShowsTheirLinesOnce) {
     events.setActionAdapter(&viewer);
     for (int i = 0; i < 3; ++i)
         scene->accept(events);
-    EXPECT_EQ(statistics->count(), 8u);
+    EXPECT_EQ(statistics->count(), 10u);
     EXPECT_TRUE(statistics->has("Forest step"));
     EXPECT_TRUE(statistics->has("Process memory"));
 }
