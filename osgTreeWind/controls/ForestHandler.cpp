@@ -63,8 +63,8 @@ struct Switch {
     int key;
     const char *name, *does;
 };
-constexpr Switch sourceKey{'r', "r",
-                           "a helicopter, a fan, a whirl, a shelter, an explosion or none at the tree clicked"},
+constexpr Switch sourceKey{
+    'r', "r", "a helicopter, a fan, a whirl, a shelter, an explosion or none at the tree clicked"},
     arrowsKey{'a', "a", "arrows of the wind"}, streaksKey{'A', "A", "streaks that travel with the wind"},
     panelKey{'i', "i", "the text at the left"}, helpKey{'h', "h", "these keys"};
 constexpr const char* clickName = "click";
