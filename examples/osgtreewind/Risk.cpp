@@ -35,7 +35,7 @@ struct RiskOptions {
 
 /// What comes of storms, by slot.
 struct Risk {
-    std::vector<Storms> storms;
+    std::vector<Storms> feet, boughs; ///< Moments at the foot; shares of what boughs bear.
     std::vector<float> topWinds;
 };
 
@@ -46,12 +46,14 @@ Risk riskOf(const RiskOptions& options, const PlacedForest& forest, std::size_t 
         speeds.push_back(*options.speed);
     const glm::vec3 toward = windVelocity({1.0, options.direction}, DirectionSense::From);
     const ForestStorm storm(forest, toward, ThreadPool::executor(), count);
-    Risk risk{std::vector<Storms>(count), storm.topWinds()};
+    Risk risk{std::vector<Storms>(count), std::vector<Storms>(count), storm.topWinds()};
     Progress progress("storms", speeds.size());
     for (const double speed : speeds) { // of the same gusts, so that moments grow with the wind
-        const std::vector<double> moments = storm.hourOf(speed, options.seed);
-        for (std::size_t slot = 0; slot < count; ++slot)
-            risk.storms[slot][speed] = moments[slot];
+        const std::vector<ForestStorm::Loads> loads = storm.hourOf(speed, options.seed);
+        for (std::size_t slot = 0; slot < count; ++slot) {
+            risk.feet[slot][speed] = loads[slot].foot;
+            risk.boughs[slot][speed] = loads[slot].bough;
+        }
         progress.advance();
     }
     return risk;
@@ -66,24 +68,26 @@ PointTable tableOf(const RiskOptions& options, const PlacedForest& forest, const
     table.name = "risk";
     table.crs = forest.description().crs;
     table.texts = {"id", "species"};
-    table.numbers = {"height_m", "dbh_cm", "uproot_ms", "break_ms", "top_wind"};
+    table.numbers = {"height_m", "dbh_cm", "uproot_ms", "break_ms", "bough_ms", "top_wind"};
     if (options.speed)
-        table.numbers.insert(table.numbers.end(), {"uproot_ratio", "break_ratio"});
-    for (std::size_t slot = 0; slot < risk.storms.size(); ++slot) {
+        table.numbers.insert(table.numbers.end(), {"uproot_ratio", "break_ratio", "bough_ratio"});
+    for (std::size_t slot = 0; slot < risk.feet.size(); ++slot) {
         const PlacedTree& tree = forest.trees[slot];
         const TreePlacement placement = forest.placementOf(slot);
         const TreeSize size = forest.measured(tree);
         const Species& species = forest.speciesOf(tree);
         const TreeStrength strength(forest.modelOf(tree), tree.scale, species);
-        const CriticalSpeeds critical = criticalSpeeds(risk.storms[slot], strength);
+        const CriticalSpeeds critical = criticalSpeeds(risk.feet[slot], strength);
         PointTable::Row row{placement.position,
                             {placement.name.empty() ? std::to_string(slot) : placement.name, species.name},
                             {size.height, 100.0 * static_cast<double>(size.trunkDiameter), critical.uproot,
-                             critical.breaking, risk.topWinds[slot]}};
+                             critical.breaking, criticalSpeed(risk.boughs[slot], 1.0), risk.topWinds[slot]}};
         if (options.speed) {
-            const double moment = risk.storms[slot].at(*options.speed);
+            const double moment = risk.feet[slot].at(*options.speed);
             row.numbers.push_back(share(moment, strength.uproot));
             row.numbers.push_back(share(moment, strength.breaking));
+            const double bough = risk.boughs[slot].at(*options.speed);
+            row.numbers.push_back(bough > 0.0 ? std::optional(bough) : std::nullopt);
         }
         table.rows.push_back(std::move(row));
     }
@@ -150,7 +154,8 @@ ExitCode run(const RiskOptions& options) {
 } // namespace
 
 void addRiskCommand(CLI::App& app, ExitCode& exitCode) {
-    CLI::App* command = app.add_subcommand("risk", "Write in which winds each tree overturns or breaks");
+    CLI::App* command =
+        app.add_subcommand("risk", "Write in which winds each tree overturns, breaks or loses boughs");
     auto options = std::make_shared<RiskOptions>();
     command->add_option("file", options->file, "A .treewind file")->required();
     command->add_option("-o,--output", options->output, "A file that ends in .csv or .gpkg")->required();
@@ -167,9 +172,10 @@ void addRiskCommand(CLI::App& app, ExitCode& exitCode) {
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
     command->footer(
-        "Columns: id, species, place, height, diameter; uproot_ms and break_ms, the mean winds 10 m above\n"
-        "open country in which the largest moment in an hour is what the roots and the stem bear; top_wind,\n"
-        "the mean wind at the top of the trees over that. An empty cell: not known, or beyond 80 m/s.\n"
+        "Columns: id, species, place, height, diameter; uproot_ms, break_ms and bough_ms, the mean winds\n"
+        "10 m above open country in which the largest moment in an hour is what the roots, the stem and\n"
+        "the first of its boughs bear; top_wind, the mean wind at the top of the trees over that. An\n"
+        "empty cell: not known, or beyond 80 m/s.\n"
         "What it reckons with and what not: docs/risk.md.\n"
         "Example: osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225");
     command->callback([options, &exitCode] { exitCode = run(*options); });

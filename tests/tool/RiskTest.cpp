@@ -41,13 +41,18 @@ TEST(Risk, SaysInWhichWindsTreesFall) {
     const auto rows = cellsOf(contentOf(path));
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "species", "x", "y", "height_m", "dbh_cm", "uproot_ms",
-                                                 "break_ms", "top_wind", "uproot_ratio", "break_ratio"}));
+                                                 "break_ms", "bough_ms", "top_wind", "uproot_ratio",
+                                                 "break_ratio", "bough_ratio"}));
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        ASSERT_EQ(rows[i].size(), 11u);
-        for (const int kind : {0, 1}) { // a storm faster than the critical one is more than it bears
-            const double critical = std::atof(rows[i][6 + kind].c_str()),
-                         ratio = std::atof(rows[i][9 + kind].c_str());
+        ASSERT_EQ(rows[i].size(), 13u);
+        for (const std::size_t kind :
+             {0, 1, 2}) { // a storm faster than the critical one is more than it bears
+            const double ratio = std::atof(rows[i][10 + kind].c_str());
+            const bool isBeyond = rows[i][6 + kind].empty();
+            const double critical = isBeyond ? 80.0 : std::atof(rows[i][6 + kind].c_str());
+            EXPECT_FALSE(isBeyond && kind < 2);
             EXPECT_GT(critical, 2.0);
+            EXPECT_GT(ratio, 0.0);
             EXPECT_EQ(ratio > 1.0, critical < 20.0) << ratio << ' ' << critical;
         }
     }

@@ -2,8 +2,6 @@
 #include <osgTreeWind/motion/damage/WindDamage.h>
 
 #include <osgTreeWind/motion/damage/TreeStrength.h>
-#include <osgTreeWind/motion/laws/UnitLoads.h>
-#include <osgTreeWind/species/GrowthLaws.h>
 
 #include <glm/geometric.hpp>
 
@@ -14,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t batch = 256, mostBoughs = 32;
+constexpr std::size_t batch = 256;
 constexpr float stump = 1.3f; // metres; TreeStrength
 // Share of what its stem bears, below which no bough fails: they have had at most 1.2 of its share.
 constexpr float gentle = 0.3f;
@@ -51,24 +49,15 @@ glm::vec3 meanWind(const ModalMotion& sway, std::size_t slot, const PlacedTree& 
 
 WindDamage::Tree WindDamage::treeOf(const PlacedForest& forest, const PlacedTree& tree) {
     const SwayingTree form = formOf(forest, tree);
-    const std::vector<BranchUnit>& units = form.model->skeleton.units;
     const std::vector<UnitLoad> loads = makeUnitLoads(*form.model, form.scale, *form.species, form.leaves);
     const TreeStrength strength(*form.model, form.scale, *form.species);
     Tree result;
     result.age = 0.0f;
-    result.roots = {0, loads[0].stiffness, static_cast<float>(strength.uproot)};
-    result.stem = {unitAtBreast(forest, tree), loads[0].stiffness, static_cast<float>(strength.breaking)};
-    std::vector<Joint>& boughs = result.boughs;
-    for (std::size_t i = 1; i < units.size(); ++i)
-        if (units[i].level == 1 && units[static_cast<std::size_t>(units[i].parent)].level == 0) {
-            const double diameter = 2.0 * static_cast<double>(tree.scale.radius * units[i].baseRadius);
-            boughs.push_back({static_cast<unsigned>(i), loads[i].stiffness,
-                              static_cast<float>(breakingMoment(form.species->wood, diameter))});
-        }
-    std::stable_sort(boughs.begin(), boughs.end(),
-                     [](const Joint& a, const Joint& b) { return a.limit > b.limit; });
-    boughs.resize(std::min(boughs.size(), mostBoughs));
-    boughs.shrink_to_fit();
+    result.roots.base = {0, loads[0].stiffness, static_cast<float>(strength.uproot)};
+    result.stem.base = {unitAtBreast(forest, tree), loads[0].stiffness,
+                        static_cast<float>(strength.breaking)};
+    for (const HeldJoint& bough : thickestBoughs(form, loads))
+        result.boughs.push_back({bough});
     return result;
 }
 
@@ -83,13 +72,13 @@ void WindDamage::meet(const PlacedForest& forest, const ModalMotion& sway, std::
     float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
     sway.poseVector(slot, vector);
     const float exaggeration = std::max(forest.description().gain, 1.0e-3f);
-    const auto momentAt = [&](unsigned unit, float stiffness) {
-        return stiffness * glm::length(sway.unitAngles(slot, unit, vector)) / exaggeration;
+    const auto momentAt = [&](const HeldJoint& base) {
+        return base.moment(sway, slot, vector) / exaggeration;
     };
-    tree.roots.moment = tree.stem.moment = momentAt(0, tree.roots.stiffness);
-    const bool isGentle = tree.stem.moment < gentle * tree.stem.limit;
+    tree.roots.moment = tree.stem.moment = momentAt(tree.roots.base);
+    const bool isGentle = tree.stem.moment < gentle * tree.stem.base.limit;
     for (Joint& bough : tree.boughs)
-        bough.moment = isGentle ? 0.0f : momentAt(bough.unit, bough.stiffness);
+        bough.moment = isGentle ? 0.0f : momentAt(bough.base);
 }
 
 void WindDamage::follow(const PlacedForest& forest, ModalMotion& sway, float seconds,
@@ -122,7 +111,8 @@ void WindDamage::follow(const PlacedForest& forest, ModalMotion& sway, float sec
 void WindDamage::look(const PlacedForest& forest, ModalMotion& sway, std::size_t slot) {
     Tree& tree = _trees[slot];
     if (tree.roots.fails() || tree.stem.fails()) {
-        const bool roots = tree.roots.fails() && (!tree.stem.fails() || tree.roots.limit < tree.stem.limit);
+        const bool roots =
+            tree.roots.fails() && (!tree.stem.fails() || tree.roots.base.limit < tree.stem.base.limit);
         breakOff(forest, sway, slot, roots ? tree.roots : tree.stem,
                  roots ? DamageKind::Uprooted : DamageKind::Snapped);
         tree.isDown = true;
@@ -141,8 +131,8 @@ void WindDamage::look(const PlacedForest& forest, ModalMotion& sway, std::size_t
 void WindDamage::breakOff(const PlacedForest& forest, ModalMotion& sway, std::size_t slot, const Joint& joint,
                           DamageKind kind) {
     const PlacedTree& tree = forest.trees[slot];
-    _broken.push_back(
-        {forest.idOf(slot), kind, joint.unit, joint.moment, joint.limit, meanWind(sway, slot, tree)});
+    _broken.push_back({forest.idOf(slot), kind, joint.base.unit, joint.moment, joint.base.limit,
+                       meanWind(sway, slot, tree)});
 
     const bool isBough = kind == DamageKind::BoughTorn;
     const glm::vec2 lean = sway.lean(slot);
@@ -150,12 +140,12 @@ void WindDamage::breakOff(const PlacedForest& forest, ModalMotion& sway, std::si
     const glm::vec2 way = length > 0.0f ? lean / length : glm::vec2(1.0f, 0.0f);
     const double angle =
         std::atan(static_cast<double>(length / std::max(forest.measured(tree).height, 0.1f)));
-    FallingTree body(formOf(forest, tree), joint.unit, static_cast<double>(joint.limit),
+    FallingTree body(formOf(forest, tree), joint.base.unit, static_cast<double>(joint.base.limit),
                      isBough ? 0.0 : angle);
     const glm::vec2 leeward(
         turnHeading({-way.y, way.x, 0.0f}, -std::sin(tree.heading), std::cos(tree.heading)));
     TreeFall fall = sway.fall(slot) ? *sway.fall(slot) : TreeFall();
-    fall.parts[fall.count].unit = joint.unit;
+    fall.parts[fall.count].unit = joint.base.unit;
     fall.isDown = !isBough;
     _falling.push_back({slot, fall.count++, body, isBough ? body.axis() : leeward});
     sway.setFall(slot, fall);

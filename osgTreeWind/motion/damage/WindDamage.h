@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/damage/FallingTree.h>
+#include <osgTreeWind/motion/damage/HeldJoint.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
@@ -35,12 +36,10 @@ public:
     void reset();
 
 private:
-    /// A unit, what holds its base, N m/rad, and what that bears, N m.
     struct Joint {
-        unsigned unit = 0;
-        float stiffness = 0.0f, limit = 0.0f;
+        HeldJoint base;
         float moment = 0.0f; ///< When the tree last took a step, N m.
-        bool fails() const { return limit > 0.0f && moment > limit; }
+        bool fails() const { return base.limit > 0.0f && moment > base.limit; }
     };
     struct Tree {
         Joint roots, stem; ///< Both by the moment at the foot.

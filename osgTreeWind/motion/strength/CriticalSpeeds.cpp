@@ -36,12 +36,6 @@ double crossing(const std::vector<Point>& points) {
     return std::exp(points[0].speed - points[0].ratio / power);
 }
 
-std::optional<double> crossingOf(const Storms& storms, double limit) {
-    const std::vector<Point> points = byDistance(storms, limit);
-    const double speed = points.empty() ? CriticalSpeeds::fastest : crossing(points);
-    return speed < CriticalSpeeds::fastest ? std::optional(speed) : std::nullopt;
-}
-
 /// Adds storms until one is near.
 void approach(Storms& storms, const std::function<double(double)>& storm, double limit) {
     constexpr double near = 0.05; // of the moment: what is left is on a line
@@ -59,8 +53,14 @@ void approach(Storms& storms, const std::function<double(double)>& storm, double
 
 } // namespace
 
+std::optional<double> criticalSpeed(const Storms& storms, double limit) {
+    const std::vector<Point> points = byDistance(storms, limit);
+    const double speed = points.empty() ? CriticalSpeeds::fastest : crossing(points);
+    return speed < CriticalSpeeds::fastest ? std::optional(speed) : std::nullopt;
+}
+
 CriticalSpeeds criticalSpeeds(const Storms& storms, const TreeStrength& strength) {
-    return {crossingOf(storms, strength.uproot), crossingOf(storms, strength.breaking)};
+    return {criticalSpeed(storms, strength.uproot), criticalSpeed(storms, strength.breaking)};
 }
 
 CriticalSpeeds findCriticalSpeeds(const std::function<double(double)>& storm, const TreeStrength& strength) {

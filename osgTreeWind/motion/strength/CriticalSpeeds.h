@@ -19,8 +19,11 @@ struct CriticalSpeeds {
 /// By the mean wind of an hour, m/s, the largest moment at the foot of a tree in it, N m.
 using Storms = std::map<double, double>;
 
-/// From storms that there were: on a line through the logarithms of the two nearest to a limit, of a slope
-/// within 0.7 to 3; of slope 2 where there is but one.
+/// From storms that there were, the one in which the load is a limit: on a line through the logarithms of the
+/// two nearest to a limit, of a slope within 0.7 to 3; of slope 2 where there is but one. None: there is no
+/// limit, or it is above CriticalSpeeds::fastest.
+std::optional<double> criticalSpeed(const Storms& storms, double limit);
+/// The same for roots and stem.
 CriticalSpeeds criticalSpeeds(const Storms& storms, const TreeStrength& strength);
 
 /// Looks for them with a few storms. @param storm the largest moment in an hour of a mean wind.

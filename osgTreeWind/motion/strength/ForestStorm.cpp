@@ -41,7 +41,9 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
         _slots.push_back(slot);
         swaying.push_back(
             {{&model, &species, tree.scale, tree.leaves}, tree.position, tree.heading, ModalLevel::Far});
-        _feet.emplace_back(swaying.back().form);
+        const SwayingTree& form = swaying.back().form;
+        const std::vector<UnitLoad> loads = makeUnitLoads(model, form.scale, species, form.leaves);
+        _joints.push_back({{0, loads[0].stiffness, 0.0f}, thickestBoughs(form, loads)});
     }
     _canopy = canopyAround(standing, forest.description().windCanopy);
     auto resting = std::make_shared<ModalMotion>(swaying, 1.0f, std::move(executor));
@@ -49,20 +51,29 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
     _resting = std::move(resting);
 }
 
-std::vector<double> ForestStorm::hourOf(double speed, std::uint32_t seed) const {
+std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t seed) const {
     const CanopyWind wind(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed), *_canopy,
                           _canopy->reference, seed);
     ModalMotion motion(*_resting);
     motion.meet(&wind, 0.0);
     std::vector<float> leans(_slots.size(), 0.0f);
-    std::vector<double> largest(_slots.size(), 0.0);
+    std::vector<Loads> largest(_slots.size());
     const auto meetBatch = [&](std::size_t job) {
         for (std::size_t i = job * batch; i < std::min(_slots.size(), (job + 1) * batch); ++i) {
             const float lean = glm::length(motion.lean(i));
             if (lean < 0.8f * leans[i]) // no moment is at its largest where the top is not nearly so
                 continue;
             leans[i] = std::max(leans[i], lean);
-            largest[i] = std::max(largest[i], _feet[i].of(motion, i));
+            float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+            motion.poseVector(i, vector);
+            const auto momentAt = [&](const HeldJoint& base) {
+                return static_cast<double>(base.moment(motion, i, vector));
+            };
+            largest[i].foot = std::max(largest[i].foot, momentAt(_joints[i].foot));
+            for (const HeldJoint& bough : _joints[i].boughs)
+                if (bough.limit > 0.0f)
+                    largest[i].bough =
+                        std::max(largest[i].bough, momentAt(bough) / static_cast<double>(bough.limit));
         }
     };
     const int steps = static_cast<int>((settling + hour) / step);
@@ -71,7 +82,7 @@ std::vector<double> ForestStorm::hourOf(double speed, std::uint32_t seed) const 
         if (step * i > settling)
             _executor((_slots.size() + batch - 1) / batch, meetBatch);
     }
-    std::vector<double> bySlot(_forest.trees.size(), 0.0);
+    std::vector<Loads> bySlot(_forest.trees.size());
     for (std::size_t i = 0; i < _slots.size(); ++i)
         bySlot[_slots[i]] = largest[i];
     return bySlot;

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/forest/PlacedForest.h>
-#include <osgTreeWind/motion/damage/FootMoment.h>
+#include <osgTreeWind/motion/damage/HeldJoint.h>
 #include <osgTreeWind/wind/CanopyMap.h>
 
 #include <cstdint>
@@ -26,9 +26,13 @@ public:
     ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor,
                 std::size_t most = std::numeric_limits<std::size_t>::max());
 
-    /// The largest moment at the foot of each tree in an hour, N m, by slot; 0 where none sways.
-    /// @param speed m/s, above 0. @param seed of its gusts.
-    std::vector<double> hourOf(double speed, std::uint32_t seed) const;
+    /// The largest of an hour; 0 where no tree sways.
+    struct Loads {
+        double foot = 0.0;  ///< Moment at the foot, N m.
+        double bough = 0.0; ///< Of the moment at the base of a bough, over what it bears (thickestBoughs()).
+    };
+    /// By slot. @param speed m/s, above 0. @param seed of its gusts.
+    std::vector<Loads> hourOf(double speed, std::uint32_t seed) const;
 
     /// Per slot: the mean wind at the top of the stand that the tree is part of, at the top of the tree in
     /// the open, over that of the storm.
@@ -39,7 +43,11 @@ private:
     glm::vec3 _toward;
     Executor _executor;
     std::vector<std::size_t> _slots; ///< Of the trees that sway.
-    std::vector<FootMoment> _feet;
+    struct Joints {
+        HeldJoint foot;
+        std::vector<HeldJoint> boughs;
+    };
+    std::vector<Joints> _joints;                 ///< Of these trees.
     std::shared_ptr<const ModalMotion> _resting; ///< Of the trees, in that order.
     std::shared_ptr<const CanopyMap> _canopy;
 };
