@@ -51,7 +51,6 @@ public:
     Result<TreeId> addTree(const TreePlacement& placement);
     /// @return the problems; empty when it is done.
     Diagnostics removeTree(TreeId tree);
-    Diagnostics unloadTree(TreeId tree); ///< removeTree() of one that may come again with its tile.
     /// Moves it, or makes it another one, in full sway (ModalMotion::replace()); one of a tile is a tree of
     /// the forest's own from then on. @return as removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
@@ -82,8 +81,6 @@ public:
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
     void setWind(WindFieldPtr wind);
     WindFieldPtr wind() const; ///< Null: calm.
-    /// Its home.
-    const std::shared_ptr<GivenWind>& givenWind() const { return _wind; }
 
     /// As SimulationOptions::executor, from the next step on.
     void setExecutor(Executor executor);
@@ -119,6 +116,11 @@ public:
     /// One unit of a tree that stands there: the same numbers, at the cost of the units that carry it.
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
 
+    // The library's own: may change in any version.
+
+    Diagnostics unloadTree(TreeId tree); ///< removeTree() of one that may come again with its tile.
+    /// Home of wind().
+    const std::shared_ptr<GivenWind>& givenWind() const { return _wind; }
     /// The trees under the law `modal`, which also knows how closely each is followed; null under another
     /// law. They come and go through this class only.
     ModalMotion* modal();
@@ -126,7 +128,6 @@ public:
     /// The branches, where each has a state; null under `modal`.
     BranchwiseMotion* branches();
     const BranchwiseMotion* branches() const; ///< The same.
-
     /// Instead of advance(), for those who work out states elsewhere (gpu/branchwise/AnglePrePass.h): moves
     /// on to `time` and samples the wind. @return seconds to step, or nothing when the state is to be kept.
     std::optional<float> beginStep(double time);
