@@ -55,7 +55,8 @@ struct ForestDescription {
     MotionLaw law = MotionLaw::Modal; ///< How they move.
     /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
     float gain = 1.0f;
-    /// Whether the wind brings down trees that it pulls at beyond what roots and stems bear; `modal` alone.
+    /// Whether the wind brings down trees that it pulls at beyond what roots and stems bear, and in autumn
+    /// leaves that hang loose; `modal` alone.
     bool damage = false;
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;

@@ -41,7 +41,10 @@ const Fields& fieldsOf<ForestDescription>() {
         {"gain", at<&P::gain>, gains,
          "on how far the laws `\"modal\"` and `\"damped\"` bend trees: 1 is physical; more exaggerates for "
          "the eye, at the same pace"},
-        {"damage", at<&P::damage>, {}, "whether the wind brings trees down (risk.md); law `\"modal\"` alone"},
+        {"damage",
+         at<&P::damage>,
+         {},
+         "whether the wind brings trees down, and leaves in autumn (risk.md); law `\"modal\"` alone"},
     };
     return fields;
 }

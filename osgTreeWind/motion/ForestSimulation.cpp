@@ -17,6 +17,7 @@ namespace osgTreeWind {
 
 namespace {
 
+constexpr std::size_t baredAtOnce = 16;  // trees
 constexpr std::size_t largeForest = 256; // trees; below it threads cost more than they give
 
 PlacedForest placed(ForestDescription&& description, const SimulationOptions& options) {
@@ -68,7 +69,9 @@ ForestSimulation::ForestSimulation(ForestDescription description, const Simulati
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
     : _forest(other._forest), _lent(other._lent), _motion(other._motion->restarted(_forest)),
       _wind(std::make_shared<GivenWind>(other._wind->get())), _amongTrees(std::make_unique<WindAmongTrees>()),
-      _damage(damageOf(description())) {}
+      _damage(damageOf(description())) {
+    regrow();
+}
 
 ForestSimulation::~ForestSimulation() = default;
 
@@ -149,8 +152,19 @@ void ForestSimulation::treeChanged(std::size_t slot) {
     modal()->putUpright(slot);
 }
 
+/// The leaves that the wind has shed.
+void ForestSimulation::regrow() {
+    if (!_damage)
+        return;
+    _damage->reset();
+    _forest.setSeason(season());
+    _motion->followSeason();
+}
+
 void ForestSimulation::setSeason(float season) {
     _forest.setSeason(season);
+    if (_damage)
+        _damage->shedAgain(_forest);
     _motion->followSeason();
     _amongTrees->allTreesChanged();
 }
@@ -184,8 +198,7 @@ Executor ForestSimulation::executor() const {
 void ForestSimulation::reset() {
     _motion->reset();
     _amongTrees->reset();
-    if (_damage)
-        _damage->reset();
+    regrow();
     _time.reset();
 }
 
@@ -226,8 +239,10 @@ bool ForestSimulation::advance(double time) {
         _motion->step(wind.get(), time, *elapsed);
     else
         _motion->meet(wind.get(), time); // for the next step to start from
-    if (_damage && *elapsed > 0.0f)
+    if (_damage && *elapsed > 0.0f) {
         _damage->follow(_forest, *modal(), *elapsed, executorFor(_lent, trees().size()));
+        _motion->followLeaves(_damage->bared(_forest, baredAtOnce));
+    }
     return *elapsed > 0.0f;
 }
 

@@ -137,6 +137,7 @@ private:
     std::optional<float> elapsedAt(double time);
     WindFieldPtr windHere();
     void treeChanged(std::size_t slot);
+    void regrow();
 
     PlacedForest _forest;
     Executor _lent;

@@ -2,9 +2,25 @@
 #include <osgTreeWind/drawing/stand/StandResources.h>
 
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 
 namespace osgTreeWind {
+
+namespace {
+
+/// With what the season leaves a tree, and the wind may. @param wanted models and tiers.
+void want(const ForestSimulation& simulation, std::size_t model, const LeafFall& leaves, float summerLeaves,
+          std::set<std::pair<std::size_t, Tier>>& wanted) {
+    const auto picture = [&](float ahead) {
+        return static_cast<int>(impostorTier(summerLeaves * leaves.share(simulation.season(), ahead)));
+    };
+    const float most = simulation.description().damage ? LeafFall::most : 0.0f;
+    for (int tier = picture(0.0f); tier <= picture(most); ++tier)
+        wanted.emplace(model, static_cast<Tier>(tier));
+}
+
+} // namespace
 
 StandResources::StandResources(const ForestSimulation& simulation)
     : models(simulation.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
@@ -32,23 +48,25 @@ void StandResources::followSeason(const ForestSimulation& simulation) {
     const std::vector<Species>& species = simulation.description().species;
     for (std::size_t i = 0; i < looks.size(); ++i)
         looks[i].showSeason(species[i].appearance, simulation.season());
-    std::set<std::pair<std::size_t, Tier>> wanted;
+    std::vector<LeafFall> leaves;
+    for (const Species& each : species)
+        leaves.emplace_back(each);
+    Pictures wanted;
     for (std::size_t model = 0; model < models.size(); ++model) // of trees that may come
-        wanted.emplace(model,
-                       impostorTier(leafShare(species[simulation.forest().speciesOfModel(model)].appearance,
-                                              simulation.season())));
+        want(simulation, model, leaves[simulation.forest().speciesOfModel(model)], 1.0f, wanted);
     for (const PlacedTree& tree : simulation.trees())
         if (tree.alive)
-            wanted.emplace(tree.model, impostorTier(tree.leaves));
+            want(simulation, tree.model, leaves[tree.species], tree.summerLeaves, wanted);
     paintImpostors(simulation, wanted);
 }
 
 void StandResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
-    paintImpostors(simulation, {{tree.model, impostorTier(tree.leaves)}});
+    Pictures wanted;
+    want(simulation, tree.model, LeafFall(simulation.forest().speciesOf(tree)), tree.summerLeaves, wanted);
+    paintImpostors(simulation, wanted);
 }
 
-void StandResources::paintImpostors(const ForestSimulation& simulation,
-                                    const std::set<std::pair<std::size_t, Tier>>& wanted) {
+void StandResources::paintImpostors(const ForestSimulation& simulation, const Pictures& wanted) {
     const DrawingOptions& drawing = simulation.description().drawing;
     std::vector<std::pair<std::size_t, Tier>> missing;
     for (const auto& [model, tier] : wanted)

@@ -33,9 +33,9 @@ struct StandResources {
     std::vector<osg::Object*> glObjects() const;
 
 private:
-    /// Those of them that are not painted yet. @param wanted models and tiers.
-    void paintImpostors(const ForestSimulation& simulation,
-                        const std::set<std::pair<std::size_t, Tier>>& wanted);
+    using Pictures = std::set<std::pair<std::size_t, Tier>>; ///< By model.
+    /// Those of them that are not painted yet.
+    void paintImpostors(const ForestSimulation& simulation, const Pictures& wanted);
 };
 
 } // namespace osgTreeWind

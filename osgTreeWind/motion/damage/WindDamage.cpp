@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/damage/WindDamage.h>
 
 #include <osgTreeWind/motion/damage/TreeStrength.h>
+#include <osgTreeWind/species/Season.h>
 
 #include <glm/geometric.hpp>
 
@@ -16,6 +17,7 @@ constexpr std::size_t batch = 256;
 constexpr float stump = 1.3f; // metres; TreeStrength
 // Share of what its stem bears, below which no bough fails: they have had at most 1.2 of its share.
 constexpr float gentle = 0.3f;
+constexpr float fewLeaves = 0.05f; // share of them: a tree sways on as if it had not lost that
 
 SwayingTree formOf(const PlacedForest& forest, const PlacedTree& tree) {
     return {&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves};
@@ -53,6 +55,7 @@ WindDamage::Tree WindDamage::treeOf(const PlacedForest& forest, const PlacedTree
     const TreeStrength strength(*form.model, form.scale, *form.species);
     Tree result;
     result.age = 0.0f;
+    result.leaves = tree.leaves;
     result.roots.base = {0, loads[0].stiffness, static_cast<float>(strength.uproot)};
     result.stem.base = {unitAtBreast(forest, tree), loads[0].stiffness,
                         static_cast<float>(strength.breaking)};
@@ -61,8 +64,8 @@ WindDamage::Tree WindDamage::treeOf(const PlacedForest& forest, const PlacedTree
     return result;
 }
 
-void WindDamage::meet(const PlacedForest& forest, const ModalMotion& sway, std::size_t slot, float seconds,
-                      Tree& tree) {
+void WindDamage::meet(PlacedForest& forest, const ModalMotion& sway, std::size_t slot, float seconds) {
+    Tree& tree = _trees[slot];
     if (tree.age < 0.0f)
         tree = treeOf(forest, forest.trees[slot]);
     tree.age += seconds;
@@ -79,16 +82,50 @@ void WindDamage::meet(const PlacedForest& forest, const ModalMotion& sway, std::
     const bool isGentle = tree.stem.moment < gentle * tree.stem.base.limit;
     for (Joint& bough : tree.boughs)
         bough.moment = isGentle ? 0.0f : momentAt(bough.base);
+    const LeafFall& leaves = _leafFalls[forest.trees[slot].species];
+    if (!leaves.someHangLoose(forest.season()))
+        return;
+    tree.shed = std::max(tree.shed, leaves.ahead(glm::length(meanWind(sway, slot, forest.trees[slot]))));
+    shed(forest, slot);
 }
 
-void WindDamage::follow(const PlacedForest& forest, ModalMotion& sway, float seconds,
-                        const Executor& executor) {
+void WindDamage::shed(PlacedForest& forest, std::size_t slot) const {
+    PlacedTree& tree = forest.trees[slot];
+    tree.leaves = tree.summerLeaves * _leafFalls[tree.species].share(forest.season(), _trees[slot].shed);
+}
+
+void WindDamage::shedAgain(PlacedForest& forest) {
+    for (std::size_t slot = 0; slot < _trees.size(); ++slot) {
+        if (forest.season() < midsummer) // others have grown
+            _trees[slot].shed = 0.0f;
+        if (forest.trees[slot].alive && _trees[slot].shed > 0.0f)
+            shed(forest, slot);
+    }
+}
+
+std::vector<std::size_t> WindDamage::bared(const PlacedForest& forest, std::size_t most) {
+    std::vector<std::size_t> slots;
+    for (std::size_t i = 0; i < _trees.size() && slots.size() < most; ++i) {
+        _nextBared = (_nextBared + 1) % _trees.size();
+        const PlacedTree& tree = forest.trees[_nextBared];
+        Tree& known = _trees[_nextBared];
+        if (!tree.alive || known.age < 0.0f || known.leaves - tree.leaves < fewLeaves)
+            continue;
+        known.leaves = tree.leaves;
+        slots.push_back(_nextBared);
+    }
+    return slots;
+}
+
+void WindDamage::follow(PlacedForest& forest, ModalMotion& sway, float seconds, const Executor& executor) {
     _broken.clear();
     _trees.resize(forest.trees.size());
+    for (std::size_t i = _leafFalls.size(); i < forest.description().species.size(); ++i)
+        _leafFalls.emplace_back(forest.description().species[i]);
     const auto meetBatch = [&](std::size_t job) {
         for (std::size_t slot = job * batch; slot < std::min(_trees.size(), (job + 1) * batch); ++slot)
             if (forest.trees[slot].alive && !_trees[slot].isDown)
-                meet(forest, sway, slot, seconds, _trees[slot]);
+                meet(forest, sway, slot, seconds);
     };
     (executor ? executor : Executor(runInTurn))((_trees.size() + batch - 1) / batch, meetBatch);
     for (std::size_t slot = 0; slot < _trees.size(); ++slot)

@@ -8,6 +8,7 @@
 #include <osgTreeWind/wind/WindField.h>
 
 #include <memory>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -38,6 +39,8 @@ public:
     virtual void standIn(const CanopyMap&) {}
     /// Trees bear other leaves by now, and follow in full sway.
     virtual void followSeason() = 0;
+    /// Some of them do, at once.
+    virtual void followLeaves(const std::vector<std::size_t>&) {}
 
     /// Puts up a tree at rest. @return its slot, for the forest to put it into.
     virtual Result<std::size_t> add(const PlacedTree& tree) = 0;

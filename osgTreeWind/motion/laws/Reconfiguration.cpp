@@ -21,6 +21,10 @@ glm::vec4 Reconfiguration::pull(const glm::vec3& wind) const {
     return Laws().foliagePull(wind, streamlining, breezeStreamlining, streamlinedTo, mostPull);
 }
 
+float Reconfiguration::drag(float speed) const {
+    return Laws().foliageDrag(streamlining, breezeStreamlining, streamlinedTo, speed);
+}
+
 glm::quat drawnLeafTurn(const glm::quat& orientation, const glm::vec4& state, const glm::vec4& pull) {
     const glm::vec4 q =
         Laws().downwindTurn(orientation * glm::vec3(0.0f, 0.0f, 1.0f), state.w * glm::vec3(pull));

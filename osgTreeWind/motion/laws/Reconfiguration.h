@@ -24,6 +24,8 @@ struct Reconfiguration {
     /// Toward where a wind draws petioles, in its axes, and how wide blades stay open, (0, 1].
     /// @param wind m/s; what is no wind on earth counts as one of 200 m/s, what is no number as calm.
     glm::vec4 pull(const glm::vec3& wind) const;
+    /// Of foliage by the wind's pressure, over that in a calm, (0, 1].
+    float drag(float speed) const;
 };
 
 /// Of a calm, and on bare twigs.

@@ -92,6 +92,11 @@ void ModalForest::followOn() {
         _behind = slots[ready];
 }
 
+void ModalForest::followLeaves(const std::vector<std::size_t>& slots) {
+    for (const std::size_t slot : slots)
+        _sway.replace(slot, swaying(_forest.trees[slot]));
+}
+
 Diagnostics ModalForest::remove(std::size_t slot) {
     _sway.remove(slot);
     _values.erase(slot);

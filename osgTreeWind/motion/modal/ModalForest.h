@@ -29,6 +29,7 @@ public:
     /// `treesAtOnce` at most, with `archetypesAtOnce` new archetypes, and as many in each step that comes.
     void followSeason() override;
     static constexpr std::size_t treesAtOnce = 256, archetypesAtOnce = 2;
+    void followLeaves(const std::vector<std::size_t>& slots) override;
     Result<std::size_t> add(const PlacedTree& tree) override { return _sway.add(swaying(tree)); }
     Diagnostics remove(std::size_t slot) override;
     Diagnostics replace(std::size_t slot, const PlacedTree& tree) override;
