@@ -117,10 +117,8 @@ public:
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
 
     // The library's own: may change in any version.
-
     Diagnostics unloadTree(TreeId tree); ///< removeTree() of one that may come again with its tile.
-    /// Home of wind().
-    const std::shared_ptr<GivenWind>& givenWind() const { return _wind; }
+    const std::shared_ptr<GivenWind>& givenWind() const { return _wind; } ///< Home of wind().
     /// The trees under the law `modal`, which also knows how closely each is followed; null under another
     /// law. They come and go through this class only.
     ModalMotion* modal();
