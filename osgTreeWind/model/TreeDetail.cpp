@@ -9,14 +9,6 @@
 namespace osgTreeWind {
 namespace {
 
-/// Middle of the first quads of a cluster.
-glm::vec3 middle(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int quads) {
-    glm::vec3 sum(0.0f);
-    for (int i = 0; i < 4 * quads; ++i)
-        sum += mesh[static_cast<std::size_t>(i)].corner;
-    return sum / static_cast<float>(4 * quads);
-}
-
 /// Van der Corput's: in every run of indices even in [0, 1).
 double evenly(std::uint32_t index) {
     double value = 0.0;
@@ -28,10 +20,10 @@ double evenly(std::uint32_t index) {
 } // namespace
 
 TreeDetail TreeDetail::reduced(int times) {
-    constexpr TreeDetail details[reductions] = {{{5, 5}, 0.0006f, 1.0f, 2, 1.15f},
-                                                {{4, 4}, 0.0008f, 0.62f, 2, 1.15f},
+    constexpr TreeDetail details[reductions] = {{{5, 5}, 0.0006f, 1.0f, 2, 1.0f},
+                                                {{4, 4}, 0.0008f, 0.62f, 2, 1.05f},
                                                 {{3, 4}, 0.001f, 0.42f, 3, 1.15f},
-                                                {{2, 3}, 0.0014f, 0.27f, 4, 1.15f}};
+                                                {{2, 3}, 0.0014f, 0.27f, 4, 1.05f}};
     return details[glm::clamp(times, 1, reductions) - 1];
 }
 
@@ -54,13 +46,26 @@ ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
     if (kept <= 0.0)
         return thinned;
     const auto growth = static_cast<float>(std::sqrt(static_cast<double>(detail.leafArea) * area / kept));
-    const glm::vec3 before = middle(mesh, quadsPerLeafCluster),
-                    after = growth * middle(mesh, thinned.quads());
-    for (LeafCluster& leaf : thinned.clusters) {
-        leaf.anchor += leaf.size * (leaf.orientation * (before - after));
+    constexpr float beyond = 0.4f; // crowns reach out hardly farther
+    const glm::vec3 before = middleOf(mesh, 0, quadsPerLeafCluster);
+    float tip = 0.0f;
+    for (const LeafVertex& v : mesh)
+        tip = glm::max(tip, v.corner.z);
+    const glm::vec3 inward{0.0f, 0.0f, 0.5f * beyond * (growth - 1.0f) * tip};
+    for (std::size_t i = 0; i < thinned.clusters.size(); ++i) {
+        LeafCluster& leaf = thinned.clusters[i];
+        const glm::vec3 after = growth * middleOf(mesh, thinned.firstQuad(i), thinned.quads());
+        leaf.anchor += leaf.size * (leaf.orientation * (before - after - inward));
         leaf.size *= growth;
     }
     return thinned;
+}
+
+glm::vec3 middleOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int firstQuad, int quads) {
+    glm::vec3 sum(0.0f);
+    for (int i = 4 * firstQuad; i < 4 * (firstQuad + quads); ++i)
+        sum += mesh[static_cast<std::size_t>(i)].corner;
+    return sum / static_cast<float>(4 * quads);
 }
 
 BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail) {

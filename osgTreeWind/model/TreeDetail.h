@@ -30,16 +30,22 @@ struct ThinnedLeaves {
     std::vector<std::uint32_t> indices; ///< Of each among all: phases and colours follow it.
     int bough = 1;                      ///< As of TreeDetail.
 
-    /// Of each, the first ones of the mesh.
+    /// Of each, those of the mesh from this one on: one by turns, so that together they face as all do.
     int quads() const { return bough > 1 ? 1 : quadsPerLeafCluster; }
+    int firstQuad(std::size_t i) const {
+        return bough > 1 ? static_cast<int>(indices[i] % quadsPerLeafCluster) : 0;
+    }
 };
 
 /// Some clusters, as even a sample of them all as of those on each unit, and the more of them the others
-/// among them, enlarged about their middles so that all together have the area that `detail` says. Where all
+/// among them, enlarged about their outer halves so that all together have the area that `detail` says. Where all
 /// are kept they stay as they are, to the bit.
 ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                             const TreeDetail& detail);
+
+/// Middle of some quads of a cluster.
+glm::vec3 middleOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, int firstQuad, int quads);
 
 /// As `detail` says.
 BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail);

@@ -30,11 +30,9 @@ std::size_t verticesOf(const TreeDetail& detail) {
 }
 
 /// Of the cluster's quads.
-glm::vec3 middleOf(const LeafCluster& leaf, int quads) {
-    glm::vec3 sum(0.0f);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(4 * quads); ++i)
-        sum += leaf.anchor + leaf.size * (leaf.orientation * reference().leafMesh[i].corner);
-    return sum / static_cast<float>(4 * quads);
+glm::vec3 middleOf(const LeafCluster& leaf, int firstQuad, int quads) {
+    return leaf.anchor +
+           leaf.size * (leaf.orientation * osgTreeWind::middleOf(reference().leafMesh, firstQuad, quads));
 }
 
 double areaOf(const std::vector<LeafCluster>& leaves, int quads) {
@@ -128,7 +126,7 @@ TEST(TreeDetail, KeptClustersSpreadEvenlyOverUnits) {
     }
 }
 
-TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirMiddlesAndTheirNames) {
+TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirPlacesAndTheirNames) {
     for (const int bough : {1, 2, 4}) {
         TreeDetail detail;
         detail.leafShare = 0.2f;
@@ -142,8 +140,24 @@ TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirMiddlesAndTheirNames) {
             const LeafCluster& original = reference().leaves[leaves.indices[i]];
             ASSERT_EQ(leaves.clusters[i].unit, original.unit);
             ASSERT_EQ(leaves.clusters[i].orientation, original.orientation);
-            ASSERT_LT(glm::distance(middleOf(leaves.clusters[i], quads), middleOf(original, 3)), 1e-4f);
+            const glm::vec3 moved =
+                glm::conjugate(original.orientation) *
+                (middleOf(leaves.clusters[i], leaves.firstQuad(i), quads) - middleOf(original, 0, 3));
+            ASSERT_LT(glm::length(glm::vec2(moved)), 1e-4f);
+            ASSERT_LT(moved.z, 0.0f) << "inward: what is larger reaches out hardly farther";
+            ASSERT_GT(moved.z, -0.5f * leaves.clusters[i].size * 0.5f);
         }
+    }
+}
+
+TEST(TreeDetail, QuadsOfReducedTreesFaceAsAllDo) {
+    for (int times = 1; times <= TreeDetail::reductions; ++times) {
+        const ThinnedLeaves leaves = thinned(TreeDetail::reduced(times));
+        std::array<int, quadsPerLeafCluster> taken{};
+        for (std::size_t i = 0; i < leaves.clusters.size(); ++i)
+            ++taken[static_cast<std::size_t>(leaves.firstQuad(i))];
+        for (const int count : taken)
+            EXPECT_NEAR(3.0 * count / static_cast<double>(leaves.clusters.size()), 1.0, 0.05) << times;
     }
 }
 

@@ -157,7 +157,7 @@ LeafEdges EdgePicture::cards(int reductions) const {
     forEachLeafQuad(few, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                              const glm::vec3& across, const glm::vec3& along) {
         const LeafAtlas::Choice choice = LeafAtlas::choose(thinned.indices[cluster], 0);
-        if (quad == 0)
+        if (static_cast<int>(quad) == thinned.firstQuad(cluster))
             drawPiece(*this, corner, across, along, masks[choice.variant % 2], sampled, choice.mirrored);
     });
     return measured(sampled);

@@ -28,6 +28,19 @@ float meanAlpha(const LeafTexels& texels) {
     return static_cast<float>(sum / static_cast<double>(texels.texels.size()));
 }
 
+/// Rows of segments of fronds, two and two on one rib.
+std::vector<SprayPlace> placesOnRibs(std::size_t sprays, int rows) {
+    std::vector<SprayPlace> places;
+    for (int i = 0; i < rows * rows; ++i) {
+        const float up = (i / rows) % 2 == 0 ? -1.0f : 1.0f;
+        places.push_back({(glm::vec2(i % rows, i / rows) + 0.5f) / static_cast<float>(rows),
+                          {0.0f, up},
+                          static_cast<std::size_t>(i) % sprays,
+                          up});
+    }
+    return places;
+}
+
 /// So many rows and columns, not quite; tips point away from the foot of the card.
 std::vector<SprayPlace> placesOf(std::size_t sprays, int rows, int growth, int variant) {
     Random random(17 + static_cast<std::uint64_t>(100 * growth + variant));
@@ -75,8 +88,8 @@ void paint(const LeafTexels& spray, const SprayPlace& place, float size, LeafTex
 
 } // namespace
 
-LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& full, int growth,
-                      int variant) {
+LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& full, int growth, int variant,
+                      bool onRibs) {
     std::vector<LeafTexels> small; // about a texel of theirs on one of the card's
     for (LeafTexels spray : sparse) {
         for (int shrunk = growth; shrunk > 1; shrunk /= 2)
@@ -85,7 +98,8 @@ LeafTexels paintBough(const std::vector<LeafTexels>& sparse, const LeafTexels& f
     }
     const float wanted = meanAlpha(full), each = glm::max(meanAlpha(sparse.front()), 0.01f);
     const int rows = static_cast<int>(std::lround(static_cast<float>(growth) * std::sqrt(wanted / each)));
-    const std::vector<SprayPlace> places = placesOf(sparse.size(), rows, growth, variant);
+    const std::vector<SprayPlace> places =
+        onRibs ? placesOnRibs(sparse.size(), rows) : placesOf(sparse.size(), rows, growth, variant);
     float size = 1.0f / static_cast<float>(growth);
     for (int step = 0;; ++step) {
         LeafTexels card(full.size);

@@ -47,13 +47,13 @@ glm::vec2 LeafAtlas::onBough(int growth, std::size_t cluster, const glm::vec2& o
 }
 
 osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays,
-                                       const std::vector<LeafTexels>& sparse) {
+                                       const std::vector<LeafTexels>& sparse, bool onRibs) {
     std::vector<std::pair<LeafAtlas::Cell, std::vector<LeafTexels>>> cells;
     for (int i = 0; i < LeafAtlas::sprays; ++i)
         cells.emplace_back(LeafAtlas::spray(i), leafMipmaps(sprays[static_cast<std::size_t>(i)]));
     for (const auto& [growth, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
         cells.emplace_back(LeafAtlas::bough(growth, variant),
-                           leafMipmaps(paintBough(sparse, sprays.front(), growth, variant)));
+                           leafMipmaps(paintBough(sparse, sprays.front(), growth, variant, onRibs)));
     const int size = 2 * sprays.front().size;
     std::vector<unsigned char> bytes;
     osg::Image::MipmapDataType offsets;

@@ -43,8 +43,8 @@ struct LeafAtlas {
 };
 
 /// As RGBA8 with levels down to one texel, those of each card as leafMipmaps() has them.
-/// @param sparse what boughs are painted of.
+/// @param sparse what boughs are painted of. @param onRibs as of paintBough().
 osg::ref_ptr<osg::Image> makeLeafAtlas(const std::array<LeafTexels, LeafAtlas::sprays>& sprays,
-                                       const std::vector<LeafTexels>& sparse);
+                                       const std::vector<LeafTexels>& sparse, bool onRibs = false);
 
 } // namespace osgTreeWind

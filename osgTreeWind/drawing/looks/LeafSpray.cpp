@@ -56,7 +56,7 @@ constexpr Habit habits[] = {
     {8, 3, 0.9f, true, 0.1f, 0.2f, 1.2f, 0.2f, 0.15f, 0.45f},      // fingered
     {10, 4, 1.0f, false, 0.1f, 0.1f, 0.9f, 0.11f, 0.08f, 0.9f},    // fan: bunches on spurs
     {11, 4, 0.75f, false, 0.0f, 0.007f, 0.9f, 0.05f, 0.0f, 0.5f},  // needles
-    {9, 4, 0.75f, false, 0.3f, 0.009f, 0.55f, 0.13f, 0.0f, 0.6f},  // bundles
+    {9, 4, 0.75f, false, 0.3f, 0.013f, 0.55f, 0.13f, 0.0f, 0.6f},  // bundles
     {8, 4, 0.9f, false, 0.05f, 0.06f, 0.9f, 0.06f, 0.0f, 0.8f},    // tufts
     {0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},       // frond
     {10, 5, 1.0f, false, 0.2f, 0.045f, 0.9f, 0.19f, 0.03f, 0.55f}, // pointed
@@ -97,10 +97,12 @@ public:
                   [](const Leaf& a, const Leaf& b) { return a.rank < b.rank; });
         SprayCover cover;
         spray.twigs = cover.fitTwigs(std::move(spray.twigs), _share * twigCoverage(_form));
-        // Leaves grow where there is light: first those with room, then what else there is.
+        // Leaves grow where there is light: first those with room, then what else there is. Some hide what
+        // twigs do where they are bare (SprayCanvas).
+        const float wanted = _share * (leafCoverage(_form) + 0.15f * twigCoverage(_form));
         for (const float room : {0.75f, 0.4f, 0.0f})
             for (Leaf& leaf : _leaves)
-                if (cover.leaves() < _share * leafCoverage(_form) && hasRoom(cover, leaf, room))
+                if (cover.leaves() < wanted && hasRoom(cover, leaf, room))
                     for (; leaf.first < leaf.end; ++leaf.first) {
                         cover.addLeaf(_outline, _blades[leaf.first]);
                         spray.blades.push_back(_blades[leaf.first]);

@@ -16,7 +16,7 @@ namespace {
 // In leaf, twigs are dark and brownish between the leaves.
 constexpr float twigBrightness = 0.4f, twigHue = 0.75f;
 /// Bare twigs stand for many finer ones, among leaves for themselves.
-constexpr float widthInLeaf = 0.75f;
+constexpr float widthInLeaf = 0.4f;
 
 } // namespace
 

@@ -57,14 +57,16 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
     if (!appearance.leafImage.empty())
         if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
             return picture;
-    constexpr float sparse = 0.4f; // so that none shows as a whole on a bough
+    constexpr float sparse = 0.6f; // so that none shows as a whole on a bough
     static PaintedOnce<LeafForm, leafForms> images;
     return images.image(appearance.leafForm, [](LeafForm form) {
         const auto card = [&](int variant, float share) {
             return paintSpray(form, growSpray(form, variant, share));
         };
-        return makeLeafAtlas({card(0, 1.0f), card(1, 1.0f), card(2, 1.0f)},
-                             {card(0, sparse), card(3, sparse)});
+        const bool onRibs = form == LeafForm::Frond;
+        const float share = onRibs ? 1.0f : sparse;
+        return makeLeafAtlas({card(0, 1.0f), card(1, 1.0f), card(2, 1.0f)}, {card(0, share), card(3, share)},
+                             onRibs);
     });
 }
 

@@ -62,9 +62,6 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown) {
     const auto cornerCount = static_cast<std::size_t>(4 * leaves.quads());
-    glm::vec3 middle(0.0f);
-    for (std::size_t corner = 0; corner < cornerCount; ++corner)
-        middle += mesh[corner].corner / static_cast<float>(cornerCount);
     osg::ref_ptr<osg::Vec4Array> anchors = new osg::Vec4Array, ids = new osg::Vec4Array,
                                  orientations = new osg::Vec4Array, normals = new osg::Vec4Array,
                                  crowns = new osg::Vec4Array;
@@ -72,10 +69,11 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
     for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
         const LeafCluster& leaf = leaves.clusters[i];
         const std::uint32_t index = leaves.indices[i];
-        const glm::vec3 outward = crown.outward(leaf.anchor);
+        const int quad = leaves.firstQuad(i);
+        const glm::vec3 outward = crown.outward(leaf.anchor), middle = middleOf(mesh, quad, leaves.quads());
         const glm::vec2 shade = packed(crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle)));
         for (std::size_t corner = 0; corner < cornerCount; ++corner) {
-            const LeafVertex& v = mesh[corner];
+            const LeafVertex& v = mesh[static_cast<std::size_t>(4 * quad) + corner];
             anchors->push_back({leaf.anchor.x, leaf.anchor.y, leaf.anchor.z, leaf.size});
             corners->push_back(toOsg(v.corner));
             const glm::vec2 uv = leaves.bough > 1 ? LeafAtlas::onBough(leaves.bough, index, v.uv)

@@ -118,7 +118,7 @@ TEST_P(LeafSprayOf, StaysFinelyCutInSmallerLevels) {
 
 TEST_P(LeafSprayOf, BoughsBearAsManyLeavesAsTheirSize) {
     const LeafTexels full = painted(form(), 0);
-    const std::vector<LeafTexels> sparse{paintSpray(form(), growSpray(form(), 0, 0.4f))};
+    const std::vector<LeafTexels> sparse{paintSpray(form(), growSpray(form(), 0, 0.6f))};
     for (const int growth : {2, 3, 4}) {
         const LeafTexels bough = paintBough(sparse, full, growth, 0);
         EXPECT_EQ(bough.size, full.size / 2);

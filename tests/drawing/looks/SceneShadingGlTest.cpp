@@ -178,7 +178,7 @@ TEST_F(SceneShadingGlTest, withoutLightingNoLightCounts) {
 
 TEST_F(SceneShadingGlTest, aLampLightsWhatIsInItsConeAndNear) {
     osg::ref_ptr<osg::LightSource> source =
-        lightSource(0, osg::Vec4(0, -30, 2.5f, 1), osg::Vec4(0.8f, 0.8f, 0.8f, 1));
+        lightSource(0, osg::Vec4(0, -30, 2.5f, 1), osg::Vec4(4, 4, 4, 1)); // 8 bits are coarse
     light(source);
     osg::Light& lamp = *source->getLight();
     const osg::Vec3d open = meanColour(*picture());
