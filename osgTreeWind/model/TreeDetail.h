@@ -38,8 +38,8 @@ struct ThinnedLeaves {
 };
 
 /// Some clusters, as even a sample of them all as of those on each unit, and the more of them the others
-/// among them, enlarged about their outer halves so that all together have the area that `detail` says. Where all
-/// are kept they stay as they are, to the bit.
+/// among them, enlarged about their outer halves so that all together have the area that `detail` says. Where
+/// all are kept they stay as they are, to the bit.
 ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,
                             const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                             const TreeDetail& detail);
