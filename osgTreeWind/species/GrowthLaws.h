@@ -24,9 +24,9 @@ bool growsByCompany(const Species& species);
 double stemModulus(const WoodParameters& wood, double slenderness);
 
 /// Mass of all branch wood with its bark, kg.
-/// @param diameter of the trunk at breast height, metres. @param trunk its mass, kg. @param drawn mass of the
-/// branches of the model, kg.
-double branchWoodMass(const WoodParameters& wood, double diameter, double trunk, double drawn);
+/// @param diameter of the trunk at breast height, metres. @param height of the tree, metres. @param trunk its
+/// mass, kg. @param drawn mass of the branches of the model, kg.
+double branchWoodMass(const WoodParameters& wood, double diameter, double height, double trunk, double drawn);
 
 /// Moment at the foot of a trunk that overturns the tree, in proportion to the mass of its stem, N m; 0: it
 /// stands on rock.

@@ -9,10 +9,10 @@
 
 namespace osgTreeWind {
 
-/// What tells the mass of branches; the last two: Jenkins et al. 2003.
+/// What tells the mass of branches; trees that were weighed (GrowthLaws.h).
 enum class WoodAllometry {
     Drawn,     ///< The branches of the model.
-    Conifer,   ///< Share of a softwood's branches, by diameter.
+    Conifer,   ///< A softwood's, by diameter and height.
     Broadleaf, ///< A hardwood's total by diameter less its trunk; not less than drawn.
 };
 

@@ -90,8 +90,8 @@ const Fields& fieldsOf<WoodParameters>() {
         {"branch_wood",
          at<&P::branchWood>,
          {},
-         "how much wood is in branches: as drawn, or by the diameter of the trunk as in softwoods or in "
-         "hardwoods (Jenkins et al. 2003)",
+         "how much wood is in branches: as drawn, or by diameter and height as in softwoods (BAAD), or by "
+         "diameter as in hardwoods (Jenkins et al. 2003)",
          "",
          inOrder({"drawn", "conifer", "broadleaf"})},
     };

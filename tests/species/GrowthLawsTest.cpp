@@ -162,11 +162,30 @@ TEST(GrowthLaws, AStemIsSofterThanItsClearWood) {
     EXPECT_LT(overBark, 6.4e9);
 }
 
-TEST(GrowthLaws, ConifersBearTheBranchesOfSoftwoods) {
-    // Jenkins et al. 2003 at 35 cm: stem wood 0.65, bark 0.12, needles 0.06, the rest branches.
+TEST(GrowthLaws, ConifersBearTheBranchesThatWereWeighed) {
+    // Geometric means of trees of BAAD (Falster et al. 2015): diameter, height, dry branches.
     WoodParameters wood;
     wood.branchWood = WoodAllometry::Conifer;
-    EXPECT_NEAR(branchWoodMass(wood, 0.35, 1000.0, 5.0) / 1000.0, 0.168 / 0.773, 0.003);
+    wood.density = 400.0f; // as of dry wood
+    const auto expectNear = [&](double diameter, double height, double measured) {
+        EXPECT_NEAR(std::log(branchWoodMass(wood, diameter, height, 100.0, 5.0) / measured), 0.0, 0.25)
+            << measured << " kg";
+    };
+    expectNear(0.207, 18.7, 13.5); // 140 Norway spruces, Burger 1953
+    expectNear(0.236, 16.0, 27.4); // 88 of ten conifers, Brown 1978
+    expectNear(0.356, 26.7, 80.7); // 57 pines and Douglas firs, Monserud and Marshall 1999
+    expectNear(0.306, 28.7, 36.4); // 24 Norway spruces, Kantola and Makela 2004
+}
+
+TEST(GrowthLaws, SlenderConifersBearFewBranches) {
+    WoodParameters wood;
+    wood.branchWood = WoodAllometry::Conifer;
+    const auto mass = [&](double diameter, double height) {
+        return branchWoodMass(wood, diameter, height, 100.0, 5.0);
+    };
+    EXPECT_NEAR(mass(0.2, 24.0) / mass(0.2, 12.0), std::pow(2.0, -0.91), 1e-9);
+    EXPECT_EQ(mass(0.1, 20.0), mass(0.1, 15.0)); // no tree that was weighed is more slender
+    EXPECT_EQ(mass(0.0, 0.0), 0.0);
 }
 
 TEST(GrowthLaws, BroadleavesBearWhatTheirTrunkLeavesOfTheTotal) {
@@ -174,10 +193,10 @@ TEST(GrowthLaws, BroadleavesBearWhatTheirTrunkLeavesOfTheTotal) {
     WoodParameters wood;
     wood.density = 1000.0f;
     wood.branchWood = WoodAllometry::Broadleaf;
-    const double total = branchWoodMass(wood, 0.3, 400.0, 300.0) + 400.0;
+    const double total = branchWoodMass(wood, 0.3, 20.0, 400.0, 300.0) + 400.0;
     EXPECT_NEAR(total / 1000.0 * 580.0, 524.0 * 0.98, 10.0);
-    EXPECT_EQ(branchWoodMass(wood, 0.3, 900.0, 300.0), 300.0); // never less than drawn
-    EXPECT_EQ(branchWoodMass(wood, 0.3, 10.0, 100.0), 300.0);  // nor more than three times
+    EXPECT_EQ(branchWoodMass(wood, 0.3, 20.0, 900.0, 300.0), 300.0); // never less than drawn
+    EXPECT_EQ(branchWoodMass(wood, 0.3, 20.0, 10.0, 100.0), 300.0);  // nor more than three times
 }
 
 TEST(GrowthLaws, RootsGiveAQuarterOfADegreeEarlyOn) {

@@ -49,13 +49,13 @@ float crownOutline(const TreeModel& model, const TreeScale& scale) {
 /// several side by side, which share their stiffness; a broadleaf's sections add up, so that twigs alone are
 /// missing.
 void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
-                   const WoodParameters& wood, float diameter) {
+                   const WoodParameters& wood, double diameter, double height) {
     double trunk = 0.0, drawn = 0.0;
     for (std::size_t i = 0; i < units.size(); ++i)
         (units[i].level > 0 ? drawn : trunk) += loads[i].woodMass;
     if (!(drawn > 0.0))
         return;
-    const auto factor = static_cast<float>(branchWoodMass(wood, diameter, trunk, drawn) / drawn);
+    const auto factor = static_cast<float>(branchWoodMass(wood, diameter, height, trunk, drawn) / drawn);
     for (std::size_t i = 0; i < units.size(); ++i)
         if (units[i].level > 0) {
             loads[i].woodMass *= factor;
@@ -162,8 +162,8 @@ std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scal
 std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                     float leaves) {
     std::vector<UnitLoad> loads = makeAirLoads(model, scale, species, leaves);
-    weighBranches(loads, model.skeleton.units, species.wood,
-                  static_cast<float>(breastDiameter(model, scale)));
+    weighBranches(loads, model.skeleton.units, species.wood, breastDiameter(model, scale),
+                  static_cast<double>(scale.axes.z * model.skeleton.height()));
     addStiffness(loads, model.skeleton.units, scale);
     return loads;
 }

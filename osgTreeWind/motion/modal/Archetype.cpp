@@ -16,7 +16,7 @@ namespace osgTreeWind {
 namespace {
 
 // Steps between rungs: of logarithms, and of the leaves' share.
-constexpr float heightStep = 0.7f, supportStep = 0.7f, widthStep = 0.2f, leavesStep = 0.25f;
+constexpr float heightStep = 0.7f, supportStep = 0.6f, widthStep = 0.2f, leavesStep = 0.25f;
 
 JointTree jointsOf(const SwayingTree& tree) {
     return makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves);
@@ -48,9 +48,10 @@ SizePowers growthOf(const SwayingTree& tree, float leaves) {
     const glm::vec3& axes = tree.scale.axes;
     SizePowers logs;
     logs.modulus = static_cast<float>(std::log(stemModulus(wood, height / diameter)));
-    logs.branches = drawn > 0.0
-                        ? static_cast<float>(std::log(branchWoodMass(wood, diameter, trunk, drawn) / drawn))
-                        : 0.0f;
+    logs.branches =
+        drawn > 0.0
+            ? static_cast<float>(std::log(branchWoodMass(wood, diameter, height, trunk, drawn) / drawn))
+            : 0.0f;
     logs.width = std::log(widthOver(tree.scale));
     logs.leaves = leaves > 0.0f ? std::log(leaves / (tree.scale.radius * tree.scale.radius * axes.z)) : 0.0f;
     return logs;

@@ -101,7 +101,8 @@ TEST(UnitLoads, BranchesHaveTheWoodOfTheAllometry) {
                loads = makeUnitLoads(twoBranches(), {}, species);
     EXPECT_EQ(loads[0].woodMass, drawn[0].woodMass);
     EXPECT_NEAR(loads[1].woodMass + loads[2].woodMass,
-                branchWoodMass(species.wood, 0.2, drawn[0].woodMass, 0.0), 1e-3);
+                branchWoodMass(species.wood, 0.2, twoBranches().skeleton.height(), drawn[0].woodMass, 0.0),
+                1e-3);
     // It stands for several, side by side.
     EXPECT_NEAR(loads[1].modulus / drawn[1].modulus, loads[1].woodMass / drawn[1].woodMass, 1e-4f);
     species.wood.branchWood = WoodAllometry::Broadleaf;
