@@ -11,7 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 OSG_LIBRARY_PATH=$1 timeout 120 xvfb-run -a -s "-noreset -screen 0 1024x768x24 -fbdir $work" \
-    "$here/../../examples/hosts/sumo/run.sh" --end 5 --quit-on-end >"$work/said" 2>&1 &
+    "$here/../../examples/hosts/sumo/run.sh" --end 15 --quit-on-end >"$work/said" 2>&1 &
 running=$!
 seen=""
 while kill -0 "$running" 2>/dev/null; do
