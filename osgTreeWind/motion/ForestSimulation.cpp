@@ -214,9 +214,9 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
 
 WindFieldPtr ForestSimulation::windHere() {
     WindFieldPtr wind = _amongTrees->from(_wind->here(), _forest, *_time);
-    if (_amongTrees->canopy() && _amongTrees->canopy() != _canopy) {
-        _canopy = _amongTrees->canopy();
-        _motion->standIn(*_canopy);
+    if (_amongTrees->company() && _amongTrees->company() != _stand) {
+        _stand = _amongTrees->company();
+        _motion->standIn(*_stand);
     }
     return wind;
 }

@@ -15,11 +15,11 @@
 namespace osgTreeWind {
 
 class BranchwiseMotion;
+class CanopyWind;
 class ModalMotion;
 class Motion;
 class WindAmongTrees;
 class WindDamage;
-struct CanopyMap;
 struct TreeDamage;
 
 /// A forest in motion, without graphics (docs/frame.md).
@@ -144,7 +144,7 @@ private:
     std::shared_ptr<GivenWind> _wind;
     std::unique_ptr<WindAmongTrees> _amongTrees;
     std::unique_ptr<WindDamage> _damage;      ///< Null: no wind does any.
-    std::shared_ptr<const CanopyMap> _canopy; ///< In which the trees stand; null: alone.
+    std::shared_ptr<const CanopyWind> _stand; ///< In which the trees have their company; null: alone.
 };
 
 } // namespace osgTreeWind

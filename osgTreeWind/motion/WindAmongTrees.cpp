@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/WindAmongTrees.h>
 
-#include <osgTreeWind/wind/CanopyWind.h>
 #include <osgTreeWind/wind/WindWithSources.h>
+
+#include <glm/geometric.hpp>
 
 #include <cmath>
 
 namespace osgTreeWind {
+
+namespace {
+
+/// Company is much the same in both.
+bool near(const glm::vec3& wind, const glm::vec3& other) {
+    return glm::distance(wind, other) <= 0.1f * glm::length(other);
+}
+
+} // namespace
 
 void WindAmongTrees::treeChanged(std::size_t slot) {
     if (slot < _trees.size())
@@ -53,15 +63,19 @@ WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest&
         _changed = false;
         _madeAt = time;
         _given = nullptr;
+        _company = nullptr;
     }
     if (given == _given)
         return _met;
     // What moves the air beside the wind does so among the trees as above them.
     const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(given);
     const WindFieldPtr& open = sourced ? sourced->wind() : given;
-    _met =
+    const auto among =
         open ? std::make_shared<CanopyWind>(open, *_canopy, static_cast<float>(canopy.reference), canopy.seed)
              : nullptr;
+    if (among && !(_company && near(among->meanWind(), _company->meanWind())))
+        _company = among;
+    _met = among;
     if (sourced)
         _met = std::make_shared<WindWithSources>(_met, sourced->sources());
     _given = given;

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/CanopyOfTrees.h>
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/CanopyWind.h>
 
 #include <optional>
 #include <vector>
@@ -17,8 +17,9 @@ public:
     /// @param given null: calm. @param time seconds. @return the same object while nothing changes.
     WindFieldPtr from(const WindFieldPtr& given, const PlacedForest& forest, double time);
 
-    /// The stands that the last wind was continued into; null: none yet, or it was left as given.
-    const std::shared_ptr<const CanopyMap>& canopy() const { return _canopy; }
+    /// In which trees have the company that they have now; null: none yet. Another one when they have
+    /// changed, or the mean wind has by a tenth.
+    const std::shared_ptr<const CanopyWind>& company() const { return _company; }
 
     /// A tree has come, gone or changed: who shelters whom is worked out anew with the next wind, or where
     /// trees come and go by tiles, `patience` after the last time. Gusts stay what they are.
@@ -37,6 +38,7 @@ private:
     double _madeAt = 0.0;                         ///< Seconds.
     CanopyCell _usual;                            ///< Of the first one with trees: else gusts would jump.
     WindFieldPtr _given, _met;
+    std::shared_ptr<const CanopyWind> _company;
 };
 
 } // namespace osgTreeWind

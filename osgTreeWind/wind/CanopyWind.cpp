@@ -83,7 +83,7 @@ float skewed(float noise, float skewness) {
 
 CanopyWind::CanopyWind(WindFieldPtr open, const CanopyMap& map, float reference, std::uint32_t seed)
     : _open(std::move(open)), _mean(meanOf(_open)), _map(referredTo(reference, map)),
-      _pace(usualWind(*_mean, _map->reference) * (pace * _map->usual.top)),
+      _usual(usualWind(*_mean, _map->reference)), _pace(_usual * (pace * _map->usual.top)),
       _noise(seed, static_cast<double>(pace * std::max(_map->usual.profile.height, 1.0f)),
              stretchAlong(LevelWind(_pace).along), octaves) {}
 
@@ -91,6 +91,16 @@ glm::vec3 CanopyWind::velocity(const WindPlace& place, double time) const {
     glm::vec3 result;
     sample(&place, 1, time, &result);
     return result;
+}
+
+/// The stand that the air of a place comes from.
+CanopyAt CanopyWind::standOf(const glm::vec3& place, const LevelWind& wind) const {
+    return _map->at(glm::vec2(place - _map->fetch * wind.along), _map->usual.top * wind.speed);
+}
+
+TreeCompany CanopyWind::companyAt(const glm::vec2& place) const {
+    const CanopyAt stand = standOf(glm::vec3(place, 0.0f), LevelWind(_usual));
+    return {_map->crownsAt(place), 1.0f - stand.closure * (1.0f - stand.shelter)};
 }
 
 /// @param given the wind at the reference.
@@ -131,8 +141,7 @@ void CanopyWind::sample(const WindPlace* places, std::size_t count, double time,
         bool open = false;
         for (std::size_t n = 0; n < size; ++n) {
             level[n] = LevelWind(given[n]);
-            const glm::vec3 from = places[first + n].position - _map->fetch * level[n].along;
-            stands[n] = _map->at(glm::vec2(from), _map->usual.top * level[n].speed);
+            stands[n] = standOf(places[first + n].position, level[n]);
             open |= stands[n].closure < 1.0f;
             if (stands[n].closure > 0.0f) {
                 canopied[amongCount] = places[first + n];

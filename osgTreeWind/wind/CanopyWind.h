@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/wind/CanopyMap.h>
 #include <osgTreeWind/wind/GustNoise.h>
+#include <osgTreeWind/wind/TreeCompany.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <cstdint>
@@ -25,14 +26,21 @@ public:
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
+    /// Of a tree there, in the mean wind.
+    TreeCompany companyAt(const glm::vec2& place) const;
+    /// Mean of an hour at the reference, level, m/s.
+    const glm::vec3& meanWind() const { return _usual; }
+
 private:
     struct LevelWind;
+    CanopyAt standOf(const glm::vec3& place, const LevelWind& wind) const;
     glm::vec3 among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
                     const NoisePoint& noise) const;
 
     WindFieldPtr _open, _mean; ///< As given, and without the gusts that it makes up.
     std::shared_ptr<const CanopyMap> _map;
-    glm::vec3 _pace; ///< Of gusts, m/s.
+    glm::vec3 _usual; ///< Mean wind at the reference.
+    glm::vec3 _pace;  ///< Of gusts, m/s.
     GustNoise _noise;
 };
 

@@ -5,11 +5,14 @@
 /// A component of the wind, m/s; one that no wind on earth ever had, and what is no number, counts as calm.
 real plausibleWind(real x) { return abs(x) <= 200.0f ? x : every(0.0f); }
 
+/// 1 for a patch that swings in still air, 0 for one that stands still. @param wind, own squares of speeds.
+real swinging(real wind, real own) { return own / (own + wind + 1.0e-6f); }
+
 /// kg/s: what a patch and the air take from each other's speed. In still air leaves meet it with their whole area
 /// as they swing; in a wind, with what the crown's own shelter leaves.
-/// @param windDrag, stillDrag kg/m: half the air's density times CdA. @param wind, own, relative squares of speeds.
-real airBrake(real windDrag, real stillDrag, real wind, real own, real relative) {
-    real swings = own / (own + wind + 1.0e-6f); // 1 in still air, 0 where the tree stands still
+/// @param windDrag, stillDrag kg/m: half the air's density times CdA. @param swings share of a swing in still air.
+/// @param relative square of the speed of the air past the patch.
+real airBrake(real windDrag, real stillDrag, real swings, real relative) {
     return (windDrag + max(stillDrag - windDrag, every(0.0f)) * swings) * sqrt(relative);
 }
 

@@ -12,7 +12,7 @@
 
 namespace osgTreeWind {
 
-struct CanopyMap;
+class CanopyWind;
 
 /// A law at work on the trees of a forest, which it knows by slot: ModalForest, where trees sway, or
 /// BranchwiseMotion, where branches do. Seconds, metres, scene coordinates; a wind of null is a calm.
@@ -35,8 +35,8 @@ public:
     virtual void step(const WindField* wind, double time, float seconds) = 0;
     /// Back to rest, in a calm.
     virtual void reset() = 0;
-    /// Trees stand in that company: laws of a tree know of crowns that touch.
-    virtual void standIn(const CanopyMap&) {}
+    /// Trees stand in the company that they have in that wind: laws of a tree know of crowns that touch.
+    virtual void standIn(const CanopyWind&) {}
     /// Trees bear other leaves by now, and follow in full sway.
     virtual void followSeason() = 0;
     /// Some of them do, at once.

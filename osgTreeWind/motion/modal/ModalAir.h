@@ -29,7 +29,7 @@ template <typename Lanes>
 struct LaneFactors {
     using Number = typename Lanes::Number;
     Number cosine, sine, length, pace, modulus, branches, width, leaves, support, roots, leafDrag, stillDrag,
-        contact;
+        contact, shelter;
     Number reach;  ///< Speed of a patch by that of modes: lengths over the gain.
     Number drive;  ///< Force on a mode, times the gain.
     Number weight; ///< On the shares of weight.
@@ -37,7 +37,8 @@ struct LaneFactors {
 
     LaneFactors(const LaneColumn<Lanes>& c, float gain)
         : cosine(c[0]), sine(c[1]), length(c[2]), pace(c[3]), modulus(c[4]), branches(c[5]), width(c[6]),
-          leaves(c[7]), support(c[8]), roots(c[9]), leafDrag(c[10]), stillDrag(c[11]), contact(c[12]) {
+          leaves(c[7]), support(c[8]), roots(c[9]), leafDrag(c[10]), stillDrag(c[11]), contact(c[12]),
+          shelter(c[13]) {
         const Number cube = length * length * length;
         reach = length * (gain > 0.0f ? 1.0f / gain : 0.0f);
         drive = gain / (pace * cube * cube);
@@ -57,7 +58,7 @@ struct LaneFactors {
                                                    grown(mode.stiffness));
     }
 };
-static_assert(sizeof(TreeFactors) == 13 * sizeof(float), "LaneFactors takes them in their order");
+static_assert(sizeof(TreeFactors) == 14 * sizeof(float), "LaneFactors takes them in their order");
 
 /// The air at the patches of the trees from `first` on.
 template <typename Lanes>
@@ -82,16 +83,19 @@ public:
         const Number wood = patch.woodDrag * _factors.woodDrag;
         _windDrag[p] = wood + patch.leafDrag * _factors.leafDrag;
         _stillDrag[p] = wood + patch.stillDrag * _factors.stillDrag;
-        _brake[p] = brakeAt(p, _speed, _past + 3 * p);
+        _brake[p] = brakeAt(p, _speed, _past + 3 * p, _ownShare[p]);
     }
 
     /// Of a patch that was met, as the modes have their speeds: kg/s, and the air past it, x, y, z.
     const Number& brake(std::size_t p) const { return _brake[p]; }
     const Number* past(std::size_t p) const { return _past + 3 * p; }
+    /// How much of the patch's own speed the air past it has: crowns of a stand shelter each other from the
+    /// wind and from their own motion alike.
+    const Number& ownShare(std::size_t p) const { return _ownShare[p]; }
 
     /// The same as the modes have other speeds.
     template <typename Speeds>
-    Number brakeAt(std::size_t p, const Speeds& speeds, Number* past) const {
+    Number brakeAt(std::size_t p, const Speeds& speeds, Number* past, Number& ownShare) const {
         const std::size_t modes = _model.modes.size();
         const float* lever = _model.levers.data() + 3 * modes * p;
         Number own[3];
@@ -100,12 +104,15 @@ public:
             for (std::size_t k = 0; k < modes; ++k)
                 sum += lever[c * modes + k] * speeds[k];
             own[c] = sum * _factors.reach;
-            past[c] = _wind[3 * p + c] - own[c];
         }
+        const Number ownSquare = own[0] * own[0] + own[1] * own[1] + own[2] * own[2];
+        const Number swings = typename Lanes::Laws().swinging(_square[p], ownSquare);
+        ownShare = _factors.shelter + (1.0f - _factors.shelter) * swings;
+        for (std::size_t c = 0; c < 3; ++c)
+            past[c] = _wind[3 * p + c] - ownShare * own[c];
         const Number relative = past[0] * past[0] + past[1] * past[1] + past[2] * past[2];
-        return typename Lanes::Laws().airBrake(_windDrag[p] * streamlined(p, relative), _stillDrag[p],
-                                               _square[p],
-                                               own[0] * own[0] + own[1] * own[1] + own[2] * own[2], relative);
+        return typename Lanes::Laws().airBrake(_windDrag[p] * streamlined(p, relative), _stillDrag[p], swings,
+                                               relative);
     }
 
 private:
@@ -121,7 +128,8 @@ private:
     const ModalModel& _model;
     const LaneColumn<Lanes> _speed;
     const LaneFactors<Lanes> _factors;
-    Number _wind[3 * ModalDetail::maxPatches], _past[3 * ModalDetail::maxPatches];
+    Number _wind[3 * ModalDetail::maxPatches], _past[3 * ModalDetail::maxPatches],
+        _ownShare[ModalDetail::maxPatches];
     Number _square[ModalDetail::maxPatches];   ///< Of the wind's speed.
     Number _windDrag[ModalDetail::maxPatches], ///< At 10 m/s.
         _stillDrag[ModalDetail::maxPatches], _brake[ModalDetail::maxPatches];

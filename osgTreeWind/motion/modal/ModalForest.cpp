@@ -4,7 +4,7 @@
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
-#include <osgTreeWind/wind/CanopyMap.h>
+#include <osgTreeWind/wind/CanopyWind.h>
 
 #include <cmath>
 #include <utility>
@@ -66,10 +66,10 @@ void ModalForest::reset() {
     _sway.reset();
 }
 
-void ModalForest::standIn(const CanopyMap& canopy) {
+void ModalForest::standIn(const CanopyWind& wind) {
     for (std::size_t slot = 0; slot < _forest.trees.size(); ++slot)
         if (_sway.holds(slot))
-            _sway.setCompany(slot, canopy.crownsAt(glm::vec2(_forest.trees[slot].position)));
+            _sway.setCompany(slot, wind.companyAt(glm::vec2(_forest.trees[slot].position)));
 }
 
 void ModalForest::followSeason() {

@@ -26,6 +26,7 @@ struct TreeFactors {
     SizePowers logs;                         ///< Logarithms of what else is not as on the model's tree.
     float leafDrag = 1.0f, stillDrag = 1.0f; ///< Over the model's; that of wood is r l.
     float contact = 0.0f;                    ///< Damping ratio that the crowns of neighbours add.
+    float shelter = 1.0f;                    ///< TreeCompany::shelter
 };
 
 /// Floats a tree has in a block: amplitudes of the modes, their speeds, the wind at the patches (x, y, z, in

@@ -32,8 +32,8 @@ public:
             for (std::size_t k = 0; k < _modes; ++k)
                 middle[k] = swing(k, 0.5f * h).speed;
             push([&](std::size_t p) {
-                real past[3];
-                return _air.brakeAt(p, middle, past);
+                real past[3], ownShare;
+                return _air.brakeAt(p, middle, past, ownShare);
             });
             for (std::size_t k = 0; k < _modes; ++k) {
                 const LaneLaws::Swing next = swing(k, h);
@@ -95,8 +95,9 @@ private:
                 for (std::size_t k = 0; k < _modes; ++k)
                     _force[k] += lever[c * _modes + k] * force;
             }
+            const real follows = brake * _air.ownShare(p);
             for (std::size_t k = 0; k < _modes; ++k)
-                _brake[k] += brakes[k] * brake;
+                _brake[k] += brakes[k] * follows;
         }
     }
 

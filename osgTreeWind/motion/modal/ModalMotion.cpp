@@ -244,12 +244,14 @@ void ModalMotion::stand(std::size_t tree, const Tree& given) {
     place.width = given.form.scale.axes.x / group.archetype->scale().axes.x;
     TreeFactors factors = group.archetype->factors(given.form, given.heading);
     factors.contact = place.contact;
+    factors.shelter = place.shelter;
     group.setFactors(slot.place, factors);
 }
 
-void ModalMotion::setCompany(std::size_t tree, float crowns) {
+void ModalMotion::setCompany(std::size_t tree, const TreeCompany& company) {
     TreeFactors factors = this->factors(tree);
-    factors.contact = _places[tree].contact = contactDamping * clampOr(crowns, 0.0f, 1.0f, 0.0f);
+    factors.contact = _places[tree].contact = contactDamping * clampOr(company.crowns, 0.0f, 1.0f, 0.0f);
+    factors.shelter = _places[tree].shelter = clampOr(company.shelter, 0.0f, 1.0f, 1.0f);
     _groups[_slots[tree].group].setFactors(_slots[tree].place, factors);
 }
 

@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/ModalTree.h>
 #include <osgTreeWind/motion/modal/TreeFall.h>
+#include <osgTreeWind/wind/TreeCompany.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <glm/vec2.hpp>
@@ -43,8 +44,7 @@ public:
     /// rung takes milliseconds, and its archetype stays. Its model and species must outlive this.
     /// @return its number: one that was removed, or else treeCount().
     std::size_t add(const Tree& tree);
-    /// Its number then is no tree's until add() gives it out again.
-    void remove(std::size_t tree);
+    void remove(std::size_t tree); ///< Its number is no tree's then until add() gives it out again.
     /// Makes it another one, at its level. Keeps its sway: all of it on the same rung, else as nearly as the
     /// patches of its crown can move alike.
     void replace(std::size_t tree, const Tree& other);
@@ -62,8 +62,8 @@ public:
 
     /// From the next step on. What modes and patches have in common is kept.
     void setLevel(std::size_t tree, Level level);
-    /// Crowns in contact damp each other. @param crowns share of the ground around a tree that is under them.
-    void setCompany(std::size_t tree, float crowns);
+    /// Crowns in contact damp each other, and take the air that they shelter along as they sway.
+    void setCompany(std::size_t tree, const TreeCompany& company);
     Level level(std::size_t tree) const;
 
     /// It has come down so far, in all that is asked of it from now on. Until it is removed, or reset().

@@ -55,6 +55,8 @@ std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t 
     const CanopyWind wind(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed), *_canopy,
                           _canopy->reference, seed);
     ModalMotion motion(*_resting);
+    for (std::size_t i = 0; i < _slots.size(); ++i)
+        motion.setCompany(i, wind.companyAt(glm::vec2(_forest.trees[_slots[i]].position)));
     motion.meet(&wind, 0.0);
     std::vector<float> leans(_slots.size(), 0.0f);
     std::vector<Loads> largest(_slots.size());

@@ -72,9 +72,8 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
     _stiffness = static_cast<double>(loads.front().stiffness);
     const double diameter = breastDiameter(model, tree.scale);
     _strain = 32.0 / (pi * static_cast<double>(loads.front().modulus) * diameter * diameter * diameter);
-    if (storm.spacing > 0.0)
-        _motion.setCompany(0,
-                           standTree(_forest).crownArea / static_cast<float>(storm.spacing * storm.spacing));
+    if (const auto* stand = dynamic_cast<const CanopyWind*>(_wind.get()))
+        _motion.setCompany(0, stand->companyAt(glm::vec2(0.0f)));
     _motion.meet(_wind.get(), 0.0);
 }
 

@@ -181,13 +181,13 @@ TEST_F(LawsGlTest, AModeAgreesWithTheCpu) {
     const std::string mode = "modeStep(Swing(state.x, state.y), n.x, n.y, n.z, n.w, 5.0, 0.0166667)";
     std::string body =
         "vec4(" + mode + ".angle, " + mode +
-        ".speed, airBrake(2.0, 7.0, air.x, air.y, air.z), streamlinedShare(0.8, 0.4, 30.0, air.w))";
+        ".speed, airBrake(2.0, 7.0, swinging(air.x, air.y), air.z), streamlinedShare(0.8, 0.4, 30.0, air.w))";
     const Texels gpu = step(states, {{"n", numbers}, {"air", air}}, body);
     for (std::size_t i = 0; i < gpu.size(); ++i) {
         const glm::vec4 &n = numbers[i], &a = air[i];
         const Laws::Swing swing =
             laws.modeStep({states[i].x, states[i].y}, n.x, n.y, n.z, n.w, 5.0f, 0.0166667f);
-        const float brake = laws.airBrake(2.0f, 7.0f, a.x, a.y, a.z);
+        const float brake = laws.airBrake(2.0f, 7.0f, laws.swinging(a.x, a.y), a.z);
         ASSERT_NEAR(gpu[i].x, swing.angle, 3e-5f) << i;
         ASSERT_NEAR(gpu[i].y, swing.speed, 1e-4f) << i;
         ASSERT_NEAR(gpu[i].z / brake, 1.0f, 1e-5f) << i;

@@ -349,10 +349,13 @@ ModalModel onePatch(float drag, float streamlining, float breezeStreamlining) {
 }
 
 /// Rate at which a small sway about the lean of a steady wind dies down, 1/s.
-double rateIn(const ModalModel& model, const glm::vec3& wind, double force) {
+double rateIn(const ModalModel& model, const glm::vec3& wind, double force, float shelter = 1.0f) {
     constexpr double small = 0.05, seconds = 1.0 / 240.0;
     const double pace = model.modes[0].pace, lean = force / (pace * pace);
     Block block(model);
+    TreeFactors factors;
+    factors.shelter = shelter;
+    block.setFactors(0, factors);
     block.amplitude(0, 0) = static_cast<float>(lean + small);
     block.setWind(0, wind);
     block.step(1.0f, 0);
@@ -381,6 +384,20 @@ TEST(ModalKernel, SteadyAirDampsByTheSlopeOfItsDrag) {
         expectSlope(4.0f, n, onePatch(drag, 0.0f, n));
         expectSlope(15.0f, n, onePatch(drag, n, 0.0f));
     }
+}
+
+TEST(ModalKernel, ASwayInAStandMeetsOnlyTheAirThatShelterLeaves) {
+    // F = k (s (U - v))^2: of the wind s U that is left between leaves a sway takes s times the slope.
+    constexpr float drag = 0.01f, speed = 6.0f, shelter = 0.5f;
+    const ModalModel model = onePatch(drag, 0.0f, 0.0f);
+    const double brake = static_cast<double>(drag * speed), wood = 0.01 * 2.0;
+    EXPECT_NEAR(rateIn(model, {speed, 0, 0}, brake * speed, shelter) / (wood + shelter * brake), 1.0, 0.01);
+    EXPECT_NEAR(rateIn(model, {0, speed, 0}, 0.0, shelter) / (wood + 0.5 * shelter * brake), 1.0, 0.01);
+}
+
+TEST(ModalKernel, InStillAirNoCrownSheltersAnother) {
+    const ModalModel model = onePatch(0.1f, 0.0f, 0.0f);
+    EXPECT_NEAR(rateIn(model, glm::vec3(0.0f), 0.0, 0.3f), rateIn(model, glm::vec3(0.0f), 0.0), 1e-4);
 }
 
 TEST(ModalKernel, NoSubstepsTakeTheWindAndMoveNothing) {

@@ -139,7 +139,7 @@ TEST(ModalMotion, CrownsAllAroundTakeTheirShareOfASway) {
     GrownTree oak("oak", {16, 0.3f, 0});
     oak.species.wood.dampingRatio = 0.01f;
     ModalMotion alone({placed(oak)}, 1.0f, runInTurn, true), among({placed(oak)}, 1.0f, runInTurn, true);
-    among.setCompany(0, 1.0f);
+    among.setCompany(0, {1.0f, 1.0f});
     double taken[2] = {}; // logarithm of what is left of the sway
     double time = 0.0, pace = 0.0;
     for (ModalMotion* motion : {&alone, &among}) {
