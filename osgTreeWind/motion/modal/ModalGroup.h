@@ -21,9 +21,7 @@ struct ModalMotion::Slot {
 
 struct ModalMotion::Place {
     glm::vec3 foot{0.0f};
-    float width = 1.0f;   ///< Lengths across over its archetype's.
-    float contact = 0.0f; ///< TreeFactors::contact
-    float shelter = 1.0f; ///< TreeFactors::shelter
+    float width = 1.0f; ///< Lengths across over its archetype's.
 };
 
 /// A block to be stepped, to a time.

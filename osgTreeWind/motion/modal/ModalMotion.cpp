@@ -102,7 +102,7 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
     constexpr std::size_t batch = 256;
     _executor((trees.size() + batch - 1) / batch, [&](std::size_t job) {
         for (std::size_t i = job * batch; i < std::min(trees.size(), (job + 1) * batch); ++i)
-            stand(i, trees[i]);
+            stand(i, trees[i], {});
     });
 }
 
@@ -166,7 +166,7 @@ std::size_t ModalMotion::add(const Tree& tree) {
         _places[number] = Place();
     }
     put(number, Archetype::levels * archetypeOf(tree.form) + static_cast<std::size_t>(tree.level));
-    stand(number, tree);
+    stand(number, tree, {});
     refreshLean(number);
     return number;
 }
@@ -190,18 +190,18 @@ void ModalMotion::replace(std::size_t tree, const Tree& other) {
     const auto after =
         static_cast<std::uint32_t>(Archetype::levels * archetypeOf(other.form) + _groups[before].level);
     if (after == before) {
-        stand(tree, other);
+        stand(tree, other, factors(tree));
         refreshLean(tree);
         return;
     }
     const Group::Numbers numbers = groupOf(tree).numbersOf(_slots[tree].place);
     const ModalModel& from = _groups[before].model();
     const ModalModel& to = _groups[after].model();
-    const float length = factors(tree).length;
+    const TreeFactors was = factors(tree);
     take(tree);
     put(tree, after);
-    stand(tree, other);
-    const CarriedSway sway(from, length, to, factors(tree).length);
+    stand(tree, other, was);
+    const CarriedSway sway(from, was.length, to, factors(tree).length);
     for (const std::size_t part : {0, 1}) { // amplitudes, speeds
         const std::vector<float> carried = sway.carried(numbers.data() + part * from.modes.size());
         for (std::size_t k = 0; k < carried.size(); ++k)
@@ -235,23 +235,23 @@ void ModalMotion::take(std::size_t tree) {
     group.remove(slot.place);
 }
 
-/// Its place and its factors.
-void ModalMotion::stand(std::size_t tree, const Tree& given) {
+/// Its place and its factors, in the company that `company` has.
+void ModalMotion::stand(std::size_t tree, const Tree& given, const TreeFactors& company) {
     const Slot slot = _slots[tree];
     Group& group = _groups[slot.group];
     Place& place = _places[tree];
     place.foot = given.foot;
     place.width = given.form.scale.axes.x / group.archetype->scale().axes.x;
     TreeFactors factors = group.archetype->factors(given.form, given.heading);
-    factors.contact = place.contact;
-    factors.shelter = place.shelter;
+    factors.contact = company.contact;
+    factors.shelter = company.shelter;
     group.setFactors(slot.place, factors);
 }
 
 void ModalMotion::setCompany(std::size_t tree, const TreeCompany& company) {
     TreeFactors factors = this->factors(tree);
-    factors.contact = _places[tree].contact = contactDamping * clampOr(company.crowns, 0.0f, 1.0f, 0.0f);
-    factors.shelter = _places[tree].shelter = clampOr(company.shelter, 0.0f, 1.0f, 1.0f);
+    factors.contact = contactDamping * clampOr(company.crowns, 0.0f, 1.0f, 0.0f);
+    factors.shelter = clampOr(company.shelter, 0.0f, 1.0f, 1.0f);
     _groups[_slots[tree].group].setFactors(_slots[tree].place, factors);
 }
 

@@ -120,7 +120,7 @@ private:
     void addArchetypes(const std::vector<SwayingTree>& forms);
     void put(std::size_t tree, std::size_t group);
     void take(std::size_t tree);
-    void stand(std::size_t tree, const Tree& given);
+    void stand(std::size_t tree, const Tree& given, const TreeFactors& company);
     const Group& groupOf(std::size_t tree) const;
     float& number(std::size_t tree, std::size_t index);
     float number(std::size_t tree, std::size_t index) const;
