@@ -54,6 +54,20 @@ struct Statistics {
     double skewness() const { return third / std::pow(along, 1.5); }
 };
 
+TEST(CanopyWind, TreesHaveTheCompanyOfTheirStand) {
+    auto map = std::make_shared<CanopyMap>(*stand());
+    map->usual.crowns = 0.8f;
+    const auto open = std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f));
+    const TreeCompany among = CanopyWind(open, *map, height, 1).companyAt(glm::vec2(40.0f, -3.0f));
+    EXPECT_EQ(among.crowns, 0.8f);
+    EXPECT_EQ(among.shelter, shelter);
+    map->usual.closure = 0.5f; // half a stand shelters half as much
+    EXPECT_EQ(CanopyWind(open, *map, height, 1).companyAt(glm::vec2(0.0f)).shelter, 0.75f);
+    const TreeCompany alone = CanopyWind(open, CanopyMap(), height, 1).companyAt(glm::vec2(0.0f));
+    EXPECT_EQ(alone.crowns, 0.0f);
+    EXPECT_EQ(alone.shelter, 1.0f);
+}
+
 TEST(CanopyWind, HasTheMeanSpreadAndSkewnessOfItsProfile) {
     const CanopyWind wind = windOf(10.0f);
     const CanopyProfile profile = CanopyProfile::over(height, 2.0f);

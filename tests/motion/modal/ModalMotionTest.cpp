@@ -155,6 +155,21 @@ TEST(ModalMotion, CrownsAllAroundTakeTheirShareOfASway) {
     EXPECT_NEAR((taken[1] - taken[0]) / (pace * time), 0.05, 0.003);
 }
 
+TEST(ModalMotion, ATreeKeepsItsCompanyWhateverItBecomes) {
+    const GrownTree small("oak", {16, 0.3f, 0}), alike("oak", {16.2f, 0.3f, 0}), large("oak", {30, 0.9f, 0});
+    ModalMotion motion({placed(small)}, 1.0f, runInTurn);
+    motion.setCompany(0, {1.0f, 0.5f});
+    const float contact = motion.factors(0).contact;
+    EXPECT_GT(contact, 0.0f);
+    for (const GrownTree* other : {&alike, &large}) {
+        motion.replace(0, placed(*other));
+        EXPECT_EQ(motion.factors(0).contact, contact);
+        EXPECT_EQ(motion.factors(0).shelter, 0.5f);
+    }
+    motion.remove(0);
+    EXPECT_EQ(motion.factors(motion.add(placed(small))).shelter, 1.0f) << "nobody knows its company yet";
+}
+
 TEST(ModalMotion, WithoutGainNothingMoves) {
     const GrownTree oak("oak", {16, 0.3f, 0});
     ModalMotion motion({placed(oak)}, 0.0f, runInTurn);
