@@ -302,7 +302,7 @@ TEST_P(ShadowsGlTest, takeTheSunAndLeaveSkyAndLamps) {
             }
             scene->getShadowSettings()->setLightNum(0);
             osg::ref_ptr<osg::LightModel> sky = new osg::LightModel;
-            sky->setAmbientIntensity(osg::Vec4(0.3f, 0.3f, 0.3f, 1.0f));
+            sky->setAmbientIntensity(osg::Vec4(0.6f, 0.6f, 0.6f, 1.0f));
             scene->getStateSet()->setAttribute(sky);
             scene->getStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
             scene->addChild(lightSource(1, osg::Vec4(0, -1, 1, 0), osg::Vec4(0.3f, 0.2f, 0.1f, 1)));
