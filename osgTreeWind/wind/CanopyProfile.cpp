@@ -12,9 +12,9 @@ constexpr float karman = 0.4f;
 // Raupach 1994: drag of bare ground and of roughness elements, largest u*/U(h), and what parts d from h.
 constexpr float groundDrag = 0.003f, elementDrag = 0.3f, mostFriction = 0.3f, displacing = 7.5f;
 
-/// Over u*: in a canopy and at its top (Raupach, Finnigan and Brunet 1996, Finnigan 2000), and in the surface
+/// Over u*: in a canopy and at its top (Raupach, Finnigan and Brunet 1996), and in the surface
 /// layer above (Panofsky and Dutton 1984).
-constexpr WindSpread inCanopy{2.0f, 1.6f, 1.1f}, inSurfaceLayer{2.4f, 1.9f, 1.25f};
+constexpr WindSpread inCanopy{1.8f, 1.6f, 1.1f}, inSurfaceLayer{2.4f, 1.9f, 1.25f};
 /// Within the canopy they fall as exp(-1.6 (1 - z/h)): to a half at 0.57 h (the same).
 constexpr float spreadAttenuation = 1.6f;
 /// Of the order of 1 in a canopy, small well above (the same).

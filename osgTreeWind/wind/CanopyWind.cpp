@@ -38,7 +38,7 @@ constexpr double slenderness = 2.0;
 /// Down to a thirtieth of the largest gusts, which is less than a tree notices.
 constexpr std::size_t octaves = 6;
 /// Correlation of the wind along and upward: -u*^2 over both deviations at the top.
-constexpr float sweep = 1.0f / (2.0f * 1.1f);
+constexpr float sweep = 1.0f / (1.8f * 1.1f);
 
 WindPlace raisedTo(const WindPlace& place, float height) {
     WindPlace raised = place;

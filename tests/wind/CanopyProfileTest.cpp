@@ -55,8 +55,11 @@ TEST(CanopyProfile, HasNoStepAndNoKinkAtTheTop) {
 
 TEST(CanopyProfile, SpreadIsThatOfCanopiesAndAboveThatOfTheSurfaceLayer) {
     const CanopyProfile profile = CanopyProfile::over(10.0f, 2.0f);
-    EXPECT_NEAR(profile.spread(10.0f).along / profile.friction, 2.0f, 1e-4f);
-    EXPECT_NEAR(profile.spread(10.0f).up / profile.friction, 1.1f, 1e-4f);
+    const WindSpread top = profile.spread(10.0f);
+    EXPECT_NEAR(top.along / profile.friction, 1.8f, 1e-4f);
+    EXPECT_NEAR(top.up / profile.friction, 1.1f, 1e-4f);
+    EXPECT_NEAR(profile.friction * profile.friction / (top.along * top.up), 0.5f,
+                0.01f); // as they correlate there
     EXPECT_NEAR(profile.spread(100.0f).along / profile.friction, 2.4f, 1e-4f);
     EXPECT_EQ(profile.skewness(7.0f), 1.0f);
     EXPECT_EQ(profile.skewness(20.0f), 0.0f);
