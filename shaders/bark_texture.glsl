@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a texel of bark means (osgTreeWind/drawing/looks/BarkRelief.h).
-#pragma import_defines(LIGHT_MASK, UNLIT)
+#pragma import_defines(UNLIT)
 
 #include "law/tint.glsl"
+#include "shadowed.glsl"
 
 uniform sampler2D barkTexture; // brightness, height, hue
 uniform vec3 barkColor, twigColor;
@@ -41,15 +42,15 @@ vec2 barkRise(float height, vec2 coord, vec2 across, vec2 along) {
     return rise;
 }
 
-/// What light 0 makes of the relief: slopes toward it are brighter. No tangents: they are taken on the screen.
+/// What the sun makes of the relief: slopes toward it are brighter. No tangents: they are taken on the screen.
 float barkRelief(float height, vec2 coord) {
-#if defined(UNLIT) || (defined(LIGHT_MASK) && !(LIGHT_MASK & 1))
+#ifdef UNLIT
     return 1.0;
 #else
     vec2 across = dFdx(coord), along = dFdy(coord);
     float pixel = sqrt(0.5 * (dot(across, across) + dot(along, along))) + 1.0e-6; // in widths of the bark
     vec2 slope = barkRise(height, coord, across, along) / pixel;
-    vec2 toLight = normalize(gl_LightSource[0].position.xyz).xy;
+    vec2 toLight = normalize(gl_LightSource[SUN].position.xyz).xy;
     return 1.0 - clamp(0.04 * dot(slope, toLight), -0.5, 0.5);
 #endif
 }

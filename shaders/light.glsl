@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lights of the scene as OSG sets them up, and a sky that is brighter above than below. LIGHT_MASK: a bit for each
-// light that is on (osgTreeWind/drawing/looks/SceneShading.h); light 0 where nobody says.
+// The lights of the scene as OSG sets them up (osgTreeWind/drawing/looks/SceneShading.h), and a sky that is brighter above
+// than below.
 #pragma import_defines(UNLIT)
 
 #include "law/shade.glsl"
@@ -13,9 +13,8 @@ vec3 sunLight; // the sun's part of what barkShade() and leafShade() found last
 
 vec3 ambientLight(vec3 eyeNormal) {
     vec3 ambient = gl_LightModel.ambient.rgb;
-    for (int i = 0; i < 8; ++i)
-        if (isOn(i))
-            ambient += gl_LightSource[i].ambient.rgb;
+    for (int n = 0; n < lights.length(); ++n)
+        ambient += gl_LightSource[lights[n]].ambient.rgb;
     vec3 eyeUp = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
     float sky = 0.5 + 0.5 * dot(eyeNormal, eyeUp);
     return ambient * mix(vec3(0.75, 0.72, 0.62), vec3(1.1, 1.2, 1.35), sky);
@@ -65,14 +64,14 @@ vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
     return vec3(1.0);
 #endif
     vec3 light = shade.above.w * ambientLight(eyeNormal);
-    for (int i = 0; i < 8; ++i)
-        if (isOn(i)) {
-            vec4 at = lightAt(i, eyePosition);
-            vec3 part = at.w * shareOf(at.xyz, shade) * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
-            light += part;
-            if (isSun(i))
-                sunLight = part;
-        }
+    for (int n = 0; n < lights.length(); ++n) {
+        int i = lights[n];
+        vec4 at = lightAt(i, eyePosition);
+        vec3 part = at.w * shareOf(at.xyz, shade) * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
+        light += part;
+        if (n == 0)
+            sunLight = part;
+    }
     return light;
 }
 
@@ -84,15 +83,15 @@ vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
     return vec3(1.0);
 #endif
     vec3 light = shade.above.w * ambientLight(eyeNormal);
-    for (int i = 0; i < 8; ++i)
-        if (isOn(i)) {
-            vec4 at = lightAt(i, eyePosition);
-            vec3 lit = max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + lightThrough(eyePosition, at.xyz);
-            vec3 part = at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
-            light += part;
-            if (isSun(i))
-                sunLight = part;
-        }
+    for (int n = 0; n < lights.length(); ++n) {
+        int i = lights[n];
+        vec4 at = lightAt(i, eyePosition);
+        vec3 lit = max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + lightThrough(eyePosition, at.xyz);
+        vec3 part = at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
+        light += part;
+        if (n == 0)
+            sunLight = part;
+    }
     return light;
 }
 
@@ -112,18 +111,18 @@ void linearLight(vec3 eyePosition, out vec3 bark, out vec3 leafMore, out mat3 by
     vec3 eyeUp = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
     bark = ambientLight(vec3(0.0));
     byNormal = outerProduct(ambientLight(eyeUp) - bark, eyeUp);
-    for (int i = 0; i < 8; ++i)
-        if (isOn(i)) {
-            vec4 at = lightAt(i, eyePosition);
-            vec3 light = at.w * gl_LightSource[i].diffuse.rgb;
-            bark += 0.25 * light;
-            leafMore += (0.25 + lightThrough(eyePosition, at.xyz)) * light;
-            byNormal += outerProduct(0.5 * light, at.xyz);
-            if (isSun(i)) {
-                sunLight = light;
-                sunThrough = lightThrough(eyePosition, at.xyz);
-                sunWay = at.xyz;
-            }
+    for (int n = 0; n < lights.length(); ++n) {
+        int i = lights[n];
+        vec4 at = lightAt(i, eyePosition);
+        vec3 light = at.w * gl_LightSource[i].diffuse.rgb;
+        bark += 0.25 * light;
+        leafMore += (0.25 + lightThrough(eyePosition, at.xyz)) * light;
+        byNormal += outerProduct(0.5 * light, at.xyz);
+        if (n == 0) {
+            sunLight = light;
+            sunThrough = lightThrough(eyePosition, at.xyz);
+            sunWay = at.xyz;
         }
+    }
 #endif
 }

@@ -41,10 +41,7 @@ vec4 shadowPlace(int unit, vec4 eye) {
 #ifdef SHADOWED
 /// Share of the sun's light that shadows leave.
 float sunLeft(vec3 eyePosition) {
-    int sun = 0;
-    while (!isSun(sun))
-        ++sun;
-    vec4 place = gl_LightSource[sun].position;
+    vec4 place = gl_LightSource[SUN].position;
     vec4 eye = vec4(eyePosition + SHADOW_CLEARANCE * normalize(place.xyz - place.w * eyePosition), 1.0);
     float left = 1.0;
 #ifdef SHADOW_MAP

@@ -81,12 +81,12 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, boo
     const auto define = [&](const char* name, const std::string& value) {
         defines[name] = {value, osg::StateAttribute::ON};
     };
-    unsigned lights = 0;
+    std::string lights;
     for (unsigned i = 0; i < 8; ++i)
         if (isOn(above.mode(GL_LIGHT0 + i)))
-            lights |= 1u << i;
-    if (lights != 0)
-        define("LIGHT_MASK", std::to_string(lights));
+            lights += (lights.empty() ? "" : ", ") + std::to_string(i);
+    if (!lights.empty())
+        define("LIGHTS", lights);
     const auto lighting = above.mode(GL_LIGHTING);
     if (lighting != osg::StateAttribute::INHERIT && !isOn(lighting))
         define("UNLIT", "1");
