@@ -24,6 +24,7 @@ uniform vec3 leafUnderside; // what it reflects over what the upper side does
 out vec2 leafCoord;
 out vec3 leafLight;
 out vec3 scenePosition;
+flat out int leafCard;
 flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
@@ -52,6 +53,7 @@ void main() {
     leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
     sunLight *= own;
     leafCoord = gl_MultiTexCoord0.xy;
+    leafCard = gl_VertexID / 4;
     treeFade = treeState.y;
     scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeState.z);

@@ -6,6 +6,7 @@
 
 #include "law/tint.glsl"
 
+flat in int leafCard; // its number among all of the draw
 uniform sampler2D leafTexture; // brightness, hue, alpha of bare twigs, alpha of leaves and twigs
 uniform vec3 leafColor;
 uniform vec3 twigColor;
@@ -18,31 +19,42 @@ float leafAlpha(vec4 texel, float borne) {
     return mix(texel.b, texel.a, borne);
 }
 
-/// The texel of a place; under COVERAGE the mean of four in its pixel, whose alpha is there or not.
+/// Of 2 x 2 samples as many are at or below a card's alpha as it covers, in the mean; which ones differs from card to card and
+/// from place to place, and stays as the card moves.
+float leafThreshold(ivec2 place) {
+    uvec2 block = uvec2(place >> 1);
+    uint noise = block.x * 374761393u + block.y * 668265263u + uint(leafCard) * 2246822519u;
+    noise = (noise ^ noise >> 13) * 1274126177u;
+    noise ^= noise >> 16;
+    ivec2 p = place ^ ivec2(noise, noise >> 1);
+    p &= 1;
+    return 0.25 * (float((p.x ^ p.y) << 1 | p.y) + float(noise >> 8) / 16777216.0);
+}
+
+/// The texel of a place, whose alpha is there or not; under COVERAGE the mean of four in its pixel.
 vec4 leafTexel(vec2 coord) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec2 texels = fwidth(coord) * vec2(textureSize(leafTexture, 0));
+    float sharper = 1.0 / clamp(max(texels.x, texels.y), 0.01, 1.0); // close by edges are of a pixel, not of a texel
 #ifdef COVERAGE
     vec2 across = 0.25 * dFdx(coord), along = 0.25 * dFdy(coord);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i) {
-        vec2 place = coord + ((i & 1) == 0 ? across : -across) + ((i & 2) == 0 ? along : -along);
-        vec4 texel = texture(leafTexture, place, -1.0);
-        sum += vec4(texel.rg, step(0.5, texel.ba));
+        ivec2 part = ivec2(i & 1, i >> 1);
+        vec2 off = 2.0 * vec2(part) - 1.0;
+        vec4 texel = texture(leafTexture, coord + off.x * across + off.y * along, -1.0);
+        sum += vec4(texel.rg, step(leafThreshold(2 * pixel + part), sharper * (texel.ba - 0.5) + 0.5));
     }
     return 0.25 * sum;
 #else
-    return texture(leafTexture, coord);
+    vec4 texel = texture(leafTexture, coord);
+    return vec4(texel.rg, step(leafThreshold(pixel), sharper * (texel.ba - 0.5) + 0.5));
 #endif
 }
 
 /// Alpha to write for one of leafAlpha(); what is not drawn is discarded.
 float leafCoverage(float alpha) {
-#ifdef COVERAGE
     if (alpha <= 0.0)
         discard;
     return alpha;
-#else
-    if (alpha < 0.5) // LeafTexels::alphaThreshold
-        discard;
-    return 1.0;
-#endif
 }

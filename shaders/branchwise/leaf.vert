@@ -18,6 +18,7 @@ uniform int treeFirstLeaf;    // of this tree in leafAngles; negative: leaves st
 
 out vec2 leafCoord;
 out vec3 leafLight;
+flat out int leafCard;
 flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
@@ -42,5 +43,6 @@ void main() {
     leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
 
     leafCoord = gl_MultiTexCoord0.xy;
+    leafCard = gl_VertexID / 4;
     placeSurface(eyePosition, eyeNormal, treeOwn);
 }

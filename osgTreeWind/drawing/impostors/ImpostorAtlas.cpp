@@ -59,37 +59,9 @@ void ImpostorAtlas::set(int column, int row, int x, int y, const glm::vec4& colo
     }
 }
 
-void ImpostorAtlas::shrink(int level, const glm::vec4& change) {
+void ImpostorAtlas::shrink(int level) {
     halve(*_colors, level);
     halve(*_normals, level);
-    unsigned char *colors = texels(*_colors, level), *normals = texels(*_normals, level);
-    const int width = _colors->s() >> level;
-    int uses[256] = {};
-    for (int i = 0; i < width * (_pixels >> level); ++i)
-        ++uses[colors[4 * i + 3]];
-
-    // Gaps close, what is solid stays: 1 - (1 - alpha)^power.
-    float alphas[256];
-    const auto cover = [&](float power) {
-        float sum = 0.0f;
-        for (int alpha = 0; alpha < 256; ++alpha) {
-            alphas[alpha] = 255.0f - 255.0f * std::pow(1.0f - static_cast<float>(alpha) / 255.0f, power);
-            sum += static_cast<float>(uses[alpha]) * alphas[alpha];
-        }
-        return sum;
-    };
-    const float wanted = change.a * cover(1.0f);
-    float low = 0.0f, high = 16.0f;
-    for (int step = 0; step < 16; ++step)
-        (cover(0.5f * (low + high)) < wanted ? low : high) = 0.5f * (low + high);
-    for (int i = 0; i < width * (_colors->t() >> level); ++i) {
-        const int alpha = colors[4 * i + 3];
-        const float gain = alpha ? alphas[alpha] / static_cast<float>(alpha) : 0.0f;
-        for (int c = 0; c < 4; ++c) {
-            colors[4 * i + c] = byte(gain * (c < 3 ? change[c] : 1.0f) * colors[4 * i + c]);
-            normals[4 * i + c] = byte(gain * normals[4 * i + c]);
-        }
-    }
 }
 
 } // namespace osgTreeWind

@@ -14,9 +14,8 @@ public:
     ImpostorAtlas(int columns, int rows, int pixels);
 
     void set(int column, int row, int x, int y, const glm::vec4& color, const glm::vec4& normal);
-    /// Makes a mipmap from the one before it. @param change mean colour and coverage of the first row over
-    /// those of that one.
-    void shrink(int level, const glm::vec4& change);
+    /// Makes a mipmap from the one before it.
+    void shrink(int level);
 
     osg::Image* colors() const { return _colors.get(); }
     osg::Image* normals() const { return _normals.get(); }

@@ -125,15 +125,11 @@ public:
         ImpostorAtlas atlas(_settings.azimuths, _settings.elevations, _settings.pixels);
         for (int row = 0; row < _settings.elevations; ++row)
             for (int column = 0; column < _settings.azimuths; ++column) {
-                draw(row, column, heightAt(0));
+                draw(row, column);
                 resolve(row, column, atlas);
             }
-        glm::vec4 before = look(0);
-        for (int level = 1; level < _pictures.levels(); ++level) {
-            const glm::vec4 now = look(level);
-            atlas.shrink(level, now / before);
-            before = now;
-        }
+        for (int level = 1; level < _pictures.levels(); ++level)
+            atlas.shrink(level);
         _pictures.colors = atlas.colors();
         _pictures.normals = atlas.normals();
         return _pictures;
@@ -180,32 +176,16 @@ private:
         }
     }
 
-    /// Height of the tree in pixels where a level is shown as it is. Textures of leaves are ever more solid
-    /// from farther away, and so must be the levels.
-    float heightAt(int level) const {
+    /// Metres on the largest level, by the narrower way.
+    float pixel() const {
         constexpr float sharper =
             1.05f; // cards take finer mipmaps than the largest stretch asks for: llvmpipe
         const glm::vec2 extent = _pictures.extents.front();
-        const float metres = glm::min(2.0f * _pictures.halfWidth, extent.y - extent.x);
-        const float pixels =
-            static_cast<float>(_settings.pixels >> level) * (1.0f - 2.0f * ImpostorPictures::margin);
-        return sharper * pixels * _pictures.height / metres;
+        return glm::min(2.0f * _pictures.halfWidth, extent.y - extent.x) /
+               (sharper * static_cast<float>(_settings.pixels) * (1.0f - 2.0f * ImpostorPictures::margin));
     }
 
-    /// Mean colour of what is covered at the horizon, and how much that is, for leaves as they are on a
-    /// level.
-    glm::vec4 look(int level) {
-        draw(0, 1, heightAt(level));
-        Sum sum;
-        sum.color = glm::vec4(1e-3f);
-        for (int y = 0; y < _raster.size(); ++y)
-            for (int x = 0; x < _raster.size(); ++x)
-                add(_raster.sample(x, y), sum);
-        return {glm::vec3(sum.color) / sum.color.a, sum.color.a};
-    }
-
-    /// @param treeHeight in pixels, for the textures of leaves.
-    void draw(int row, int column, float treeHeight) {
+    void draw(int row, int column) {
         const View view(glm::two_pi<float>() * static_cast<float>(column) /
                             static_cast<float>(_settings.azimuths),
                         elevation(row));
@@ -215,7 +195,6 @@ private:
         const glm::vec3 shift{
             0.5f * static_cast<float>(_raster.size()),
             static_cast<float>(_raster.size()) * ImpostorPictures::margin - scale.y * extent.x, 0.0f};
-        const float pixel = _pictures.height / treeHeight; // metres
         _raster.clear();
         std::uint32_t item = 0;
         for (const LeafPiece& piece : _leaves) {
@@ -223,7 +202,7 @@ private:
             const float area = glm::abs(across.x * along.y - across.y * along.x);
             const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
                                           glm::max(glm::abs(along.x), glm::abs(along.y)));
-            const float share = pixel * widest / glm::max(area, 1e-9f);
+            const float share = pixel() * widest / glm::max(area, 1e-9f);
             const LeafStencils& stencils = stencilsOf(piece);
             const std::size_t level = stencils.levelOf(share);
             _levels[item] = static_cast<std::uint8_t>(level);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 
-#include <osgTreeWind/drawing/looks/LeafTexels.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <glm/common.hpp>
@@ -30,6 +29,13 @@ glm::vec4 filtered(const osg::Image& texture, unsigned mipmap, const glm::vec2& 
                     glm::mix(texel(x, y + 1), texel(x + 1, y + 1), part.x), part.y);
 }
 
+/// Even in (0, 1) on every 2 x 2 and 4 x 4 cells (Bayer 1973).
+float threshold(int cell) {
+    const int x = cell % cells, y = cell / cells;
+    const auto rank = [](int i, int j) { return ((i ^ j) & 1) << 1 | (j & 1); };
+    return (static_cast<float>(4 * rank(x, y) + rank(x >> 1, y >> 1)) + 0.5f) / 16.0f;
+}
+
 } // namespace
 
 LeafStencils::LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& card)
@@ -41,8 +47,8 @@ LeafStencils::LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& car
             const glm::vec2 at =
                 card.at((glm::vec2(cell % cells, cell / cells) + 0.5f) / static_cast<float>(cells));
             const glm::vec4 color = filtered(texture, static_cast<unsigned>(i), at);
-            _levels[i].leaves[static_cast<std::size_t>(cell)] = color.a >= LeafTexels::alphaThreshold;
-            _levels[i].twigs[static_cast<std::size_t>(cell)] = color.b >= LeafTexels::alphaThreshold;
+            _levels[i].leaves[static_cast<std::size_t>(cell)] = color.a >= threshold(cell);
+            _levels[i].twigs[static_cast<std::size_t>(cell)] = color.b >= threshold(cell);
             _levels[i].tints[static_cast<std::size_t>(cell)] = Laws().texelTint(color.r, color.g);
         }
     }

@@ -10,8 +10,6 @@ namespace osgTreeWind {
 /// What a leaf texture holds, row after row from the bottom up, each channel in [0, 1]: brightness, hue (0.5:
 /// as the species' leaves), alpha of bare twigs, alpha of leaves and twigs.
 struct LeafTexels {
-    static constexpr float alphaThreshold = 0.5f; ///< As shaders/leaf.frag tests it.
-
     int size;
     std::vector<glm::vec4> texels;
 
@@ -20,9 +18,9 @@ struct LeafTexels {
     const glm::vec4& at(int x, int y) const { return texels[static_cast<std::size_t>(y * size + x)]; }
 };
 
-/// A card, halved again and again down to one texel, for filters that take the nearest level. On each the
-/// alpha test keeps as much of leaves, and of twigs, as they cover, everywhere on the card: far away the
-/// crown is as dense and as finely cut as close by.
+/// A card, halved again and again down to one texel. Alpha is what leaves, or twigs, cover of a texel; of
+/// samples on it as many are to show them (shaders/leaf_texture.glsl): far away the crown is as dense as
+/// close by.
 std::vector<LeafTexels> leafMipmaps(LeafTexels card);
 /// Half as wide.
 LeafTexels halved(const LeafTexels& texels);

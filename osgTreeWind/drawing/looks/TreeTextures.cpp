@@ -95,7 +95,7 @@ osg::Texture2D* TreeTextures::leaves(const Appearance& appearance) {
     osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
     if (!texture) {
         texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
-        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // leafMipmaps()
+        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // quick
     }
     return texture;
 }

@@ -4,6 +4,7 @@
 
 #include <osgTreeWind/drawing/looks/BoughCard.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
+#include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <gtest/gtest.h>
@@ -21,14 +22,14 @@ constexpr int twigs = 2, all = 3;
 float leavesOn(const LeafTexels& card) {
     std::size_t kept = 0;
     for (const glm::vec4& texel : card.texels)
-        kept += texel.a >= LeafTexels::alphaThreshold && texel.b < LeafTexels::alphaThreshold;
+        kept += texel.a >= 0.5f && texel.b < 0.5f;
     return static_cast<float>(kept) / static_cast<float>(card.texels.size());
 }
 
 float solidTexels(const LeafTexels& card, int channel) {
     std::size_t kept = 0;
     for (const glm::vec4& texel : card.texels)
-        kept += texel[channel] >= LeafTexels::alphaThreshold;
+        kept += texel[channel] >= 0.5f;
     return static_cast<float>(kept) / static_cast<float>(card.texels.size());
 }
 
@@ -92,28 +93,29 @@ TEST_P(LeafSprayOf, HasNoTwoVariantsAlike) {
 TEST_P(LeafSprayOf, KeepsItsCoverageInSmallerLevels) {
     const std::vector<LeafTexels> levels = leafMipmaps(painted(form(), 0));
     ASSERT_EQ(levels.size(), 9u);
-    for (std::size_t level = 1; level <= 4; ++level)
-        for (const int channel : {twigs, all}) {
-            float mean = 0.0f;
-            for (const glm::vec4& texel : levels.front().texels)
-                mean += texel[channel] / static_cast<float>(levels.front().texels.size());
-            EXPECT_NEAR(solidTexels(levels[level], channel), mean, 0.03f) << level << ", " << channel;
-        }
-    EXPECT_EQ(solidTexels(levels.back(), twigs), 0.0f); // a bare crown is no solid one far away
+    const auto mean = [](const LeafTexels& level, int channel) {
+        float sum = 0.0f;
+        for (const glm::vec4& texel : level.texels)
+            sum += texel[channel] / static_cast<float>(level.texels.size());
+        return sum;
+    };
+    for (const LeafTexels& level : levels)
+        for (const int channel : {twigs, all})
+            EXPECT_NEAR(mean(level, channel), mean(levels.front(), channel), 1e-3f) << level.size;
 }
 
-/// What filters make of a level is as finely cut as that level can be: no blobs of several texels.
-TEST_P(LeafSprayOf, StaysFinelyCutInSmallerLevels) {
-    const std::vector<LeafTexels> levels = leafMipmaps(painted(form(), 0));
-    const LeafTexels& card = levels[4];
-    int changes = 0, solid = 0;
-    for (int y = 0; y < card.size; ++y)
-        for (int x = 1; x < card.size; ++x) {
-            const bool here = card.at(x, y).a >= LeafTexels::alphaThreshold;
-            changes += here != (card.at(x - 1, y).a >= LeafTexels::alphaThreshold);
-            solid += here;
-        }
-    EXPECT_LT(static_cast<double>(solid) / (0.5 * changes), 3.6); // mean run, texels
+/// Far away, of the cells of a card as many are solid as it covers, finely and evenly.
+TEST_P(LeafSprayOf, FarAwayShowsOnAsManyCells) {
+    const LeafTexels card = painted(form(), 0);
+    const osg::ref_ptr<osg::Image> atlas = makeLeafAtlas({card, card, card}, {card});
+    const LeafStencils stencils(*atlas, LeafAtlas::spray(0));
+    const float wanted = leafMipmaps(card).back().texels.front().a;
+    for (const std::size_t level : {2u, 4u, 6u, 8u}) {
+        float solid = 0.0f;
+        for (const std::uint8_t cell : stencils.level(level).leaves)
+            solid += static_cast<float>(cell) / static_cast<float>(stencils.level(level).leaves.size());
+        EXPECT_NEAR(solid, wanted, 0.05f) << level;
+    }
 }
 
 TEST_P(LeafSprayOf, BoughsBearAsManyLeavesAsTheirSize) {
