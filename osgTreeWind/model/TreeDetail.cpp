@@ -22,7 +22,7 @@ double evenly(std::uint32_t index) {
 TreeDetail TreeDetail::reduced(int times) {
     constexpr TreeDetail details[reductions] = {{{5, 5}, 0.0006f, 1.0f, 2, 0.95f},
                                                 {{4, 4}, 0.0008f, 0.62f, 2, 0.98f},
-                                                {{3, 4}, 0.001f, 0.42f, 3, 1.1f},
+                                                {{3, 4}, 0.001f, 0.42f, 3, 1.15f},
                                                 {{2, 3}, 0.0014f, 0.27f, 4, 1.04f}};
     return details[glm::clamp(times, 1, reductions) - 1];
 }
