@@ -48,8 +48,10 @@ osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, 
         pictures.state = new SharedStateSet(*pictures.strip->stateSet());
         pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
     }
-    pictures.state->getOrCreateUniform("leafTint", osg::Uniform::FLOAT_VEC3)
-        ->set(seasonTint(_simulation->description().species[tree.species].appearance, _simulation->season()));
+    if (tier != Tier::BareImpostor) // twigs have no colour of leaves
+        pictures.state->getOrCreateUniform("leafTint", osg::Uniform::FLOAT_VEC3)
+            ->set(seasonTint(_simulation->description().species[tree.species].appearance,
+                             _simulation->season()));
     osg::ref_ptr<osg::Drawable> drawable =
         new BillboardDrawable(pictures.strip->geometry(), &posed, Random(tree.seed).uniform());
     drawable->setStateSet(pictures.state);

@@ -176,8 +176,9 @@ void TreeStandCull::handOver() {
         const SpeciesLooks& looks = resources.looks[model.species()];
         if (list.tier >= Tier::Impostor) {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
-            draw(impostor.geometry(), *list.bark, *list.trees,
-                 {inBand, fading, impostor.stateSet(), looks.impostors});
+            osg::StateSet* const leaves = // their colour, which twigs have not
+                list.tier == Tier::BareImpostor ? nullptr : looks.impostors.get();
+            draw(impostor.geometry(), *list.bark, *list.trees, {inBand, fading, impostor.stateSet(), leaves});
             continue;
         }
         draw(model.bark(list.tier), *list.bark, *list.trees,
