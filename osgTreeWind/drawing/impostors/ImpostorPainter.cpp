@@ -177,7 +177,7 @@ private:
     }
 
     /// Metres on the largest level, by the narrower way.
-    float pixel() const {
+    float pixelSize() const {
         constexpr float sharper =
             1.05f; // cards take finer mipmaps than the largest stretch asks for: llvmpipe
         const glm::vec2 extent = _pictures.extents.front();
@@ -195,6 +195,7 @@ private:
         const glm::vec3 shift{
             0.5f * static_cast<float>(_raster.size()),
             static_cast<float>(_raster.size()) * ImpostorPictures::margin - scale.y * extent.x, 0.0f};
+        const float pixel = pixelSize();
         _raster.clear();
         std::uint32_t item = 0;
         for (const LeafPiece& piece : _leaves) {
@@ -202,7 +203,7 @@ private:
             const float area = glm::abs(across.x * along.y - across.y * along.x);
             const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
                                           glm::max(glm::abs(along.x), glm::abs(along.y)));
-            const float share = pixel() * widest / glm::max(area, 1e-9f);
+            const float share = pixel * widest / glm::max(area, 1e-9f);
             const LeafStencils& stencils = stencilsOf(piece);
             const std::size_t level = stencils.levelOf(share);
             _levels[item] = static_cast<std::uint8_t>(level);

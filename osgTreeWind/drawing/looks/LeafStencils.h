@@ -10,8 +10,8 @@
 
 namespace osgTreeWind {
 
-/// A card of a leaf texture as the graphics card shows it from far away: filtered, and
-/// solid on as many of its cells as it covers.
+/// A card of a leaf texture as the graphics card shows it from far away: filtered, and solid on as many of
+/// its cells as it covers.
 class LeafStencils {
 public:
     struct Level {
