@@ -8,9 +8,11 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
+#include <osgTreeWind/wind/CanopyWind.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
@@ -121,6 +123,20 @@ GridWind::Grid someGrid(int layers, int times) {
     return grid;
 }
 
+/// Gusts among trees of 20 m, 5 m apart as far as they are sampled.
+WindFieldPtr inAWood(const WindFieldPtr& gusts) {
+    constexpr int rows = 260;
+    StandTree tree;
+    tree.height = 20.0f;
+    tree.crownArea = 25.0f;
+    tree.frontalArea = 50.0f;
+    tree.drag.fill(2.0f);
+    std::vector<StandTree> trees(rows * rows, tree);
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
+    return std::make_shared<CanopyWind>(gusts, *canopyOf(trees), 60.0f, 1);
+}
+
 TimedKernel windKind(const char* name, const WindFieldPtr& field) {
     Random random(3);
     std::vector<WindPlace> places(samples);
@@ -131,6 +147,7 @@ TimedKernel windKind(const char* name, const WindFieldPtr& field) {
             tree = {1250.0f * random.uniform(), 1250.0f * random.uniform(), 0.0f};
         places[i] =
             tree + glm::vec3(10.0f * random.uniform(), 10.0f * random.uniform(), 20.0f * random.uniform());
+        places[i].inCrown = true;
     }
     return {{"winds", name, "sample", samples, {}, 1}, [=](double time) mutable {
                 field->sample(places.data(), samples, time, velocities.data());
@@ -141,6 +158,7 @@ TimedKernel windKind(const char* name, const WindFieldPtr& field) {
 std::vector<TimedKernel> allKernels() {
     GustWind::Parameters gusts;
     gusts.profile = LogProfile{10.0, 0.5};
+    const WindFieldPtr turbulent = GustWind::create(gusts).value();
     const WindFieldPtr moving = GridWind::create(someGrid(8, 3)).value();
     RetimedWind::Clock carried;
     carried.speed = 8.0;
@@ -151,7 +169,8 @@ std::vector<TimedKernel> allKernels() {
         leafLaw("leaf, Perlin noise", {}),
         leafLaw("leaf, 1/f noise", 1.0f),
         windKind("uniform", std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f))),
-        windKind("gusts", GustWind::create(gusts).value()),
+        windKind("gusts", turbulent),
+        windKind("gusts in a wood", inAWood(turbulent)),
         windKind("grid", GridWind::create(someGrid(1, 1)).value()),
         windKind("grid, 8 layers", GridWind::create(someGrid(8, 1)).value()),
         windKind("grid, 8 layers, 3 times", moving),

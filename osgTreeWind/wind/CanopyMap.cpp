@@ -2,16 +2,38 @@
 #include <osgTreeWind/wind/CanopyMap.h>
 
 #include <glm/common.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 
 namespace osgTreeWind {
 
-float CanopyCell::shelterAt(float speed) const {
-    const float at = std::clamp(speed / speedStep, 0.0f, static_cast<float>(speeds - 1));
-    const auto low = std::min(static_cast<std::size_t>(at), speeds - 2);
-    return shelter[low] + (at - static_cast<float>(low)) * (shelter[low + 1] - shelter[low]);
+namespace {
+
+/// A mean speed at the top within the steps of CanopyCell::shelter.
+struct SpeedStep {
+    std::size_t low;
+    float share; ///< Of the next step.
+
+    explicit SpeedStep(float speed) {
+        const float at =
+            std::clamp(speed / CanopyCell::speedStep, 0.0f, static_cast<float>(CanopyCell::speeds - 1));
+        low = std::min(static_cast<std::size_t>(at), CanopyCell::speeds - 2);
+        share = at - static_cast<float>(low);
+    }
+
+    float shelterOf(const CanopyCell& cell) const {
+        return cell.shelter[low] + share * (cell.shelter[low + 1] - cell.shelter[low]);
+    }
+};
+
+/// std::floor() without a call.
+int floorOf(float x) {
+    const int towardZero = static_cast<int>(x);
+    return towardZero - (x < static_cast<float>(towardZero) ? 1 : 0);
 }
+
+} // namespace
 
 void CanopyMap::refer(float height) {
     reference = std::max(height, usual.profile.height);
@@ -37,43 +59,40 @@ float CanopyMap::crownsAt(const glm::vec2& place) const {
 }
 
 CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
+    const SpeedStep step(speed);
     if (everywhere)
-        return {usual.closure, usual.profile, usual.top, usual.shelterAt(speed)};
+        return {usual.closure, usual.profile, usual.top, step.shelterOf(usual)};
     // Places of a map do not depend on how far it goes: a part of a forest has the same cells as the whole.
-    const glm::vec2 middle = place / cell, low = glm::floor(middle), at = low - glm::vec2(first);
-    CanopyAt sum;
+    const glm::vec2 middle = place / cell, at = middle - glm::vec2(first);
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width - 1) &&
           at.y < static_cast<float>(length - 1)))
-        return sum; // the outermost cells are open country too
-    const auto x = static_cast<std::size_t>(at.x), y = static_cast<std::size_t>(at.y);
-    const float east = middle.x - low.x, north = middle.y - low.y;
-    const float shares[4] = {(1.0f - east) * (1.0f - north), east * (1.0f - north), (1.0f - east) * north,
-                             east * north};
+        return {}; // the outermost cells are open country too
+    const int column = floorOf(middle.x), row = floorOf(middle.y);
+    const float east = middle.x - static_cast<float>(column), north = middle.y - static_cast<float>(row);
+    const auto x = static_cast<std::size_t>(column - first.x), y = static_cast<std::size_t>(row - first.y);
     const CanopyCell* corner = &cells[y * static_cast<std::size_t>(width) + x];
-    const CanopyCell* corners[4] = {corner, corner + 1, corner + width, corner + width + 1};
-    float top = 0.0f, shelter = 0.0f;
-    for (int i = 0; i < 4; ++i) { // what a stand is like counts as far as there is one
-        const float weight = shares[i] * corners[i]->closure;
-        if (weight > 0.0f) {
-            sum.closure += weight;
-            sum.profile.height += weight * corners[i]->profile.height;
-            sum.profile.friction += weight * corners[i]->profile.friction;
-            sum.profile.attenuation += weight * corners[i]->profile.attenuation;
-            top += weight * corners[i]->top;
-            shelter += weight * corners[i]->shelterAt(speed);
-        }
-    }
-    if (!(sum.closure > 0.0f))
+    // What a stand is like counts as far as there is one.
+    float closure = 0.0f, shelter = 0.0f;
+    glm::vec4 stand(0.0f);
+    const auto add = [&](const CanopyCell& one, float share) {
+        const float weight = share * one.closure;
+        closure += weight;
+        stand +=
+            weight * glm::vec4(one.profile.height, one.profile.friction, one.profile.attenuation, one.top);
+        shelter += weight * step.shelterOf(one);
+    };
+    add(corner[0], (1.0f - east) * (1.0f - north));
+    add(corner[1], east * (1.0f - north));
+    add(corner[width], (1.0f - east) * north);
+    add(corner[width + 1], east * north);
+    if (!(closure > 0.0f))
         return {};
-    const float each = 1.0f / sum.closure;
-    if (sum.closure > 0.999f)
-        sum.closure = 1.0f; // but for rounding
-    sum.profile.height *= each;
-    sum.profile.friction *= each;
-    sum.profile.attenuation *= each;
-    sum.top = top * each;
-    sum.shelter = shelter * each;
-    return sum;
+    const float each = 1.0f / closure;
+    stand *= each;
+    return {closure > 0.999f ? 1.0f : closure, // but for rounding
+            {stand.x, stand.y, stand.z},
+            stand.w,
+            shelter * each};
 }
 
 } // namespace osgTreeWind

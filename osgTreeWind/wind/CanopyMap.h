@@ -23,9 +23,6 @@ struct CanopyCell {
     float top = 1.0f; ///< Mean at the top over that at CanopyMap::reference.
     /// The wind between leaves over that of free air there, for mean speeds at the top of 0, speedStep, ...
     std::array<float, speeds> shelter{};
-
-    /// `shelter` at a mean speed at the top, m/s >= 0.
-    float shelterAt(float speed) const;
 };
 
 /// The same at one mean speed at the top.

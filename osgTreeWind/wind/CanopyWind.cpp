@@ -8,8 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -35,8 +37,8 @@ constexpr float pace = 1.8f;
 /// Integral length along the wind over that across it and upward, as of isotropic turbulence (Batchelor
 /// 1953).
 constexpr double slenderness = 2.0;
-/// Down to a thirtieth of the largest gusts, which is less than a tree notices.
-constexpr std::size_t octaves = 6;
+/// Down to a seventeenth of the largest gusts: a quarter of the height of trees along the wind.
+constexpr std::size_t octaves = 5;
 /// Correlation of the wind along and upward: -u*^2 over both deviations at the top.
 constexpr float sweep = 1.0f / (1.8f * 1.1f);
 
@@ -71,6 +73,35 @@ glm::vec3 usualWind(const WindField& wind, float reference) {
 glm::dmat3 stretchAlong(const glm::dvec3& along) {
     return glm::dmat3(slenderness) - (slenderness - 1.0) * glm::outerProduct(along, along);
 }
+
+/// Swinging winds below canopies' tops, where the deviation along over the mean tells them: what costs most
+/// of a sample, made once. In steps of it, over the mean: mean, deviation and skewness of the speed, and
+/// swing.
+class WindsBelow {
+public:
+    WindsBelow() {
+        CanopyProfile profile = CanopyProfile::over(1.0f, 1.0f);
+        for (std::size_t i = 0; i < _winds.size(); ++i) {
+            const WindSpread top = profile.spread(1.0f);
+            const float part = std::max(step * static_cast<float>(i), 0.01f) / top.along;
+            const SwingingWind wind(1.0f, {part * top.along, part * top.across, part * top.up},
+                                    profile.skewness(1.0f));
+            _winds[i] = {wind.mean, wind.deviation, wind.skewness, wind.swing()};
+        }
+    }
+
+    glm::vec4 at(float intensity) const {
+        const float place = std::min(intensity / step, static_cast<float>(_winds.size()) - 1.01f);
+        const auto low = static_cast<std::size_t>(place);
+        return glm::mix(_winds[low], _winds[low + 1], place - static_cast<float>(low));
+    }
+
+private:
+    static constexpr float step = 1.0f / 32.0f;
+    std::array<glm::vec4, 320> _winds; ///< Up to 10: on the ground under the densest crowns.
+};
+
+const WindsBelow windsBelow;
 
 /// Nearly Gaussian noise of mean 0 and variance 1 made skewed: that of a gamma distribution (Wilson and
 /// Hilferty 1931), with the same mean and variance.
@@ -107,11 +138,19 @@ TreeCompany CanopyWind::companyAt(const glm::vec2& place) const {
 glm::vec3 CanopyWind::among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
                             const NoisePoint& noise) const {
     const CanopyProfile& profile = stand.profile;
-    const float z = place.height, skewness = profile.skewness(z);
+    const float z = place.height, skewness = profile.skewness(z), mean = profile.mean(z);
     const WindSpread spread = profile.spread(z);
-    const SwingingWind wind(profile.mean(z), spread, skewness);
-    const float speed = wind.mean + wind.deviation * skewed(noise.values[0], wind.skewness);
-    const float angle = wind.swing() * noise.values[1];
+    glm::vec4 wind; // mean, deviation and skewness of the speed, and swing
+    if (z <= profile.height) {
+        wind = windsBelow.at(spread.along / mean);
+        wind.x *= mean;
+        wind.y *= mean;
+    } else {
+        const SwingingWind above(mean, spread, skewness);
+        wind = {above.mean, above.deviation, above.skewness, above.swing()};
+    }
+    const float speed = wind.x + wind.y * skewed(noise.values[0], wind.z);
+    const float angle = wind.w * noise.values[1];
     const float down =
         skewed(sweep * noise.values[0] + std::sqrt(1.0f - sweep * sweep) * noise.values[2], skewness);
     float factor = given.speed * stand.top;
@@ -127,7 +166,7 @@ glm::vec3 CanopyWind::among(const CanopyAt& stand, const WindPlace& place, const
 void CanopyWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     const GustNoise::At noise = _noise.at(glm::dvec3(_pace) * heldTime(time, 1e12));
     constexpr std::size_t block = GustNoise::block;
-    WindPlace raised[block], canopied[block];
+    WindPlace raised[block];
     glm::vec3 given[block];
     LevelWind level[block];
     CanopyAt stands[block];
@@ -137,25 +176,23 @@ void CanopyWind::sample(const WindPlace* places, std::size_t count, double time,
         for (std::size_t n = 0; n < size; ++n)
             raised[n] = raisedTo(places[first + n], _map->reference);
         _mean->sample(raised, size, time, given);
-        std::size_t among[block], amongCount = 0;
-        bool open = false;
+        bool open = false, closed = false;
         for (std::size_t n = 0; n < size; ++n) {
-            level[n] = LevelWind(given[n]);
+            level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : LevelWind(given[n]);
             stands[n] = standOf(places[first + n].position, level[n]);
             open |= stands[n].closure < 1.0f;
-            if (stands[n].closure > 0.0f) {
-                canopied[amongCount] = places[first + n];
-                among[amongCount++] = n;
-            }
+            closed |= stands[n].closure > 0.0f;
         }
         if (open)
             _open->sample(places + first, size, time, out + first);
-        noise.sample(canopied, amongCount, turbulence);
-        for (std::size_t i = 0; i < amongCount; ++i) {
-            const std::size_t n = among[i];
-            const glm::vec3 v = this->among(stands[n], places[first + n], level[n], turbulence[i]);
+        if (closed)
+            noise.sample(places + first, size, turbulence);
+        for (std::size_t n = 0; n < size; ++n) {
             const float closure = stands[n].closure;
-            out[first + n] = closure < 1.0f ? glm::mix(out[first + n], v, closure) : v;
+            if (closure > 0.0f) {
+                const glm::vec3 v = among(stands[n], places[first + n], level[n], turbulence[n]);
+                out[first + n] = closure < 1.0f ? glm::mix(out[first + n], v, closure) : v;
+            }
         }
     }
 }
