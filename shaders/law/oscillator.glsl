@@ -36,8 +36,8 @@ Swing swungFreely(Swing start, real pace, real rate, real h) {
 /// to `upTo`, as measured in wind tunnels, and u^-breeze below, down to 1.6 m/s, where leaves begin to stir (Beaufort's
 /// light breeze). @param exponent, breeze in [0, 2].
 real streamlinedShare(real exponent, real breeze, real upTo, real speed) {
-    real gentle = max(speed, every(1.6f));
-    real much = logarithm(gentle < 10.0f ? 10.0f / gentle : min(gentle, upTo) / 10.0f);
-    real share = decayed((gentle < 10.0f ? breeze : exponent) * much);
-    return gentle < 10.0f ? 1.0f / share : share;
+    real ratio = max(speed, every(1.6f)) / 10.0f;
+    real high = logarithm(ratio < 1.0f ? 8.0f * ratio : min(ratio, upTo / 10.0f));
+    real share = decayed(ratio < 1.0f ? breeze * (2.07944154f - high) : exponent * high);
+    return ratio < 1.0f ? 1.0f / share : share;
 }

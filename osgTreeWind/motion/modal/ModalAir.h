@@ -53,9 +53,9 @@ struct LaneFactors {
                                                       p.support * support + p.roots * roots);
     }
     /// Share of its stiffness that weight leaves a mode: what slows it deepens its lean as well.
-    Number leftByWeight(const ModalModel::Mode& mode) const {
-        return typename Lanes::Laws().weightLeaves(mode.weightShare * weight * grown(mode.mass) /
-                                                   grown(mode.stiffness));
+    /// @param stiffness, mass grown() of it.
+    Number leftByWeight(const ModalModel::Mode& mode, const Number& stiffness, const Number& mass) const {
+        return typename Lanes::Laws().weightLeaves(mode.weightShare * weight * mass / stiffness);
     }
 };
 static_assert(sizeof(TreeFactors) == 14 * sizeof(float), "LaneFactors takes them in their order");
@@ -81,9 +81,11 @@ public:
         wind[2] = z;
         _square[p] = x * x + y * y + z * z;
         const Number wood = patch.woodDrag * _factors.woodDrag;
-        _windDrag[p] = wood + patch.leafDrag * _factors.leafDrag;
+        Number swings;
+        const Number relative = pass(p, _speed, _past + 3 * p, _ownShare[p], swings);
         _stillDrag[p] = wood + patch.stillDrag * _factors.stillDrag;
-        _brake[p] = brakeAt(p, _speed, _past + 3 * p, _ownShare[p]);
+        _windDrag[p] = (wood + patch.leafDrag * _factors.leafDrag) * streamlined(p, relative);
+        _brake[p] = typename Lanes::Laws().airBrake(_windDrag[p], _stillDrag[p], swings, relative);
     }
 
     /// Of a patch that was met, as the modes have their speeds: kg/s, and the air past it, x, y, z.
@@ -93,9 +95,18 @@ public:
     /// wind and from their own motion alike.
     const Number& ownShare(std::size_t p) const { return _ownShare[p]; }
 
-    /// The same as the modes have other speeds.
+    /// The same as the modes have other speeds, with leaves turned as they were.
     template <typename Speeds>
-    Number brakeAt(std::size_t p, const Speeds& speeds, Number* past, Number& ownShare) const {
+    Number brakeAt(std::size_t p, const Speeds& speeds) const {
+        Number past[3], ownShare, swings;
+        const Number relative = pass(p, speeds, past, ownShare, swings);
+        return typename Lanes::Laws().airBrake(_windDrag[p], _stillDrag[p], swings, relative);
+    }
+
+private:
+    /// Square of the speed of the air past a patch.
+    template <typename Speeds>
+    Number pass(std::size_t p, const Speeds& speeds, Number* past, Number& ownShare, Number& swings) const {
         const std::size_t modes = _model.modes.size();
         const float* lever = _model.levers.data() + 3 * modes * p;
         Number own[3];
@@ -105,17 +116,14 @@ public:
                 sum += lever[c * modes + k] * speeds[k];
             own[c] = sum * _factors.reach;
         }
-        const Number ownSquare = own[0] * own[0] + own[1] * own[1] + own[2] * own[2];
-        const Number swings = typename Lanes::Laws().swinging(_square[p], ownSquare);
+        swings =
+            typename Lanes::Laws().swinging(_square[p], own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
         ownShare = _factors.shelter + (1.0f - _factors.shelter) * swings;
         for (std::size_t c = 0; c < 3; ++c)
             past[c] = _wind[3 * p + c] - ownShare * own[c];
-        const Number relative = past[0] * past[0] + past[1] * past[1] + past[2] * past[2];
-        return typename Lanes::Laws().airBrake(_windDrag[p] * streamlined(p, relative), _stillDrag[p], swings,
-                                               relative);
+        return past[0] * past[0] + past[1] * past[1] + past[2] * past[2];
     }
 
-private:
     /// Share of its drag at 10 m/s: leaves turn out of the air that goes past them, their own motion
     /// included.
     Number streamlined(std::size_t p, const Number& relative) const {
@@ -130,9 +138,9 @@ private:
     const LaneFactors<Lanes> _factors;
     Number _wind[3 * ModalDetail::maxPatches], _past[3 * ModalDetail::maxPatches],
         _ownShare[ModalDetail::maxPatches];
-    Number _square[ModalDetail::maxPatches];   ///< Of the wind's speed.
-    Number _windDrag[ModalDetail::maxPatches], ///< At 10 m/s.
-        _stillDrag[ModalDetail::maxPatches], _brake[ModalDetail::maxPatches];
+    Number _square[ModalDetail::maxPatches]; ///< Of the wind's speed.
+    Number _windDrag[ModalDetail::maxPatches], _stillDrag[ModalDetail::maxPatches],
+        _brake[ModalDetail::maxPatches];
 };
 
 } // namespace

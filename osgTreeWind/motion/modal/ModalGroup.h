@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/RoomFor.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -44,6 +45,7 @@ struct ModalMotion::Group {
     const ModalModel& model() const { return archetype->model(level); }
     std::size_t firstFactor() const { return treeFloats(model()) - factorCount; }
 
+    std::size_t treesIn(std::size_t block) const { return std::min(lanes, trees.size() - block * lanes); }
     TreeLanes* block(std::size_t index) { return numbers.data() + index * treeFloats(model()); }
     const TreeLanes* block(std::size_t index) const { return numbers.data() + index * treeFloats(model()); }
     float& number(std::size_t place, std::size_t index) {

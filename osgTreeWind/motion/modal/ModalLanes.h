@@ -31,10 +31,7 @@ public:
             real middle[ModalDetail::maxModes];
             for (std::size_t k = 0; k < _modes; ++k)
                 middle[k] = swing(k, 0.5f * h).speed;
-            push([&](std::size_t p) {
-                real past[3], ownShare;
-                return _air.brakeAt(p, middle, past, ownShare);
-            });
+            push([&](std::size_t p) { return _air.brakeAt(p, middle); });
             for (std::size_t k = 0; k < _modes; ++k) {
                 const LaneLaws::Swing next = swing(k, h);
                 number(k) = next.angle;
@@ -65,8 +62,9 @@ private:
         for (std::size_t k = 0; k < _modes; ++k) {
             const ModalModel::Mode& mode = _model.modes[k];
             const real stiffness = factors.grown(mode.stiffness), mass = factors.grown(mode.mass);
-            _mode[k].pace = mode.pace * sqrt(factors.pace * stiffness * factors.leftByWeight(mode) / mass);
-            _mode[k].drive = factors.drive / mass;
+            const real left = factors.leftByWeight(mode, stiffness, mass), eased = 1.0f / mass;
+            _mode[k].pace = mode.pace * sqrt(factors.pace * stiffness * left * eased);
+            _mode[k].drive = factors.drive * eased;
             _mode[k].limit = every(mode.limit);
         }
     }

@@ -126,7 +126,7 @@ private:
     float number(std::size_t tree, std::size_t index) const;
     void advance(const WindField* wind);
     void sampleWind(const WindField* wind, std::size_t first, std::size_t end, Scratch& scratch) const;
-    void addPlaces(const Work& work, std::vector<WindPlace>& places) const;
+    WindPlace* addPlaces(const Work& work, WindPlace* out) const;
     void settle(std::size_t tree, std::size_t first);
     void refreshLean(std::size_t tree);
     float shareOfSway(std::size_t tree) const;

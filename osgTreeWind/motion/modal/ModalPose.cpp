@@ -87,7 +87,9 @@ void ModalMotion::settle(std::size_t tree, std::size_t first) {
         for (std::size_t i = 0; i < 3 * model.patches.size(); ++i)
             force += model.levers[i * modes + k] * vector[modes + i];
         const ModalModel::Mode& mode = model.modes[k];
-        number(tree, k) = force / (mode.pace * mode.pace * factors.leftByWeight(mode));
+        const float left =
+            factors.leftByWeight(mode, factors.grown(mode.stiffness), factors.grown(mode.mass));
+        number(tree, k) = force / (mode.pace * mode.pace * left);
     }
 }
 

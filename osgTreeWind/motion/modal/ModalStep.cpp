@@ -67,7 +67,7 @@ void ModalMotion::advance(const WindField* wind) {
             Group& group = _groups[_work[w].group];
             const ModalModel& model = group.model();
             const std::size_t patches = model.patches.size();
-            const std::size_t trees = std::min(lanes, group.trees.size() - _work[w].block * lanes);
+            const std::size_t trees = group.treesIn(_work[w].block);
             scratch.lanes.assign(3 * patches, TreeLanes());
             for (std::size_t i = 0; i < trees; ++i)
                 for (std::size_t p = 0; p < patches; ++p, ++met)
@@ -93,38 +93,45 @@ void ModalMotion::advance(const WindField* wind) {
 /// At the patches of a part of the work, at the time of each. @param wind null: calm.
 void ModalMotion::sampleWind(const WindField* wind, std::size_t first, std::size_t end,
                              Scratch& scratch) const {
-    scratch.places.clear();
-    scratch.winds.clear();
-    for (std::size_t w = first; w < end; ++w) {
-        addPlaces(_work[w], scratch.places);
+    std::size_t count = 0;
+    for (std::size_t w = first; w < end; ++w)
+        count +=
+            _groups[_work[w].group].treesIn(_work[w].block) * _groups[_work[w].group].model().patches.size();
+    if (scratch.places.size() < count) {
+        scratch.places.resize(count);
+        scratch.winds.resize(count);
+    }
+    if (!wind)
+        std::fill_n(scratch.winds.begin(), count, glm::vec3(0.0f));
+    WindPlace *next = scratch.places.data(), *sampled = next;
+    for (std::size_t w = first; wind && w < end; ++w) {
+        next = addPlaces(_work[w], next);
         if (w + 1 < end && _work[w + 1].time == _work[w].time)
             continue;
-        const std::size_t sampled = scratch.winds.size();
-        scratch.winds.resize(scratch.places.size(), glm::vec3(0.0f));
-        if (wind)
-            wind->sample(scratch.places.data() + sampled, scratch.places.size() - sampled, _work[w].time,
-                         scratch.winds.data() + sampled);
+        wind->sample(sampled, static_cast<std::size_t>(next - sampled), _work[w].time,
+                     scratch.winds.data() + (sampled - scratch.places.data()));
+        sampled = next;
     }
 }
 
-/// Of the patches of the trees of a block, tree after tree.
-void ModalMotion::addPlaces(const Work& work, std::vector<WindPlace>& places) const {
+/// Of the patches of the trees of a block, tree after tree. @return the place after them.
+WindPlace* ModalMotion::addPlaces(const Work& work, WindPlace* out) const {
     const Group& group = _groups[work.group];
-    const std::size_t patches = group.model().patches.size(), factor = group.firstFactor();
+    const std::size_t factor = group.firstFactor(), trees = group.treesIn(work.block);
     const TreeLanes* numbers = group.block(work.block);
-    const std::size_t first = work.block * lanes, end = std::min(first + lanes, group.trees.size());
-    for (std::size_t i = first; i < end; ++i) {
-        const Place& place = _places[group.trees[i]];
-        const float cosine = numbers[factor].tree[i - first], sine = numbers[factor + 1].tree[i - first];
-        const glm::vec3 axes(place.width, place.width, numbers[factor + 2].tree[i - first]);
-        for (std::size_t p = 0; p < patches; ++p) {
-            const glm::vec3 at = axes * group.model().patches[p].place;
-            places.emplace_back(place.foot +
-                                    glm::vec3(cosine * at.x - sine * at.y, sine * at.x + cosine * at.y, at.z),
-                                place.foot.z);
-            places.back().inCrown = true;
+    for (std::size_t i = 0; i < trees; ++i) {
+        const Place& place = _places[group.trees[work.block * lanes + i]];
+        const float cosine = numbers[factor].tree[i], sine = numbers[factor + 1].tree[i];
+        const glm::vec3 axes(place.width, place.width, numbers[factor + 2].tree[i]);
+        for (const ModalModel::Patch& patch : group.model().patches) {
+            const glm::vec3 at = axes * patch.place;
+            *out = WindPlace(place.foot +
+                                 glm::vec3(cosine * at.x - sine * at.y, sine * at.x + cosine * at.y, at.z),
+                             place.foot.z);
+            out++->inCrown = true;
         }
     }
+    return out;
 }
 
 /// The farther a tree bends the less its top moves: as that of an even arc.
