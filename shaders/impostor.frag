@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// One of the four nearest pictures for each pixel, as often as it is near, and each pixel as often as it is covered:
-// nothing is blended, so that the order in which trees are drawn does not matter.
+// One of the four nearest pictures for each pixel, of one of two mipmaps, as often as it is near, and each pixel as often
+// as it is covered: nothing is blended, so that the order in which trees are drawn does not matter.
 
 #pragma import_defines(FADING)
 
@@ -48,6 +48,7 @@ void main() {
     vec2 coord = (vec2(column, row) + pictureCoord) / impostorSize.zw;
     float coarsest = log2(float(textureSize(impostorColors, 0).x) / impostorSize.z) - 3.0; // keeps pictures apart
     float lod = clamp(0.5 * log2(max(dot(dx, dx), dot(dy, dy))), 0.0, coarsest);
+    lod = floor(lod + fract(64.0 * chance)); // one of both, as often as it is near: half of the texels
     vec4 color = textureLod(impostorColors, coord, lod);
     if (color.a <= chance)
         discard;

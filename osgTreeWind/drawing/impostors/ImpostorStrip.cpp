@@ -55,8 +55,8 @@ osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Prog
 
 } // namespace
 
-ImpostorStrip::ImpostorStrip(ImpostorPictures pictures, osg::Program* program, int segments)
-    : _pictures(std::move(pictures)), _cover(_pictures), _geometry(strip(std::max(segments, 1))),
+ImpostorStrip::ImpostorStrip(ImpostorPictures pictures, osg::Program* program)
+    : _pictures(std::move(pictures)), _cover(_pictures), _geometry(strip(2)), _straight(strip(1)),
       _stateSet(osgTreeWind::stateSet(_pictures, program)) {}
 
 } // namespace osgTreeWind

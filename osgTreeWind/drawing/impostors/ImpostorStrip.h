@@ -17,19 +17,22 @@ class ImpostorStrip : public osg::Referenced {
 public:
     static constexpr int colorUnit = 0, normalUnit = 6; ///< Texture units; shadows use those between.
 
-    /// @param program createProgram("impostor", "impostor"), shared by all models. @param segments of the
-    /// strip up the tree, at least 1: how finely it bends.
-    ImpostorStrip(ImpostorPictures pictures, osg::Program* program, int segments = 2);
+    /// @param program createProgram("impostor", "impostor"), shared by all models.
+    ImpostorStrip(ImpostorPictures pictures, osg::Program* program);
 
     const ImpostorPictures& pictures() const { return _pictures; }
     const PictureCover& cover() const { return _cover; }
+    /// In two segments up the tree, so that it bends.
     osg::Geometry* geometry() const { return _geometry.get(); }
+    /// In one, for trees smaller than that, whose bend is within a pixel.
+    osg::Geometry* straight() const { return _straight.get(); }
+    static constexpr float bendingPixels = 24.0f;
     osg::StateSet* stateSet() const { return _stateSet.get(); }
 
 private:
     ImpostorPictures _pictures;
     PictureCover _cover;
-    osg::ref_ptr<osg::Geometry> _geometry;
+    osg::ref_ptr<osg::Geometry> _geometry, _straight;
     osg::ref_ptr<osg::StateSet> _stateSet;
 };
 

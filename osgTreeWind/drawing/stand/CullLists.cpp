@@ -25,23 +25,20 @@ void CullLists::begin(unsigned frame, std::size_t models, osgUtil::StateGraph* p
     _used = 0;
     _near.clear();
     _models = models;
-    _open.assign(2 * bands * models * tierCount, 0);
+    _open.assign(4 * bands * models * tierCount, 0);
 }
 
-InstanceList& CullLists::list(std::size_t band, std::size_t model, Tier tier, bool fading,
-                              const PosePass* passes, PosePage* page) {
-    std::size_t& open =
-        _open[2 * ((band * _models + model) * tierCount + static_cast<std::size_t>(tier)) + fading];
+InstanceList& CullLists::list(const Kind& kind, const PosePass* passes, PosePage* page) {
+    const std::size_t drawn =
+        (kind.band * _models + kind.model) * tierCount + static_cast<std::size_t>(kind.tier);
+    std::size_t& open = _open[4 * drawn + 2 * kind.fading + kind.small];
     if (open != 0 && _lists[open - 1].trees->page == page)
         return *_lists[open - 1].trees;
     if (_used == _lists.size())
         _lists.emplace_back();
     List& list = _lists[_used++];
     open = _used;
-    list.band = band;
-    list.model = model;
-    list.tier = tier;
-    list.fading = fading;
+    static_cast<Kind&>(list) = kind;
     list.trees->clear();
     list.trees->passes = passes;
     list.trees->page = page;

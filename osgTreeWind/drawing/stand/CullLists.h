@@ -26,10 +26,14 @@ class CullLists : public osgUtil::RenderStage {
 public:
     CullLists();
 
-    struct List {
+    /// What trees of one list have in common.
+    struct Kind {
         std::size_t band = 0, model = 0;
         Tier tier = Tier::Full;
-        bool fading = false; ///< Whether its trees cross over to another tier.
+        bool fading = false; ///< Whether they cross over to another tier.
+        bool small = false;  ///< Whether their bend is too small to be seen; of impostors.
+    };
+    struct List : Kind {
         osg::ref_ptr<InstanceList> trees = new InstanceList;
         osg::ref_ptr<InstancedDraw> bark = new InstancedDraw; ///< Of impostors the whole.
         osg::ref_ptr<InstancedDraw> leaves = new InstancedDraw;
@@ -45,9 +49,8 @@ public:
     /// That of trees in this distance, metres: the first one up to 60 m, each of the others twice as deep.
     static std::size_t bandOf(float distance);
 
-    /// The list that trees of this band, model and tier go to, and of this page if they have poses.
-    InstanceList& list(std::size_t band, std::size_t model, Tier tier, bool fading, const PosePass* passes,
-                       PosePage* page);
+    /// The list that trees of this kind go to, and of this page if they have poses.
+    InstanceList& list(const Kind& kind, const PosePass* passes = nullptr, PosePage* page = nullptr);
 
     struct SeenCell {
         float distance;
@@ -96,8 +99,7 @@ private:
     std::vector<ScreenCover::Picture> _pictures;
     ScreenCover _cover;
     std::vector<List> _lists;
-    std::vector<std::size_t>
-        _open; ///< By band, model, tier and fading, the list that is filled now; 0: none, else one more.
+    std::vector<std::size_t> _open; ///< By kind, the list that is filled now; 0: none, else one more.
     std::vector<std::uint32_t> _near;
 };
 

@@ -55,7 +55,7 @@ void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
                 objects.push_back(geometry);
     for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor)
-            objects.insert(objects.end(), {impostor->geometry(), impostor->stateSet()});
+            objects.insert(objects.end(), {impostor->geometry(), impostor->straight(), impostor->stateSet()});
 }
 
 } // namespace osgTreeWind

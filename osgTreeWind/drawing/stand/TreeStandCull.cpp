@@ -126,7 +126,8 @@ void TreeStandCull::addTree(const CullLists::SeenTree& seen, Tier tier, float fa
         const glm::vec3 down =
             fall ? turnHeading({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
                  : glm::vec3(0.0f);
-        lists.list(seen.band, tree.model, impostorTier(tree.leaves), fade < 1.0f, nullptr, nullptr)
+        const bool small = seen.pixels < ImpostorStrip::bendingPixels;
+        lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade < 1.0f, small})
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
                   {lean.x, lean.y, fade, own}});
@@ -136,7 +137,7 @@ void TreeStandCull::addTree(const CullLists::SeenTree& seen, Tier tier, float fa
     const PosePass::Row row = pass.row(frame, seen.number, [&](PoseRequest& request) {
         pass.ask(modal, seen.number, tree.scale, resources.looks[tree.species].foliage, request);
     });
-    InstanceList& list = lists.list(seen.band, tree.model, tier, fade < 1.0f, &pass, row.page);
+    InstanceList& list = lists.list({seen.band, tree.model, tier, fade < 1.0f, false}, &pass, row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
@@ -178,7 +179,8 @@ void TreeStandCull::handOver() {
             const ImpostorStrip& impostor = *model.impostor(list.tier);
             osg::StateSet* const leaves = // their colour, which twigs have not
                 list.tier == Tier::BareImpostor ? nullptr : looks.impostors.get();
-            draw(impostor.geometry(), *list.bark, *list.trees, {inBand, fading, impostor.stateSet(), leaves});
+            draw(list.small ? impostor.straight() : impostor.geometry(), *list.bark, *list.trees,
+                 {inBand, fading, impostor.stateSet(), leaves});
             continue;
         }
         draw(model.bark(list.tier), *list.bark, *list.trees,

@@ -94,7 +94,10 @@ protected:
     }
 
     osg::ref_ptr<osg::Node> impostor(ImpostorStrip& shape, Instance* instance) {
-        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(*shape.geometry());
+        return impostor(shape, *shape.geometry(), instance);
+    }
+    osg::ref_ptr<osg::Node> impostor(ImpostorStrip& shape, const osg::Geometry& strip, Instance* instance) {
+        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(strip);
         geometry->setDrawCallback(instance);
         geometry->setCullingActive(false);
         osg::ref_ptr<osg::Group> group = new osg::Group;
@@ -169,6 +172,20 @@ TEST_F(ImpostorGlTest, leansAsTheTopDoesAndNotAtTheFoot) {
         return sum / count;
     };
     EXPECT_NEAR(foot(*b), foot(*a), 1.0);
+}
+
+TEST_F(ImpostorGlTest, theBendOfASmallTreeIsWithinAPixel) {
+    osg::ref_ptr<ImpostorStrip> shape = shapeOf(Species());
+    const float height = shape->pictures().height;
+    osg::ref_ptr<Instance> leaning = new Instance;
+    leaning->state = osg::Vec4(0.15f * height, 0.0f, 1.0f, 0.0f);
+    const Sight sight{-90.0, 0.0, static_cast<double>(ImpostorStrip::bendingPixels)};
+    osg::ref_ptr<osg::Image> bent = picture(impostor(*shape, leaning), sight, height),
+                             straight = picture(impostor(*shape, *shape->straight(), leaning), sight, height);
+    EXPECT_EQ(shape->straight()->getVertexArray()->getNumElements(), 4u);
+    EXPECT_NEAR(covered(*straight) / covered(*bent), 1.0, 0.05);
+    for (int y = size / 2 - 8; y < size / 2 + 8; y += 4)
+        EXPECT_NEAR(middleOf(*straight, y).x(), middleOf(*bent, y).x(), 1.0) << y;
 }
 
 TEST_F(ImpostorGlTest, twoHalvesOfAFadeAreTheWhole) {
