@@ -9,8 +9,8 @@
 
 namespace osgTreeWind {
 
-// ForestGALES: its limits under the wind's moment of 111.7 d^2 h U^2 (Hale et al. 2012) and that of what hangs
-// over, 1.136 of it (Hale et al. 2015).
+// ForestGALES: its limits under the wind's moment of 111.7 d^2 h U^2 (Hale et al. 2012) and that of what
+// hangs over, 1.136 of it (Hale et al. 2015).
 TEST(StormTree, FallsInTheWindThatForestGalesHas) {
     const Species spruce = *findSpecies("Norway spruce");
     TreePlacement tree;
