@@ -188,7 +188,7 @@ TEST_F(BenchTest, MeasuresLawsAndWinds) {
         EXPECT_NE(outcome.out.find("| " + kernel["name"].get<std::string>() + " | "), std::string::npos);
     }
     EXPECT_GE(groups["laws"], 14); // and one for each set of instructions beyond the first
-    EXPECT_EQ(groups["winds"], 10);
+    EXPECT_EQ(groups["winds"], 11);
 }
 
 TEST_F(BenchTest, MeasuresWholeTreesUnderDampedAndModal) {
