@@ -27,12 +27,6 @@ struct SpeedStep {
     }
 };
 
-/// std::floor() without a call.
-int floorOf(float x) {
-    const int towardZero = static_cast<int>(x);
-    return towardZero - (x < static_cast<float>(towardZero) ? 1 : 0);
-}
-
 } // namespace
 
 void CanopyMap::refer(float height) {
@@ -67,9 +61,10 @@ CanopyAt CanopyMap::at(const glm::vec2& place, float speed) const {
     if (!(at.x >= 0.0f && at.y >= 0.0f && at.x < static_cast<float>(width - 1) &&
           at.y < static_cast<float>(length - 1)))
         return {}; // the outermost cells are open country too
-    const int column = floorOf(middle.x), row = floorOf(middle.y);
-    const float east = middle.x - static_cast<float>(column), north = middle.y - static_cast<float>(row);
-    const auto x = static_cast<std::size_t>(column - first.x), y = static_cast<std::size_t>(row - first.y);
+    const glm::vec2 low = glm::floor(middle);
+    const float east = middle.x - low.x, north = middle.y - low.y;
+    const auto x = static_cast<std::size_t>(static_cast<int>(low.x) - first.x),
+               y = static_cast<std::size_t>(static_cast<int>(low.y) - first.y);
     const CanopyCell* corner = &cells[y * static_cast<std::size_t>(width) + x];
     // What a stand is like counts as far as there is one.
     float closure = 0.0f, shelter = 0.0f;

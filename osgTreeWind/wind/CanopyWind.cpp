@@ -80,9 +80,9 @@ glm::dmat3 stretchAlong(const glm::dvec3& along) {
 class WindsBelow {
 public:
     WindsBelow() {
-        CanopyProfile profile = CanopyProfile::over(1.0f, 1.0f);
+        const CanopyProfile profile = CanopyProfile::over(1.0f, 1.0f);
+        const WindSpread top = profile.spread(1.0f);
         for (std::size_t i = 0; i < _winds.size(); ++i) {
-            const WindSpread top = profile.spread(1.0f);
             const float part = std::max(step * static_cast<float>(i), 0.01f) / top.along;
             const SwingingWind wind(1.0f, {part * top.along, part * top.across, part * top.up},
                                     profile.skewness(1.0f));
