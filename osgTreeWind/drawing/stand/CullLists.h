@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/stand/FrontToBack.h>
 #include <osgTreeWind/drawing/stand/InstancedDraw.h>
-#include <osgTreeWind/drawing/stand/ScreenCover.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/drawing/stand/ViewFrustum.h>
@@ -57,17 +57,9 @@ public:
         const TreeCells::Cell* cell;
         ViewFrustum::Side side;
     };
-    struct SeenTree {
-        std::uint32_t number;
-        std::size_t band;
-        float pixels;           ///< Height on the screen.
-        std::uint32_t step = 0; ///< Of the distance to the eye.
-    };
-    /// Memory for cells that are seen, for trees in them that others may hide, and for what those hide.
+    /// Memory for cells that are seen, and for trees in them that may hide others.
     std::vector<SeenCell>& seenCells() { return _seenCells; }
-    std::vector<SeenTree>& seenTrees() { return _seenTrees; }
-    std::vector<ScreenCover::Picture>& pictures() { return _pictures; } ///< Of the latter.
-    ScreenCover& cover() { return _cover; }
+    FrontToBack& frontToBack() { return _frontToBack; }
 
     /// Trees that are seen from near, for the next update.
     std::vector<std::uint32_t>& near() { return _near; }
@@ -95,9 +87,7 @@ private:
     osg::ref_ptr<osg::StateSet> _shading = new osg::StateSet;
     std::array<osg::ref_ptr<osg::StateSet>, bands> _bandStates;
     std::vector<SeenCell> _seenCells;
-    std::vector<SeenTree> _seenTrees;
-    std::vector<ScreenCover::Picture> _pictures;
-    ScreenCover _cover;
+    FrontToBack _frontToBack;
     std::vector<List> _lists;
     std::vector<std::size_t> _open; ///< By kind, the list that is filled now; 0: none, else one more.
     std::vector<std::uint32_t> _near;

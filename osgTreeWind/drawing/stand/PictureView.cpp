@@ -22,6 +22,8 @@ bool project(const osg::Matrixf& toClip, const osg::Vec3& point, osg::Vec2& scre
 
 PictureView::PictureView(osgUtil::CullVisitor& visitor)
     : _toClip(*visitor.getModelViewMatrix() * *visitor.getProjectionMatrix()),
+      _pixel(static_cast<float>(
+          1.0 / std::max(1.0, visitor.getViewport()->width() * visitor.getViewport()->height()))),
       _eye(visitor.getViewPointLocal()) {
     if ((*visitor.getProjectionMatrix())(3, 3) < 0.5)
         return;
@@ -29,6 +31,17 @@ PictureView::PictureView(osgUtil::CullVisitor& visitor)
     _parallel.set(static_cast<float>(toEye(0, 2)), static_cast<float>(toEye(1, 2)),
                   static_cast<float>(toEye(2, 2)));
     _parallel.normalize();
+}
+
+bool PictureView::place(const osg::BoundingBox& box, osg::Vec2& low, osg::Vec2& high) const {
+    for (unsigned i = 0; i < 8; ++i) {
+        osg::Vec2 corner;
+        if (!project(_toClip, box.corner(i), corner))
+            return false;
+        low = i == 0 ? corner : osg::Vec2(std::min(low.x(), corner.x()), std::min(low.y(), corner.y()));
+        high = i == 0 ? corner : osg::Vec2(std::max(high.x(), corner.x()), std::max(high.y(), corner.y()));
+    }
+    return true;
 }
 
 osg::Vec3 PictureView::towardEye(const osg::Vec3& point) const {

@@ -5,6 +5,7 @@
 #include <osgTreeWind/drawing/stand/ScreenCover.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 
+#include <osg/BoundingBox>
 #include <osg/Matrixf>
 #include <osg/Vec3>
 #include <osgUtil/CullVisitor>
@@ -20,6 +21,10 @@ public:
     /// turned on its side.
     ScreenCover::Picture place(const PlacedTree& tree, const glm::vec2& lean,
                                const ImpostorStrip& impostor) const;
+    /// The part of the screen that a box is on; false where some of it is not before the eye.
+    bool place(const osg::BoundingBox& box, osg::Vec2& low, osg::Vec2& high) const;
+    /// Share of the screen that a pixel is.
+    float pixel() const { return _pixel; }
     /// From the eye to a point, metres; forests' frame.
     float distance(const osg::Vec3& point) const { return (point - _eye).length(); }
 
@@ -27,6 +32,7 @@ private:
     osg::Vec3 towardEye(const osg::Vec3& point) const;
 
     osg::Matrixf _toClip;
+    float _pixel;
     osg::Vec3 _eye, _parallel; ///< The latter toward the eye of a parallel projection, else null.
 };
 

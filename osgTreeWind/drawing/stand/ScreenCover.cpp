@@ -23,21 +23,27 @@ int part(float place) {
     return std::clamp(static_cast<int>(place * PictureCover::side), 0, PictureCover::side - 1);
 }
 
+float columnAt(float x) {
+    return 0.5f * ScreenCover::columns * (x + 1.0f);
+}
+float rowAt(float y) {
+    return 0.5f * ScreenCover::rows * (y + 1.0f);
+}
+
 /// Calls visit(cell, how much of it the picture hides) for each cell of the screen that it touches.
 template <typename Visit>
 void forEachCell(const ScreenCover::Picture& picture, Visit visit) {
     if (!picture.cover)
         return;
-    const auto column = [](float x) { return 0.5f * ScreenCover::columns * (x + 1.0f); };
-    const auto row = [](float y) { return 0.5f * ScreenCover::rows * (y + 1.0f); };
-    const float bottom = row(picture.low.y()), top = row(picture.high.y());
+    const float bottom = rowAt(picture.low.y()), top = rowAt(picture.high.y());
     const float width = ScreenCover::columns * picture.halfWidth;
     const int last = onScreen(std::ceil(top), ScreenCover::rows);
     for (int y = onScreen(std::floor(bottom), ScreenCover::rows); y < last; ++y) {
         const float height = within(y, bottom, top);
         const float middle = std::max(bottom, static_cast<float>(y)) + 0.5f * height;
         const float up = (middle - bottom) / (top - bottom);
-        const float left = column(picture.low.x() + up * (picture.high.x() - picture.low.x())) - 0.5f * width;
+        const float left =
+            columnAt(picture.low.x() + up * (picture.high.x() - picture.low.x())) - 0.5f * width;
         const int rowPart = part(up);
         const float* const cover = picture.cover->data() + rowPart * PictureCover::side;
         const int end = onScreen(std::ceil(left + width), ScreenCover::columns);
@@ -68,6 +74,33 @@ float ScreenCover::clearness(const Picture& picture) const {
         if (shown[part] > 0.0f)
             clearest = std::max(clearest, clear[part] / shown[part]);
     return clearest;
+}
+
+bool ScreenCover::hides(const Picture& picture, float share) const {
+    float shown = 0.0f, hidden = 0.0f, most = 0.0f;
+    forEachCell(picture, [&](std::size_t cell, int, float hides) {
+        shown += hides * _shows[cell];
+        hidden += hides;
+        most = std::max(most, hides > 0.0f ? _shows[cell] : 0.0f);
+    });
+    return hidden > 0.0f && most < hardly && shown < share * columns * rows;
+}
+
+ScreenCover::Range ScreenCover::shows(const osg::Vec2& low, const osg::Vec2& high) const {
+    const int left = onScreen(std::floor(columnAt(low.x())), columns),
+              right = onScreen(std::ceil(columnAt(high.x())), columns),
+              bottom = onScreen(std::floor(rowAt(low.y())), rows),
+              top = onScreen(std::ceil(rowAt(high.y())), rows);
+    Range range;
+    for (int row = bottom; row < top; ++row)
+        for (int column = left; column < right; ++column) {
+            const float shows = _shows[static_cast<std::size_t>(row * columns + column)];
+            range.least = std::min(range.least, shows);
+            range.most = std::max(range.most, shows);
+        }
+    if (left >= right || bottom >= top)
+        range.most = 1.0f;
+    return range;
 }
 
 void ScreenCover::add(const Picture& picture) {

@@ -25,11 +25,12 @@ float distanceFrom(const osg::Vec3& point, const osg::BoundingBox& box) {
 void TreeStandCull::run() {
     lists.begin(frame, resources.models.size(), visitor.getCurrentStateGraph(), visitor.getCurrentCamera());
     const ViewFrustum view(visitor);
+    const PictureView pictures(visitor);
     const bool nearFar = visitor.getComputeNearFarMode() != osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR;
     const osg::Vec3 eye = visitor.getViewPointLocal();
     auto& seen = lists.seenCells();
     seen.clear();
-    lists.seenTrees().clear();
+    lists.frontToBack().clear();
     for (const TreeCells::Cell& cell : cells.cells())
         if (!cell.trees.empty())
             if (const ViewFrustum::Side side = view.sideOf(cell.box); side != ViewFrustum::Outside)
@@ -37,8 +38,10 @@ void TreeStandCull::run() {
     std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) {
         return std::tie(a.distance, a.cell) < std::tie(b.distance, b.cell);
     });
+    const auto see = [&](const FrontToBack::Tree& tree) { return seeThroughOthers(pictures, tree); };
     for (const CullLists::SeenCell& each : seen) {
-        seeCell(view, each);
+        lists.frontToBack().takeBefore(each.distance, see);
+        seeCell(view, pictures, each);
         if (!nearFar)
             continue;
         if (each.distance > 0.0f) {
@@ -48,7 +51,7 @@ void TreeStandCull::run() {
         for (const TreeCells::Tree& tree : each.cell->trees) // not as near as the cell, which is all about it
             visitor.updateCalculatedNearFar(*visitor.getModelViewMatrix(), TreeCells::boxOf(tree));
     }
-    addThroughOthers();
+    lists.frontToBack().takeAll(see);
     handOver();
 }
 
@@ -57,57 +60,53 @@ bool TreeStandCull::isTreeDown(std::uint32_t number) const {
     return fall && fall->isDown;
 }
 
-void TreeStandCull::seeCell(const ViewFrustum& view, const CullLists::SeenCell& seen) {
+/// None of a tree that lies.
+ScreenCover::Picture TreeStandCull::pictureOf(const PictureView& pictures, std::uint32_t number) const {
+    const PlacedTree& tree = simulation.trees()[number];
+    const ImpostorStrip* impostor = resources.models[tree.model]->impostor(impostorTier(tree.leaves));
+    return impostor && !isTreeDown(number) ? pictures.place(tree, modal.lean(number), *impostor)
+                                           : ScreenCover::Picture{};
+}
+
+void TreeStandCull::seeCell(const ViewFrustum& view, const PictureView& pictures,
+                            const CullLists::SeenCell& seen) {
+    const ScreenCover& cover = lists.frontToBack().cover();
+    ScreenCover::Range shows{1.0f, 1.0f};
+    if (osg::Vec2 low, high; pictures.place(seen.cell->box, low, high))
+        shows = cover.shows(low, high);
     const std::size_t band = CullLists::bandOf(seen.distance);
     for (const TreeCells::Tree& tree : seen.cell->trees) {
         const bool isDown = isTreeDown(tree.number);
-        const osg::Vec3 middle = tree.foot + osg::Vec3(0.0f, 0.0f, isDown ? 0.0f : 0.5f * tree.height);
+        const osg::Vec3 top = tree.foot + osg::Vec3(0.0f, 0.0f, isDown ? 0.0f : tree.height);
         if (seen.side == ViewFrustum::Across) {
             const glm::vec2 lean = modal.lean(tree.number);
             const float sway = 1.5f * (std::abs(lean.x) + std::abs(lean.y)) + 0.05f * tree.height;
-            if (!view.sees(middle, std::hypot(tree.reach, isDown ? tree.height : 0.5f * tree.height) + sway))
+            const float reach = isDown ? std::hypot(tree.reach, tree.height) : tree.reach;
+            if (!view.sees(tree.foot, top, reach + sway))
                 continue;
         }
-        const CullLists::SeenTree seenTree{tree.number, band, detail * view.pixels(middle, tree.height)};
+        const osg::Vec3 middle = (tree.foot + top) * 0.5f;
+        const FrontToBack::Tree seenTree{tree.number, band, detail * view.pixels(middle, tree.height)};
         if (tiers.on() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
-            lists.seenTrees().push_back(seenTree);
-        else // nothing before it would change how it is drawn
+            lists.frontToBack().put(seenTree, pictures.distance(tree.foot));
+        else if (shows.least >= ScreenCover::hardly ||
+                 !cover.hides(pictureOf(pictures, tree.number), pictures.pixel()))
             addTree(seenTree, 1.0f);
     }
 }
 
-/// Front to back, in steps: trees of one step do not hide each other, nor those of the next, as crowns reach
-/// into each other.
-void TreeStandCull::addThroughOthers() {
-    constexpr float step = 6.0f; // metres
-    constexpr std::size_t steps = 128;
-    const PictureView view(visitor);
-    std::vector<CullLists::SeenTree>& seen = lists.seenTrees();
-    for (CullLists::SeenTree& tree : seen) {
-        const float distance = view.distance(toOsg(simulation.trees()[tree.number].position));
-        tree.step = static_cast<std::uint32_t>(std::min(distance / step, static_cast<float>(steps)));
-    }
-    std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
-    ScreenCover& cover = lists.cover();
-    cover.clear();
-    std::vector<ScreenCover::Picture>& pictures = lists.pictures();
-    pictures.clear();
-    std::size_t added = 0;
-    for (const CullLists::SeenTree& tree : seen) {
-        while (added < pictures.size() && seen[added].step + 1 < tree.step)
-            cover.add(pictures[added++]);
-        const PlacedTree& placed = simulation.trees()[tree.number];
-        const ImpostorStrip* impostor = resources.models[placed.model]->impostor(impostorTier(placed.leaves));
-        pictures.push_back(impostor && !isTreeDown(tree.number)
-                               ? view.place(placed, modal.lean(tree.number), *impostor)
-                               : ScreenCover::Picture{});
-        addTree(tree, cover.clearness(pictures.back()));
-    }
+ScreenCover::Picture TreeStandCull::seeThroughOthers(const PictureView& pictures,
+                                                     const FrontToBack::Tree& seen) {
+    const ScreenCover::Picture picture = pictureOf(pictures, seen.number);
+    const ScreenCover& cover = lists.frontToBack().cover();
+    if (!cover.hides(picture, pictures.pixel()))
+        addTree(seen, cover.clearness(picture));
+    return picture;
 }
 
 /// What is seen through gaps of others needs less detail.
-void TreeStandCull::addTree(const CullLists::SeenTree& seen, float clearness) {
-    const float pixels = seen.pixels * std::sqrt(clearness);
+void TreeStandCull::addTree(const FrontToBack::Tree& seen, float clearness) {
+    const float pixels = seen.pixels * clearness;
     const TierChoice choice = tiers.choose(pixels);
     addTree(seen, choice.tier, choice.fade);
     if (choice.fade < 1.0f)
@@ -116,7 +115,7 @@ void TreeStandCull::addTree(const CullLists::SeenTree& seen, float clearness) {
         lists.near().push_back(seen.number);
 }
 
-void TreeStandCull::addTree(const CullLists::SeenTree& seen, Tier tier, float fade) {
+void TreeStandCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade) {
     const PlacedTree& tree = simulation.trees()[seen.number];
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;

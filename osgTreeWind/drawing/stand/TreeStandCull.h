@@ -34,10 +34,11 @@ public:
 
 private:
     bool isTreeDown(std::uint32_t number) const;
-    void seeCell(const ViewFrustum& view, const CullLists::SeenCell& seen);
-    void addThroughOthers();
-    void addTree(const CullLists::SeenTree& seen, float clearness);
-    void addTree(const CullLists::SeenTree& seen, Tier tier, float fade);
+    ScreenCover::Picture pictureOf(const PictureView& pictures, std::uint32_t number) const;
+    void seeCell(const ViewFrustum& view, const PictureView& pictures, const CullLists::SeenCell& seen);
+    ScreenCover::Picture seeThroughOthers(const PictureView& pictures, const FrontToBack::Tree& seen);
+    void addTree(const FrontToBack::Tree& seen, float clearness);
+    void addTree(const FrontToBack::Tree& seen, Tier tier, float fade);
     void handOver();
 };
 

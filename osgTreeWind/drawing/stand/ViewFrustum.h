@@ -21,9 +21,10 @@ public:
     explicit ViewFrustum(osgUtil::CullVisitor& visitor);
 
     Side sideOf(const osg::BoundingBox& box) const;
-    bool sees(const osg::Vec3& centre, float radius) const {
+    /// Whether it sees something of what reaches this far from a line.
+    bool sees(const osg::Vec3& from, const osg::Vec3& to, float radius) const {
         for (std::size_t i = 0; i < _planeCount; ++i)
-            if (distance(_planes[i], centre) < -radius)
+            if (std::max(distance(_planes[i], from), distance(_planes[i], to)) < -radius)
                 return false;
         return true;
     }

@@ -78,3 +78,34 @@ TEST(ScreenCoverTest, nothingIsHiddenOffTheScreenOrWithoutAPicture) {
                 << low.x() << ' ' << low.y();
         }
 }
+
+TEST(ScreenCoverTest, hidesWhatShowsOnLessThanAPixel) {
+    const PictureCover::Grid crown = evenly(0.9f);
+    const auto low = osg::Vec2(0.0f, -0.1f), high = osg::Vec2(0.0f, 0.1f);
+    const ScreenCover::Picture tree = picture(crown, low, high, 0.1f);
+    const float share = 0.9f * 0.1f * 0.1f; // of the screen, by itself
+    ScreenCover cover;
+    EXPECT_FALSE(cover.hides(tree, 1.0f)) << "nothing is before it";
+    const PictureCover::Grid before = evenly(0.99f);
+    cover.add(picture(before, {0.0f, -1.0f}, {0.0f, 1.0f}, 0.5f));
+    EXPECT_TRUE(cover.hides(tree, 0.0101f * share));
+    EXPECT_FALSE(cover.hides(tree, 0.0099f * share));
+    EXPECT_FALSE(cover.hides(picture(crown, {0.5f, -0.1f}, {0.5f, 0.1f}, 0.1f), 1.0f)) << "shows beside it";
+    EXPECT_FALSE(cover.hides({}, 1.0f));
+    EXPECT_FALSE(cover.hides(picture(crown, {3.0f, -0.1f}, {3.0f, 0.1f}, 0.1f), 1.0f)) << "off the screen";
+}
+
+TEST(ScreenCoverTest, tellsWhatShowsLeastAndMostOnAPartOfTheScreen) {
+    const PictureCover::Grid half = evenly(0.5f);
+    ScreenCover cover;
+    cover.add(picture(half, {-0.5f, -1.0f}, {-0.5f, 1.0f}, 0.5f)); // the left half
+    const auto expect = [&](const osg::Vec2& low, const osg::Vec2& high, float least, float most) {
+        const ScreenCover::Range range = cover.shows(low, high);
+        EXPECT_FLOAT_EQ(range.least, least) << low.x() << ' ' << high.x();
+        EXPECT_FLOAT_EQ(range.most, most) << low.x() << ' ' << high.x();
+    };
+    expect({-0.9f, -0.5f}, {-0.1f, 0.5f}, 0.5f, 0.5f);
+    expect({-0.2f, -0.5f}, {0.2f, 0.5f}, 0.5f, 1.0f);
+    expect({0.1f, -9.0f}, {9.0f, 9.0f}, 1.0f, 1.0f);
+    expect({-9.0f, 2.0f}, {9.0f, 3.0f}, 1.0f, 1.0f);
+}

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 using namespace osgTreeWind;
 
@@ -208,6 +209,40 @@ TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
     EXPECT_EQ(tierOfLast(), Tier::Impostor) << "behind four rows";
     forest.trees.back().size.height = 40.0f;
     EXPECT_LT(tierOfLast(), Tier::Impostor) << "it stands out above them";
+}
+
+TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
+    ForestDescription forest = wood(0, true);
+    const auto plant = [&](float x, float y, float height) {
+        TreePlacement tree;
+        tree.species = 1; // spruce, whose crown begins at the ground
+        tree.position = {x, y, 0.0};
+        tree.size.height = height;
+        tree.seed = static_cast<std::uint32_t>(forest.trees.size());
+        forest.trees.push_back(tree);
+    };
+    const auto count = [&](std::size_t trees) {
+        const std::vector<std::size_t> drawn = listed(forest, trees);
+        return std::accumulate(drawn.begin(), drawn.end(), std::size_t{0});
+    };
+    forest.drawing.blend = 0.0f; // each tree once
+    for (int row = 0; row < 12; ++row)
+        for (int i = -8; i <= 8; ++i)
+            plant(2.0f * static_cast<float>(i), 14.0f + 5.0f * static_cast<float>(row), 14.0f);
+    const std::size_t before = forest.trees.size();
+    for (int i = 0; i < 50; ++i)
+        plant(0.1f * static_cast<float>(i), 150.0f + 4.0f * static_cast<float>(i), 12.0f);
+    const std::size_t behind = forest.trees.size();
+    const std::size_t drawn = count(before);
+    const Picture without = pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
+    EXPECT_EQ(count(behind), drawn) << "fifty trees behind the others";
+    const Picture with = pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < with.size(); i += 4)
+        different += !std::equal(&with[i], &with[i] + 4, &without[i]);
+    EXPECT_LT(different, 10u) << "wind among more trees is nearly the same";
+    plant(0.0f, 4.0f, 0.5f);
+    EXPECT_EQ(count(behind + 1), drawn + 1) << "small, and before all others";
 }
 
 TEST_F(TreeTiersGlTest, eachViewKeepsToTheBudget) {

@@ -58,9 +58,12 @@ TEST_F(ViewFrustumTest, tellsWhatIsInsideAcrossAndOutside) {
     EXPECT_EQ(here.sideOf(boxAt({0, -50, 0}, 3)), ViewFrustum::Outside);
     EXPECT_EQ(here.sideOf(boxAt({0, 50, 28.9f}, 3)), ViewFrustum::Across);
     EXPECT_EQ(here.sideOf(boxAt({0, 50, 40}, 3)), ViewFrustum::Outside);
-    EXPECT_TRUE(here.sees({0, 50, 30}, 2));
-    EXPECT_FALSE(here.sees({0, 50, 40}, 2));
-    EXPECT_TRUE(here.sees({0, 50, 40}, 20));
+    EXPECT_TRUE(here.sees({0, 50, 30}, {0, 50, 30}, 2));
+    EXPECT_FALSE(here.sees({0, 50, 40}, {0, 50, 60}, 2));
+    EXPECT_TRUE(here.sees({0, 50, 40}, {0, 50, 60}, 20));
+    EXPECT_TRUE(here.sees({0, 50, 20}, {0, 50, 60}, 2));
+    const float side = std::tan(osg::PI / 6.0) * 1.5f * 50.0f; // of the view, 50 m ahead
+    EXPECT_FALSE(here.sees({side + 5, 50, -10}, {side + 5, 50, 10}, 3)) << "a tree beside it";
 }
 
 TEST_F(ViewFrustumTest, isThatOfTheFrameThatIsCulled) {
@@ -72,5 +75,5 @@ TEST_F(ViewFrustumTest, isThatOfTheFrameThatIsCulled) {
 TEST_F(ViewFrustumTest, withoutCullingEverythingIsSeen) {
     visitor->setCullingMode(osg::CullSettings::NO_CULLING);
     EXPECT_EQ(view().sideOf(boxAt({0, -50, 0}, 3)), ViewFrustum::Inside);
-    EXPECT_TRUE(view().sees({0, -500, 0}, 1));
+    EXPECT_TRUE(view().sees({0, -500, 0}, {0, -500, 9}, 1));
 }
