@@ -10,7 +10,7 @@ struct DrawingOptions {
     float full = 800.0f;    ///< At least this high: every vertex. Below: ever fewer and larger leaf cards,
     float reduced = 250.0f; ///< down to this height: the fewest.
     float impostor = 80.0f; ///< Below this height an impostor. 0: no impostors.
-    float blend = 0.2f;     ///< Share of a threshold over which two tiers cross-fade.
+    float blend = 0.1f;     ///< Share of a threshold over which two tiers cross-fade.
     /// Milliseconds that the frame of a view is to take: where it takes longer, trees are drawn as if they
     /// were lower, down to a quarter. 0: none, and what is drawn does not depend on the machine.
     float budget = 0.0f;
