@@ -26,13 +26,13 @@ TreeSize measureTree(const TreeExtents& extents, const TreeScale& scale) {
     const auto [east, west, north, south, height] = extents.reach(scale);
     TreeSize size;
     size.height = height;
-    size.trunkDiameter = 2.0f * extents.trunkRadius(scale, std::min(1.3f, 0.1f * height));
+    size.trunkDiameter = 2.0f * extents.trunkRadius(scale, breastHeight(height));
     size.crownWidth = 0.5f * (east + west + north + south);
     return size;
 }
 
 float trunkSection(const Skeleton& skeleton, const TreeScale& scale) {
-    const float height = std::min(1.3f, 0.1f * scale.axes.z * skeleton.height());
+    const float height = breastHeight(scale.axes.z * skeleton.height());
     float radius = 0.0f;
     for (const BranchUnit& unit : skeleton.units) {
         const float base = scale.axes.z * unit.base.z, tip = scale.axes.z * unit.tip.z;

@@ -4,14 +4,21 @@
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/model/TreeModel.h>
 
+#include <algorithm>
+
 namespace osgTreeWind {
 
 /// What a forester measures, in metres, 0.001 to 1000. A value that is not above 0 means "not given".
 struct TreeSize {
     float height = 0.0f;        ///< Ground to the highest point of wood or leaves.
-    float trunkDiameter = 0.0f; ///< At breast height, 1.3 m (or a tenth of the height if that is lower).
+    float trunkDiameter = 0.0f; ///< At breastHeight().
     float crownWidth = 0.0f;    ///< Mean of the east-west and north-south extents.
 };
+
+/// Where trunks are measured, of a tree of that height: 1.3 m, or a tenth of the height if that is lower.
+inline float breastHeight(float height) {
+    return std::min(1.3f, 0.1f * height);
+}
 
 /// Which measures of a TreeSize nobody took: they follow from laws of its species.
 struct EstimatedSizes {
@@ -32,7 +39,7 @@ struct TreeScale {
 OSGTREEWIND_EXPORT TreeSize measureTree(const TreeExtents& extents, const TreeScale& scale = {});
 OSGTREEWIND_EXPORT TreeSize measureTree(const TreeModel& model, const TreeScale& scale = {});
 
-/// Cross-section of the trunk at breast height (a tenth of a tree below 13 m), m^2.
+/// Cross-section of the trunk at breast height, m^2.
 float trunkSection(const Skeleton& skeleton, const TreeScale& scale = {});
 
 /// The scale under which measureTree() gives `size` (within 1 %) as far as the shape can have it: no crown is

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 
+#include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
@@ -24,7 +25,7 @@ double crownMiddle(const TreeModel& model, const TreeScale& scale) {
 
 TreeStrength::TreeStrength(const TreeModel& model, const TreeScale& scale, const Species& species) {
     const double diameter = breastDiameter(model, scale), height = scale.axes.z * model.skeleton.height();
-    const double pushed = crownMiddle(model, scale), breast = std::min(1.3, 0.1 * height);
+    const double pushed = crownMiddle(model, scale), breast = breastHeight(static_cast<float>(height));
     uproot = overturningMoment(species.wood, diameter, height);
     breaking = breakingMoment(species.wood, diameter) * pushed / (pushed - breast);
 }

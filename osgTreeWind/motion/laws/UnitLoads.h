@@ -31,7 +31,7 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
 std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                    float leaves = 1.0f);
 
-/// Diameter of its trunk at breast height (a tenth of a tree below 13 m), metres.
+/// Diameter of its trunk at breast height, metres.
 double breastDiameter(const TreeModel& model, const TreeScale& scale);
 
 /// Area of all leaves of a tree, m^2.
