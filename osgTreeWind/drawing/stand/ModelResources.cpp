@@ -29,7 +29,7 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
 }
 
 ModelResources::ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves)
-    : _species(other._species) {
+    : _species(other._species), _isOfHost(true) {
     for (int tier = 0; tier < branchTiers; ++tier) {
         _bark[tier] = bark;
         _leaves[tier] = leaves;

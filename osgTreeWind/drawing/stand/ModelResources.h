@@ -17,8 +17,10 @@ class ModelResources : public osg::Referenced {
 public:
     /// @param species that it is a model of.
     ModelResources(const TreeModel& model, std::size_t species, const Appearance& appearance);
-    /// As another one, but drawn from these at every tier; null for none.
+    /// As another one, but drawn from these of a host at every tier; null for none.
     ModelResources(const ModelResources& other, osg::Geometry* bark, osg::Geometry* leaves);
+    /// Its pictures need not show what they look like then.
+    bool isOfHost() const { return _isOfHost; }
 
     /// Null where there is none, as the next one.
     osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
@@ -39,6 +41,7 @@ public:
 
 private:
     std::size_t _species;
+    bool _isOfHost = false;
     osg::ref_ptr<osg::Geometry> _bark[branchTiers], _leaves[branchTiers];
     osg::ref_ptr<osg::StateSet> _states[branchTiers];
     osg::ref_ptr<ImpostorStrip> _impostors[impostorTiers];

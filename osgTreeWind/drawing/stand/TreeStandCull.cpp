@@ -60,12 +60,15 @@ bool TreeStandCull::isTreeDown(std::uint32_t number) const {
     return fall && fall->isDown;
 }
 
-/// None of a tree that lies.
+/// None of a tree that lies, nor of one that a host draws in its own way.
 ScreenCover::Picture TreeStandCull::pictureOf(const PictureView& pictures, std::uint32_t number) const {
     const PlacedTree& tree = simulation.trees()[number];
-    const ImpostorStrip* impostor = resources.models[tree.model]->impostor(impostorTier(tree.leaves));
-    return impostor && !isTreeDown(number) ? pictures.place(tree, modal.lean(number), *impostor)
-                                           : ScreenCover::Picture{};
+    const ModelResources& model = *resources.models[tree.model];
+    const SpeciesLooks& looks = resources.looks[tree.species];
+    const ImpostorStrip* impostor = model.impostor(impostorTier(tree.leaves));
+    if (!impostor || model.isOfHost() || looks.ownBark || looks.ownLeaves || isTreeDown(number))
+        return {};
+    return pictures.place(tree, modal.lean(number), *impostor);
 }
 
 void TreeStandCull::seeCell(const ViewFrustum& view, const PictureView& pictures,

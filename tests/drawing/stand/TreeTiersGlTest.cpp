@@ -243,6 +243,11 @@ TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
     EXPECT_LT(different, 10u) << "wind among more trees is nearly the same";
     plant(0.0f, 4.0f, 0.5f);
     EXPECT_EQ(count(behind + 1), drawn + 1) << "small, and before all others";
+    _forest->getStand()->setLeafState(1, new osg::StateSet); // which may show more
+    pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
+    const auto ofHost = _forest->getStand()->trees()->listedTrees();
+    EXPECT_GE(std::accumulate(ofHost.begin(), ofHost.end(), std::size_t{0}), drawn + 51)
+        << "a host draws them in its own way";
 }
 
 TEST_F(TreeTiersGlTest, eachViewKeepsToTheBudget) {
