@@ -86,21 +86,16 @@ bool ScreenCover::hides(const Picture& picture, float share) const {
     return hidden > 0.0f && most < hardly && shown < share * columns * rows;
 }
 
-ScreenCover::Range ScreenCover::shows(const osg::Vec2& low, const osg::Vec2& high) const {
+float ScreenCover::leastShown(const osg::Vec2& low, const osg::Vec2& high) const {
     const int left = onScreen(std::floor(columnAt(low.x())), columns),
               right = onScreen(std::ceil(columnAt(high.x())), columns),
               bottom = onScreen(std::floor(rowAt(low.y())), rows),
               top = onScreen(std::ceil(rowAt(high.y())), rows);
-    Range range;
+    float least = 1.0f;
     for (int row = bottom; row < top; ++row)
-        for (int column = left; column < right; ++column) {
-            const float shows = _shows[static_cast<std::size_t>(row * columns + column)];
-            range.least = std::min(range.least, shows);
-            range.most = std::max(range.most, shows);
-        }
-    if (left >= right || bottom >= top)
-        range.most = 1.0f;
-    return range;
+        for (int column = left; column < right; ++column)
+            least = std::min(least, _shows[static_cast<std::size_t>(row * columns + column)]);
+    return least;
 }
 
 void ScreenCover::add(const Picture& picture) {

@@ -31,11 +31,8 @@ public:
     /// Whether of a picture less than that share of the screen shows, and hardly anything of it anywhere.
     /// False without a picture.
     bool hides(const Picture& picture, float share) const;
-    /// What shows least and most on a part of the screen; 1 off it.
-    struct Range {
-        float least = 1.0f, most = 0.0f;
-    };
-    Range shows(const osg::Vec2& low, const osg::Vec2& high) const;
+    /// Share that shows where that is least on a part of the screen; 1 off it.
+    float leastShown(const osg::Vec2& low, const osg::Vec2& high) const;
     /// Less than this is hardly anything.
     static constexpr float hardly = 0.02f;
     /// What is seen from now on is behind this one.

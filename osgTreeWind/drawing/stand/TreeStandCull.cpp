@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/TreeStandCull.h>
 
-#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <algorithm>
@@ -74,9 +73,9 @@ ScreenCover::Picture TreeStandCull::pictureOf(const PictureView& pictures, std::
 void TreeStandCull::seeCell(const ViewFrustum& view, const PictureView& pictures,
                             const CullLists::SeenCell& seen) {
     const ScreenCover& cover = lists.frontToBack().cover();
-    ScreenCover::Range shows{1.0f, 1.0f};
-    if (osg::Vec2 low, high; pictures.place(seen.cell->box, low, high))
-        shows = cover.shows(low, high);
+    osg::Vec2 low, high;
+    const bool isClear = !pictures.place(seen.cell->box, low, high) ||
+                         cover.leastShown(low, high) >= ScreenCover::hardly; // hides no tree of the cell
     const std::size_t band = CullLists::bandOf(seen.distance);
     for (const TreeCells::Tree& tree : seen.cell->trees) {
         const bool isDown = isTreeDown(tree.number);
@@ -92,8 +91,7 @@ void TreeStandCull::seeCell(const ViewFrustum& view, const PictureView& pictures
         const FrontToBack::Tree seenTree{tree.number, band, detail * view.pixels(middle, tree.height)};
         if (tiers.on() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
             lists.frontToBack().put(seenTree, pictures.distance(tree.foot));
-        else if (shows.least >= ScreenCover::hardly ||
-                 !cover.hides(pictureOf(pictures, tree.number), pictures.pixel()))
+        else if (isClear || !cover.hides(pictureOf(pictures, tree.number), pictures.pixel()))
             addTree(seenTree, 1.0f);
     }
 }

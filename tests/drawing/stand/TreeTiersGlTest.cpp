@@ -69,6 +69,16 @@ double coveredPixels(const Picture& picture) {
     return pixels;
 }
 
+/// Another spruce of wood(): its crown begins at the ground.
+void plantSpruce(ForestDescription& forest, float x, float y, float height) {
+    TreePlacement tree;
+    tree.species = 1;
+    tree.position = {x, y, 0.0};
+    tree.size.height = height;
+    tree.seed = static_cast<std::uint32_t>(forest.trees.size());
+    forest.trees.push_back(tree);
+}
+
 class TreeTiersGlTest : public GlTest {
 protected:
     void show(const ForestDescription& description, int zoom = 1) {
@@ -183,14 +193,6 @@ TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
     forest.drawing.full = 300.0f;
     forest.drawing.reduced = 100.0f;
     forest.drawing.impostor = 40.0f;
-    const auto plant = [&](float x, float y) {
-        TreePlacement tree;
-        tree.species = 1; // spruce, whose crown begins at the ground
-        tree.position = {x, y, 0.0};
-        tree.size.height = 14.0f;
-        tree.seed = static_cast<std::uint32_t>(forest.trees.size());
-        forest.trees.push_back(tree);
-    };
     const auto tierOfLast = [&] {
         const std::vector<std::size_t> before = listed(forest, forest.trees.size() - 1);
         const std::vector<std::size_t> after = listed(forest, forest.trees.size());
@@ -199,13 +201,13 @@ TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
                 return static_cast<Tier>(tier);
         return Tier::BareImpostor;
     };
-    plant(0.0f, 90.0f);
+    plantSpruce(forest, 0.0f, 90.0f, 14.0f);
     EXPECT_LT(tierOfLast(), Tier::Impostor);
     forest.trees.clear();
     for (int row = 0; row < 4; ++row)
         for (int i = -4; i <= 4; ++i)
-            plant(2.5f * static_cast<float>(i), 12.0f + 15.0f * static_cast<float>(row));
-    plant(0.0f, 90.0f);
+            plantSpruce(forest, 2.5f * static_cast<float>(i), 12.0f + 15.0f * static_cast<float>(row), 14.0f);
+    plantSpruce(forest, 0.0f, 90.0f, 14.0f);
     EXPECT_EQ(tierOfLast(), Tier::Impostor) << "behind four rows";
     forest.trees.back().size.height = 40.0f;
     EXPECT_LT(tierOfLast(), Tier::Impostor) << "it stands out above them";
@@ -213,14 +215,6 @@ TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
 
 TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
     ForestDescription forest = wood(0, true);
-    const auto plant = [&](float x, float y, float height) {
-        TreePlacement tree;
-        tree.species = 1; // spruce, whose crown begins at the ground
-        tree.position = {x, y, 0.0};
-        tree.size.height = height;
-        tree.seed = static_cast<std::uint32_t>(forest.trees.size());
-        forest.trees.push_back(tree);
-    };
     const auto count = [&](std::size_t trees) {
         const std::vector<std::size_t> drawn = listed(forest, trees);
         return std::accumulate(drawn.begin(), drawn.end(), std::size_t{0});
@@ -228,10 +222,10 @@ TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
     forest.drawing.blend = 0.0f; // each tree once
     for (int row = 0; row < 12; ++row)
         for (int i = -8; i <= 8; ++i)
-            plant(2.0f * static_cast<float>(i), 14.0f + 5.0f * static_cast<float>(row), 14.0f);
+            plantSpruce(forest, 2.0f * static_cast<float>(i), 14.0f + 5.0f * static_cast<float>(row), 14.0f);
     const std::size_t before = forest.trees.size();
     for (int i = 0; i < 50; ++i)
-        plant(0.1f * static_cast<float>(i), 150.0f + 4.0f * static_cast<float>(i), 12.0f);
+        plantSpruce(forest, 0.1f * static_cast<float>(i), 150.0f + 4.0f * static_cast<float>(i), 12.0f);
     const std::size_t behind = forest.trees.size();
     const std::size_t drawn = count(before);
     const Picture without = pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
@@ -241,7 +235,7 @@ TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
     for (std::size_t i = 0; i < with.size(); i += 4)
         different += !std::equal(&with[i], &with[i] + 4, &without[i]);
     EXPECT_LT(different, 10u) << "wind among more trees is nearly the same";
-    plant(0.0f, 4.0f, 0.5f);
+    plantSpruce(forest, 0.0f, 4.0f, 0.5f);
     EXPECT_EQ(count(behind + 1), drawn + 1) << "small, and before all others";
     _forest->getStand()->setLeafState(1, new osg::StateSet); // which may show more
     pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
