@@ -129,6 +129,7 @@ const char* nameOf(BenchViewpoint viewpoint) {
 }
 
 ordered_json viewJson(const BenchView& view) {
+    const osgTreeWind::DrawnTrees trees = view.drawnTrees();
     return {{"forest", view.forest},
             {"view", nameOf(view.viewpoint)},
             {"trees", view.trees},
@@ -143,8 +144,7 @@ ordered_json viewJson(const BenchView& view) {
             {"forestBytes", std::isfinite(view.forestBytes)
                                 ? ordered_json(static_cast<std::uint64_t>(view.forestBytes))
                                 : ordered_json(nullptr)},
-            {"tiers",
-             {{"full", view.tiers[0]}, {"boughs", view.treesOfBoughs()}, {"impostor", view.impostors()}}},
+            {"tiers", {{"full", trees.full}, {"boughs", trees.byBoughs}, {"impostor", trees.asPictures}}},
             {"drawn", timesJson(view.drawn)},
             {"inFull", view.inFull.frame.empty() ? ordered_json(nullptr) : timesJson(view.inFull)},
             {"tree", timesJson(view.tree)},
@@ -301,11 +301,12 @@ namespace {
 
 /// @param bytes a tree, NaN where not known.
 void printView(std::ostream& out, const BenchView& view, double bytes) {
+    const osgTreeWind::DrawnTrees trees = view.drawnTrees();
     out << "| " << view.forest << " | " << nameOf(view.viewpoint) << " | " << view.trees;
     for (const std::string& cell :
          {fixed(view.loadSeconds(), 2), fixed(view.forestSeconds, 2), fixed(view.shapesSeconds, 2),
-          fixed(view.firstFrameSeconds, 2), fixed(bytes, 0), std::to_string(view.tiers[0]),
-          std::to_string(view.treesOfBoughs()), std::to_string(view.impostors()),
+          fixed(view.firstFrameSeconds, 2), fixed(bytes, 0), std::to_string(trees.full),
+          std::to_string(trees.byBoughs), std::to_string(trees.asPictures),
           fixed(quantile(view.drawn.update, 0.5), 2), fixed(quantile(view.drawn.cull, 0.5), 2),
           fixed(quantile(view.drawn.draw, 0.5), 2), fixed(quantile(view.drawn.frame, 0.5), 2),
           fixed(quantile(view.tree.frame, 0.5), 2),

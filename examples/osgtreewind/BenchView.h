@@ -3,11 +3,10 @@
 
 #include "BenchRun.h"
 
-#include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/drawing/stand/DrawnTrees.h>
 
 #include <array>
 #include <cmath>
-#include <numeric>
 
 /// From where a forest is looked at.
 enum class BenchViewpoint {
@@ -32,12 +31,7 @@ struct BenchView {
     BenchTimes drawn, inFull, tree; ///< Round by round; `inFull` in each 10th, or none.
     static constexpr int roundsPerFull = 10;
 
-    std::size_t treesOfBoughs() const {
-        return std::accumulate(tiers.begin() + 1, tiers.begin() + osgTreeWind::branchTiers, std::size_t{0});
-    }
-    std::size_t impostors() const {
-        return std::accumulate(tiers.begin() + osgTreeWind::branchTiers, tiers.end(), std::size_t{0});
-    }
+    osgTreeWind::DrawnTrees drawnTrees() const { return osgTreeWind::DrawnTrees(tiers); }
     double loadSeconds() const { return forestSeconds + firstFrameSeconds; }
 };
 

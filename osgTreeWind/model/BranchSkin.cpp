@@ -4,6 +4,7 @@
 #include <osgTreeWind/model/JoinedSkin.h>
 #include <osgTreeWind/model/PortableMath.h>
 #include <osgTreeWind/model/SkinParts.h>
+#include <osgTreeWind/model/SkinPlan.h>
 #include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
@@ -42,14 +43,14 @@ void addRings(const Skeleton& skeleton, std::size_t unit, int rings, int sides, 
     }
 }
 
-BranchSkin openTubes(const Skeleton& skeleton, int rings, int sides) {
+BranchSkin openTubes(const Skeleton& skeleton, float tolerance) {
     BranchSkin skin;
-    const auto perUnit = static_cast<std::size_t>(rings * sides);
-    skin.vertices.reserve(skeleton.units.size() * perUnit);
-    skin.indices.reserve(skeleton.units.size() * (perUnit - static_cast<std::size_t>(sides)) * 6);
-    for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
-        addRings(skeleton, unit, rings, sides, barkStart(skeleton.units[unit], skin), skin.vertices);
-        finishUnit(skin, rings, sides);
+    const std::vector<SkinPlan> plans = planSkin(skeleton, tolerance);
+    for (std::size_t unit = 0; unit < plans.size(); ++unit) {
+        const SkinPlan& plan = plans[unit];
+        addRings(skeleton, unit, plan.rings, plan.sides, barkStart(skeleton.units[unit], skin),
+                 skin.vertices);
+        finishUnit(skin, plan.rings, plan.sides);
     }
     return skin;
 }
@@ -64,14 +65,8 @@ std::vector<SkinVertex> BranchSkin::drawOrder() const {
     return ordered;
 }
 
-BranchSkin makeBranchSkin(const Skeleton& skeleton, const SkinDetail& wanted) {
-    SkinDetail detail = wanted;
-    detail.rings = glm::clamp(wanted.rings, 2, skeleton.ringsPerBranch);
-    if (detail.sides)
-        detail.sides = glm::max(*detail.sides, 3);
-    return skeleton.joined
-               ? makeJoinedSkin(skeleton, detail)
-               : openTubes(skeleton, detail.rings, detail.sides.value_or(BranchSkin::verticesPerRing));
+BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance) {
+    return skeleton.joined ? makeJoinedSkin(skeleton, tolerance) : openTubes(skeleton, tolerance);
 }
 
 SkinSize sizeOfBranchSkin(const Skeleton& skeleton) {

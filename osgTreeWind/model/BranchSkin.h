@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
@@ -23,13 +22,6 @@ struct SkinVertex {
     glm::vec2 uv{0.0f};
 
     glm::vec3 position() const { return centre + radius * outward; } ///< Of the vertex.
-};
-
-/// How much of a skin is made.
-struct SkinDetail {
-    int rings = 1 << 30; ///< Of a unit, its two ends among them, >= 2; at most those of the skeleton.
-    /// Vertices of a ring, >= 3. Not given: all there is; eight, or what joined wood needs for its thickness.
-    std::optional<int> sides;
 };
 
 /// The surface of a tree's wood: rings around its skeleton points (thesis §2.3).
@@ -54,10 +46,10 @@ struct BranchSkin {
 /// - one that springs along its parent begins with a collar on the parent's bark, likewise;
 /// - where nothing goes on the end is closed;
 /// - the foot of the stem widens by the skeleton's flare, up to 1.2 m or a tenth of the tree: StemFoot.h.
-/// Given sides leave out tips, foot, and what else would add vertices.
-/// @param detail fewer sides stand farther out, so that a branch is as wide as ever in the mean over all
-/// directions it is seen from.
-BranchSkin makeBranchSkin(const Skeleton& skeleton, const SkinDetail& detail = {});
+/// @param tolerance metres, >= 0, by which sides may be off, and twice that for the way between rings: fewer
+/// of both, and no tips, feet and collars that would hardly be larger. Fewer sides stand farther out, so that
+/// a branch is as wide as ever in the mean over all directions it is seen from. 0: the whole skin.
+BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance = 0.0f);
 
 /// Numbers of the vertices and triangles of a whole skin, without making it.
 struct SkinSize {

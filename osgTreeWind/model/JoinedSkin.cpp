@@ -56,8 +56,8 @@ struct Frame {
 
 class SkinMaker {
 public:
-    SkinMaker(const Skeleton& skeleton, const SkinDetail& detail)
-        : _skeleton(skeleton), _detail(detail), _plans(planSkin(skeleton, detail)), _foot(skeleton) {}
+    SkinMaker(const Skeleton& skeleton, float tolerance)
+        : _skeleton(skeleton), _plans(planSkin(skeleton, tolerance)), _foot(skeleton) {}
 
     BranchSkin make() {
         _ends.reserve(_plans.size());
@@ -84,7 +84,7 @@ private:
                 addRing(frame, place, plan.sides, (stem - branch.baseRadius) * left * left);
             }
         } else if (branch.parent < 0) {
-            const std::vector<float> places = placesOfStem(plan.rings);
+            const std::vector<float> places = placesOfStem(plan);
             // One that lies between two rings would be a cone as high as those are apart.
             const bool hasFoot = sectionAt(_skeleton, _unit, places[1]).centre.z < _foot.height();
             for (const float place : places) {
@@ -113,8 +113,8 @@ private:
             sunk * ringWidening(sides) * cosine(glm::pi<float>() / static_cast<float>(sides));
         const BranchCollar collar(_skeleton, _unit,
                                   inside * glm::mix(bearer.baseRadius, bearer.tipRadius, branch.attach));
-        const bool isHidden = _detail.rings < 3 || collar.begin() > 0.75f * last();
-        const std::vector<float> places = isHidden ? evenly(plan.rings) : placesAfter(collar, plan.rings);
+        const bool isHidden = plan.taken < 3 || collar.begin() > 0.75f * last();
+        const std::vector<float> places = isHidden ? evenly(plan.rings) : placesAfter(collar, plan);
         const std::size_t first = _skin.vertices.size();
         if (isHidden) {
             addRing(frame, 0.0f, plan.sides);
@@ -144,10 +144,10 @@ private:
         return places;
     }
 
-    std::vector<float> placesOfStem(int rings) const {
-        std::vector<float> places = evenly(_detail.rings);
+    std::vector<float> placesOfStem(const SkinPlan& plan) const {
+        std::vector<float> places = evenly(plan.taken);
         const float rise = glm::max(_skeleton.point(_unit, 1).z - _skeleton.point(_unit, 0).z, 1e-6f);
-        if (rings > _detail.rings)
+        if (plan.rings > plan.taken)
             for (const float share : StemFoot::rings)
                 places.push_back(glm::min(share * _foot.height() / rise, last()));
         std::sort(places.begin(), places.end());
@@ -155,12 +155,12 @@ private:
     }
 
     /// The collar's own, those up to its end, and those of the skeleton beyond.
-    std::vector<float> placesAfter(const BranchCollar& collar, int rings) const {
-        std::vector<float> beyond = evenly(_detail.rings);
+    std::vector<float> placesAfter(const BranchCollar& collar, const SkinPlan& plan) const {
+        std::vector<float> beyond = evenly(plan.taken);
         beyond.erase(beyond.begin(), std::find_if(beyond.begin(), beyond.end() - 1, [&](float place) {
                          return place > collar.end() + between;
                      }));
-        if (static_cast<int>(beyond.size()) == rings - 1 && rings > 2)
+        if (static_cast<int>(beyond.size()) == plan.rings - 1 && plan.rings > 2)
             beyond.erase(beyond.begin());
         float end = collar.end();
         if (end + between >= last()) {
@@ -168,7 +168,7 @@ private:
             end = last();
         }
         std::vector<float> places{collar.begin()};
-        const auto count = rings - 1 - static_cast<int>(beyond.size());
+        const auto count = plan.rings - 1 - static_cast<int>(beyond.size());
         for (int i = 1; i <= count; ++i)
             places.push_back(
                 glm::mix(collar.begin(), end, static_cast<float>(i) / static_cast<float>(count)));
@@ -227,7 +227,6 @@ private:
     }
 
     const Skeleton& _skeleton;
-    const SkinDetail _detail;
     const std::vector<SkinPlan> _plans;
     const StemFoot _foot;
     std::vector<Frame> _ends; ///< Of each unit.
@@ -238,13 +237,13 @@ private:
 
 } // namespace
 
-BranchSkin makeJoinedSkin(const Skeleton& skeleton, const SkinDetail& detail) {
-    return SkinMaker(skeleton, detail).make();
+BranchSkin makeJoinedSkin(const Skeleton& skeleton, float tolerance) {
+    return SkinMaker(skeleton, tolerance).make();
 }
 
 SkinSize sizeOfJoinedSkin(const Skeleton& skeleton) {
     SkinSize size;
-    for (const SkinPlan& plan : planSkin(skeleton, {skeleton.ringsPerBranch, {}})) {
+    for (const SkinPlan& plan : planSkin(skeleton, 0.0f)) {
         const auto rings = static_cast<std::uint64_t>(plan.rings),
                    sides = static_cast<std::uint64_t>(plan.sides);
         size.vertices += rings * sides + (plan.closed ? 1 : 0);

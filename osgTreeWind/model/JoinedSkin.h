@@ -6,8 +6,7 @@
 namespace osgTreeWind {
 
 /// The skin of a joined skeleton, as makeBranchSkin() says.
-/// @param detail within its ranges.
-BranchSkin makeJoinedSkin(const Skeleton& skeleton, const SkinDetail& detail);
+BranchSkin makeJoinedSkin(const Skeleton& skeleton, float tolerance);
 SkinSize sizeOfJoinedSkin(const Skeleton& skeleton);
 
 } // namespace osgTreeWind

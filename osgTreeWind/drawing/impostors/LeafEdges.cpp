@@ -138,7 +138,8 @@ LeafEdges EdgePicture::measured(Silhouette& sampled) const {
 LeafEdges EdgePicture::cards(int reductions) const {
     const osg::ref_ptr<osg::Image> texture = leafImage(_appearance);
     Silhouette sampled(samples * width);
-    if (reductions == 0) {
+    const TreeDetail detail = reductions > 0 ? TreeDetail::reduced(reductions) : TreeDetail::full();
+    if (detail.bough == 1) {
         const LeafMasks masks(*texture);
         forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,
                                     const glm::vec3& across, const glm::vec3& along) {
@@ -147,7 +148,6 @@ LeafEdges EdgePicture::cards(int reductions) const {
         });
         return measured(sampled);
     }
-    const TreeDetail detail = TreeDetail::reduced(reductions);
     const ThinnedLeaves thinned = thinnedLeaves(_model.leaves, _model.leafMesh, detail);
     TreeModel few;
     few.leaves = thinned.clusters;

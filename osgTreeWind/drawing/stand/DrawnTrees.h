@@ -11,12 +11,14 @@ namespace osgTreeWind {
 
 /// How many trees are drawn in which way. One that fades from one tier to the next counts in both.
 struct DrawnTrees {
-    std::size_t full = 0, byBoughs = 0, asPictures = 0;
+    std::size_t full = 0; ///< With all leaves, whatever their bark.
+    std::size_t byBoughs = 0, asPictures = 0;
 
     /// @param listed TreeStand::listedTrees()
-    explicit DrawnTrees(const std::array<std::size_t, tierCount>& listed) : full(listed.front()) {
-        const auto pictures = listed.begin() + branchTiers;
-        byBoughs = std::accumulate(listed.begin() + 1, pictures, std::size_t(0));
+    explicit DrawnTrees(const std::array<std::size_t, tierCount>& listed) {
+        const auto boughs = listed.begin() + leafTiers, pictures = listed.begin() + branchTiers;
+        full = std::accumulate(listed.begin(), boughs, std::size_t(0));
+        byBoughs = std::accumulate(boughs, pictures, std::size_t(0));
         asPictures = std::accumulate(pictures, listed.end(), std::size_t(0));
     }
 };

@@ -19,7 +19,9 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
         const bool whole = tier == static_cast<int>(Tier::Full);
         const TreeDetail detail = whole ? TreeDetail::full() : TreeDetail::reduced(tier);
         _bark[tier] = makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), crown);
-        if (!model.leaves.empty())
+        if (tier == static_cast<int>(Tier::Sprays))
+            _leaves[tier] = leaves(Tier::Full);
+        else if (!model.leaves.empty())
             _leaves[tier] =
                 makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, detail), model.leafMesh, crown);
         _states[tier] = new osg::StateSet;

@@ -12,6 +12,7 @@ namespace osgTreeWind {
 /// How finely a tree is drawn, finest first.
 enum class Tier {
     Full,
+    Sprays,      ///< All leaf cards, bark no finer than pixels.
     Boughs,      ///< Cards of boughs in place of sprays,
     FewerBoughs, ///< fewer and larger ones,
     FewBoughs,   ///< and so on.
@@ -22,11 +23,13 @@ enum class Tier {
     ImpostorQuarter,
     BareImpostor
 };
-constexpr int tierCount = 10;
-constexpr int branchTiers = 5; ///< The first ones, which draw branches.
+constexpr int tierCount = 11;
+constexpr int branchTiers = 6; ///< The first ones, which draw branches.
+constexpr int leafTiers = 2;   ///< The first ones, which draw all leaf sprays.
 constexpr int impostorTiers = tierCount - branchTiers;
 
-/// Under TIERS_COLORED (shaders/scene.glsl), linear: red in full, yellow to green by boughs, blue pictures.
+/// Under TIERS_COLORED (shaders/scene.glsl), linear: red in full, yellow to green by what is left out, blue
+/// pictures.
 inline osg::Vec3 tierColor(Tier tier) {
     const int index = static_cast<int>(tier);
     if (index >= branchTiers)

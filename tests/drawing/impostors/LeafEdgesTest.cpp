@@ -52,7 +52,7 @@ TEST(LeafEdges, CrownsAreCutAsFinelyAsSingleLeavesInTheirPlaces) {
     for (const char* name : {"oak", "beech", "silver birch", "sycamore", "Norway spruce", "Scots pine"}) {
         const Species species = *findSpecies(name);
         const TreeModel model = makeTreeModel(species.tree);
-        for (const auto& [reductions, distance] : {std::pair(0, 20.0f), {1, 40.0f}, {2, 40.0f}, {4, 80.0f}}) {
+        for (const auto& [reductions, distance] : {std::pair(0, 20.0f), {2, 40.0f}, {3, 40.0f}, {5, 80.0f}}) {
             const EdgePicture picture(model, species.appearance, distance, 0.3f);
             const LeafEdges single = picture.singleLeaves(), drawn = picture.cards(reductions);
             EXPECT_GT(drawn.edges / single.edges, 0.83f) << name << ", " << reductions;

@@ -11,7 +11,7 @@ namespace {
 
 DrawingOptions heights() {
     DrawingOptions drawing;
-    drawing.full = 800.0f; // and 400, 200
+    drawing.full = 800.0f; // and 400, 200; bark from 3200
     drawing.reduced = 100.0f;
     drawing.impostor = 50.0f;
     drawing.blend = 0.2f;
@@ -25,10 +25,11 @@ TEST(TreeTiersTest, aTreeHasTheTierOfItsHeightOnTheScreen) {
     const struct {
         float pixels;
         Tier tier;
-    } cases[] = {{1e9f, Tier::Full},          {800.0f, Tier::Full},        {639.0f, Tier::Boughs},
-                 {400.0f, Tier::Boughs},      {319.0f, Tier::FewerBoughs}, {200.0f, Tier::FewerBoughs},
-                 {159.0f, Tier::FewBoughs},   {100.0f, Tier::FewBoughs},   {79.0f, Tier::FewestBoughs},
-                 {50.0f, Tier::FewestBoughs}, {39.0f, Tier::Impostor},     {0.0f, Tier::Impostor}};
+    } cases[] = {{1e9f, Tier::Full},          {3200.0f, Tier::Full},       {3199.0f, Tier::Sprays},
+                 {800.0f, Tier::Sprays},      {639.0f, Tier::Boughs},      {400.0f, Tier::Boughs},
+                 {319.0f, Tier::FewerBoughs}, {200.0f, Tier::FewerBoughs}, {159.0f, Tier::FewBoughs},
+                 {100.0f, Tier::FewBoughs},   {79.0f, Tier::FewestBoughs}, {50.0f, Tier::FewestBoughs},
+                 {39.0f, Tier::Impostor},     {0.0f, Tier::Impostor}};
     for (const auto& each : cases) {
         EXPECT_EQ(tiers.choose(each.pixels).tier, each.tier) << each.pixels;
         EXPECT_EQ(tiers.choose(each.pixels).fade, 1.0f) << each.pixels;
@@ -39,7 +40,7 @@ TEST(TreeTiersTest, tiersCrossOverEvenly) {
     const TreeTiers tiers(heights());
     EXPECT_NEAR(tiers.choose(799.9f).fade, 1.0f, 0.01f);
     EXPECT_NEAR(tiers.choose(720.0f).fade, 0.5f, 1e-5f);
-    EXPECT_EQ(tiers.choose(720.0f).tier, Tier::Full);
+    EXPECT_EQ(tiers.choose(720.0f).tier, Tier::Sprays);
     EXPECT_NEAR(tiers.choose(640.1f).fade, 0.0f, 0.01f);
     EXPECT_EQ(tiers.choose(45.0f).tier, Tier::FewestBoughs) << "and the impostor takes the rest";
 }
@@ -59,7 +60,7 @@ TEST(TreeTiersTest, withoutABlendTiersChangeAtOnce) {
     DrawingOptions drawing = heights();
     drawing.blend = 0.0f;
     const TreeTiers tiers(drawing);
-    EXPECT_EQ(tiers.choose(800.0f).tier, Tier::Full);
+    EXPECT_EQ(tiers.choose(800.0f).tier, Tier::Sprays);
     EXPECT_EQ(tiers.choose(799.0f).tier, Tier::Boughs);
     EXPECT_EQ(tiers.choose(799.0f).fade, 1.0f);
 }
