@@ -5,7 +5,7 @@
 
 in vec4 treePlace; // foot; tangent of half its heading
 in vec4 treeSize;  // scale of lengths across and upward, of radii, of leaf clusters
-in vec4 treeState; // row of its poses, fade (dither.glsl), its own number in [0, 1), share of its leaves
+in vec4 treeState; // row of its poses, fade (dither.glsl, isLeftOut()), its own number in [0, 1), share of its leaves
 
 uniform sampler2D poseRotations;    // quaternions
 uniform sampler2D poseTranslations; // metres; speed of the wind at the unit, m/s
@@ -13,6 +13,15 @@ uniform sampler2D posePulls;        // foliagePull() on the unit's leaves, in it
 uniform int unitRows;               // of a tree, each of up to 2048 units
 
 flat out float treeFade;
+
+/// Whether a part of the tree gives way to another form of it, which has that part, or comes yet. Above 1 the fade is 1
+/// and the share of parts that there are; below -1 there are those that a fade of -fade leaves out.
+/// @param chance even over the parts, in [0, 1).
+bool isLeftOut(float chance) {
+    return treeState.y > 1.0 ? chance >= treeState.y - 1.0 : treeState.y < -1.0 && chance < -treeState.y - 1.0;
+}
+/// Where all corners of what is left out lie: nothing is drawn then.
+const vec4 leftOut = vec4(0.0, 0.0, 0.0, 1.0);
 
 struct UnitPose {
     vec4 rotation;

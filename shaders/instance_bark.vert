@@ -4,6 +4,8 @@
 // gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, from 0 to 2 around, v, unit;
 // gl_MultiTexCoord1: shade, law/shade.glsl.
 
+#pragma import_defines(FADING)
+
 #include "instance.glsl"
 #include "light.glsl"
 #define VERTEX_SHADER
@@ -15,6 +17,12 @@ out vec3 barkLight;
 out vec3 scenePosition;
 
 void main() {
+#ifdef FADING
+    if (isLeftOut(0.5)) {
+        gl_Position = leftOut;
+        return;
+    }
+#endif
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
     vec4 eyePosition = eyePoint(pose, treeSize.xxy * gl_Vertex.xyz + treeSize.z * gl_Vertex.w * gl_Normal);
     Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), treeHeading());

@@ -5,6 +5,8 @@
 // gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
 // gl_MultiTexCoord3: outward of the crown, shade.
 
+#pragma import_defines(FADING)
+
 #include "real.glsl"
 #include "law/limits.glsl"
 #include "law/elementary.glsl"
@@ -28,6 +30,12 @@ flat out int leafCard;
 flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
+#ifdef FADING
+    if (isLeftOut(fract(0.7548777 * gl_MultiTexCoord0.w))) {
+        gl_Position = leftOut;
+        return;
+    }
+#endif
     int unit = int(gl_MultiTexCoord0.z + 0.5);
     UnitPose pose = unitPose(unit);
     vec3 rest = treeSize.xxy * gl_Vertex.xyz;

@@ -109,9 +109,14 @@ ScreenCover::Picture TreeStandCull::seeThroughOthers(const PictureView& pictures
 void TreeStandCull::addTree(const FrontToBack::Tree& seen, float clearness) {
     const float pixels = seen.pixels * clearness;
     const TierChoice choice = tiers.choose(pixels);
-    addTree(seen, choice.tier, choice.fade);
-    if (choice.fade < 1.0f)
-        addTree(seen, static_cast<Tier>(static_cast<int>(choice.tier) + 1), -choice.fade);
+    if (choice.fade == 1.0f) {
+        addTree(seen, choice.tier, 1.0f);
+    } else {
+        const Tier next = static_cast<Tier>(static_cast<int>(choice.tier) + 1);
+        const float fade = next == Tier::Impostor ? choice.fade : 1.0f + choice.fade;
+        addTree(seen, choice.tier, fade);
+        addTree(seen, next, -fade);
+    }
     if (choice.tier < Tier::Impostor || pixels > tiers.wakingPixels())
         lists.near().push_back(seen.number);
 }
@@ -127,7 +132,7 @@ void TreeStandCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade
             fall ? turnHeading({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
                  : glm::vec3(0.0f);
         const bool small = seen.pixels < ImpostorStrip::bendingPixels;
-        lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade < 1.0f, small})
+        lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade != 1.0f, small})
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
                   {lean.x, lean.y, fade, own}});
@@ -137,7 +142,7 @@ void TreeStandCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade
     const PosePass::Row row = pass.row(frame, seen.number, [&](PoseRequest& request) {
         pass.ask(modal, seen.number, tree.scale, resources.looks[tree.species].foliage, request);
     });
-    InstanceList& list = lists.list({seen.band, tree.model, tier, fade < 1.0f, false}, &pass, row.page);
+    InstanceList& list = lists.list({seen.band, tree.model, tier, fade != 1.0f, false}, &pass, row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},

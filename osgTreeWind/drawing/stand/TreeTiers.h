@@ -51,8 +51,8 @@ inline float leavesOn(Tier impostor) {
 /// The tiers of a tree at its size on the screen: one, or two across a change-over.
 struct TierChoice {
     Tier tier = Tier::Full;
-    /// Shaders/dither.glsl: 1 where it is drawn alone, else the share of pixels it is drawn on; the next
-    /// coarser tier then has the others, with -fade.
+    /// 1 where it is drawn alone; else its share of leaf cards, of pixels where the next tier is a picture.
+    /// The next coarser tier then has the others.
     float fade = 1.0f;
 };
 

@@ -8,6 +8,7 @@
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -186,6 +187,25 @@ TEST_F(TreeTiersGlTest, nothingPopsInAFlight) {
     for (std::size_t i = 0; i < jumps[0].size(); ++i)
         most = std::max(most, jumps[1][i] - jumps[0][i]);
     EXPECT_LT(most, 1.0);
+}
+
+TEST_F(TreeTiersGlTest, aCrownStaysAsDenseWhileItsFormsGiveWay) {
+    ForestDescription forest = wood(1, true);
+    const double pixels = 13.0 * height / (2.0 * 40.0 * std::tan(osg::DegreesToRadians(20.0)));
+    forest.drawing.blend = 0.5f;
+    forest.drawing.reduced = 0.02f * static_cast<float>(pixels);
+    forest.drawing.impostor = 0.0f;
+    double covered[3];
+    for (const int step : {0, 1, 2}) { // above, in and below the change-over from sprays to boughs
+        forest.drawing.full = static_cast<float>(pixels) / std::array{1.1f, 0.75f, 0.4f}[step];
+        show(forest);
+        for (int i = 0; i < 3; ++i)
+            covered[step] = coveredPixels(pictureFrom({-17.0, -36.0, 6.5}, {-14.0, 4.0, 6.5}, 0.0));
+        const auto listed = _forest->getStand()->trees()->listedTrees();
+        EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Sprays)], step < 2) << step;
+        EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Boughs)], step > 0) << step;
+    }
+    EXPECT_NEAR(covered[1] / std::sqrt(covered[0] * covered[2]), 1.0, 0.03);
 }
 
 TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
