@@ -25,13 +25,13 @@ void CullLists::begin(unsigned frame, std::size_t models, osgUtil::StateGraph* p
     _used = 0;
     _near.clear();
     _models = models;
-    _open.assign(4 * bands * models * tierCount, 0);
+    _open.assign(4 * LeafOrders::count * bands * models * tierCount, 0);
 }
 
 InstanceList& CullLists::list(const Kind& kind, const PosePass* passes, PosePage* page) {
     const std::size_t drawn =
         (kind.band * _models + kind.model) * tierCount + static_cast<std::size_t>(kind.tier);
-    std::size_t& open = _open[4 * drawn + 2 * kind.fading + kind.small];
+    std::size_t& open = _open[4 * (drawn * LeafOrders::count + kind.order) + 2 * kind.fading + kind.small];
     if (open != 0 && _lists[open - 1].trees->page == page)
         return *_lists[open - 1].trees;
     if (_used == _lists.size())

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/stand/FrontToBack.h>
 #include <osgTreeWind/drawing/stand/InstancedDraw.h>
+#include <osgTreeWind/drawing/stand/LeafOrders.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/drawing/stand/ViewFrustum.h>
@@ -30,8 +31,9 @@ public:
     struct Kind {
         std::size_t band = 0, model = 0;
         Tier tier = Tier::Full;
-        bool fading = false; ///< Whether they cross over to another tier.
-        bool small = false;  ///< Whether their bend is too small to be seen; of impostors.
+        bool fading = false;   ///< Whether they cross over to another tier.
+        bool small = false;    ///< Whether their bend is too small to be seen; of impostors.
+        std::size_t order = 0; ///< Of their leaves; LeafOrders.
     };
     struct List : Kind {
         osg::ref_ptr<InstanceList> trees = new InstanceList;

@@ -3,6 +3,8 @@
 
 #include <osgTreeWind/drawing/stand/ScreenCover.h>
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -17,8 +19,9 @@ class FrontToBack {
 public:
     struct Tree {
         std::uint32_t number;
-        std::size_t band; ///< Of CullLists.
-        float pixels;     ///< Height on the screen.
+        std::size_t band;  ///< Of CullLists.
+        float pixels;      ///< Height on the screen.
+        glm::vec3 toEye{}; ///< From its middle; forests' frame.
     };
 
     void clear();

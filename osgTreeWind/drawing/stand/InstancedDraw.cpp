@@ -24,11 +24,13 @@ InstancedDraw::InstancedDraw() {
 }
 
 InstancedDraw::InstancedDraw(const InstancedDraw& other, const osg::CopyOp& copyop)
-    : osg::Drawable(other, copyop), _geometry(other._geometry), _trees(other._trees) {}
+    : osg::Drawable(other, copyop), _geometry(other._geometry), _trees(other._trees), _isLast(other._isLast) {
+}
 
-void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees) {
+void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees, bool isLast) {
     _geometry = geometry;
     _trees = trees;
+    _isLast = isLast;
 }
 
 void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
@@ -83,6 +85,8 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     }
     state.unbindVertexBufferObject();
     state.unbindElementBufferObject();
+    if (_isLast)
+        glFlush();
 }
 
 } // namespace osgTreeWind

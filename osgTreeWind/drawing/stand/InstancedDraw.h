@@ -16,8 +16,9 @@ public:
     META_Node(osgTreeWind, InstancedDraw)
 
         /// @param geometry of one tree, its vertices in buffer objects; DrawElements and DrawArrays are
-        /// drawn.
-        void set(osg::Geometry* geometry, InstanceList* trees);
+        /// drawn. @param isLast of a batch: the driver is told to begin, as one that draws on processors
+        /// would else wait for the end of the frame.
+        void set(osg::Geometry* geometry, InstanceList* trees, bool isLast = false);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
 
@@ -27,6 +28,7 @@ protected:
 private:
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<InstanceList> _trees;
+    bool _isLast = false;
 };
 
 } // namespace osgTreeWind

@@ -20,10 +20,12 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
         const TreeDetail detail = whole ? TreeDetail::full() : TreeDetail::reduced(tier);
         _bark[tier] = makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), crown);
         if (tier == static_cast<int>(Tier::Sprays))
-            _leaves[tier] = leaves(Tier::Full);
-        else if (!model.leaves.empty())
+            _leaves[tier] = _leaves[static_cast<int>(Tier::Full)];
+        else if (!model.leaves.empty()) {
+            const ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, detail);
             _leaves[tier] =
-                makeLeafGeometry(thinnedLeaves(model.leaves, model.leafMesh, detail), model.leafMesh, crown);
+                LeafOrders::make(*makeLeafGeometry(thinned, model.leafMesh, crown), thinned, model.leafMesh);
+        }
         _states[tier] = new osg::StateSet;
         _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
         _states[tier]->addUniform(new osg::Uniform("tierColor", tierColor(static_cast<Tier>(tier))));
@@ -34,7 +36,7 @@ ModelResources::ModelResources(const ModelResources& other, osg::Geometry* bark,
     : _species(other._species), _isOfHost(true) {
     for (int tier = 0; tier < branchTiers; ++tier) {
         _bark[tier] = bark;
-        _leaves[tier] = leaves;
+        _leaves[tier].fill(leaves);
         _states[tier] = other._states[tier];
     }
     std::copy(std::begin(other._impostors), std::end(other._impostors), _impostors);
@@ -51,10 +53,13 @@ void ModelResources::paint(Tier tier, const TreeModel& model, const Appearance& 
 }
 
 void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
-    for (int tier = 0; tier < branchTiers; ++tier)
-        for (const osg::ref_ptr<osg::Geometry>& geometry : {_bark[tier], _leaves[tier]})
-            if (geometry)
-                objects.push_back(geometry);
+    for (int tier = 0; tier < branchTiers; ++tier) {
+        if (_bark[tier])
+            objects.push_back(_bark[tier]);
+        for (const osg::ref_ptr<osg::Geometry>& leaves : _leaves[tier])
+            if (leaves)
+                objects.push_back(leaves);
+    }
     for (const osg::ref_ptr<ImpostorStrip>& impostor : _impostors)
         if (impostor)
             objects.insert(objects.end(), {impostor->geometry(), impostor->straight(), impostor->stateSet()});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
+#include <osgTreeWind/drawing/stand/LeafOrders.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/model/TreeModel.h>
 
@@ -24,7 +25,10 @@ public:
 
     /// Null where there is none, as the next one.
     osg::Geometry* bark(Tier tier) const { return _bark[static_cast<int>(tier)].get(); }
-    osg::Geometry* leaves(Tier tier) const { return _leaves[static_cast<int>(tier)].get(); }
+    /// @param order LeafOrders::nearest()
+    osg::Geometry* leaves(Tier tier, std::size_t order) const {
+        return _leaves[static_cast<int>(tier)][order].get();
+    }
     /// Null before it was painted.
     const ImpostorStrip* impostor(Tier tier) const {
         return _impostors[static_cast<int>(tier) - branchTiers].get();
@@ -42,7 +46,8 @@ public:
 private:
     std::size_t _species;
     bool _isOfHost = false;
-    osg::ref_ptr<osg::Geometry> _bark[branchTiers], _leaves[branchTiers];
+    osg::ref_ptr<osg::Geometry> _bark[branchTiers];
+    LeafOrders::Geometries _leaves[branchTiers];
     osg::ref_ptr<osg::StateSet> _states[branchTiers];
     osg::ref_ptr<ImpostorStrip> _impostors[impostorTiers];
 };

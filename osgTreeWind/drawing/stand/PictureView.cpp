@@ -44,13 +44,6 @@ bool PictureView::place(const osg::BoundingBox& box, osg::Vec2& low, osg::Vec2& 
     return true;
 }
 
-osg::Vec3 PictureView::towardEye(const osg::Vec3& point) const {
-    osg::Vec3 toEye = _parallel.length2() > 0.0f ? _parallel : _eye - point;
-    toEye.z() = std::max(toEye.z(), 0.0f); // from below as from level
-    toEye.normalize();
-    return toEye;
-}
-
 ScreenCover::Picture PictureView::place(const PlacedTree& tree, const glm::vec2& lean,
                                         const ImpostorStrip& impostor) const {
     const ImpostorPictures& pictures = impostor.pictures();
@@ -60,7 +53,9 @@ ScreenCover::Picture PictureView::place(const PlacedTree& tree, const glm::vec2&
     const osg::Vec3 away = _eye - foot;
     if (_parallel.length2() == 0.0f && std::hypot(away.x(), away.y()) < reach && away.z() < 1.2f * height)
         return {};
-    const osg::Vec3 toEye = towardEye(foot + osg::Vec3(0.0f, 0.0f, 0.5f * height));
+    osg::Vec3 toEye = towardEye(foot + osg::Vec3(0.0f, 0.0f, 0.5f * height));
+    toEye.z() = std::max(toEye.z(), 0.0f); // from below as from level
+    toEye.normalize();
     const float level = std::hypot(toEye.x(), toEye.y());
     const osg::Vec2 ahead = level > 1.0e-4f ? osg::Vec2(toEye.x(), toEye.y()) / level : osg::Vec2(1.0f, 0.0f);
     const float across = tree.scale.axes.x * toEye.z(), upward = tree.scale.axes.z * level;

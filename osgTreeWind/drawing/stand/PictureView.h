@@ -28,9 +28,12 @@ public:
     /// From the eye to a point, metres; forests' frame.
     float distance(const osg::Vec3& point) const { return (point - _eye).length(); }
 
-private:
-    osg::Vec3 towardEye(const osg::Vec3& point) const;
+    /// From a point to the eye, of any length; forests' frame.
+    osg::Vec3 towardEye(const osg::Vec3& point) const {
+        return _parallel.length2() > 0.0f ? _parallel : _eye - point;
+    }
 
+private:
     osg::Matrixf _toClip;
     float _pixel;
     osg::Vec3 _eye, _parallel; ///< The latter toward the eye of a parallel projection, else null.

@@ -88,7 +88,9 @@ void TreeStandCull::seeCell(const ViewFrustum& view, const PictureView& pictures
                 continue;
         }
         const osg::Vec3 middle = (tree.foot + top) * 0.5f;
-        const FrontToBack::Tree seenTree{tree.number, band, detail * view.pixels(middle, tree.height)};
+        const osg::Vec3 toEye = pictures.towardEye(middle);
+        const FrontToBack::Tree seenTree{
+            tree.number, band, detail * view.pixels(middle, tree.height), {toEye.x(), toEye.y(), toEye.z()}};
         if (tiers.on() && tiers.choose(seenTree.pixels).tier != Tier::Impostor)
             lists.frontToBack().put(seenTree, pictures.distance(tree.foot));
         else if (isClear || !cover.hides(pictureOf(pictures, tree.number), pictures.pixel()))
@@ -132,7 +134,7 @@ void TreeStandCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade
             fall ? turnHeading({fall->trunkTurn(), 0.0f}, std::sin(tree.heading), std::cos(tree.heading))
                  : glm::vec3(0.0f);
         const bool small = seen.pixels < ImpostorStrip::bendingPixels;
-        lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade != 1.0f, small})
+        lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade != 1.0f, small, 0})
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
                   {lean.x, lean.y, fade, own}});
@@ -142,7 +144,10 @@ void TreeStandCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade
     const PosePass::Row row = pass.row(frame, seen.number, [&](PoseRequest& request) {
         pass.ask(modal, seen.number, tree.scale, resources.looks[tree.species].foliage, request);
     });
-    InstanceList& list = lists.list({seen.band, tree.model, tier, fade != 1.0f, false}, &pass, row.page);
+    const std::size_t order =
+        LeafOrders::nearest(turnHeading(seen.toEye, -std::sin(tree.heading), std::cos(tree.heading)));
+    InstanceList& list =
+        lists.list({seen.band, tree.model, tier, fade != 1.0f, false, order}, &pass, row.page);
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
@@ -156,13 +161,18 @@ void TreeStandCull::handOver() {
     visitor.pushStateSet(resources.state);
     visitor.pushStateSet(lists.shading());
     const float depth = visitor.getDistanceFromEyePoint(osg::Vec3(), true);
+    constexpr std::size_t atOnce = 300000; // vertices after which the driver is to begin
+    std::size_t waiting = 0;
     bool drawn = false;
     const auto draw = [&](osg::Geometry* geometry, InstancedDraw& part, InstanceList& trees,
                           std::initializer_list<osg::StateSet*> states) {
         if (!geometry)
             return;
         drawn = true;
-        part.set(geometry, &trees);
+        if (const osg::Array* vertices = geometry->getVertexArray()) // a host's may have others
+            waiting += trees.size() * vertices->getNumElements();
+        part.set(geometry, &trees, waiting > atOnce);
+        waiting = waiting > atOnce ? 0 : waiting;
         int pushed = 0;
         for (osg::StateSet* state : states)
             if (state) {
@@ -188,10 +198,10 @@ void TreeStandCull::handOver() {
                  {inBand, fading, impostor.stateSet(), leaves});
             continue;
         }
+        draw(model.leaves(list.tier, list.order), *list.leaves, *list.trees,
+             {inBand, fading, looks.leaves, model.state(list.tier), looks.ownLeaves});
         draw(model.bark(list.tier), *list.bark, *list.trees,
              {inBand, fading, looks.bark, model.state(list.tier), looks.ownBark});
-        draw(model.leaves(list.tier), *list.leaves, *list.trees,
-             {inBand, fading, looks.leaves, model.state(list.tier), looks.ownLeaves});
     }
     visitor.popStateSet();
     visitor.popStateSet();
