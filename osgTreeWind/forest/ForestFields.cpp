@@ -10,9 +10,13 @@ const Fields& fieldsOf<DrawingOptions>() {
     using P = DrawingOptions;
     static const Fields fields = {
         {"tiers", at<&P::tiers>, {}, "false: everything in full"},
-        {"full", at<&P::full>, above(0, 100000), "from this height on: every vertex", "pixels"},
+        {"full", at<&P::full>, above(0, 100000),
+         "from this height on all leaf cards, and bark that is off by a few pixels at most; from four times "
+         "it every vertex",
+         "pixels"},
         {"reduced", at<&P::reduced>, above(0, 100000),
-         "between `full` and this height ever fewer and larger leaf cards; below: the fewest", "pixels"},
+         "between `full` and this height ever fewer and larger leaf cards, and less bark; below: the fewest",
+         "pixels"},
         {"impostor", at<&P::impostor>, within(0, 100000),
          "below this height: a picture of the tree that leans with it. 0: no pictures", "pixels"},
         {"blend", at<&P::blend>, within(0, 0.9),

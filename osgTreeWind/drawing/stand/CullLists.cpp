@@ -6,6 +6,21 @@
 
 namespace osgTreeWind {
 
+namespace {
+
+/// Kinds of lists of a model in a band.
+constexpr std::size_t withBranches = 2 * branchTiers * LeafOrders::count,
+                      kinds = withBranches + 4 * impostorTiers;
+
+std::size_t numberOf(const CullLists::Kind& kind) {
+    const auto tier = static_cast<std::size_t>(kind.tier);
+    return kind.tier < Tier::Impostor
+               ? 2 * (tier * LeafOrders::count + kind.order) + kind.fading
+               : withBranches + 4 * (tier - branchTiers) + 2 * kind.fading + kind.small;
+}
+
+} // namespace
+
 CullLists::CullLists() {
     for (osg::ref_ptr<osg::StateSet>& state : _bandStates)
         state = new osg::StateSet;
@@ -25,13 +40,11 @@ void CullLists::begin(unsigned frame, std::size_t models, osgUtil::StateGraph* p
     _used = 0;
     _near.clear();
     _models = models;
-    _open.assign(4 * LeafOrders::count * bands * models * tierCount, 0);
+    _open.assign(bands * models * kinds, 0);
 }
 
 InstanceList& CullLists::list(const Kind& kind, const PosePass* passes, PosePage* page) {
-    const std::size_t drawn =
-        (kind.band * _models + kind.model) * tierCount + static_cast<std::size_t>(kind.tier);
-    std::size_t& open = _open[4 * (drawn * LeafOrders::count + kind.order) + 2 * kind.fading + kind.small];
+    std::size_t& open = _open[(kind.band * _models + kind.model) * kinds + numberOf(kind)];
     if (open != 0 && _lists[open - 1].trees->page == page)
         return *_lists[open - 1].trees;
     if (_used == _lists.size())

@@ -33,7 +33,7 @@ public:
         Tier tier = Tier::Full;
         bool fading = false;   ///< Whether they cross over to another tier.
         bool small = false;    ///< Whether their bend is too small to be seen; of impostors.
-        std::size_t order = 0; ///< Of their leaves; LeafOrders.
+        std::size_t order = 0; ///< Of LeafOrders; of those with branches.
     };
     struct List : Kind {
         osg::ref_ptr<InstanceList> trees = new InstanceList;

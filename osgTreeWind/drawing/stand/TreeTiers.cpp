@@ -11,7 +11,8 @@ TreeTiers::TreeTiers(const DrawingOptions& drawing) : _on(drawing.tiers) {
                                         drawing.full * step * step, drawing.reduced, drawing.impostor};
     for (int tier = 0; tier < branchTiers; ++tier) {
         _from[tier] = drawing.tiers ? heights[tier] : 0.0f;
-        const bool isAlike = tier == static_cast<int>(Tier::Full); // as the next one, but for a pixel
+        const bool isAlike =
+            tier == static_cast<int>(Tier::Full); // as the next one but for a few pixels of bark
         _to[tier] = _from[tier] * (isAlike ? 1.0f : 1.0f - drawing.blend);
         _perPixel[tier] = 1.0f / std::max(_from[tier] - _to[tier], 1.0e-6f);
     }
