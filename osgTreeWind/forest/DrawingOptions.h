@@ -7,7 +7,7 @@ namespace osgTreeWind {
 /// full > reduced > impostor >= 0. Laws of a branch draw every tree in full.
 struct DrawingOptions {
     bool tiers = true;   ///< Off: everything in full.
-    float full = 800.0f; ///< At least this high: all leaf cards, and from twice that on every vertex of bark.
+    float full = 800.0f; ///< At least this high: all leaf cards, from four times that every vertex of bark.
                          ///< Below: ever fewer and larger cards,
     float reduced = 250.0f; ///< down to this height: the fewest.
     float impostor = 80.0f; ///< Below this height an impostor. 0: no impostors.

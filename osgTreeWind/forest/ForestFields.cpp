@@ -20,7 +20,8 @@ const Fields& fieldsOf<DrawingOptions>() {
         {"impostor", at<&P::impostor>, within(0, 100000),
          "below this height: a picture of the tree that leans with it. 0: no pictures", "pixels"},
         {"blend", at<&P::blend>, within(0, 0.9),
-         "share of a threshold over which one form gives way to the next, pixel by pixel"},
+         "share of a threshold over which one form gives way to the next, leaf card by leaf card, to a "
+         "picture pixel by pixel"},
         {"budget", at<&P::budget>, within(0, 10000),
          "what the frame of a view is to take: where it takes longer, trees are drawn as if they were lower, "
          "down to a quarter of their height. 0: none",

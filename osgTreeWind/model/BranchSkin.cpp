@@ -70,11 +70,14 @@ BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance) {
 }
 
 SkinSize sizeOfBranchSkin(const Skeleton& skeleton) {
-    if (skeleton.joined)
-        return sizeOfJoinedSkin(skeleton);
-    const std::uint64_t sides = BranchSkin::verticesPerRing, units = skeleton.units.size(),
-                        rings = static_cast<std::uint64_t>(skeleton.ringsPerBranch);
-    return {units * rings * sides, 2 * units * (rings - 1) * sides};
+    SkinSize size;
+    for (const SkinPlan& plan : planSkin(skeleton, 0.0f)) {
+        const auto rings = static_cast<std::uint64_t>(plan.rings),
+                   sides = static_cast<std::uint64_t>(plan.sides);
+        size.vertices += rings * sides + (plan.closed ? 1 : 0);
+        size.triangles += 2 * (rings - 1) * sides + (plan.closed ? sides : 0);
+    }
+    return size;
 }
 
 } // namespace osgTreeWind

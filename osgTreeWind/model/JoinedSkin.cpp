@@ -241,15 +241,4 @@ BranchSkin makeJoinedSkin(const Skeleton& skeleton, float tolerance) {
     return SkinMaker(skeleton, tolerance).make();
 }
 
-SkinSize sizeOfJoinedSkin(const Skeleton& skeleton) {
-    SkinSize size;
-    for (const SkinPlan& plan : planSkin(skeleton, 0.0f)) {
-        const auto rings = static_cast<std::uint64_t>(plan.rings),
-                   sides = static_cast<std::uint64_t>(plan.sides);
-        size.vertices += rings * sides + (plan.closed ? 1 : 0);
-        size.triangles += 2 * (rings - 1) * sides + (plan.closed ? sides : 0);
-    }
-    return size;
-}
-
 } // namespace osgTreeWind

@@ -7,6 +7,5 @@ namespace osgTreeWind {
 
 /// The skin of a joined skeleton, as makeBranchSkin() says.
 BranchSkin makeJoinedSkin(const Skeleton& skeleton, float tolerance);
-SkinSize sizeOfJoinedSkin(const Skeleton& skeleton);
 
 } // namespace osgTreeWind

@@ -20,12 +20,13 @@ double evenly(std::uint32_t index) {
 } // namespace
 
 TreeDetail TreeDetail::reduced(int times) {
-    constexpr TreeDetail details[reductions] = {{0.0008f, 0.0003f, 1.0f, 1, 1.0f},
-                                                {0.0024f, 0.0006f, 1.0f, 2, 0.95f},
-                                                {0.0032f, 0.0008f, 0.62f, 2, 0.98f},
-                                                {0.0045f, 0.001f, 0.42f, 3, 1.15f},
-                                                {0.006f, 0.0014f, 0.27f, 4, 1.06f}};
-    return details[glm::clamp(times, 1, reductions) - 1];
+    constexpr TreeDetail details[reductions + 1] = {full(),
+                                                    {0.0008f, 0.0003f, 1.0f, 1, 1.0f},
+                                                    {0.0024f, 0.0006f, 1.0f, 2, 0.95f},
+                                                    {0.0032f, 0.0008f, 0.62f, 2, 0.98f},
+                                                    {0.0045f, 0.001f, 0.42f, 3, 1.15f},
+                                                    {0.006f, 0.0014f, 0.27f, 4, 1.06f}};
+    return details[glm::clamp(times, 0, reductions)];
 }
 
 ThinnedLeaves thinnedLeaves(const std::vector<LeafCluster>& leaves,

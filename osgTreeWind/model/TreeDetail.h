@@ -19,8 +19,8 @@ struct TreeDetail {
     float leafArea = 1.0f;  ///< Of the cards over that of the whole tree, > 0.
 
     static constexpr TreeDetail full() { return {}; }
-    /// Bark that is off by a pixel where the tree is 1,600 high; then ever fewer and larger cards as well,
-    /// whose leaves keep about their size.
+    /// Less bark; then ever fewer and larger cards as well, whose leaves keep about their size. 0 times:
+    /// full().
     static constexpr int reductions = 5;
     static TreeDetail reduced(int times);
 };

@@ -138,7 +138,7 @@ LeafEdges EdgePicture::measured(Silhouette& sampled) const {
 LeafEdges EdgePicture::cards(int reductions) const {
     const osg::ref_ptr<osg::Image> texture = leafImage(_appearance);
     Silhouette sampled(samples * width);
-    const TreeDetail detail = reductions > 0 ? TreeDetail::reduced(reductions) : TreeDetail::full();
+    const TreeDetail detail = TreeDetail::reduced(reductions);
     if (detail.bough == 1) {
         const LeafMasks masks(*texture);
         forEachLeafQuad(_model, [&](std::size_t cluster, std::size_t quad, const glm::vec3& corner,

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/LeafOrders.h>
 
+#include <osgTreeWind/drawing/stand/TreeGeometry.h>
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace osgTreeWind {
@@ -33,21 +36,10 @@ std::vector<unsigned> inSlabs(const Middles& middles, const glm::vec3& direction
     const auto [low, high] = std::minmax_element(along.begin(), along.end());
     const float perSlab = slabs / glm::max(*high - *low, 1e-6f), end = *high;
     const auto slab = [&](unsigned quad) { return static_cast<int>(perSlab * (end - along[quad])); };
-    std::vector<unsigned> quads;
-    for (unsigned quad = 0; quad < middles.size(); ++quad)
-        quads.push_back(quad);
+    std::vector<unsigned> quads(middles.size());
+    std::iota(quads.begin(), quads.end(), 0u);
     std::stable_sort(quads.begin(), quads.end(), [&](unsigned a, unsigned b) { return slab(a) < slab(b); });
     return quads;
-}
-
-template <typename Elements>
-osg::ref_ptr<osg::PrimitiveSet> trianglesOf(const std::vector<unsigned>& quads) {
-    osg::ref_ptr<Elements> triangles = new Elements(GL_TRIANGLES);
-    triangles->reserve(6 * quads.size());
-    for (const unsigned quad : quads)
-        for (const unsigned corner : {0u, 1u, 2u, 0u, 2u, 3u})
-            triangles->push_back(static_cast<typename Elements::value_type>(4 * quad + corner));
-    return triangles;
 }
 
 } // namespace
@@ -79,11 +71,16 @@ LeafOrders::Geometries LeafOrders::make(const osg::Geometry& geometry, const Thi
     const bool isShort = 4 * middles.size() <= 65536;
     Geometries orders;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::vector<unsigned> quads =
-            middles.empty() ? std::vector<unsigned>() : inSlabs(middles, directions()[i]);
+        std::vector<unsigned> indices;
+        if (!middles.empty())
+            indices = leafIndices(inSlabs(middles, directions()[i]));
         orders[i] = new osg::Geometry(geometry, osg::CopyOp::SHALLOW_COPY);
-        orders[i]->setPrimitiveSet(0, isShort ? trianglesOf<osg::DrawElementsUShort>(quads)
-                                              : trianglesOf<osg::DrawElementsUInt>(quads));
+        if (isShort)
+            orders[i]->setPrimitiveSet(
+                0, new osg::DrawElementsUShort(GL_TRIANGLES, indices.begin(), indices.end()));
+        else
+            orders[i]->setPrimitiveSet(
+                0, new osg::DrawElementsUInt(GL_TRIANGLES, indices.begin(), indices.end()));
     }
     return orders;
 }

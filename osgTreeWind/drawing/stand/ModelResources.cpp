@@ -17,7 +17,7 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
     const PoseLayout layout(model.skeleton.units.size());
     for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
-        const TreeDetail detail = whole ? TreeDetail::full() : TreeDetail::reduced(tier);
+        const TreeDetail detail = TreeDetail::reduced(tier);
         _bark[tier] = makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), crown);
         if (tier == static_cast<int>(Tier::Sprays))
             _leaves[tier] = _leaves[static_cast<int>(Tier::Full)];

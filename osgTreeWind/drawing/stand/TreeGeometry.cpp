@@ -6,6 +6,8 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
+#include <numeric>
+
 namespace osgTreeWind {
 namespace {
 
@@ -99,10 +101,15 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
 }
 
 std::vector<unsigned> leafIndices(std::size_t clusters, int quads) {
-    const std::size_t all = clusters * static_cast<std::size_t>(quads);
+    std::vector<unsigned> all(clusters * static_cast<std::size_t>(quads));
+    std::iota(all.begin(), all.end(), 0u);
+    return leafIndices(all);
+}
+
+std::vector<unsigned> leafIndices(const std::vector<unsigned>& quads) {
     std::vector<unsigned> indices;
-    indices.reserve(all * 6);
-    for (unsigned quad = 0; quad < all; ++quad)
+    indices.reserve(quads.size() * 6);
+    for (const unsigned quad : quads)
         for (const unsigned corner : {0u, 1u, 2u, 0u, 2u, 3u})
             indices.push_back(4 * quad + corner);
     return indices;

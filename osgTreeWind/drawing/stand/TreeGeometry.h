@@ -30,5 +30,7 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& lea
 
 /// Triangles over `clusters` leaf clusters of that many four-cornered quads.
 std::vector<unsigned> leafIndices(std::size_t clusters, int quads = quadsPerLeafCluster);
+/// Triangles over such quads, in this order.
+std::vector<unsigned> leafIndices(const std::vector<unsigned>& quads);
 
 } // namespace osgTreeWind

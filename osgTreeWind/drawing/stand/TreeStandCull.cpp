@@ -171,8 +171,10 @@ void TreeStandCull::handOver() {
         drawn = true;
         if (const osg::Array* vertices = geometry->getVertexArray()) // a host's may have others
             waiting += trees.size() * vertices->getNumElements();
-        part.set(geometry, &trees, waiting > atOnce);
-        waiting = waiting > atOnce ? 0 : waiting;
+        const bool isLast = waiting > atOnce;
+        part.set(geometry, &trees, isLast);
+        if (isLast)
+            waiting = 0;
         int pushed = 0;
         for (osg::StateSet* state : states)
             if (state) {

@@ -39,8 +39,7 @@ TEST(LeafOrdersTest, nearCardsComeFirstAndNoneIsLeftOut) {
     const TreeModel model = makeTreeModel({});
     for (const int reductions : {0, 2}) {
         const ThinnedLeaves leaves =
-            thinnedLeaves(model.leaves, model.leafMesh,
-                          reductions > 0 ? TreeDetail::reduced(reductions) : TreeDetail::full());
+            thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::reduced(reductions));
         const osg::ref_ptr<osg::Geometry> geometry = makeLeafGeometry(leaves, model.leafMesh, CrownShade());
         const LeafOrders::Geometries orders = LeafOrders::make(*geometry, leaves, model.leafMesh);
         std::vector<unsigned> all = Drawn(*geometry, leaves, model).vertices;
