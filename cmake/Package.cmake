@@ -39,7 +39,7 @@ if(help2man AND TARGET osgtreewind)
     install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/script/man-pages\" \"$<TARGET_FILE:osgtreewind>\" ${PROJECT_VERSION}
         \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT tool)
 endif()
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/osgtreewind-doc COMPONENT documentation)
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 
