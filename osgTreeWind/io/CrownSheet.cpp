@@ -20,12 +20,14 @@ namespace osgTreeWind {
 
 namespace {
 
-enum Column { CellColumn, CellRow, Trees, Foot, Height, Width, SpeciesName, ColumnCount };
-constexpr std::array<const char*, ColumnCount> columnNames = {"column", "row",   "trees",  "foot",
-                                                              "height", "width", "species"};
+struct SheetColumn {
+    enum : std::size_t { Cell, Row, Trees, Foot, Height, Width, Species, Count };
+};
+constexpr std::array<const char*, SheetColumn::Count> sheetColumnNames = {"column", "row",   "trees",  "foot",
+                                                                          "height", "width", "species"};
 constexpr Range counts = within(0, 4294967295.0);
-const std::array<Range, SpeciesName> ranges = {counts,           counts,          within(1, 4294967295.0),
-                                               worldCoordinates, above(0, 150.0), above(0, 150.0)};
+const std::array<Range, SheetColumn::Species> ranges = {
+    counts, counts, within(1, 4294967295.0), worldCoordinates, above(0, 150.0), above(0, 150.0)};
 
 std::string decimetres(double metres) {
     return numberText(std::round(10.0 * metres) / 10.0);
@@ -38,7 +40,7 @@ std::uint32_t CrownSheet::cellsAcrossTile(const ForestTiles& tiles) {
 }
 
 std::string crownSheetHead() {
-    return csvLine(columnNames);
+    return csvLine(sheetColumnNames);
 }
 
 void CrownSums::add(const TreePlacement& tree, const TreeSize& size, const ForestTiles& tiles) {
@@ -68,30 +70,32 @@ std::string CrownSums::text(const std::vector<Species>& species) const {
 
 Result<CrownSheet> readCrownSheet(std::istream& input, const std::string& file) {
     const std::string text{std::istreambuf_iterator<char>(input), {}};
-    const std::vector<std::string> expected(columnNames.begin(), columnNames.end());
+    const std::vector<std::string> expected(sheetColumnNames.begin(), sheetColumnNames.end());
     CrownSheet sheet;
     std::map<std::string, std::size_t> species;
     std::optional<Diagnostic> problem;
     const auto take = [&](const CsvTable& table, CsvTable::Row& row) {
-        std::array<double, SpeciesName> numbers{};
+        std::array<double, SheetColumn::Species> numbers{};
         if (problem || table.columns != expected)
             return;
         for (std::size_t i = 0; i < numbers.size() && !problem; ++i) {
             const std::optional<double> number = parseNumber(row.cells[i]);
             if (!number || !ranges[i].contains(*number))
-                problem = Diagnostic{table.file, row.line, 0, columnNames[i],
+                problem = Diagnostic{table.file, row.line, 0, sheetColumnNames[i],
                                      expectedFound("a number " + ranges[i].text(), row.cells[i])};
             numbers[i] = number.value_or(0.0);
         }
         if (problem)
             return;
-        const auto [known, isNew] = species.emplace(row.cells[SpeciesName], sheet.species.size());
+        const auto [known, isNew] = species.emplace(row.cells[SheetColumn::Species], sheet.species.size());
         if (isNew)
             sheet.species.push_back(known->first);
-        sheet.cells.push_back(
-            {static_cast<std::uint32_t>(numbers[CellColumn]), static_cast<std::uint32_t>(numbers[CellRow]),
-             static_cast<std::uint32_t>(numbers[Trees]), static_cast<float>(numbers[Foot]),
-             static_cast<float>(numbers[Height]), static_cast<float>(numbers[Width]), known->second});
+        sheet.cells.push_back({static_cast<std::uint32_t>(numbers[SheetColumn::Cell]),
+                               static_cast<std::uint32_t>(numbers[SheetColumn::Row]),
+                               static_cast<std::uint32_t>(numbers[SheetColumn::Trees]),
+                               static_cast<float>(numbers[SheetColumn::Foot]),
+                               static_cast<float>(numbers[SheetColumn::Height]),
+                               static_cast<float>(numbers[SheetColumn::Width]), known->second});
     };
     const Result<CsvTable> table = readCsvRows(text, file, ',', take);
     if (!table)

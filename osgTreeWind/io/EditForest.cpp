@@ -39,7 +39,7 @@ struct WrittenSections {
 };
 
 /// What a person steers while a forest runs; "" is the document itself.
-const std::vector<std::string> steered = {"", "wind", "motion", "drawing"};
+const std::vector<std::string> steeredTables = {"", "wind", "motion", "drawing"};
 
 std::optional<std::string> written(ForestDescription forest) {
     forest.trees.clear();
@@ -74,7 +74,7 @@ std::optional<std::string> edited(const std::string& document, const ForestDescr
         return again && sameTrees(again.value(), now) && written(again.value()) == after;
     };
     TomlEdit keys(document);
-    for (const std::string& table : steered) {
+    for (const std::string& table : steeredTables) {
         for (const auto& [key, value] : wanted.values[table])
             if (const auto was = old.values[table].find(key);
                 was == old.values[table].end() || was->second != value)

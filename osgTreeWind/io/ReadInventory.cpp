@@ -17,7 +17,7 @@ namespace osgTreeWind {
 
 namespace {
 
-using Counts = std::map<std::string, std::size_t>;
+using RowCounts = std::map<std::string, std::size_t>;
 
 /// How many names a note tells before it only counts them.
 constexpr std::size_t mostNamed = 10;
@@ -29,7 +29,7 @@ std::string rounded(float metres) {
     return numberText(std::round(100.0 * static_cast<double>(metres)) / 100.0);
 }
 
-std::size_t sumOf(const Counts& rows) {
+std::size_t sumOf(const RowCounts& rows) {
     std::size_t sum = 0;
     for (const auto& [name, count] : rows)
         sum += count;
@@ -37,7 +37,7 @@ std::size_t sumOf(const Counts& rows) {
 }
 
 /// "a (7), b (2)", those with most rows first.
-std::string mostFrequent(const Counts& rows) {
+std::string mostFrequent(const RowCounts& rows) {
     std::vector<std::pair<std::string, std::size_t>> sorted(rows.begin(), rows.end());
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -279,8 +279,8 @@ private:
     std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< That were estimated.
     std::optional<std::string> _standsFor; ///< The name of an unknown species that the row has.
-    Counts _unmatched;                     ///< Names of species to numbers of rows.
-    Counts _repeated;                      ///< Ids to numbers of rows that go without.
+    RowCounts _unmatched;                  ///< Names of species to numbers of rows.
+    RowCounts _repeated;                   ///< Ids to numbers of rows that go without.
 };
 
 } // namespace

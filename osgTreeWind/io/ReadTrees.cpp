@@ -45,18 +45,18 @@ std::optional<std::size_t> findSpecies(TableReader& table, ForestReading& readin
 }
 
 /// A number, or an array [min, max] from which each tree draws its own.
-struct Span {
+struct DrawnNumber {
     double min = 0.0, max = 0.0;
     double draw(Random& random) const { return uniform(random, min, max); }
 };
 
-std::optional<Span> readSpan(TableReader& table, const std::string& key, const Range& range) {
+std::optional<DrawnNumber> readDrawnNumber(TableReader& table, const std::string& key, const Range& range) {
     if (!table.hasArray(key)) {
-        Span span;
-        if (!table.read(key, span.min, range))
+        DrawnNumber number;
+        if (!table.read(key, number.min, range))
             return std::nullopt;
-        span.max = span.min;
-        return span;
+        number.max = number.min;
+        return number;
     }
     std::vector<double> ends;
     if (!table.readNumbers(key, ends, 2, 2, range))
@@ -65,7 +65,7 @@ std::optional<Span> readSpan(TableReader& table, const std::string& key, const R
         table.problem(key, "expected [min, max] with min not above max");
         return std::nullopt;
     }
-    return Span{ends[0], ends[1]};
+    return DrawnNumber{ends[0], ends[1]};
 }
 
 /// Points with a least distance between them, found by trial (dart throwing) with a hash of square cells.
@@ -105,7 +105,7 @@ struct Scatter {
     double spacing = 0.0;
     std::vector<std::size_t> species;
     std::vector<double> weights;
-    std::optional<Span> height, trunkDiameter, crownWidth, trunkRatio, crownRatio;
+    std::optional<DrawnNumber> height, trunkDiameter, crownWidth, trunkRatio, crownRatio;
     bool openGrown = false;
     float leaves = 1.0f;
     std::uint32_t seed = 0;
@@ -125,7 +125,8 @@ struct Scatter {
 
     TreeSize drawSize(Random& random) const {
         const double tall = height ? height->draw(random) : 0.0;
-        const auto either = [&](const std::optional<Span>& metres, const std::optional<Span>& ratio) {
+        const auto either = [&](const std::optional<DrawnNumber>& metres,
+                                const std::optional<DrawnNumber>& ratio) {
             return static_cast<float>(metres  ? metres->draw(random)
                                       : ratio ? tall * ratio->draw(random)
                                               : 0.0);
@@ -167,9 +168,10 @@ bool readMixture(TableReader& table, ForestReading& reading, Scatter& scatter) {
 
 /// A size in metres, or as a ratio to the height; not both.
 void readEither(TableReader& table, const Scatter& scatter, const std::string& key,
-                std::optional<Span>& metres, const std::string& ratioKey, std::optional<Span>& ratio) {
-    metres = readSpan(table, key, treeRange(key));
-    ratio = readSpan(table, ratioKey, above(0, 10));
+                std::optional<DrawnNumber>& metres, const std::string& ratioKey,
+                std::optional<DrawnNumber>& ratio) {
+    metres = readDrawnNumber(table, key, treeRange(key));
+    ratio = readDrawnNumber(table, ratioKey, above(0, 10));
     if (table.has(key) && ratio)
         table.problem(ratioKey, "give either this or " + key);
     else if (ratio && !scatter.height)
@@ -212,7 +214,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
         complete = false;
     }
     complete &= readMixture(table, reading, scatter);
-    scatter.height = readSpan(table, "height", treeRange("height"));
+    scatter.height = readDrawnNumber(table, "height", treeRange("height"));
     readEither(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
     readEither(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
     table.read("open_grown", scatter.openGrown);

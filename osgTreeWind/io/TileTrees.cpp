@@ -24,7 +24,7 @@ namespace osgTreeWind {
 
 namespace {
 
-enum Column {
+enum TreeColumn {
     SpeciesName,
     X,
     Y,
@@ -40,7 +40,7 @@ enum Column {
     Id,
     ColumnCount
 };
-constexpr std::array<const char*, ColumnCount> columnNames = {
+constexpr std::array<const char*, ColumnCount> treeColumnNames = {
     "species",     "x",      "y",    "z",          "heading",   "height", "trunk_diameter",
     "crown_width", "leaves", "seed", "open_grown", "estimated", "id"};
 
@@ -86,19 +86,19 @@ class TreeRow {
 public:
     TreeRow(const CsvTable& table, const CsvTable::Row& row) : _table(table), _row(row) {}
 
-    const std::string& text(Column column) const { return _row.cells[column]; }
-    bool has(Column column) const { return !text(column).empty(); }
-    double number(Column column, const Range& range) {
+    const std::string& text(TreeColumn column) const { return _row.cells[column]; }
+    bool has(TreeColumn column) const { return !text(column).empty(); }
+    double number(TreeColumn column, const Range& range) {
         const std::optional<double> number = parseNumber(text(column));
         if (number && range.contains(*number))
             return *number;
         expect(column, "a number " + range.text());
         return 0.0;
     }
-    void expect(Column column, const std::string& what) {
+    void expect(TreeColumn column, const std::string& what) {
         if (!_problem)
-            _problem =
-                Diagnostic{_table.file, _row.line, 0, columnNames[column], expectedFound(what, text(column))};
+            _problem = Diagnostic{_table.file, _row.line, 0, treeColumnNames[column],
+                                  expectedFound(what, text(column))};
     }
     const std::optional<Diagnostic>& problem() const { return _problem; }
 
@@ -129,11 +129,11 @@ std::size_t indexOf(std::vector<std::string>& names, const std::string& name) {
 }
 
 TreePlacement readTree(TreeRow& row, std::vector<std::string>& species) {
-    const auto number = [&](Column column, const Range& range) {
+    const auto number = [&](TreeColumn column, const Range& range) {
         return static_cast<float>(row.number(column, range));
     };
-    const auto size = [&](Column column) {
-        return row.has(column) ? number(column, treeRange(columnNames[column])) : 0.0f;
+    const auto size = [&](TreeColumn column) {
+        return row.has(column) ? number(column, treeRange(treeColumnNames[column])) : 0.0f;
     };
     TreePlacement tree;
     if (!row.has(SpeciesName))
@@ -157,7 +157,7 @@ TreePlacement readTree(TreeRow& row, std::vector<std::string>& species) {
 
 Result<TileTrees> readTileTrees(std::istream& input, const std::string& file) {
     const std::string text{std::istreambuf_iterator<char>(input), {}};
-    const std::vector<std::string> expected(columnNames.begin(), columnNames.end());
+    const std::vector<std::string> expected(treeColumnNames.begin(), treeColumnNames.end());
     TileTrees list;
     std::optional<Diagnostic> problem;
     const auto take = [&](const CsvTable& table, CsvTable::Row& line) {
@@ -222,7 +222,7 @@ Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species,
 }
 
 std::string tileHead() {
-    return csvLine(columnNames);
+    return csvLine(treeColumnNames);
 }
 
 std::string tileRows(const std::vector<TreePlacement>& all, const std::vector<std::uint32_t>& trees,

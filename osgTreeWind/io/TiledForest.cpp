@@ -55,7 +55,7 @@ ForestTiles gridOver(const TreesInAll& all, double size) {
 }
 
 /// Of all trees, or of those of tiles all over the world.
-WindCanopy canopyOf(const TileWriter& written, const Executor& executor, std::atomic<bool>& failed) {
+WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std::atomic<bool>& failed) {
     const PlacedForest& shapes = written.shapes();
     const ForestTiles& all = written.tiles();
     const std::size_t every = (all.treeCount() + treesForStands - 1) / treesForStands;
@@ -122,7 +122,7 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
     tiles = writer.tiles();
     tiles.range = options.range > 0.0 ? options.range : rangeOfTiles(tiles);
     if (!failed)
-        forest.windCanopy = canopyOf(writer, executor, failed);
+        forest.windCanopy = tiledCanopy(writer, executor, failed);
     if (failed || !writeWholeFile(folder + "/fly.path", flightOver(tiles, forest.origin)))
         return fileProblem(tiles.folder, "cannot be written");
     ForestTiles result = tiles;

@@ -11,7 +11,7 @@ namespace osgTreeWind {
 namespace {
 
 /// A tree as bytes; its name follows.
-struct Row {
+struct StoredTree {
     glm::dvec3 position;
     std::uint64_t species;
     TreeSize size;
@@ -19,10 +19,10 @@ struct Row {
     std::uint32_t seed, nameLength;
     bool openGrown, onGround, heightEstimated, trunkEstimated, crownEstimated;
 };
-static_assert(std::is_trivially_copyable_v<Row>);
+static_assert(std::is_trivially_copyable_v<StoredTree>);
 
 void append(std::string& bytes, const TreePlacement& tree, bool onGround) {
-    Row row;
+    StoredTree row;
     std::memset(static_cast<void*>(&row), 0, sizeof row); // no bytes of old memory in a file
     row.position = tree.position;
     row.species = tree.species;
@@ -41,7 +41,7 @@ void append(std::string& bytes, const TreePlacement& tree, bool onGround) {
 
 /// @return where the next one begins.
 const char* take(const char* bytes, TreePlacement& tree, bool& onGround) {
-    Row row;
+    StoredTree row;
     std::memcpy(static_cast<void*>(&row), bytes, sizeof row);
     tree.position = row.position;
     tree.species = static_cast<std::size_t>(row.species);
@@ -58,7 +58,7 @@ const char* take(const char* bytes, TreePlacement& tree, bool& onGround) {
 
 std::string bytesOf(const TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
     std::string bytes;
-    bytes.reserve(trees.size() * (sizeof(Row) + 8));
+    bytes.reserve(trees.size() * (sizeof(StoredTree) + 8));
     auto next = onGround.begin();
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const bool isOnGround = next != onGround.end() && *next == i;

@@ -11,8 +11,8 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr float width = 1.6f, length = 2.5f; ///< Over the radius of the branch.
-constexpr float steepest = 0.3f;             ///< Sine of the angle below which branches leave as if at that.
+constexpr float collarWidth = 1.6f, collarLength = 2.5f; ///< Over the radius of the branch.
+constexpr float steepest = 0.3f; ///< Sine of the angle below which branches leave as if at that.
 
 } // namespace
 
@@ -30,15 +30,15 @@ BranchCollar::BranchCollar(const Skeleton& skeleton, std::size_t unit, float bar
     _across = glm::cross(_along, _away);
     _cosine = glm::dot(heading, _along);
     _sine = glm::max(glm::dot(heading, _away), steepest);
-    _reach = width * branch.baseRadius;
+    _reach = collarWidth * branch.baseRadius;
     const float interval = glm::max(glm::distance(skeleton.point(unit, 0), skeleton.point(unit, 1)), 1e-6f);
     _begin = _bark / (_sine * interval);
-    _end = _begin + length * branch.baseRadius / interval;
+    _end = _begin + collarLength * branch.baseRadius / interval;
 }
 
 float BranchCollar::widening(float place) const {
     const float left = 1.0f - glm::clamp((place - _begin) / glm::max(_end - _begin, 1e-6f), 0.0f, 1.0f);
-    return 1.0f + (width - 1.0f) * left * left;
+    return 1.0f + (collarWidth - 1.0f) * left * left;
 }
 
 SkinVertex BranchCollar::vertex(const glm::vec3& aside) const {

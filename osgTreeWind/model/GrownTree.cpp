@@ -18,8 +18,6 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr glm::vec3 up{0.0f, 0.0f, 1.0f};
-
 /// A branch where it springs is thinner than what bears it.
 constexpr float widestBase = 0.9f;
 
@@ -52,10 +50,10 @@ struct Axis {
     std::vector<glm::vec3> points; ///< From base to tip, evenly spaced.
 };
 
-class Generator {
+class GrownTreeGenerator {
 public:
     /// @param parameters within their ranges.
-    explicit Generator(const GrownTreeParameters& parameters)
+    explicit GrownTreeGenerator(const GrownTreeParameters& parameters)
         : _p(parameters), _shortest(1e-3f * parameters.height), _thinnest(1e-5f * parameters.height),
           _random(parameters.seed) {
         _skeleton.ringsPerBranch = _p.ringsPerBranch;
@@ -275,7 +273,7 @@ GrownTreeParameters clamped(GrownTreeParameters p) {
 }
 
 Skeleton makeGrownTree(const GrownTreeParameters& parameters) {
-    return Generator(clamped(parameters)).grow();
+    return GrownTreeGenerator(clamped(parameters)).grow();
 }
 
 } // namespace osgTreeWind

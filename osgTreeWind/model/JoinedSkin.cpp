@@ -18,18 +18,18 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr float limbLength = 2.0f; ///< Over the radius of a stem, within which its limbs thin from that.
-constexpr float sunk = 0.98f;      ///< Collars begin below the bark, over its radius.
-constexpr float between = 0.25f;   ///< Smallest distance of the rings after a collar, in intervals.
+constexpr float limbLength = 2.0f;    ///< Over the radius of a stem, within which its limbs thin from that.
+constexpr float sunk = 0.98f;         ///< Collars begin below the bark, over its radius.
+constexpr float closestRings = 0.25f; ///< Smallest distance of the rings after a collar, in intervals.
 
 /// A cross-section of a branch.
-struct Section {
+struct CrossSection {
     glm::vec3 centre, tangent;
     float radius;
 };
 
 /// @param place in intervals between the unit's points.
-Section sectionAt(const Skeleton& skeleton, std::size_t unit, float place) {
+CrossSection sectionAt(const Skeleton& skeleton, std::size_t unit, float place) {
     const int ring = glm::clamp(static_cast<int>(place), 0, skeleton.ringsPerBranch - 2);
     const float part = place - static_cast<float>(ring);
     const glm::vec3 tangent = skeleton.tangent(unit, ring);
@@ -158,12 +158,12 @@ private:
     std::vector<float> placesAfter(const BranchCollar& collar, const SkinPlan& plan) const {
         std::vector<float> beyond = evenly(plan.taken);
         beyond.erase(beyond.begin(), std::find_if(beyond.begin(), beyond.end() - 1, [&](float place) {
-                         return place > collar.end() + between;
+                         return place > collar.end() + closestRings;
                      }));
         if (static_cast<int>(beyond.size()) == plan.rings - 1 && plan.rings > 2)
             beyond.erase(beyond.begin());
         float end = collar.end();
-        if (end + between >= last()) {
+        if (end + closestRings >= last()) {
             beyond.clear();
             end = last();
         }
@@ -194,7 +194,7 @@ private:
 
     /// @param wider than the skeleton, metres.
     void addRing(Frame& frame, float place, int sides, float wider = 0.0f) {
-        const Section section = sectionAt(_skeleton, _unit, place);
+        const CrossSection section = sectionAt(_skeleton, _unit, place);
         frame.follow(section.tangent);
         for (int side = 0; side < sides; ++side) {
             const float part = partOf(side, sides), angle = glm::two_pi<float>() * part;

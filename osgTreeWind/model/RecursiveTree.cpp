@@ -17,8 +17,6 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr glm::vec3 up{0.0f, 0.0f, 1.0f};
-
 /// A branch is never longer than this times its parent, whatever the jitter.
 constexpr float maxLengthRatio = 1.5f;
 
@@ -53,10 +51,10 @@ std::uint64_t countUnits(const RecursiveTreeParameters& p) {
     return count;
 }
 
-class Generator {
+class RecursiveTreeGenerator {
 public:
     /// @param parameters within their ranges.
-    explicit Generator(const RecursiveTreeParameters& parameters)
+    explicit RecursiveTreeGenerator(const RecursiveTreeParameters& parameters)
         : _p(parameters), _shortest(1e-4f * longestReach(parameters)),
           _thinnest(1e-5f * longestReach(parameters)), _random(parameters.seed) {
         _skeleton.ringsPerBranch = _p.ringsPerBranch;
@@ -185,7 +183,7 @@ int branchingUnits(const RecursiveTreeParameters& p) {
 }
 
 Skeleton makeRecursiveTree(const RecursiveTreeParameters& parameters) {
-    return Generator(clamped(parameters)).grow();
+    return RecursiveTreeGenerator(clamped(parameters)).grow();
 }
 
 } // namespace osgTreeWind

@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,7 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr double pi = 3.14159265358979;
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::size_t noCylinder = static_cast<std::size_t>(-1);
 
 double lengthOf(const ScanCylinder& cylinder) {
     return glm::distance(cylinder.start, cylinder.end);
@@ -48,7 +48,7 @@ class AxisFinder {
 public:
     explicit AxisFinder(const ScanCylinders& cylinders)
         : _cylinders(cylinders), _children(cylinders.size()), _borne(cylinders.size()),
-          _next(cylinders.size(), none), _place(cylinders.size()) {
+          _next(cylinders.size(), noCylinder), _place(cylinders.size()) {
         for (std::size_t i = 0; i < cylinders.size(); ++i)
             if (cylinders[i].parent < 0)
                 _root = i;
@@ -67,7 +67,7 @@ public:
         follow(_root, -1);
         for (std::size_t axis = 0; axis < _axes.size(); ++axis) {
             const std::size_t first = _firsts[axis];
-            for (std::size_t at = first; at != none; at = _next[at])
+            for (std::size_t at = first; at != noCylinder; at = _next[at])
                 for (const std::size_t child : _children[at])
                     if (child != _next[at])
                         follow(child, static_cast<int>(axis));
@@ -102,7 +102,7 @@ private:
         for (const std::size_t child : _children[at]) {
             const glm::dvec3 ahead = _cylinders[child].start - cylinder.end;
             const bool isBeside = !rank(child).first && glm::dot(ahead, cylinder.end - cylinder.start) < 0.0;
-            if (!isBeside && (_next[at] == none || rank(child) > rank(_next[at])))
+            if (!isBeside && (_next[at] == noCylinder || rank(child) > rank(_next[at])))
                 _next[at] = child;
         }
     }
@@ -116,12 +116,12 @@ private:
             axis.line.add(glm::dvec3(0.0));
         else
             spring(axis, first);
-        for (std::size_t at = first; at != none; at = _next[at]) {
+        for (std::size_t at = first; at != noCylinder; at = _next[at]) {
             const ScanCylinder& cylinder = _cylinders[at];
             _place[at] = {_axes.size(), axis.radii.size()};
             axis.line.add(cylinder.end - foot);
             axis.radii.push_back(cylinder.radius);
-            axis.volume += pi * cylinder.radius * cylinder.radius * lengthOf(cylinder);
+            axis.volume += glm::pi<double>() * cylinder.radius * cylinder.radius * lengthOf(cylinder);
             ++axis.cylinders;
         }
         _axes.push_back(std::move(axis));

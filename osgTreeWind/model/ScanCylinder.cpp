@@ -13,16 +13,17 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr double shortest = 1e-6, thickest = 10.0, lowest = 0.1, highest = 150.0, widest = 200.0; // metres
+constexpr double shortestCylinder = 1e-6, thickestCylinder = 10.0; // metres
+constexpr double lowestScan = 0.1, highestScan = 150.0, widestScan = 200.0;
 
 Diagnostic problem(const ScanCylinder& cylinder, std::string message) {
     return fileProblem({}, std::move(message), cylinder.line);
 }
 
 std::string problemOfForm(const ScanCylinder& cylinder) {
-    if (!(cylinder.radius > 0.0 && cylinder.radius <= thickest))
+    if (!(cylinder.radius > 0.0 && cylinder.radius <= thickestCylinder))
         return "expected a radius above 0 and of at most 10 m, found " + numberText(cylinder.radius);
-    if (!(glm::distance(cylinder.start, cylinder.end) >= shortest)) // NaN is none
+    if (!(glm::distance(cylinder.start, cylinder.end) >= shortestCylinder)) // NaN is none
         return "expected a cylinder with a length";
     return {};
 }
@@ -67,10 +68,10 @@ std::optional<Diagnostic> problemOfSize(const ScanCylinders& cylinders, const Sc
     }
     const glm::dvec3 size = high - low;
     const double height = high.z - root.start.z;
-    if (!(height >= lowest && height <= highest))
+    if (!(height >= lowestScan && height <= highestScan))
         return problem(root, "expected a tree of 0.1 to 150 m above its foot, in metres, found " +
                                  numberText(height));
-    if (std::max({size.x, size.y, size.z}) > widest)
+    if (std::max({size.x, size.y, size.z}) > widestScan)
         return problem(root, "expected a tree of at most 200 m across, in metres, found " +
                                  numberText(std::max({size.x, size.y, size.z})));
     return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,10 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr double pi = 3.14159265358979;
-constexpr double shortest = 1e-3; // branch, over the tree's height
+constexpr double shortestBranch = 1e-3; // branch, over the tree's height
 
 double frustum(double length, double a, double b) {
-    return pi / 3.0 * length * (a * a + a * b + b * b);
+    return glm::pi<double>() / 3.0 * length * (a * a + a * b + b * b);
 }
 
 /// Arc lengths at which an axis is cut into units, both ends among them: halves of halves, until none is
@@ -141,7 +141,7 @@ private:
                 break;
         for (const std::size_t i : order) {
             if (isTaken(i) || !isTaken(static_cast<std::size_t>(_axes[i].parent)) ||
-                _axes[i].line.length() < shortest * _height)
+                _axes[i].line.length() < shortestBranch * _height)
                 continue;
             if (thickness[i] < _detail.thinnest || !take(i))
                 break;

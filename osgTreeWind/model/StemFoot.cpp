@@ -8,12 +8,13 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr float highest = 1.2f; // metres
+constexpr float highestFlare = 1.2f; // metres
 
 } // namespace
 
 StemFoot::StemFoot(const Skeleton& skeleton)
-    : _flare(skeleton.flare), _height(_flare > 0.0f ? glm::min(0.1f * skeleton.height(), highest) : 0.0f) {}
+    : _flare(skeleton.flare),
+      _height(_flare > 0.0f ? glm::min(0.1f * skeleton.height(), highestFlare) : 0.0f) {}
 
 float StemFoot::widening(float z, float angle) const {
     if (z >= _height)

@@ -31,7 +31,7 @@ TreeExtents::Hull outermost(TreeExtents::Hull points) {
     return hull;
 }
 
-float farthest(const TreeExtents::Hull& hull, float axis, float factor) {
+float farthestReach(const TreeExtents::Hull& hull, float axis, float factor) {
     float reach = 0.0f;
     for (const glm::vec2& corner : hull)
         reach = std::max(reach, axis * corner.x + factor * corner.y);
@@ -59,8 +59,8 @@ std::array<float, 5> TreeExtents::reach(const TreeScale& scale) const {
     std::array<float, 5> reach{};
     for (std::size_t side = 0; side < sides.size(); ++side) {
         const float axis = scale.axes[static_cast<int>(side / 2)];
-        reach[side] = std::max(farthest(sides[side].wood, axis, scale.radius),
-                               farthest(sides[side].leaves, axis, scale.leaf));
+        reach[side] = std::max(farthestReach(sides[side].wood, axis, scale.radius),
+                               farthestReach(sides[side].leaves, axis, scale.leaf));
     }
     return reach;
 }

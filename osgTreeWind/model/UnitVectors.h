@@ -8,6 +8,8 @@
 
 namespace osgTreeWind {
 
+constexpr glm::vec3 up{0.0f, 0.0f, 1.0f};
+
 /// `v` with unit length, or `fallback` when `v` is too short to have a direction.
 inline glm::vec3 directionOr(const glm::vec3& v, const glm::vec3& fallback) {
     return glm::dot(v, v) > 1e-8f ? glm::normalize(v) : fallback;

@@ -8,6 +8,7 @@
 #include <osgTreeWind/wind/SwingingWind.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,11 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float pi = 3.14159265f;
 /// A stand counts as far as the momentum of the open takes to get down behind an edge, some heights (Stacey
 /// et al. 1994, Gardiner et al. 1997): within two of a place that is two upwind.
 constexpr float reachInHeights = 2.0f;
 constexpr float cellsPerReach = 4.0f;
-constexpr float mostCells = 0x1p20f, farthestCell = 0x1p23f;
+constexpr float mostMapCells = 0x1p20f, farthestCell = 0x1p23f;
 
 /// What trees around a place add up to, over the ground.
 struct StandSum {
@@ -113,7 +113,7 @@ CanopyMap groundUnder(const std::vector<StandTree>& trees, float reach) {
         first = glm::floor((low - map.fetch) / map.cell);
         count = glm::ceil((high + map.fetch) / map.cell) - first + 1.0f;
         const glm::vec2 farthest = glm::max(glm::abs(first), glm::abs(first + count));
-        return count.x * count.y <= mostCells && std::max(farthest.x, farthest.y) <= farthestCell;
+        return count.x * count.y <= mostMapCells && std::max(farthest.x, farthest.y) <= farthestCell;
     };
     while (!fits())
         map.fetch *= 1.5f;
@@ -135,7 +135,7 @@ void spread(const StandTree& tree, const CanopyMap& map, std::vector<StandSum>& 
             if (rest > 0.0f)
                 sums[static_cast<std::size_t>(j) * static_cast<std::size_t>(map.width) +
                      static_cast<std::size_t>(i)]
-                    .add(tree, 3.0f * rest * rest / (pi * map.fetch * map.fetch));
+                    .add(tree, 3.0f * rest * rest / (glm::pi<float>() * map.fetch * map.fetch));
         }
 }
 
@@ -188,7 +188,7 @@ StandTree::StandTree(const TreeModel& model, const TreeScale& scale, const Speci
                      const glm::vec2& at)
     : place(at), height(scale.axes.z * model.skeleton.height()), streamlinedTo(species.wood.streamlinedTo) {
     const float width = measureTree(model, scale).crownWidth;
-    crownArea = 0.25f * pi * width * width;
+    crownArea = 0.25f * glm::pi<float>() * width * width;
     const std::vector<UnitLoad> loads = makeAirLoads(model, scale, species, leaves);
     float leafDrag = 0.0f, allDrag = 0.0f;
     for (std::size_t i = 0; i < loads.size(); ++i) {

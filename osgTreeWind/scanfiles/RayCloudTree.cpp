@@ -9,12 +9,12 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::size_t noColumn = static_cast<std::size_t>(-1);
 
 /// What the line of names says of the values of one segment: x, y, z and radius come first.
 struct Section {
     std::size_t width = 0;
-    std::size_t parent = none; ///< Place of parent_id.
+    std::size_t parent = noColumn; ///< Place of parent_id.
 };
 
 struct Layout {
@@ -34,12 +34,12 @@ bool readLayout(const std::vector<std::string_view>& names, Layout& layout) {
         const auto begin = names.begin() + static_cast<std::ptrdiff_t>(from),
                    end = names.begin() + static_cast<std::ptrdiff_t>(to);
         const auto parent = std::find(begin, end, "parent_id");
-        return Section{to - from, parent == end ? none : static_cast<std::size_t>(parent - begin)};
+        return Section{to - from, parent == end ? noColumn : static_cast<std::size_t>(parent - begin)};
     };
     layout.ofTree = starts.front();
     layout.first = section(starts.front(), starts.size() == 2 ? starts[1] : names.size());
     layout.others = starts.size() == 2 ? section(starts[1], names.size()) : layout.first;
-    return layout.others.parent != none;
+    return layout.others.parent != noColumn;
 }
 
 ScanPoint readSegment(ScanRows& rows, std::size_t at, const Section& section, int id) {
@@ -51,9 +51,9 @@ ScanPoint readSegment(ScanRows& rows, std::size_t at, const Section& section, in
     else
         point.radius = rows.number(at + 3, scanRadius);
     point.name = {id, -1, rows.line()};
-    if (section.parent != none && id == 0)
+    if (section.parent != noColumn && id == 0)
         rows.whole(at + section.parent, "-1, for a first segment springs from no other", -1, -1);
-    else if (section.parent != none)
+    else if (section.parent != noColumn)
         point.name.parent = rows.whole(at + section.parent, "the place of a segment in its line, from 0 on",
                                        0, static_cast<int>(maxScanCylinders));
     return point;

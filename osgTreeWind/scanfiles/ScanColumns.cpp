@@ -38,9 +38,9 @@ std::string plain(std::string_view name) {
 }
 
 /// The names of a table, looked up.
-class Header {
+class TableHeader {
 public:
-    explicit Header(const CsvTable& table) : _table(table) {
+    explicit TableHeader(const CsvTable& table) : _table(table) {
         for (const std::string& name : table.columns)
             _names.push_back(plain(name));
         for (const Writer& writer : writers)
@@ -113,7 +113,7 @@ bool ScanColumns::knows(std::string_view names) {
 }
 
 Result<ScanColumns> ScanColumns::of(const CsvTable& table) {
-    const Header header(table);
+    const TableHeader header(table);
     ScanColumns columns;
     columns.format = header.format();
     const std::size_t ends = header.count(end, axis), axes = header.count(axis, length);

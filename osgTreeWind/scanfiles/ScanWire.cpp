@@ -7,18 +7,18 @@ namespace osgTreeWind {
 
 namespace {
 
-bool pass(Wire& wire, ScanFile& scan) {
+bool passScan(Wire& wire, ScanFile& scan) {
     return wire.pass(scan.format) && wire.pass(scan.trees);
 }
 
 } // namespace
 
 bool ScanWire::send(int descriptor, Result<ScanFile>& scan) {
-    return Wire::send(descriptor, scan, pass);
+    return Wire::send(descriptor, scan, passScan);
 }
 
 std::optional<Result<ScanFile>> ScanWire::receive(int descriptor) {
-    return Wire::receive(descriptor, pass);
+    return Wire::receive(descriptor, passScan);
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/species/GrowthLaws.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,13 +20,11 @@ float forestBase(const Species& species) {
     return depth > 0.0f ? 1.0f - std::max(depth / height, shallowest) : 0.0f;
 }
 
-constexpr double pi = 3.141592653589793;
-
 // The modulus follows the slenderness where that was measured; clear wood is cut from usual trees.
 constexpr double stoutest = 50.0, usual = 80.0, slenderest = 110.0;
 
 // A root plate has turned by a quarter of a degree under 1/2.5 of the moment that overturns it.
-constexpr double earlyShare = 1.0 / 2.5, earlyTurn = 0.25 * pi / 180.0;
+constexpr double earlyShare = 1.0 / 2.5, earlyTurn = 0.25 * glm::pi<double>() / 180.0;
 constexpr double stemForm = 0.45; // volume of a stem over that of a pole as thick at breast height
 
 // Dry kg per m^2 of trunk section, of 769 conifers of BAAD: of one that is `usual` for its 20 cm, its power
@@ -38,7 +38,7 @@ constexpr double basicDensity = 580.0; // of hard maple, oak, hickory and beech,
 constexpr double mostBranches = 3.0;   // over the drawn ones
 
 double sectionOf(double diameter) {
-    return 0.25 * pi * diameter * diameter;
+    return 0.25 * glm::pi<double>() * diameter * diameter;
 }
 
 double stemMass(const WoodParameters& wood, double diameter, double height) {
@@ -99,7 +99,7 @@ double overturningMoment(const WoodParameters& wood, double diameter, double hei
 }
 
 double breakingMoment(const WoodParameters& wood, double diameter) {
-    return wood.knotFactor * wood.bendingStrength * pi * diameter * diameter * diameter / 32.0;
+    return wood.knotFactor * wood.bendingStrength * glm::pi<double>() * diameter * diameter * diameter / 32.0;
 }
 
 double rootGive(const WoodParameters& wood, double diameter, double height) {

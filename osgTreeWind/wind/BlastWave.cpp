@@ -11,8 +11,8 @@ namespace {
 
 constexpr double pressure = 101325.0, sound = 340.3; // Pa and m/s of air, standard atmosphere at sea level
 constexpr double hemisphere = 1.8;
-constexpr double nearest = 0.05, farthest = 500.0; // m/kg^(1/3), for which the laws are made
-constexpr double averaged = 0.2, fastest = 200.0;  // seconds, m/s
+constexpr double nearestScaled = 0.05, farthestScaled = 500.0; // m/kg^(1/3), for which the laws are made
+constexpr double averaged = 0.2, fastest = 200.0;              // seconds, m/s
 
 double square(double x) {
     return x * x;
@@ -46,7 +46,7 @@ public:
         }
     }
     double at(double z) const {
-        const double place = std::log(z / nearest) / step();
+        const double place = std::log(z / nearestScaled) / step();
         const auto i = std::min(static_cast<std::size_t>(place), _seconds.size() - 2);
         const double share = (z - distance(i)) / (distance(i + 1) - distance(i));
         return _seconds[i] + share * (_seconds[i + 1] - _seconds[i]);
@@ -54,8 +54,10 @@ public:
 
 private:
     static constexpr std::size_t count = 256;
-    static double step() { return std::log(farthest / nearest) / (count - 1); }
-    static double distance(std::size_t i) { return nearest * std::exp(step() * static_cast<double>(i)); }
+    static double step() { return std::log(farthestScaled / nearestScaled) / (count - 1); }
+    static double distance(std::size_t i) {
+        return nearestScaled * std::exp(step() * static_cast<double>(i));
+    }
     std::array<double, count> _seconds{};
 };
 
@@ -74,7 +76,8 @@ BlastWave::BlastWave(double charge) : _scale(std::cbrt(hemisphere * charge)) {}
 
 BlastWave::Front BlastWave::front(double distance) const {
     static const Arrivals arrivals;
-    const double z = std::clamp(distance / _scale, nearest, farthest), beyond = distance / _scale - z;
+    const double z = std::clamp(distance / _scale, nearestScaled, farthestScaled),
+                 beyond = distance / _scale - z;
     const double p = overpressureAt(z) * (beyond > 0.0 ? z / (z + beyond) : 1.0);
     Front front;
     front.overpressure = pressure * p;

@@ -21,7 +21,7 @@ constexpr float spreadAttenuation = 1.6f;
 constexpr float canopySkewness = 1.0f;
 
 /// 0 at the top of the canopy, 1 from twice its height on.
-float above(float z, float height) {
+float shareAbove(float z, float height) {
     return std::min(std::max(0.0f, z / height - 1.0f), 1.0f);
 }
 
@@ -52,7 +52,7 @@ float CanopyProfile::mean(float z) const {
 }
 
 WindSpread CanopyProfile::spread(float z) const {
-    const float up = above(z, height),
+    const float up = shareAbove(z, height),
                 share =
                     friction *
                     (z < height ? std::exp(-spreadAttenuation * (1.0f - std::max(0.0f, z) / height)) : 1.0f);
@@ -62,7 +62,7 @@ WindSpread CanopyProfile::spread(float z) const {
 }
 
 float CanopyProfile::skewness(float z) const {
-    return canopySkewness * (1.0f - above(z, height));
+    return canopySkewness * (1.0f - shareAbove(z, height));
 }
 
 float closureOf(float frontalArea) {

@@ -17,7 +17,7 @@ namespace {
 constexpr int side = 32;         // of the lattice, a power of two
 constexpr int stride = side + 1; // with its first points again at the end, so that every cell has all corners
 constexpr std::size_t block = GustNoise::block;
-constexpr float farthest = 1e7f;
+constexpr float farthestNoise = 1e7f;
 constexpr double octaveRatio = 2.03; // not a fraction of small numbers
 /// Mean variance of noise between two lattice points, under smoothstep.
 constexpr double smoothVariance = 26.0 / 35.0;
@@ -105,7 +105,7 @@ void addNoise(const NoisePoint* noise, const Cells& cells, std::size_t count, fl
 }
 
 float held(float x) {
-    return x >= -farthest ? std::min(x, farthest) : x < 0.0f ? -farthest : 0.0f;
+    return x >= -farthestNoise ? std::min(x, farthestNoise) : x < 0.0f ? -farthestNoise : 0.0f;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <osgTreeWind/wind/MappedWind.h>
 
 #include <osgTreeWind/wind/SampleElsewhere.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <glm/common.hpp>
 
@@ -12,8 +13,7 @@ namespace osgTreeWind {
 namespace {
 
 glm::dvec2 onMap(const WindPlace& place, const glm::dvec2& origin) {
-    constexpr double farthest = 1e9; // metres
-    return origin + glm::clamp(glm::dvec2(place.position), -farthest, farthest);
+    return origin + glm::clamp(glm::dvec2(place.position), -maxCoordinate, maxCoordinate);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <cmath>
 
@@ -11,7 +12,7 @@ namespace osgTreeWind {
 Diagnostics checkTimes(const std::vector<double>& times) {
     for (std::size_t i = 0; i < times.size(); ++i) {
         const std::string which = "times[" + std::to_string(i) + "]";
-        if (!(std::abs(times[i]) <= 1e15))
+        if (!(std::abs(times[i]) <= maxTime))
             return {keyProblem("times", "expected seconds within 1e15, found " + which + " = " +
                                             numberText(times[i]))};
         if (i > 0 && times[i] <= times[i - 1])

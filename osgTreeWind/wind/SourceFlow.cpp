@@ -20,16 +20,17 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double airDensity = 1.225; // kg/m^3, standard atmosphere at sea level
-constexpr double farthest = 1e6;     // metres; nothing reaches so far
-constexpr double longest = 1e9;      // seconds
+constexpr double standardDensity = 1.225; // kg/m^3, standard atmosphere at sea level
+constexpr double farthestFlow = 1e6;      // metres; nothing reaches so far
+constexpr double longestFlow = 1e9;       // seconds
 
 // A round turbulent jet (Pope 2000, 5.1): U0/UJ = B d / (x - x0), half as fast at S (x - x0) from the axis.
 constexpr double decay = 5.8, spreading = 0.094, virtualOrigin = 4.0; // the latter in diameters of the mouth
 
 /// Of a rotor past which air goes: v sqrt(air^2 + v^2) is what it is in a calm (Glauert), m/s.
 double inducedSpeed(const WindSource& rotor, double air = 0.0) {
-    const double calm2 = rotor.thrust / (2.0 * airDensity * glm::pi<double>() * rotor.radius * rotor.radius);
+    const double calm2 =
+        rotor.thrust / (2.0 * standardDensity * glm::pi<double>() * rotor.radius * rotor.radius);
     const double half = 0.5 * air * air;
     return calm2 > 0.0 ? calm2 / std::sqrt(half + std::hypot(half, calm2)) : 0.0;
 }
@@ -89,17 +90,17 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)
 }
 
 glm::dvec3 SourceFlow::offsetOf(const WindPlace& place, double time) const {
-    const double moved = heldTime(time, longest);
+    const double moved = heldTime(time, longestFlow);
     const glm::dvec3 offset = glm::dvec3(place.position) - _source.position - moved * _source.velocity;
-    const bool near = glm::length(offset) < farthest; // not so for what is not finite
-    return near ? offset : glm::dvec3(farthest);
+    const bool near = glm::length(offset) < farthestFlow; // not so for what is not finite
+    return near ? offset : glm::dvec3(farthestFlow);
 }
 
 glm::dvec2 SourceFlow::airPast(const WindPlace& place, double time, const WindField* wind) const {
     if (!wind || (_source.kind != WindSource::Kind::Rotor && _source.kind != WindSource::Kind::Vehicle))
         return -glm::dvec2(_source.velocity);
     const float ground = place.position.z - place.height;
-    glm::vec3 middle(_source.position + heldTime(time, longest) * _source.velocity);
+    glm::vec3 middle(_source.position + heldTime(time, longestFlow) * _source.velocity);
     if (_source.kind == WindSource::Kind::Vehicle)
         middle.z = ground + 0.5f * static_cast<float>(_source.height);
     const glm::vec3 air = calmUnlessFinite(wind->velocity(WindPlace(middle, ground), time));
@@ -124,7 +125,7 @@ glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height, const glm:
     // The wash from where it meets the ground: 1.32 sqrt(K)/H (r/H)^-1.1, half as fast at 0.098 H (r/H)^0.9.
     const glm::dvec3 fromFoot(glm::dvec2(offset) - air / induced * carried(hub, radius), 0.0);
     const double along = glm::length(fromFoot);
-    const double momentum = std::sqrt(_source.thrust / airDensity);
+    const double momentum = std::sqrt(_source.thrust / standardDensity);
     const double fullFrom = hub * std::pow(1.32 * momentum / (hub * 2.0 * induced), 1.0 / 1.1);
     const double fastest = along > fullFrom ? 1.32 * momentum / hub * std::pow(along / hub, -1.1)
                                             : 2.0 * induced * std::min(along / radius, 1.0);
@@ -191,7 +192,7 @@ glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height, const gl
 }
 
 glm::dvec3 SourceFlow::explosion(const glm::dvec3& offset, double time) const {
-    const double distance = glm::length(offset), since = heldTime(time, longest) - _source.time;
+    const double distance = glm::length(offset), since = heldTime(time, longestFlow) - _source.time;
     if (!(since > 0.0) || !(distance > 1e-9))
         return glm::dvec3(0.0);
     return BlastWave(_source.charge).wind(distance, since) / distance * offset;
@@ -218,7 +219,7 @@ glm::dvec3 SourceFlow::mean(const glm::dvec3& offset, double height, const glm::
 
 glm::dvec3 SourceFlow::noise(const glm::dvec3& offset, double time) const {
     static const GustNoise eddies(1, 1.0, glm::dmat3(1.0), 5); // as large as 1; below, as the source
-    const double moved = heldTime(time, longest), size = 1.0 / _source.radius;
+    const double moved = heldTime(time, longestFlow), size = 1.0 / _source.radius;
     const WindPlace place(glm::vec3(offset * size));
     NoisePoint point;
     eddies.at(moved * size * _carries).sample(&place, 1, &point);

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/Interpolation.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +14,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr std::size_t placesAtOnce = 64;
-constexpr double latest = 1e15; // s
 
 /// The grid without its values and times.
 GridWind::Grid shapeOf(const GridWind::Grid& grid) {
@@ -46,8 +46,8 @@ Diagnostics StreamedWind::update(const Update& update) {
     const std::shared_ptr<const Updates> before = current();
     Updates updates;
     if (update.time) {
-        const double earliest = before->times.empty() ? -latest : before->times.back();
-        if (!(*update.time > earliest && *update.time <= latest))
+        const double earliest = before->times.empty() ? -maxTime : before->times.back();
+        if (!(*update.time > earliest && *update.time <= maxTime))
             return {keyProblem("time", "expected seconds after " + numberText(earliest) +
                                            " and within 1e15, found " + numberText(*update.time))};
         if (!before->times.empty())

@@ -5,19 +5,16 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <cctype>
-#include <limits>
 #include <map>
 
 namespace osgTreeWind {
 
 namespace {
 
-constexpr float noData = std::numeric_limits<float>::quiet_NaN();
-constexpr double farthest = 1e9; // metres
-
-struct Header {
+struct EsriHeader {
     std::map<std::string, double> values;
 
     bool has(const char* key) const { return values.count(key) != 0; }
@@ -25,8 +22,8 @@ struct Header {
 };
 
 /// Keys and values up to the first line that begins with a number.
-Header readHeader(TextTokens& tokens, std::string_view text) {
-    Header header;
+EsriHeader readHeader(TextTokens& tokens, std::string_view text) {
+    EsriHeader header;
     while (tokens.good()) {
         TextTokens ahead = tokens;
         const std::string_view word = ahead.next();
@@ -37,11 +34,11 @@ Header readHeader(TextTokens& tokens, std::string_view text) {
         if (size)
             header.values[key] = tokens.whole("a number of cells from 1 to 100000", 1, 100000);
         else if (key == "cellsize")
-            header.values[key] = tokens.number("metres above 0", 1e-6, farthest);
+            header.values[key] = tokens.number("metres above 0", 1e-6, maxCoordinate);
         else if (key == "nodata_value")
             header.values[key] = tokens.number("a number", -1e300, 1e300);
         else if (key == "xllcorner" || key == "yllcorner" || key == "xllcenter" || key == "yllcenter")
-            header.values[key] = tokens.number("metres within 1e9", -farthest, farthest);
+            header.values[key] = tokens.number("metres within 1e9", -maxCoordinate, maxCoordinate);
         else
             tokens.fail(expectedFound("a key of an ESRI ASCII grid", key));
     }
@@ -59,7 +56,7 @@ Header readHeader(TextTokens& tokens, std::string_view text) {
     return header;
 }
 
-double firstCentre(const Header& header, const std::string& axis) {
+double firstCentre(const EsriHeader& header, const std::string& axis) {
     const std::string corner = axis + "llcorner", centre = axis + "llcenter";
     return header.has(corner.c_str()) ? header.of(corner.c_str()) + 0.5 * header.of("cellsize")
                                       : header.of(centre.c_str());
@@ -69,7 +66,7 @@ double firstCentre(const Header& header, const std::string& axis) {
 
 Result<WindCells> readEsriGrid(std::string_view text, const std::string& file) {
     TextTokens tokens(text, file);
-    const Header header = readHeader(tokens, text);
+    const EsriHeader header = readHeader(tokens, text);
     if (!tokens.good())
         return tokens.problem();
     WindCells grid;

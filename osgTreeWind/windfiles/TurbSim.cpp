@@ -12,20 +12,20 @@ namespace {
 
 constexpr std::size_t headerSize = 70; // up to the length of the description
 
-struct Header {
+struct TurbSimHeader {
     std::int16_t id;
     std::int32_t up, across, tower, times, description;
     float dz, dy, dt, hubSpeed, hubHeight, bottom;
     float slope[3], offset[3];
 };
 
-Header headerOf(std::string_view bytes) {
+TurbSimHeader headerOf(std::string_view bytes) {
     std::size_t at = 0;
     const auto take = [&](auto& field) {
         field = numberAt<std::decay_t<decltype(field)>>(bytes, at, ByteOrder::Little);
         at += sizeof field;
     };
-    Header h{};
+    TurbSimHeader h{};
     take(h.id);
     for (std::int32_t* count : {&h.up, &h.across, &h.tower, &h.times})
         take(*count);
@@ -45,7 +45,7 @@ struct Fault {
     const char* expected;
 };
 
-Fault faultOf(const Header& h) {
+Fault faultOf(const TurbSimHeader& h) {
     const auto outside = [](float value, float low, float high) { return !(value >= low && value <= high); };
     if (h.id != 7 && h.id != 8)
         return {0, "7 or 8, the mark of a TurbSim file"};
@@ -76,7 +76,7 @@ Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file)
     };
     if (bytes.size() < headerSize)
         return problem(bytes.size(), "the file ends within its header of 70 bytes");
-    const Header h = headerOf(bytes);
+    const TurbSimHeader h = headerOf(bytes);
     if (const Fault fault = faultOf(h); fault.expected)
         return problem(fault.byte, std::string("expected ") + fault.expected);
     const double perTime = 3.0 * h.across * h.up + 3.0 * h.tower;

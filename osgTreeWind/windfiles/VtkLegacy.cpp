@@ -4,6 +4,7 @@
 #include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double farthest = 1e9; // metres
-constexpr double latest = 1e15;  // seconds
-constexpr int mostPoints = 1000000000;
+constexpr int mostVtkPoints = 1000000000;
 
 std::string upper(std::string_view word) {
     std::string text(word);
@@ -104,13 +103,13 @@ private:
         const bool evenByKind = _dataset == "STRUCTURED_POINTS";
         if (word == "DIMENSIONS")
             for (int axis = 0; axis < 3; ++axis)
-                _image.points[axis] = _tokens.whole("a number of points of at least 1", 1, mostPoints);
+                _image.points[axis] = _tokens.whole("a number of points of at least 1", 1, mostVtkPoints);
         else if (evenByKind && word == "ORIGIN")
             for (int axis = 0; axis < 3; ++axis)
-                _image.origin[axis] = _tokens.number("metres within 1e9", -farthest, farthest);
+                _image.origin[axis] = _tokens.number("metres within 1e9", -maxCoordinate, maxCoordinate);
         else if (evenByKind && (word == "SPACING" || word == "ASPECT_RATIO"))
             for (int axis = 0; axis < 3; ++axis)
-                _image.spacing[axis] = _tokens.number("metres above 0", 1e-6, farthest);
+                _image.spacing[axis] = _tokens.number("metres above 0", 1e-6, maxCoordinate);
         else if (_dataset == "RECTILINEAR_GRID" && word.size() == 13 && word.substr(1) == "_COORDINATES" &&
                  word[0] >= 'X' && word[0] <= 'Z')
             readCoordinates(word[0] - 'X');
@@ -164,7 +163,7 @@ private:
     void readCoordinates(int axis) {
         if (_image.points.x < 1)
             return _tokens.fail("expected DIMENSIONS before the coordinates");
-        const int count = _tokens.whole("a number of coordinates", 1, mostPoints);
+        const int count = _tokens.whole("a number of coordinates", 1, mostVtkPoints);
         if (count != _image.points[axis])
             return _tokens.fail("expected " + numberText(_image.points[axis]) + " as in DIMENSIONS, found " +
                                 numberText(count));
@@ -200,7 +199,7 @@ private:
         const double first = places.front(), last = places[(points - 1) * repeats];
         const double spacing = points > 1 ? (last - first) / static_cast<double>(points - 1) : 1.0;
         const char axisName = static_cast<char>('x' + axis);
-        if (!(std::abs(first) <= farthest && spacing >= 1e-6 && spacing <= farthest))
+        if (!(std::abs(first) <= maxCoordinate && spacing >= 1e-6 && spacing <= maxCoordinate))
             return _tokens.fail(std::string("expected increasing metres within 1e9 along ") + axisName);
         // coordinates may be floats, and written with six digits
         const double tolerance = 0.001 * spacing + 1e-6 * std::max(std::abs(first), std::abs(last));
@@ -240,7 +239,7 @@ private:
 
     void readColours(bool table) {
         _tokens.next(); // name
-        const int number = _tokens.whole("a number of colours or components", 1, mostPoints);
+        const int number = _tokens.whole("a number of colours or components", 1, mostVtkPoints);
         skipArray("UNSIGNED_CHAR", table ? 4.0 * number : number * _image.count());
     }
 
@@ -263,7 +262,7 @@ private:
             } else if (name == "TimeValue" && !_counted && numbers == 1.0 && isReal(type)) {
                 std::vector<double> time;
                 readArray(type, 1.0, time);
-                if (_tokens.good() && !(std::abs(time.front()) <= latest))
+                if (_tokens.good() && !(std::abs(time.front()) <= maxTime))
                     _tokens.fail("expected a TimeValue within 1e15 s, found " + numberText(time.front()));
                 if (_tokens.good())
                     _image.time = time.front();

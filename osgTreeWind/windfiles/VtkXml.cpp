@@ -6,6 +6,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/wind/WindLimits.h>
 
 #include <pugixml.hpp>
 
@@ -14,8 +15,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-constexpr double farthest = 1e9; // metres
 
 /// A problem with the file, on its way out of the reader.
 struct Problem {
@@ -108,10 +107,10 @@ private:
         if (!image || !_piece || _piece.next_sibling("Piece"))
             return fail(image, "ImageData", "expected one Piece");
         double extent[6], origin[3], spacing[3], direction[9], whole[6];
-        if (!readNumbers(image, "WholeExtent", whole, -farthest, farthest, "") ||
-            !readNumbers(_piece, "Extent", extent, -farthest, farthest, "") ||
-            !readNumbers(image, "Origin", origin, -farthest, farthest, "0 0 0") ||
-            !readNumbers(image, "Spacing", spacing, 1e-6, farthest, "1 1 1") ||
+        if (!readNumbers(image, "WholeExtent", whole, -maxCoordinate, maxCoordinate, "") ||
+            !readNumbers(_piece, "Extent", extent, -maxCoordinate, maxCoordinate, "") ||
+            !readNumbers(image, "Origin", origin, -maxCoordinate, maxCoordinate, "0 0 0") ||
+            !readNumbers(image, "Spacing", spacing, 1e-6, maxCoordinate, "1 1 1") ||
             !readNumbers(image, "Direction", direction, -1.0, 1.0, "1 0 0 0 1 0 0 0 1"))
             return false;
         for (int i = 0; i < 9; ++i)
@@ -120,7 +119,7 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             const double first = extent[2 * axis], last = extent[2 * axis + 1];
             if (first != std::floor(first) || last != std::floor(last) || first > last ||
-                last - first >= farthest || first != whole[2 * axis] || last != whole[2 * axis + 1])
+                last - first >= maxCoordinate || first != whole[2 * axis] || last != whole[2 * axis + 1])
                 return fail(_piece, "Extent",
                             "expected whole numbers, first before last, the same as WholeExtent");
             _image.points[axis] = static_cast<int>(last - first) + 1;

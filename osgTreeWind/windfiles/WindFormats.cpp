@@ -46,7 +46,7 @@ Result<WindContent> readTable(const Given& given) {
     return Read(given.input.bytes(), given.input.path(), given.request.columns);
 }
 
-const Format formats[] = {
+const Format windFormats[] = {
     {"ESRI ASCII", ".asc",
      [](std::string_view head) { return lower(std::string(head.substr(0, 5))) == "ncols"; },
      [](const Given& given) { return readEsriPair(given.input.path()); }},
@@ -70,15 +70,15 @@ const Format formats[] = {
      readAll<readQesSensor>},
     {".csv", ".csv", nullptr, readTable<readWindCsv>}};
 
-const Format& csv = formats[std::size(formats) - 1];
+const Format& csv = windFormats[std::size(windFormats) - 1];
 
 /// Null for none.
 const Format* formatOf(const std::string& path, std::string_view head, const WindSeriesColumns& columns) {
     const std::string extension = lower(std::filesystem::path(path).extension().string());
-    for (const Format& format : formats)
+    for (const Format& format : windFormats)
         if (format.begins && format.begins(head))
             return &format;
-    for (const Format& format : formats)
+    for (const Format& format : windFormats)
         if (format.extension && extension == format.extension)
             return &format;
     return columns.named() ? &csv : nullptr; // a table, as whoever names its columns knows
@@ -86,7 +86,7 @@ const Format* formatOf(const std::string& path, std::string_view head, const Win
 
 std::string namesOfFormats() {
     std::string names;
-    for (const Format& format : formats)
+    for (const Format& format : windFormats)
         if (!holds(names, format.name))
             names += (names.empty() ? "" : &format == &csv ? " or " : ", ") + std::string(format.name);
     return names;

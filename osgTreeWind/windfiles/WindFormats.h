@@ -5,6 +5,7 @@
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindRequest.h>
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -17,12 +18,15 @@ namespace osgTreeWind {
 /// What of a format can be left unread beyond the area, may be.
 Result<WindContent> readWindContent(const std::string& path, const WindRequest& request);
 
+/// The value of a cell without data.
+constexpr float noData = std::numeric_limits<float>::quiet_NaN();
+
 /// Speeds, or directions, in square cells of a map.
 struct WindCells {
     glm::ivec2 cells{0};
     glm::dvec2 south{0.0}; ///< Centre of the south-western cell.
     double cellSize = 1.0;
-    std::vector<float> values; ///< South row first; NaN where there are no data.
+    std::vector<float> values; ///< South row first; `noData` where there are none.
     std::string crs;           ///< As WindSummary::crs.
     std::string unit;          ///< As the file says it; empty: it does not.
 };

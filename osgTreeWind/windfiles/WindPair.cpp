@@ -14,15 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 namespace osgTreeWind {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr float noData = std::numeric_limits<float>::quiet_NaN();
 
 /// An ESRI ASCII grid, with what a .prj beside it says of its map.
 Result<WindCells> readAscii(const std::string& path) {

@@ -78,7 +78,7 @@ double WindSeriesRows::speed(const Row& row, std::size_t column, double low) {
 
 double WindSeriesRows::time(const Row& row) {
     if (_map.timeUnit != isoTime)
-        return number(row, _time, _secondsPerUnit, -1e15, 1e15, "a time");
+        return number(row, _time, _secondsPerUnit, -maxTime, maxTime, "a time");
     if (const auto seconds = parseIsoTime(row.cells[_time]))
         return *seconds;
     report(row.line, _map.time,

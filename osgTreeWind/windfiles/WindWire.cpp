@@ -7,7 +7,7 @@ namespace osgTreeWind {
 
 namespace {
 
-bool pass(Wire& wire, WindContent& content) {
+bool passWind(Wire& wire, WindContent& content) {
     WindSummary& summary = content.summary;
     auto& grid = std::get<GridWind::Grid>(content.data);
     unsigned char aboveGround = grid.aboveGround ? 1 : 0;
@@ -23,11 +23,11 @@ bool pass(Wire& wire, WindContent& content) {
 } // namespace
 
 bool WindWire::send(int descriptor, Result<WindContent>& content) {
-    return Wire::send(descriptor, content, pass);
+    return Wire::send(descriptor, content, passWind);
 }
 
 std::optional<Result<WindContent>> WindWire::receive(int descriptor) {
-    return Wire::receive(descriptor, pass);
+    return Wire::receive(descriptor, passWind);
 }
 
 } // namespace osgTreeWind

@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double quarterTurn = 1.5707963267948966, longestStep = 1.0 / 120.0;
+constexpr double longestStep = 1.0 / 120.0;
 constexpr double hanging = 2.9;  // radians from upright; not quite along the trunk
 constexpr double crushed = 0.25; // of the half width of a crown, boughs below it hold the trunk up
 
@@ -68,7 +69,7 @@ FallingTree::FallingTree(const SwayingTree& tree, unsigned unit, double moment, 
     _push = moment / inertia;
     _drag = drag / inertia;
     if (units[unit].level == 0) { // a hinge above the ground lets the top go down below it
-        _rest = quarterTurn + std::asin(std::min(hinge.z / reach, 0.5)) - heldUp(tree, reach);
+        _rest = glm::half_pi<double>() + std::asin(std::min(hinge.z / reach, 0.5)) - heldUp(tree, reach);
         return;
     }
     _lean += std::acos(std::clamp(way.z, -1.0, 1.0));
@@ -79,7 +80,7 @@ FallingTree::FallingTree(const SwayingTree& tree, unsigned unit, double moment, 
 }
 
 double FallingTree::sway() const {
-    return lies() ? 0.0 : std::cos(quarterTurn * _angle / _rest);
+    return lies() ? 0.0 : std::cos(glm::half_pi<double>() * _angle / _rest);
 }
 
 void FallingTree::step(double seconds) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/damage/WindDamage.h>
 
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 #include <osgTreeWind/species/Season.h>
 
@@ -13,7 +14,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::size_t batch = 256;
 constexpr float stump = 1.3f; // metres; TreeStrength
 // Share of what its stem bears, below which no bough fails: they have had at most 1.2 of its share.
 constexpr float gentle = 0.3f;
@@ -122,12 +122,10 @@ void WindDamage::follow(PlacedForest& forest, ModalMotion& sway, float seconds, 
     _trees.resize(forest.trees.size());
     for (std::size_t i = _leafFalls.size(); i < forest.description().species.size(); ++i)
         _leafFalls.emplace_back(forest.description().species[i]);
-    const auto meetBatch = [&](std::size_t job) {
-        for (std::size_t slot = job * batch; slot < std::min(_trees.size(), (job + 1) * batch); ++slot)
-            if (forest.trees[slot].alive && !_trees[slot].isDown)
-                meet(forest, sway, slot, seconds);
-    };
-    (executor ? executor : Executor(runInTurn))((_trees.size() + batch - 1) / batch, meetBatch);
+    runInBatches(executor ? executor : Executor(runInTurn), _trees.size(), [&](std::size_t slot) {
+        if (forest.trees[slot].alive && !_trees[slot].isDown)
+            meet(forest, sway, slot, seconds);
+    });
     for (std::size_t slot = 0; slot < _trees.size(); ++slot)
         if (forest.trees[slot].alive && !_trees[slot].isDown && _trees[slot].age > settling)
             look(forest, sway, slot);

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
 constexpr std::size_t slicesPerUnit = 4;
 constexpr Eigen::Index krylovSize = 6;
 constexpr double heaviestShare = 0.75; ///< A tree that leans so far on its stiffness still has half its pace.
@@ -68,7 +68,7 @@ std::vector<Slice> slicesOf(const TreeModel& model, const TreeScale& scale,
             const double share = (a * a + a * b + b * b) / (d0 * d0 + d0 * d1 + d1 * d1) / count;
             slice.mass = share * load.woodMass + load.leafMass / count;
             slice.flexibility = 64.0 * (a * a + a * b + b * b) * length /
-                                (3.0 * pi * load.modulus * a * a * a * b * b * b * count);
+                                (3.0 * glm::pi<double>() * load.modulus * a * a * a * b * b * b * count);
             slices.push_back(slice);
         }
     }
@@ -204,7 +204,7 @@ private:
 
 double jointStiffness(double elasticModulus, double d0, double d1, double length, double reach) {
     const double q0 = reach / d0, q1 = (reach - length) / d1;
-    return 3.0 * pi * elasticModulus * d0 * d1 * reach * reach /
+    return 3.0 * glm::pi<double>() * elasticModulus * d0 * d1 * reach * reach /
            (64.0 * length * (q0 * q0 + q0 * q1 + q1 * q1));
 }
 

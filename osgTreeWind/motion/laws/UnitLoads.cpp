@@ -8,6 +8,7 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-constexpr float pi = 3.14159265f;
 
 /// Share of the tree's leaves on each unit.
 std::vector<float> leafShares(const TreeModel& model) {
@@ -65,15 +64,15 @@ void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& 
 }
 
 /// What a unit carries, from its base along it.
-struct Carried {
+struct CarriedLoad {
     float reach = 0.0f;   ///< Metres: the middle of the loads m r^2, and at least the tip of its axis.
     float moment = 0.0f;  ///< Sum of m r, kg m.
     float inertia = 0.0f; ///< Sum of m r^2, kg m^2.
 };
 
-std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
-                               const TreeScale& scale) {
-    std::vector<Carried> carried(units.size());
+std::vector<CarriedLoad> carriedBy(const std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
+                                   const TreeScale& scale) {
+    std::vector<CarriedLoad> carried(units.size());
     std::vector<glm::vec3> directions;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
@@ -89,7 +88,7 @@ std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::ve
     }
     const std::vector<float> reaches = axisReaches(units, scale);
     for (std::size_t i = 0; i < units.size(); ++i) {
-        Carried& c = carried[i];
+        CarriedLoad& c = carried[i];
         c.reach = c.moment > 0.0f ? std::max(reaches[i], c.inertia / c.moment) : reaches[i];
     }
     return carried;
@@ -100,7 +99,7 @@ std::vector<Carried> carriedBy(const std::vector<UnitLoad>& loads, const std::ve
 void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                   const TreeScale& scale) {
     constexpr float deepestSag = 0.35f, g = static_cast<float>(gravity);
-    const std::vector<Carried> carried = carriedBy(loads, units, scale);
+    const std::vector<CarriedLoad> carried = carriedBy(loads, units, scale);
     std::vector<float> branch = axisReaches(units, scale); // length of the one a unit is part of
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
@@ -120,7 +119,7 @@ void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& u
 
 double breastDiameter(const TreeModel& model, const TreeScale& scale) {
     return std::sqrt(4.0 * static_cast<double>(trunkSection(model.skeleton, scale)) /
-                     static_cast<double>(pi));
+                     static_cast<double>(glm::pi<float>()));
 }
 
 float leafArea(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves) {

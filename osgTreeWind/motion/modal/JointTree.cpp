@@ -11,7 +11,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int slicesPerUnit = 8;
+constexpr int pointsPerUnit = 8;
 
 /// How far an even beam of that length, part of an axis that reaches `reach` on, moves at `at` from its base
 /// as it is bent by a force at the tip of the axis, over the angle of the joint that stands for it
@@ -36,7 +36,7 @@ JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Sp
     const std::vector<float> reach = axisReaches(units, scale);
     JointTree tree;
     tree.links.reserve(units.size());
-    tree.points.reserve(units.size() * (slicesPerUnit + 1));
+    tree.points.reserve(units.size() * (pointsPerUnit + 1));
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
         const glm::vec3 direction = unit.direction();
@@ -50,9 +50,9 @@ JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Sp
         tree.links.push_back(link);
 
         const double d0 = unit.baseDiameter, d1 = unit.tipDiameter, length = unit.length;
-        for (int slice = 0; slice < slicesPerUnit; ++slice) {
-            const double start = static_cast<double>(slice) / slicesPerUnit,
-                         end = start + 1.0 / slicesPerUnit;
+        for (int slice = 0; slice < pointsPerUnit; ++slice) {
+            const double start = static_cast<double>(slice) / pointsPerUnit,
+                         end = start + 1.0 / pointsPerUnit;
             const double a = d0 + (d1 - d0) * start, b = d0 + (d1 - d0) * end;
             const double at = 0.5 * (start + end) * length;
             JointTree::Point point;
@@ -62,7 +62,7 @@ JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Sp
             const double share = (a * a + a * b + b * b) / (d0 * d0 + d0 * d1 + d1 * d1);
             point.mass =
                 (share * static_cast<double>(loads[i].woodMass) + static_cast<double>(loads[i].leafMass)) /
-                slicesPerUnit;
+                pointsPerUnit;
             tree.points.push_back(point);
         }
         JointTree::Point air;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/RoomFor.h>
 #include <osgTreeWind/motion/modal/CarriedSway.h>
@@ -14,7 +15,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::uint32_t nowhere = ~0u;
+constexpr std::uint32_t noGroup = ~0u;
 constexpr float runUpStep = 0.1f; // seconds
 
 /// Damping ratio of crowns that touch all around. In a stand of Sitka spruces contact took five times what
@@ -99,11 +100,7 @@ ModalMotion::ModalMotion(const std::vector<Tree>& trees, float gain, Executor ex
         _groups[i].reserve(sizes[i]);
     for (std::size_t i = 0; i < trees.size(); ++i)
         put(i, groupOf(i));
-    constexpr std::size_t batch = 256;
-    _executor((trees.size() + batch - 1) / batch, [&](std::size_t job) {
-        for (std::size_t i = job * batch; i < std::min(trees.size(), (job + 1) * batch); ++i)
-            stand(i, trees[i], {});
-    });
+    runInBatches(_executor, trees.size(), [&](std::size_t i) { stand(i, trees[i], {}); });
 }
 
 ModalMotion::ModalMotion(const ModalMotion& other) = default;
@@ -182,7 +179,7 @@ void ModalMotion::remove(std::size_t tree) {
 }
 
 bool ModalMotion::holds(std::size_t tree) const {
-    return tree < _slots.size() && _slots[tree].group != nowhere;
+    return tree < _slots.size() && _slots[tree].group != noGroup;
 }
 
 void ModalMotion::replace(std::size_t tree, const Tree& other) {

@@ -22,18 +22,18 @@ constexpr std::size_t startVectors = 4;
 constexpr std::size_t smallestSpace = 72;
 
 /// What the points beyond a joint weigh, about the base of its link.
-struct Carried {
+struct CarriedMass {
     double mass = 0.0;
     glm::dvec3 first{0.0};  ///< Sum of m r.
     glm::dmat3 second{0.0}; ///< Sum of m r r^T.
 
     /// Seen from another place, `shift` away from its own base.
-    Carried from(const glm::dvec3& shift) const {
+    CarriedMass from(const glm::dvec3& shift) const {
         return {mass, first + mass * shift,
                 second + glm::outerProduct(first, shift) + glm::outerProduct(shift, first) +
                     mass * glm::outerProduct(shift, shift)};
     }
-    void add(const Carried& other) {
+    void add(const CarriedMass& other) {
         mass += other.mass;
         first += other.first;
         second += other.second;
@@ -121,8 +121,8 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
 
 JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()), _first(tree.links.size()) {
     const std::size_t count = tree.links.size();
-    std::vector<Carried> own(count);                      // points of the link itself
-    std::vector<Carried> beyond(count);                   // all that is carried by links fixed to it
+    std::vector<CarriedMass> own(count);                  // points of the link itself
+    std::vector<CarriedMass> beyond(count);               // all that is carried by links fixed to it
     std::vector<glm::dvec3> bent(count, glm::dvec3(0.0)); // sum of m lever
     std::vector<glm::dmat3> bentBent(count, glm::dmat3(0.0)), bentOwn(count, glm::dmat3(0.0));
     for (const JointTree::Point& point : tree.points) {
@@ -136,7 +136,7 @@ JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()), _fir
     for (std::size_t i = count; i-- > 0;)
         if (tree.links[i].parent >= 0) {
             const auto parent = static_cast<std::size_t>(tree.links[i].parent);
-            Carried all = own[i];
+            CarriedMass all = own[i];
             all.add(beyond[i]);
             beyond[parent].add(all.from(tree.links[i].base - tree.links[parent].base));
         }

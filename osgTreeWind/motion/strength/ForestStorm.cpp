@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/strength/ForestStorm.h>
 
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/strength/OpenCountry.h>
 #include <osgTreeWind/wind/CanopyWind.h>
@@ -14,7 +15,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double step = 0.2, settling = 60.0, hour = 3600.0; // seconds
-constexpr std::size_t batch = 256;
 
 std::shared_ptr<const CanopyMap> canopyAround(const std::vector<StandTree>& trees, const WindCanopy& canopy) {
     auto referred = std::make_shared<CanopyMap>(*canopyOf(trees, canopy));
@@ -60,29 +60,27 @@ std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t 
     motion.meet(&wind, 0.0);
     std::vector<float> leans(_slots.size(), 0.0f);
     std::vector<Loads> largest(_slots.size());
-    const auto meetBatch = [&](std::size_t job) {
-        for (std::size_t i = job * batch; i < std::min(_slots.size(), (job + 1) * batch); ++i) {
-            const float lean = glm::length(motion.lean(i));
-            if (lean < 0.8f * leans[i]) // no moment is at its largest where the top is not nearly so
-                continue;
-            leans[i] = std::max(leans[i], lean);
-            float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
-            motion.poseVector(i, vector);
-            const auto momentAt = [&](const HeldJoint& base) {
-                return static_cast<double>(base.moment(motion, i, vector));
-            };
-            largest[i].foot = std::max(largest[i].foot, momentAt(_joints[i].foot));
-            for (const HeldJoint& bough : _joints[i].boughs)
-                if (bough.limit > 0.0f)
-                    largest[i].bough =
-                        std::max(largest[i].bough, momentAt(bough) / static_cast<double>(bough.limit));
-        }
+    const auto meet = [&](std::size_t i) {
+        const float lean = glm::length(motion.lean(i));
+        if (lean < 0.8f * leans[i]) // no moment is at its largest where the top is not nearly so
+            return;
+        leans[i] = std::max(leans[i], lean);
+        float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+        motion.poseVector(i, vector);
+        const auto momentAt = [&](const HeldJoint& base) {
+            return static_cast<double>(base.moment(motion, i, vector));
+        };
+        largest[i].foot = std::max(largest[i].foot, momentAt(_joints[i].foot));
+        for (const HeldJoint& bough : _joints[i].boughs)
+            if (bough.limit > 0.0f)
+                largest[i].bough =
+                    std::max(largest[i].bough, momentAt(bough) / static_cast<double>(bough.limit));
     };
     const int steps = static_cast<int>((settling + hour) / step);
     for (int i = 1; i <= steps; ++i) {
         motion.step(&wind, step * i, static_cast<float>(step));
         if (step * i > settling)
-            _executor((_slots.size() + batch - 1) / batch, meetBatch);
+            runInBatches(_executor, _slots.size(), meet);
     }
     std::vector<Loads> bySlot(_forest.trees.size());
     for (std::size_t i = 0; i < _slots.size(); ++i)

@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/sway/CalmTree.h>
 
 #include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/motion/sway/LoneTree.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -13,8 +14,8 @@ namespace osgTreeWind {
 namespace {
 
 constexpr std::size_t halfSwings = 6;
-constexpr double stepsPerSwing = 60.0; // to and fro
-constexpr double longest = 600.0;      // seconds
+constexpr double stepsPerSwing = 60.0;   // to and fro
+constexpr double longestRelease = 600.0; // seconds
 
 /// Times something that swings about 0, from its first crossing on.
 class HalfSwings {
@@ -50,24 +51,11 @@ private:
     double _before, _peak = 0.0;
 };
 
-ForestDescription forestOf(const Species& species, const TreePlacement& tree) {
-    ForestDescription forest;
-    forest.species = {species};
-    forest.trees = {tree};
-    forest.trees[0].species = 0;
-    return forest;
-}
-
-ModalMotion::Tree swaying(const PlacedForest& forest) {
-    const PlacedTree& tree = forest.trees.front();
-    return {{&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves}, glm::vec3(0.0f), 0.0f};
-}
-
 } // namespace
 
 CalmTree::CalmTree(const Species& species, const TreePlacement& tree)
-    : _forest(forestOf(species, tree)), _motion({swaying(_forest)}, 1.0f, {}, true), _angles(_forest.units),
-      _rotations(_forest.units), _poses(_forest.units) {
+    : _forest(loneTree(species, tree)), _motion({swayingTree(_forest)}, 1.0f, {}, true),
+      _angles(_forest.units), _rotations(_forest.units), _poses(_forest.units) {
     const PlacedTree& placed = _forest.trees.front();
     const std::vector<BranchUnit>& units = _forest.modelOf(placed).skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
@@ -116,7 +104,7 @@ std::vector<std::vector<glm::vec3>> CalmTree::shiftsByMode() {
 std::optional<FreeSway> CalmTree::release(std::size_t mode, const std::function<double()>& followed) {
     const double h = glm::two_pi<double>() / pace(mode) / stepsPerSwing;
     HalfSwings all(followed()), own(static_cast<double>(amplitude(mode)));
-    for (double time = h; time < longest && !(all.done() && own.done()); time += h) {
+    for (double time = h; time < longestRelease && !(all.done() && own.done()); time += h) {
         step(h);
         all.add(followed(), time, h);
         own.add(static_cast<double>(amplitude(mode)), time, h);

@@ -5,10 +5,12 @@
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
 #include <osgTreeWind/motion/strength/OpenCountry.h>
+#include <osgTreeWind/motion/sway/LoneTree.h>
 #include <osgTreeWind/wind/CanopyWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,23 +19,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double longestStep = 0.1; // seconds from one sample of the wind to the next
-constexpr double pi = 3.141592653589793;
-
-ForestDescription forestOf(const Species& species, const TreePlacement& tree) {
-    ForestDescription forest;
-    forest.species = {species};
-    forest.trees = {tree};
-    forest.trees[0].species = 0;
-    forest.trees[0].position = glm::dvec3(0.0);
-    forest.trees[0].heading = 0.0f;
-    return forest;
-}
-
-ModalTree swaying(const PlacedForest& forest) {
-    const PlacedTree& tree = forest.trees.front();
-    return {{&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves}, glm::vec3(0.0f), 0.0f};
-}
+constexpr double longestSampleStep = 0.1; // seconds from one sample of the wind to the next
 
 StandTree standTree(const PlacedForest& forest) {
     const PlacedTree& tree = forest.trees.front();
@@ -57,8 +43,8 @@ WindFieldPtr windOf(const PlacedForest& forest, const Storm& storm) {
 } // namespace
 
 StormTree::StormTree(const Species& species, const TreePlacement& given, const Storm& storm)
-    : _forest(forestOf(species, given)), _motion({swaying(_forest)}, 1.0f, {}, true),
-      _wind(windOf(_forest, storm)), _foot(swaying(_forest).form) {
+    : _forest(loneTree(species, given)), _motion({swayingTree(_forest)}, 1.0f, {}, true),
+      _wind(windOf(_forest, storm)), _foot(swayingTree(_forest).form) {
     const PlacedTree& tree = _forest.trees.front();
     const TreeModel& model = _forest.modelOf(tree);
     const std::vector<UnitLoad> loads = makeUnitLoads(model, tree.scale, species, tree.leaves);
@@ -71,7 +57,8 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
         }
     _stiffness = static_cast<double>(loads.front().stiffness);
     const double diameter = breastDiameter(model, tree.scale);
-    _strain = 32.0 / (pi * static_cast<double>(loads.front().modulus) * diameter * diameter * diameter);
+    _strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads.front().modulus) * diameter * diameter *
+                      diameter);
     if (const auto* stand = dynamic_cast<const CanopyWind*>(_wind.get()))
         _motion.setCompany(0, stand->companyAt(glm::vec2(0.0f)));
     _motion.meet(_wind.get(), 0.0);
@@ -79,7 +66,7 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
 
 void StormTree::advance(double time, const std::function<void()>& stepped) {
     const double from = _time;
-    const int steps = std::max(static_cast<int>(std::ceil((time - from) / longestStep - 1e-6)), 1);
+    const int steps = std::max(static_cast<int>(std::ceil((time - from) / longestSampleStep - 1e-6)), 1);
     for (int i = 1; i <= steps; ++i) {
         const double next = from + (time - from) * i / steps;
         _motion.step(_wind.get(), next, static_cast<float>(next - _time));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/sway/SwayFeatures.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <Eigen/Dense>
 #include <unsupported/Eigen/FFT>
 
@@ -13,7 +15,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double rate = 4.0; // Hz
-constexpr double pi = 3.141592653589793;
 
 using Series = Eigen::VectorXd;
 
@@ -25,7 +26,8 @@ Series thinned(const Series& x, int step) {
     const int half = 10 * step;
     Series filter(2 * half + 1);
     for (int i = -half; i <= half; ++i) {
-        const double at = pi * i / step, inside = 1.0 - static_cast<double>(i) * i / (half * half);
+        const double at = glm::pi<double>() * i / step,
+                     inside = 1.0 - static_cast<double>(i) * i / (half * half);
         filter[i + half] =
             (i == 0 ? 1.0 : std::sin(at) / at) * std::cyl_bessel_i(0.0, 5.0 * std::sqrt(inside));
     }
@@ -41,7 +43,7 @@ Series thinned(const Series& x, int step) {
 
 /// A Butterworth filter of second order at 600 s, forward and backward.
 Series withoutDrift(const Series& x) {
-    const double w = std::tan(pi / 600.0 / rate), a0 = 1.0 + std::sqrt(2.0) * w + w * w;
+    const double w = std::tan(glm::pi<double>() / 600.0 / rate), a0 = 1.0 + std::sqrt(2.0) * w + w * w;
     const double a1 = 2.0 * (w * w - 1.0) / a0, a2 = (1.0 - std::sqrt(2.0) * w + w * w) / a0;
     constexpr Eigen::Index edge = 9; // mirrored about the ends
     Series y(x.size() + 2 * edge);
@@ -67,7 +69,7 @@ struct PowerSpectrum {
 
     PowerSpectrum(const Series& x, Eigen::Index size) : step(rate / static_cast<double>(size)) {
         const Series window = (0.5 - 0.5 * (Series::LinSpaced(size, 0.0, static_cast<double>(size - 1)) *
-                                            (2.0 * pi / static_cast<double>(size)))
+                                            (2.0 * glm::pi<double>() / static_cast<double>(size)))
                                                .array()
                                                .cos())
                                   .matrix();
