@@ -19,7 +19,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr double frame = 1.0 / 60.0;
+constexpr double stepSeconds = 1.0 / 60.0;
 constexpr std::size_t campusTrees = 1233, nearEvery = 50;
 
 /// Trees in rows. @param low, high metres of height.
@@ -117,12 +117,12 @@ BenchForests runBenchForests(const std::optional<ForestDescription>& described, 
 
     int step = 0;
     for (int round = -4; round < rounds; ++round) { // those before the first start trees and warm caches up
-        const double ofDamped = damped.milliseconds(frame * round);
+        const double ofDamped = damped.milliseconds(stepSeconds * round);
         double ofModal[2]; // on all cores, on one
         for (const int turn : {0, 1}) {
             const bool alone = (round + turn) % 2 != 0; // in either order: no two steps in a row are alike
             *oneCore = alone;
-            ofModal[alone] = modal.milliseconds(frame * step++);
+            ofModal[alone] = modal.milliseconds(stepSeconds * step++);
         }
         if (round < 0)
             continue;

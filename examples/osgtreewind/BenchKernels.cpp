@@ -28,11 +28,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr std::size_t branches = 4096, samples = 16384;
-constexpr float frame = 1.0f / 60.0f;
-
-/// Keeps what was worked out from being optimized away.
-volatile float kept = 0.0f;
+constexpr std::size_t branches = 4096, windSamples = 16384;
 
 /// That many branches of broadleaves, 1 to 25 m high.
 template <typename Branch>
@@ -75,7 +71,7 @@ TimedKernel thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
                             laws.motionNoise(laws.noiseStream(1, i, axis), now.cell, now.fraction, now.gain);
                     states[i] = (laws.*step)(states[i], winds[i], noise, parameters[i]);
                 }
-                kept = states[7].x;
+                kernelResult = states[7].x;
             }};
 }
 
@@ -86,9 +82,9 @@ TimedKernel dampedLaw() {
     return {{"laws", "damped", "branch", branches, {}, 1}, [=, winds = someWinds()](double) mutable {
                 for (std::size_t i = 0; i < branches; ++i) {
                     const glm::vec2 before(winds[i]), now(winds[(i + 1) % branches]);
-                    states[i] = Laws().dampedBranchStep(states[i], before, now, parameters[i], frame);
+                    states[i] = Laws().dampedBranchStep(states[i], before, now, parameters[i], kernelStep);
                 }
-                kept = states[7].x;
+                kernelResult = states[7].x;
             }};
 }
 
@@ -105,7 +101,7 @@ TimedKernel leafLaw(const char* name, std::optional<float> noiseExponent) {
                         laws.motionNoise(laws.noiseStream(1, i, 4), now.cell, now.fraction, now.gain);
                     states[i] = laws.thesisLeafStep(states[i], x, z, leaf);
                 }
-                kept = states[7].x;
+                kernelResult = states[7].x;
             }};
 }
 
@@ -139,19 +135,19 @@ WindFieldPtr inAWood(const WindFieldPtr& gusts) {
 
 TimedKernel windKind(const char* name, const WindFieldPtr& field) {
     Random random(3);
-    std::vector<WindPlace> places(samples);
-    std::vector<glm::vec3> velocities(samples);
+    std::vector<WindPlace> places(windSamples);
+    std::vector<glm::vec3> velocities(windSamples);
     glm::vec3 tree(0.0f);
-    for (std::size_t i = 0; i < samples; ++i) { // trees of 128 branches, somewhere on the grid
+    for (std::size_t i = 0; i < windSamples; ++i) { // trees of 128 branches, somewhere on the grid
         if (i % 128 == 0)
             tree = {1250.0f * random.uniform(), 1250.0f * random.uniform(), 0.0f};
         places[i] =
             tree + glm::vec3(10.0f * random.uniform(), 10.0f * random.uniform(), 20.0f * random.uniform());
         places[i].inCrown = true;
     }
-    return {{"winds", name, "sample", samples, {}, 1}, [=](double time) mutable {
-                field->sample(places.data(), samples, time, velocities.data());
-                kept = velocities[7].x;
+    return {{"winds", name, "sample", windSamples, {}, 1}, [=](double time) mutable {
+                field->sample(places.data(), windSamples, time, velocities.data());
+                kernelResult = velocities[7].x;
             }};
 }
 
@@ -202,7 +198,7 @@ std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups,
     for (int round = -1; round < rounds; ++round) // the first one warms caches up
         for (TimedKernel& timed : kernels) {
             const BenchClock clock;
-            timed.round(static_cast<double>(round + 1) * static_cast<double>(frame));
+            timed.round(static_cast<double>(round + 1) * static_cast<double>(kernelStep));
             const double taken = clock.seconds();
             if (round >= 0)
                 timed.kernel.nanoseconds.push_back(1e9 * taken / static_cast<double>(timed.kernel.elements));

@@ -22,6 +22,12 @@ struct TimedKernel {
     std::function<void(double)> round; ///< Given the time of the round, seconds.
 };
 
+/// From one step to the next, seconds.
+constexpr float kernelStep = 1.0f / 60.0f;
+
+/// Takes results, so that the work is not optimized away.
+inline volatile float kernelResult = 0.0f;
+
 /// Measures the groups asked for, all kernels in turns in each round, so that what else the machine does
 /// falls on all of them. @param groups "laws", "winds" or both. @param rounds 1 or more.
 std::vector<BenchKernel> runBenchKernels(const std::vector<std::string>& groups, int rounds);

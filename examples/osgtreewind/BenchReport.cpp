@@ -17,21 +17,19 @@
 #include <sys/utsname.h>
 #include <thread>
 
-using nlohmann::ordered_json;
-
 namespace {
 
-ordered_json number(double value) {
-    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-ordered_json spread(const std::vector<double>& values) {
+Json spread(const std::vector<double>& values) {
     return {{"median", number(quantile(values, 0.5))},
             {"p10", number(quantile(values, 0.1))},
             {"p90", number(quantile(values, 0.9))}};
 }
 
-ordered_json timesJson(const BenchTimes& times) {
+Json timesJson(const BenchTimes& times) {
     return {{"seconds", std::accumulate(times.frame.begin(), times.frame.end(), 0.0) / 1000.0},
             {"fps", number(framesPerSecond(times))},
             {"frameMs", spread(times.frame)},
@@ -62,20 +60,20 @@ std::vector<double> gustRatios(const std::vector<BenchKernel>& kernels) {
     return kernelRatios(kernels, "damped tree, gusts", "modal, gusts");
 }
 
-ordered_json forestsJson(const BenchForests& forests) {
+Json forestsJson(const BenchForests& forests) {
     const auto measured = [](const BenchForest& forest) {
-        return ordered_json{{"forest", forest.name},
-                            {"law", forest.law},
-                            {"trees", forest.trees},
-                            {"nearTrees", forest.nearTrees},
-                            {"units", forest.units},
-                            {"loadSeconds", number(forest.loadSeconds)},
-                            {"loadProcessorSeconds", number(forest.loadProcessorSeconds)},
-                            {"archetypes", forest.archetypes},
-                            {"archetypeBytes", forest.archetypeBytes},
-                            {"stateBytesPerTree", number(forest.stateBytesPerTree)},
-                            {"stepMs", spread(forest.stepMs)},
-                            {"oneCoreStepMs", spread(forest.oneCoreStepMs)}};
+        return Json{{"forest", forest.name},
+                    {"law", forest.law},
+                    {"trees", forest.trees},
+                    {"nearTrees", forest.nearTrees},
+                    {"units", forest.units},
+                    {"loadSeconds", number(forest.loadSeconds)},
+                    {"loadProcessorSeconds", number(forest.loadProcessorSeconds)},
+                    {"archetypes", forest.archetypes},
+                    {"archetypeBytes", forest.archetypeBytes},
+                    {"stateBytesPerTree", number(forest.stateBytesPerTree)},
+                    {"stepMs", spread(forest.stepMs)},
+                    {"oneCoreStepMs", spread(forest.oneCoreStepMs)}};
     };
     return {{"threads", forests.threads},
             {"damped", measured(forests.damped)},
@@ -85,15 +83,15 @@ ordered_json forestsJson(const BenchForests& forests) {
              spread(ratios(forests.modal.oneCoreStepMs, forests.damped.oneCoreStepMs))}};
 }
 
-ordered_json resultJson(const BenchResult& result) {
+Json resultJson(const BenchResult& result) {
     const BenchCounts& counts = result.counts;
     const int thesis = thesisFps(result.stage, result.trees);
-    ordered_json json = {{"stage", result.stage.name},
-                         {"title", result.stage.title},
-                         {"trees", result.trees},
-                         {"frames", result.moving.frame.size()},
-                         {"law", result.stage.law() == osgTreeWind::MotionLaw::Thesis ? "thesis" : "modal"},
-                         {"angles", result.angles}};
+    Json json = {{"stage", result.stage.name},
+                 {"title", result.stage.title},
+                 {"trees", result.trees},
+                 {"frames", result.moving.frame.size()},
+                 {"law", result.stage.law() == osgTreeWind::MotionLaw::Thesis ? "thesis" : "modal"},
+                 {"angles", result.angles}};
     json["moving"] = timesJson(result.moving);
     json["static"] = timesJson(result.still);
     json["ratioToStatic"] = spread(ratios(result.moving.frame, result.still.frame));
@@ -102,9 +100,8 @@ ordered_json resultJson(const BenchResult& result) {
                       {"triangles", counts.triangles}, {"lines", counts.lines},
                       {"nodes", counts.nodes},         {"transforms", counts.transforms},
                       {"drawables", counts.drawables}};
-    json["thesisTable"] =
-        result.stage.table.empty() ? ordered_json(nullptr) : ordered_json(result.stage.table);
-    json["thesisFps"] = thesis > 0 ? ordered_json(thesis) : ordered_json(nullptr);
+    json["thesisTable"] = result.stage.table.empty() ? Json(nullptr) : Json(result.stage.table);
+    json["thesisFps"] = thesis > 0 ? Json(thesis) : Json(nullptr);
     return json;
 }
 
@@ -128,7 +125,7 @@ const char* nameOf(BenchViewpoint viewpoint) {
     return "inside";
 }
 
-ordered_json viewJson(const BenchView& view) {
+Json viewJson(const BenchView& view) {
     const osgTreeWind::DrawnTrees trees = view.drawnTrees();
     return {{"forest", view.forest},
             {"view", nameOf(view.viewpoint)},
@@ -142,11 +139,11 @@ ordered_json viewJson(const BenchView& view) {
               {"shapes", number(view.shapesSeconds)},
               {"firstFrame", number(view.firstFrameSeconds)}}},
             {"forestBytes", std::isfinite(view.forestBytes)
-                                ? ordered_json(static_cast<std::uint64_t>(view.forestBytes))
-                                : ordered_json(nullptr)},
+                                ? Json(static_cast<std::uint64_t>(view.forestBytes))
+                                : Json(nullptr)},
             {"tiers", {{"full", trees.full}, {"boughs", trees.byBoughs}, {"impostor", trees.asPictures}}},
             {"drawn", timesJson(view.drawn)},
-            {"inFull", view.inFull.frame.empty() ? ordered_json(nullptr) : timesJson(view.inFull)},
+            {"inFull", view.inFull.frame.empty() ? Json(nullptr) : timesJson(view.inFull)},
             {"tree", timesJson(view.tree)},
             {"ratioToTree", spread(ratios(view.drawn.frame, view.tree.frame))},
             {"processorRatioToTree", spread(ratios(view.drawn.processor, view.tree.processor))},
@@ -202,13 +199,13 @@ int thesisFps(const BenchStage& stage, int trees) {
     return index < stage.thesisFps.size() ? stage.thesisFps[index] : 0;
 }
 
-ordered_json benchReport(const BenchConditions& conditions, const BenchReport& report) {
+Json benchReport(const BenchConditions& conditions, const BenchReport& report) {
     const BenchSettings& settings = conditions.settings;
-    ordered_json json = {{"format", "osgtreewind bench 1"},
-                         {"version", OSGTREEWIND_VERSION},
-                         {"date", conditions.date},
-                         {"machine", machineName()},
-                         {"loadBefore", number(conditions.loadBefore)}};
+    Json json = {{"format", "osgtreewind bench 1"},
+                 {"version", OSGTREEWIND_VERSION},
+                 {"date", conditions.date},
+                 {"machine", machineName()},
+                 {"loadBefore", number(conditions.loadBefore)}};
     json["opengl"] = {{"backend", conditions.backend},
                       {"vendor", conditions.driver.vendor},
                       {"renderer", conditions.driver.renderer},
@@ -216,10 +213,10 @@ ordered_json benchReport(const BenchConditions& conditions, const BenchReport& r
     json["settings"] = {{"width", settings.size.width},  {"height", settings.size.height},
                         {"framePairs", settings.frames}, {"warmUpPairs", settings.warmUp},
                         {"stepSeconds", settings.step},  {"threading", "SingleThreaded"}};
-    json["results"] = ordered_json::array();
+    json["results"] = Json::array();
     for (const BenchResult& result : report.results)
         json["results"].push_back(resultJson(result));
-    json["kernels"] = ordered_json::array();
+    json["kernels"] = Json::array();
     for (const BenchKernel& kernel : report.kernels)
         json["kernels"].push_back({{"group", kernel.group},
                                    {"name", kernel.name},
@@ -229,18 +226,18 @@ ordered_json benchReport(const BenchConditions& conditions, const BenchReport& r
                                    {"nanoseconds", spread(kernel.nanoseconds)}});
     json["dampedOverModal"] = {{"calm", spread(calmRatios(report.kernels))},
                                {"gusts", spread(gustRatios(report.kernels))}};
-    json["forests"] = report.forests ? forestsJson(*report.forests) : ordered_json(nullptr);
-    json["scale"] = ordered_json::array();
+    json["forests"] = report.forests ? forestsJson(*report.forests) : Json(nullptr);
+    json["scale"] = Json::array();
     for (const BenchScale& scale : report.scale) {
         json["scale"].push_back(viewJson(scale.view));
         json["scale"].back()["bytesPerTree"] = number(scale.bytesPerTree);
     }
-    json["views"] = ordered_json::array();
+    json["views"] = Json::array();
     for (const BenchView& view : report.views)
         json["views"].push_back(viewJson(view));
     if (report.world)
         json["world"] = worldJson(*report.world);
-    json["thesis"] = ordered_json::array();
+    json["thesis"] = Json::array();
     for (const BenchStage& stage : benchStages())
         if (!stage.table.empty())
             json["thesis"].push_back(

@@ -5,8 +5,7 @@
 #include "BenchKernels.h"
 #include "BenchRun.h"
 #include "BenchView.h"
-
-#include <nlohmann/json.hpp>
+#include "Json.h"
 
 #include <iosfwd>
 #include <optional>
@@ -58,7 +57,7 @@ double framesPerSecond(const BenchTimes& times);
 int thesisFps(const BenchStage& stage, int trees);
 
 /// The document that docs/results.md describes.
-nlohmann::ordered_json benchReport(const BenchConditions& conditions, const BenchReport& report);
+Json benchReport(const BenchConditions& conditions, const BenchReport& report);
 
 // The same for people, as a Markdown table.
 void printBenchHead(std::ostream& out, const BenchConditions& conditions);

@@ -20,10 +20,6 @@ using namespace osgTreeWind;
 namespace {
 
 constexpr std::size_t dampedTrees = 64, modalTrees = 4096; // about 1 MB of state each
-constexpr float frame = 1.0f / 60.0f;
-
-/// Keeps what was worked out from being optimized away.
-volatile float kept = 0.0f;
 
 /// Reference trees in rows, 6 m apart.
 ForestDescription referenceTrees(MotionLaw law, std::size_t count) {
@@ -51,9 +47,9 @@ BenchKernel treeKernel(const std::string& name, std::size_t trees, unsigned thre
 
 /// Steps before the first round, for trees to be in motion.
 template <typename Step>
-void warmUp(Step step) {
+void stepUntilInMotion(Step step) {
     for (int i = -30; i < 0; ++i)
-        step(static_cast<double>(i) * static_cast<double>(frame));
+        step(static_cast<double>(i) * static_cast<double>(kernelStep));
 }
 
 /// The law by itself, without poses. @param calm once the trees are in motion.
@@ -70,12 +66,12 @@ TimedKernel dampedTree(const char* name, const WindFieldPtr& wind, bool calm) {
                 const Laws::DampedBranch& branch = motion.dampedBranches()[i];
                 const glm::vec2 before = laws.windAcross(glm::vec3(winds[2 * i]), branch.direction);
                 const glm::vec2 now = laws.windAcross(glm::vec3(winds[2 * i + 1]), branch.direction);
-                states[i] = laws.dampedBranchStep(states[i], before, now, branch, frame);
+                states[i] = laws.dampedBranchStep(states[i], before, now, branch, kernelStep);
             }
         }
     };
     const auto trees = std::make_shared<Trees>();
-    warmUp([&](double time) {
+    stepUntilInMotion([&](double time) {
         trees->motion.meet(wind.get(), time);
         trees->step();
     });
@@ -85,7 +81,7 @@ TimedKernel dampedTree(const char* name, const WindFieldPtr& wind, bool calm) {
                 if (!calm)
                     trees->motion.meet(wind.get(), time);
                 trees->step();
-                kept = trees->states[7].x;
+                kernelResult = trees->states[7].x;
             }};
 }
 
@@ -98,7 +94,7 @@ TimedKernel simulatedTree(const std::string& name, MotionLaw law, const WindFiel
     options.executor = threads > 1 ? ThreadPool::executor(threads) : Executor(runInTurn);
     const auto simulation = std::make_shared<ForestSimulation>(referenceTrees(law, trees), options);
     simulation->setWind(wind);
-    warmUp([&](double time) { simulation->advance(time); });
+    stepUntilInMotion([&](double time) { simulation->advance(time); });
     if (calm)
         simulation->setWind(nullptr);
     return {treeKernel(name, trees, threads), [=](double time) { simulation->advance(time); }};
@@ -111,10 +107,10 @@ TimedKernel modalPoses(const char* name, const WindFieldPtr& wind) {
     const auto simulation =
         std::make_shared<ForestSimulation>(referenceTrees(MotionLaw::Modal, dampedTrees), options);
     simulation->setWind(wind);
-    warmUp([&](double time) { simulation->advance(time); });
+    stepUntilInMotion([&](double time) { simulation->advance(time); });
     return {treeKernel(name, dampedTrees), [=, values = UnitValues()](double) mutable {
                 for (std::size_t i = 0; i < dampedTrees; ++i)
-                    kept = simulation->motion(i, values).states[7].x;
+                    kernelResult = simulation->motion(i, values).states[7].x;
             }};
 }
 
@@ -137,8 +133,8 @@ TimedKernel modalStep(InstructionSet set) {
         std::fill_n(wind[i].tree, TreeLanes::count, 8.0f);
     return {treeKernel(std::string("modal step, ") + nameOf(set), modalTrees), [=](double) mutable {
                 for (std::size_t i = 0; i < trees.size(); i += floats)
-                    stepTrees({&archetype->model(0), &trees[i], wind.data(), frame, 1, 1.0f}, set);
-                kept = trees[0].tree[0];
+                    stepTrees({&archetype->model(0), &trees[i], wind.data(), kernelStep, 1, 1.0f}, set);
+                kernelResult = trees[0].tree[0];
             }};
 }
 

@@ -17,7 +17,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int warmUp = 4;             // rounds
+constexpr int warmUpRounds = 4;
 constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anything beyond
 
 /// What the process has of the allocator; 0 of another one than glibc's.
@@ -99,14 +99,15 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
         description.drawing.tiers = false;
         variants.push_back({new Forest(std::move(description)), view});
     }
-    BenchViewer viewer(settings.size, *context.value(), driver, variants, 3 * (warmUp + settings.frames));
+    BenchViewer viewer(settings.size, *context.value(), driver, variants,
+                       3 * (warmUpRounds + settings.frames));
     const BenchClock clock;
     viewer.draw(Drawn, 0.0);
     result.firstFrameSeconds = clock.seconds();
     const BenchWinds winds;
     double time = 0.0;
-    for (int round = -warmUp; round < settings.frames; ++round) {
-        tree.forest->setWind(winds.at(round + warmUp));
+    for (int round = -warmUpRounds; round < settings.frames; ++round) {
+        tree.forest->setWind(winds.at(round + warmUpRounds));
         time += settings.step;
         for (const int variant : {Drawn, Tree})
             if (round < 0)

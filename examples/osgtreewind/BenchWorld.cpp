@@ -137,7 +137,7 @@ Result<BenchWorld> runBenchWorld(const std::string& name, const ForestDescriptio
     return result;
 }
 
-nlohmann::ordered_json worldJson(const BenchWorld& world) {
+Json worldJson(const BenchWorld& world) {
     return {{"forest", world.forest},
             {"trees", world.trees},
             {"range", world.range},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "BenchReport.h"
+#include "Json.h"
 
 #include <osgTreeWind/forest/ForestDescription.h>
 
@@ -14,5 +15,5 @@ osgTreeWind::Result<BenchWorld> runBenchWorld(const std::string& name,
                                               const osgTreeWind::ForestDescription& forest,
                                               const BenchSettings& settings, BenchDriver& driver);
 
-nlohmann::ordered_json worldJson(const BenchWorld& world);
+Json worldJson(const BenchWorld& world);
 void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "CanopyFile.h"
 #include "Command.h"
+#include "Json.h"
 #include "Progress.h"
 
 #include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/motion/ForestMemory.h>
-
-#include <nlohmann/json.hpp>
 
 #include <osgDB/FileNameUtils>
 
@@ -17,7 +16,6 @@
 namespace {
 
 using namespace osgTreeWind;
-using Json = nlohmann::ordered_json;
 
 struct CanopyOptions {
     std::string file, output, format;

@@ -20,7 +20,7 @@ using osgTreeWind::Forest;
 
 constexpr int texels = 256; // of the ground's texture, each way
 
-const char* vertexText = R"(
+const char* groundVertexText = R"(
 out vec2 place;
 out vec3 eyePosition;
 #ifdef TUFTS
@@ -56,7 +56,7 @@ void main() {
 })";
 
 // Each scale is turned and in no simple ratio to the others, so that the texture does not show.
-const char* fragmentText = R"(
+const char* groundFragmentText = R"(
 in vec2 place;
 in vec3 eyePosition;
 #ifdef TUFTS
@@ -183,10 +183,10 @@ osg::ref_ptr<osg::StateSet> grass(const std::string& define, const Rim& rim) {
     using osgTreeWind::shaderText;
     const std::string version = "#version 330 compatibility\n";
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(
-        new osg::Shader(osg::Shader::VERTEX, version + define + shaderText("shadowed.glsl") + vertexText));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX,
+                                       version + define + shaderText("shadowed.glsl") + groundVertexText));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, version + define + shaderText("scene.glsl") +
-                                                                  glowText + fragmentText));
+                                                                  glowText + groundFragmentText));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, groundTexture());

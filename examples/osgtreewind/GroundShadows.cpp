@@ -29,10 +29,10 @@ namespace {
 
 using namespace osgTreeWind;
 
-constexpr int pixels = 128, samples = 2; // of a silhouette, each way
+constexpr int silhouettePixels = 128, samplesPerPixel = 2; // of a silhouette, each way
 
 // gl_MultiTexCoord1: number of the tree, share of its height that this is the shadow of.
-const char* vertexText = R"(
+const char* shadowVertexText = R"(
 uniform sampler2D treeLeans; // of the tops, metres; whether the tree has come down
 out vec3 spot;
 void main() {
@@ -50,7 +50,7 @@ void main() {
     gl_Position *= 1.0 - lean.z;
 })";
 
-const char* fragmentText = R"(#version 330 compatibility
+const char* shadowFragmentText = R"(#version 330 compatibility
 in vec3 spot;
 uniform sampler2DArray silhouettes;
 void main() {
@@ -101,11 +101,11 @@ struct ShadowPicture {
         low -= margin;
         high += margin;
 
-        const glm::vec2 scale = static_cast<float>(samples * pixels) / (high - low);
+        const glm::vec2 scale = static_cast<float>(samplesPerPixel * silhouettePixels) / (high - low);
         const osg::ref_ptr<osg::Image> card = leafImage(appearance);
         const Silhouette::Mask leafy = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 3),
                                bare = LeafMasks::maskOf(*card, LeafAtlas::spray(0), 2), solid{1, {1}};
-        Silhouette black(samples * pixels);
+        Silhouette black(samplesPerPixel * silhouettePixels);
         quads([&](bool borne, const glm::vec2& corner, const glm::vec2& across, const glm::vec2& along) {
             black.draw(scale * (corner - low), scale * across, scale * along, borne ? leafy : bare);
         });
@@ -117,14 +117,16 @@ struct ShadowPicture {
                                        glm::max(glm::length(along), 1e-6f);
                 black.draw(scale * (start - side - low), scale * (2.0f * side), scale * along, solid);
             }
-        image->allocateImage(pixels, pixels, 1, GL_RED, GL_UNSIGNED_BYTE);
+        image->allocateImage(silhouettePixels, silhouettePixels, 1, GL_RED, GL_UNSIGNED_BYTE);
         image->setInternalTextureFormat(GL_R8);
-        for (int y = 0; y < pixels; ++y)
-            for (int x = 0; x < pixels; ++x) {
+        for (int y = 0; y < silhouettePixels; ++y)
+            for (int x = 0; x < silhouettePixels; ++x) {
                 int count = 0;
-                for (int i = 0; i < samples * samples; ++i)
-                    count += black.black(samples * x + i % samples, samples * y + i / samples);
-                *image->data(x, y) = static_cast<unsigned char>(255 * count / (samples * samples));
+                for (int i = 0; i < samplesPerPixel * samplesPerPixel; ++i)
+                    count += black.black(samplesPerPixel * x + i % samplesPerPixel,
+                                         samplesPerPixel * y + i / samplesPerPixel);
+                *image->data(x, y) =
+                    static_cast<unsigned char>(255 * count / (samplesPerPixel * samplesPerPixel));
             }
     }
 };
@@ -132,7 +134,7 @@ struct ShadowPicture {
 osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, bool isRelief,
                                     const DataTexture& leans) {
     osg::ref_ptr<osg::Texture2DArray> texture = new osg::Texture2DArray;
-    texture->setTextureSize(pixels, pixels, static_cast<int>(pictures.size()));
+    texture->setTextureSize(silhouettePixels, silhouettePixels, static_cast<int>(pictures.size()));
     texture->setInternalFormat(GL_R8);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
@@ -140,11 +142,12 @@ osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, 
     for (std::size_t i = 0; i < pictures.size(); ++i)
         texture->setImage(static_cast<unsigned>(i), pictures[i].image);
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(
-        osg::Shader::VERTEX, std::string("#version 330 compatibility\n") +
-                                 (isRelief ? "#define RELIEF\n" : "") + "#define LEAN_POWER " +
-                                 std::to_string(leanPower) + '\n' + shaderText("data.glsl") + vertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, fragmentText));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, std::string("#version 330 compatibility\n") +
+                                                                (isRelief ? "#define RELIEF\n" : "") +
+                                                                "#define LEAN_POWER " +
+                                                                std::to_string(leanPower) + '\n' +
+                                                                shaderText("data.glsl") + shadowVertexText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shadowFragmentText));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, texture);

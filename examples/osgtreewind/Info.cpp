@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "Json.h"
 #include "TreeList.h"
 
 #include <osgTreeWind/forest/ShapeFamilies.h>
@@ -8,7 +9,6 @@
 #include <osgTreeWind/places/Crs.h>
 
 #include <glm/common.hpp>
-#include <nlohmann/json.hpp>
 
 #include <iomanip>
 #include <iostream>
@@ -17,7 +17,6 @@
 namespace {
 
 using namespace osgTreeWind;
-using Json = nlohmann::ordered_json;
 
 Json toJson(const TreeCounts& counts, std::size_t trees) {
     return {{"trees", trees},
@@ -42,10 +41,6 @@ Json toJson(const ScanReport& scan) {
             {"baseDiameter", scan.baseDiameter},
             {"cylinderVolume", scan.cylinderVolume},
             {"woodVolume", scan.woodVolume}};
-}
-
-Json toJson(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
 }
 
 const char* lawName(MotionLaw law) {
@@ -86,7 +81,7 @@ Json boundsOf(const ForestDescription& forest) {
         low = glm::min(low, tree.position - glm::dvec3(reach, reach, 0.0));
         high = glm::max(high, tree.position + glm::dvec3(reach, reach, size.height));
     }
-    return {{"low", toJson(low)}, {"high", toJson(high)}};
+    return {{"low", vectorJson(low)}, {"high", vectorJson(high)}};
 }
 
 /// The map that the trees stand on, and whether the file says so or their data did.
@@ -100,7 +95,7 @@ Json crsOf(const ForestDescription& forest) {
 Json windOf(const ForestDescription& forest) {
     const glm::vec3 above{0.0f, 0.0f, 10.0f};
     const glm::vec3 velocity = forest.wind ? forest.wind->velocity(above, 0.0) : glm::vec3(0.0f);
-    return {{"calm", !forest.wind}, {"velocityAtOrigin10m", toJson(velocity)}};
+    return {{"calm", !forest.wind}, {"velocityAtOrigin10m", vectorJson(velocity)}};
 }
 
 /// Bytes of vertex and index buffers, which grow with shapes, and of state, which grows with trees.
@@ -159,7 +154,7 @@ Json describe(const ForestDescription& forest) {
     Json info = toJson(all, forest.trees.size());
     info["species"] = species;
     info["crs"] = crsOf(forest);
-    info["origin"] = toJson(forest.origin);
+    info["origin"] = vectorJson(forest.origin);
     info["bounds"] = boundsOf(forest);
     info["wind"] = windOf(forest);
     info["motion"] = {{"law", lawName(forest.law)}, {"gain", forest.gain}, {"noise", "perlin"}};

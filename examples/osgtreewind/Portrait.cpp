@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "Json.h"
 #include "Offscreen.h"
 #include "PortraitMotion.h"
 #include "PortraitSheet.h"
@@ -15,8 +16,6 @@
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/WriteFile>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +59,7 @@ std::optional<Species> speciesCalled(const std::string& name) {
     return {};
 }
 
-nlohmann::ordered_json toJson(const Species& species, const TreeLooks& looks) {
+Json toJson(const Species& species, const TreeLooks& looks) {
     const auto rounded = [](float value) { return std::round(1000.0 * static_cast<double>(value)) / 1000.0; };
     return {{"species", species.name},
             {"skyThroughCrown",
@@ -76,12 +75,12 @@ nlohmann::ordered_json toJson(const Species& species, const TreeLooks& looks) {
 
 /// How finely the first shape is cut against the sky, as forests show it from some distances, beside single
 /// leaves in the same places.
-nlohmann::ordered_json edgesJson(const Species& species) {
+Json edgesJson(const Species& species) {
     const auto rounded = [](float value) {
         return std::round(10000.0 * static_cast<double>(value)) / 10000.0;
     };
     const TreeModel model = makeTreeModel(species.tree);
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    Json rows = Json::array();
     for (const float distance : {10.0f, 20.0f, 40.0f, 80.0f}) {
         if (model.leaves.empty())
             break;
@@ -105,9 +104,9 @@ nlohmann::ordered_json edgesJson(const Species& species) {
     return rows;
 }
 
-nlohmann::ordered_json toJson(const PortraitMotion& motion) {
+Json toJson(const PortraitMotion& motion) {
     const auto rounded = [](double value) { return std::round(1000.0 * value) / 1000.0; };
-    nlohmann::ordered_json pops = nlohmann::ordered_json::array();
+    Json pops = Json::array();
     for (const PortraitMotion::Pop& pop : motion.pops)
         pops.push_back({{"pixels", pop.pixels}, {"apart", rounded(pop.apart)}, {"pop", rounded(pop.pop)}});
     return {{"flicker", rounded(motion.flicker)}, {"pops", pops}};
@@ -146,7 +145,7 @@ ExitCode portrait(const PortraitOptions& options) {
         }
     }
     const TreeLooks looks = measureLooks(*species);
-    nlohmann::ordered_json json = toJson(*species, looks);
+    Json json = toJson(*species, looks);
     json["grown"] = companyOf(options);
     if (options.edges)
         json["edges"] = edgesJson(*species);

@@ -27,7 +27,7 @@ namespace {
 
 using namespace osgTreeWind;
 
-constexpr int columns = 5, rows = 3, samplesAcross = 3;
+constexpr int sheetColumns = 5, sheetRows = 3, panelSamplesAcross = 3;
 
 /// Of a tree in a forest by the species' own laws, as high as it grows; nothing where they do not tell.
 TreeSize forestSize(Species species) {
@@ -61,7 +61,7 @@ osg::ref_ptr<Forest> row(const Species& species, bool openGrown, int trees, bool
 class Sheet {
 public:
     Sheet(const Species& species, bool openGrown, int panel)
-        : _company(openGrown ? "open" : "forest"), _drawing(panel, panel, samplesAcross),
+        : _company(openGrown ? "open" : "forest"), _drawing(panel, panel, panelSamplesAcross),
           _tree(row(species, openGrown, 1, false)), _trees(row(species, openGrown, 3, true)),
           _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
         const PlacedTree& tree = _tree->getSimulation().trees().front();
@@ -70,7 +70,7 @@ public:
         for (const LeafCluster& leaf : leaves)
             _leaves +=
                 osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());
-        _image->allocateImage(columns * panel, rows * panel, 1, GL_RGB, GL_UNSIGNED_BYTE);
+        _image->allocateImage(sheetColumns * panel, sheetRows * panel, 1, GL_RGB, GL_UNSIGNED_BYTE);
     }
 
     bool valid() const { return _drawing.valid(); }
@@ -167,7 +167,7 @@ private:
             for (int x = 0; x < panel.s(); ++x)
                 std::copy_n(panel.data(static_cast<unsigned>(x), static_cast<unsigned>(y)), 3,
                             _image->data(static_cast<unsigned>(column * panel.s() + x),
-                                         static_cast<unsigned>((rows - 1 - row) * panel.t() + y)));
+                                         static_cast<unsigned>((sheetRows - 1 - row) * panel.t() + y)));
     }
 
     std::string _company;

@@ -9,7 +9,7 @@
 
 namespace {
 
-const char* vertexText = R"(#version 330 compatibility
+const char* skyVertexText = R"(#version 330 compatibility
 out vec3 ray;
 void main() {
     vec4 eye = gl_ProjectionMatrixInverse * vec4(gl_Vertex.xy, 1.0, 1.0);
@@ -17,7 +17,7 @@ void main() {
     gl_Position = vec4(gl_Vertex.xy, 1.0, 1.0);
 })";
 
-const char* fragmentText = R"(
+const char* skyFragmentText = R"(
 in vec3 ray;
 uniform vec3 skyZenith, skyHorizon;
 void main() {
@@ -59,9 +59,9 @@ osg::ref_ptr<osg::Geometry> createSky() {
     sky->setCullingActive(false);
     osg::StateSet* state = sky->getOrCreateStateSet();
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX, vertexText));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, skyVertexText));
     program->addShader(new osg::Shader(osg::Shader::FRAGMENT, std::string("#version 330 compatibility\n") +
-                                                                  glowText + fragmentText));
+                                                                  glowText + skyFragmentText));
     state->setAttributeAndModes(program);
     state->setAttribute(new osg::ColorMask(true, true, true, true)); // over what shadows left in alpha
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));

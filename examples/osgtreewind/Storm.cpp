@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "Json.h"
 #include "OneTree.h"
 #include "TreeTable.h"
 
@@ -12,8 +13,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,7 +23,6 @@
 namespace {
 
 using namespace osgTreeWind;
-using Json = nlohmann::ordered_json;
 
 constexpr double settling = 60.0; // seconds before the first that counts
 
@@ -183,34 +181,34 @@ ExitCode storm(const StormOptions& options) {
 }
 
 /// What a table has of each storm: the places in its object, which are called as they are, "moment_max".
-const char* const columns[] = {"/species",
-                               "/dbh_cm",
-                               "/height_m",
-                               "/crown_width_m",
-                               "/spacing_m",
-                               "/leaves",
-                               "/speed_ms",
-                               "/moment/mean",
-                               "/moment/sd",
-                               "/moment/max",
-                               "/tip/mean",
-                               "/tip/sd",
-                               "/tip/max",
-                               "/features/snr",
-                               "/features/f0_hz",
-                               "/features/damping",
-                               "/features/skewness",
-                               "/features/kurtosis",
-                               "/features/p999_over_sd",
-                               "/features/f0_share",
-                               "/features/along_over_across",
-                               "/frequency_hz",
-                               "/critical/uproot",
-                               "/critical/break"};
+const char* const stormColumns[] = {"/species",
+                                    "/dbh_cm",
+                                    "/height_m",
+                                    "/crown_width_m",
+                                    "/spacing_m",
+                                    "/leaves",
+                                    "/speed_ms",
+                                    "/moment/mean",
+                                    "/moment/sd",
+                                    "/moment/max",
+                                    "/tip/mean",
+                                    "/tip/sd",
+                                    "/tip/max",
+                                    "/features/snr",
+                                    "/features/f0_hz",
+                                    "/features/damping",
+                                    "/features/skewness",
+                                    "/features/kurtosis",
+                                    "/features/p999_over_sd",
+                                    "/features/f0_share",
+                                    "/features/along_over_across",
+                                    "/frequency_hz",
+                                    "/critical/uproot",
+                                    "/critical/break"};
 
 std::string headOfTable() {
     std::string head;
-    for (const std::string column : columns)
+    for (const std::string column : stormColumns)
         head += (head.empty() ? "" : ",") + column.substr(1);
     std::replace(head.begin(), head.end(), '/', '_');
     return head + '\n';
@@ -218,10 +216,10 @@ std::string headOfTable() {
 
 std::string rowOfTable(const Json& storm) {
     std::string row;
-    for (const char* const column : columns) {
+    for (const char* const column : stormColumns) {
         const Json::json_pointer place(column);
         const Json value = storm.contains(place) ? storm[place] : Json();
-        row += column == columns[0] ? "" : ",";
+        row += column == stormColumns[0] ? "" : ",";
         row += value.is_string() ? csvCell(value.get<std::string>()) : value.is_null() ? "" : value.dump();
     }
     return row + '\n';

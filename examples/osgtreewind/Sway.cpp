@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "Json.h"
 #include "OneTree.h"
 #include "TreeTable.h"
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/motion/sway/SwayModes.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <iostream>
@@ -43,18 +42,18 @@ TreePlacement treeOf(SwayOptions& options, const Species& species) {
 
 void printObject(const SwayOptions& options, const Species& species, const FreeSway& free,
                  const std::vector<SwayMode>& modes) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    Json list = Json::array();
     for (const SwayMode& mode : modes)
         list.push_back({{"hz", mode.frequency}, {"damping", mode.dampingRatio}, {"share", mode.share}});
-    std::cout << nlohmann::ordered_json{{"species", species.name},
-                                        {"dbh_cm", options.diameter},
-                                        {"height_m", options.height},
-                                        {"crown_width_m", options.crownWidth},
-                                        {"open_grown", options.open},
-                                        {"leaves", options.leaves},
-                                        {"frequency_hz", free.frequency},
-                                        {"damping_ratio", free.dampingRatio},
-                                        {"modes", list}}
+    std::cout << Json{{"species", species.name},
+                      {"dbh_cm", options.diameter},
+                      {"height_m", options.height},
+                      {"crown_width_m", options.crownWidth},
+                      {"open_grown", options.open},
+                      {"leaves", options.leaves},
+                      {"frequency_hz", free.frequency},
+                      {"damping_ratio", free.dampingRatio},
+                      {"modes", list}}
                      .dump(2)
               << '\n';
 }

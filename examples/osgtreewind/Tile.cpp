@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Command.h"
+#include "Json.h"
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/TiledForest.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -15,7 +14,6 @@
 namespace {
 
 using namespace osgTreeWind;
-using Json = nlohmann::ordered_json;
 
 struct TileOptions {
     std::string file, output;

@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr double farthest = 40.0, spacing = 0.34; // metres
+constexpr double farthestTuft = 40.0, tuftSpacing = 0.34; // metres
 
 /// The blades of a tuft.
 class Tuft {
@@ -48,14 +48,16 @@ private:
 osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const osg::Vec3d& eye) {
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> coords = new osg::Vec2Array;
-    const auto cellOf = [](double place) { return static_cast<std::int64_t>(std::floor(place / spacing)); };
-    for (std::int64_t j = cellOf(eye.y() - farthest); j <= cellOf(eye.y() + farthest); ++j)
-        for (std::int64_t i = cellOf(eye.x() - farthest); i <= cellOf(eye.x() + farthest); ++i) {
+    const auto cellOf = [](double place) {
+        return static_cast<std::int64_t>(std::floor(place / tuftSpacing));
+    };
+    for (std::int64_t j = cellOf(eye.y() - farthestTuft); j <= cellOf(eye.y() + farthestTuft); ++j)
+        for (std::int64_t i = cellOf(eye.x() - farthestTuft); i <= cellOf(eye.x() + farthestTuft); ++i) {
             osgTreeWind::Random random(static_cast<std::uint32_t>(i * 73856093 ^ j * 19349663));
             osg::Vec2d place(static_cast<double>(i), static_cast<double>(j));
             for (int axis = 0; axis < 2; ++axis)
-                place[axis] = spacing * (place[axis] + random.uniform());
-            const double away = (place - osg::Vec2d(eye.x(), eye.y())).length() / farthest;
+                place[axis] = tuftSpacing * (place[axis] + random.uniform());
+            const double away = (place - osg::Vec2d(eye.x(), eye.y())).length() / farthestTuft;
             const auto nearness = static_cast<float>(1.0 - away);
             if (random.uniform() >= nearness * nearness)
                 continue;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "Arrows.h"
 #include "Command.h"
+#include "Json.h"
 
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 #include <osgDB/WriteFile>
 
 #include <iomanip>
@@ -18,7 +18,6 @@
 namespace {
 
 using namespace osgTreeWind;
-using Json = nlohmann::ordered_json;
 
 struct WindArguments {
     std::vector<std::string> files;
@@ -30,10 +29,6 @@ struct WindArguments {
     std::string picture;
     bool json = false;
 };
-
-Json toJson(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
 
 const char* heightsOf(const WindSummary& summary) {
     return summary.aboveGround ? "above the ground" : "above the zero of the file";
@@ -47,7 +42,7 @@ Json toJson(const WindSummary& summary) {
         times["start"] = summary.start;
     return {{"format", summary.format},
             {"points", {summary.points.x, summary.points.y, summary.points.z}},
-            {"extent", {{"low", toJson(summary.low)}, {"high", toJson(summary.high)}}},
+            {"extent", {{"low", vectorJson(summary.low)}, {"high", vectorJson(summary.high)}}},
             {"coordinates", summary.coordinates},
             {"crs", summary.crs},
             {"heights", heightsOf(summary)},
@@ -138,7 +133,7 @@ ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
                           {"crs", arguments.crs.empty() ? wind.summary.crs : arguments.crs},
                           {"heights", heightsOf(wind.summary)},
                           {"time", *time},
-                          {"velocity", toJson(velocity)},
+                          {"velocity", vectorJson(velocity)},
                           {"speed", glm::length(velocity)},
                           {"notes", wind.summary.notes}}
                          .dump(2)

@@ -26,6 +26,11 @@ Result<std::string_view> plainText(std::string_view bytes, const std::string& fi
 /// All of a text input, and what plainText() says of it; an unreadable stream (a folder, say) is an error.
 Result<std::string> readText(std::istream& input, const std::string& file);
 
+/// Null becomes an empty text.
+inline std::string orEmpty(const char* text) {
+    return text ? text : "";
+}
+
 /// With letters A to Z in lower case.
 std::string lower(std::string text);
 

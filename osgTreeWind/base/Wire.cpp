@@ -21,7 +21,7 @@ bool Wire::pass(Diagnostic& problem) {
 bool Wire::passBytes(void* bytes, std::size_t size) {
     auto* at = static_cast<char*>(bytes);
     while (size > 0) {
-        const ssize_t passed = _sends ? write(_descriptor, at, size) : read(_descriptor, at, size);
+        const ssize_t passed = _sends ? ::write(_descriptor, at, size) : ::read(_descriptor, at, size);
         if (passed < 0 && errno == EINTR)
             continue;
         if (passed <= 0)

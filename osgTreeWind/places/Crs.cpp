@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/places/GdalErrors.h>
 
 #include <cpl_conv.h>
@@ -21,10 +22,6 @@ bool isFileOrAddress(const std::string& text) {
     std::error_code ignored;
     return text.find("/vsi") != std::string::npos || std::filesystem::exists(text, ignored) ||
            (text.find("://") != std::string::npos && text.find("opengis.net/def/crs") == std::string::npos);
-}
-
-std::string orEmpty(const char* text) {
-    return text ? text : "";
 }
 
 } // namespace

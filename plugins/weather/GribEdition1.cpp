@@ -7,9 +7,8 @@ namespace osgTreeWind::GribEditions {
 namespace {
 
 constexpr std::size_t flagsAt = 17; // the same in all definitions that are read
-constexpr int toGridFlag = 0x08;
 
-GribLevel levelOf(const GribBytes& section) {
+GribLevel levelOf1(const GribBytes& section) {
     GribLevel level{GribLevelKind::Other, section.whole(10), static_cast<double>(section.number(11, 2))};
     switch (level.type) {
     case 1:
@@ -75,7 +74,7 @@ Problem readProduct1(const GribBytes& section, GribField& field) {
     if (section.size() < 28)
         return "section 1 has " + std::to_string(section.size()) + " bytes; expected at least 28";
     field.parameter = {1, section.whole(5), section.whole(4), 0, section.whole(9)};
-    field.level = levelOf(section);
+    field.level = levelOf1(section);
     const int year = section.whole(13);
     const auto reference = GribTime::secondsOf({(section.whole(25) - 1) * 100 + year, section.whole(14),
                                                 section.whole(15), section.whole(16), section.whole(17), 0});

@@ -8,8 +8,6 @@ namespace osgTreeWind::GribEditions {
 
 namespace {
 
-constexpr int toGridFlag = 0x08;
-
 struct GridKind {
     int number;
     const char* name;
@@ -53,7 +51,7 @@ GribLevelKind levelKindOf(int type) {
     }
 }
 
-GribLevel levelOf(const GribBytes& section) {
+GribLevel levelOf2(const GribBytes& section) {
     constexpr int none = 255;
     GribLevel level{levelKindOf(section.whole(23)), section.whole(23), 0.0};
     if (section.number(25, 4) != 0xffffffff)
@@ -120,7 +118,7 @@ Problem readProduct2(const GribBytes& section, GribField& field) {
         return {};
     if (section.size() < 34)
         return "section 4 has " + std::to_string(section.size()) + " bytes; expected at least 34";
-    field.level = levelOf(section);
+    field.level = levelOf2(section);
     if (const auto unit = GribTime::secondsOfUnit(2, section.whole(18))) {
         field.momentary = true;
         field.valid += *unit * section.withSign(19, 4);

@@ -12,6 +12,9 @@ namespace osgTreeWind::GribEditions {
 /// Part of a field, or what is wrong with its section.
 using Problem = std::optional<std::string>;
 
+/// Of the flags of a grid: components of winds are along its axes.
+constexpr int toGridFlag = 0x08;
+
 /// Section 1 of edition 1: parameter, level and times.
 Problem readProduct1(const GribBytes& section, GribField& field);
 /// Section 2 of edition 1: the grid.

@@ -11,7 +11,7 @@ namespace {
 constexpr float leastStep = 0.01f; // metres; floats tell it apart up to 100 km
 
 /// A column of points above one place at one time.
-struct Column {
+struct PointColumn {
     GridWind::Grid& grid;
     std::size_t first, layerStep, layers;
 
@@ -48,7 +48,7 @@ void settleHeights(GridWind::Grid& grid) {
         static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y);
     for (std::size_t step = 0; step * perLayer * layers < grid.heights.size(); ++step)
         for (std::size_t place = 0; place < perLayer; ++place) {
-            const Column column{grid, step * perLayer * layers + place, perLayer, layers};
+            const PointColumn column{grid, step * perLayer * layers + place, perLayer, layers};
             column.replaceWindBelowGround();
             column.increaseUpward();
         }

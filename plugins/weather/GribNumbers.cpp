@@ -5,6 +5,7 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/places/GdalErrors.h>
 
 #include <cpl_conv.h>
@@ -21,12 +22,12 @@ namespace osgTreeWind {
 namespace {
 
 /// Neighbouring points of an axis that lie one after another in the file.
-struct Run {
+struct PointRun {
     int first = 0, count = 0;
 };
 
-std::vector<Run> runsOf(const std::vector<std::size_t>& indices) {
-    std::vector<Run> runs;
+std::vector<PointRun> pointRuns(const std::vector<std::size_t>& indices) {
+    std::vector<PointRun> runs;
     for (const std::size_t index : indices) {
         const int at = static_cast<int>(index);
         if (runs.empty() || at != runs.back().first + runs.back().count)
@@ -43,17 +44,13 @@ EvenAxis axisOf(double corner, double step, int count) {
 constexpr const char* otherPacking =
     "; `grib_set -r -s packingType=grid_simple` of ecCodes packs them otherwise";
 
-std::string nameOf(const Crs& crs) {
+std::string projText(const Crs& crs) {
     const GdalErrors errors;
     char* text = nullptr;
     const OGRErr error = OSRExportToProj4(crs.reference(), &text);
     std::string name = error == OGRERR_NONE && text && *text ? text : crs.name();
     CPLFree(text);
     return name;
-}
-
-std::string orEmpty(const char* text) {
-    return text ? text : "";
 }
 
 } // namespace
@@ -120,7 +117,7 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
         return problem(field, "GDAL cannot place its grid, " + field.grid.kind + _warning);
     GribPlace place{Crs(OSRClone(reference)), {}, axisOf(at[0], at[1], columns), axisOf(at[3], at[5], rows)};
     OSRSetAxisMappingStrategy(place.crs.reference(), OAMS_TRADITIONAL_GIS_ORDER);
-    place.name = nameOf(place.crs);
+    place.name = projText(place.crs);
     if (place.crs.isDegrees())
         place.x.period = 360.0;
     return place;
@@ -141,7 +138,7 @@ Result<std::vector<float>> GribNumbers::read(const GribField& field, const AxisP
     const std::size_t columns = x.indices.size();
     std::vector<double> numbers(columns * static_cast<std::size_t>(rows));
     double* out = numbers.data();
-    for (const Run& run : runsOf(x.indices)) {
+    for (const PointRun& run : pointRuns(x.indices)) {
         const CPLErr error =
             GDALRasterIO(band, GF_Read, run.first, top, run.count, rows, out, run.count, rows, GDT_Float64,
                          sizeof(double), static_cast<int>(columns * sizeof(double)));

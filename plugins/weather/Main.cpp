@@ -23,7 +23,7 @@ namespace osgTreeWind {
 
 namespace {
 
-Result<WindContent> read(const std::string& path, const WindRequest& request) {
+Result<WindContent> readWeather(const std::string& path, const WindRequest& request) {
     try {
         CPLPushErrorHandler(CPLQuietErrorHandler);
         const Result<std::string> head = WindInput(path).head();
@@ -63,6 +63,6 @@ int main(int argc, char** argv) {
     limitReader(argv[1], std::size_t(1) << 30, 60);
     const int answer = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); // what a library prints is no part of the answer
-    Result<WindContent> content = read(argv[1], requestOf(argv + 2, argc == 8));
+    Result<WindContent> content = readWeather(argv[1], requestOf(argv + 2, argc == 8));
     _exit(WindWire::send(answer, content) ? 0 : 1); // at once: what was damaged is not tidied up
 }

@@ -2,6 +2,7 @@
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
 #include <cpl_conv.h>
@@ -45,10 +46,6 @@ bool readInto(const NetCdfArray& array, const NetCdfBlock& block, GDALDataType t
                            kind.get(), numbers, numbers, bytes) != 0;
 }
 
-std::string textOf(const char* text) {
-    return text ? text : "";
-}
-
 /// What GDAL said last.
 std::string reason() {
     const std::string said = CPLGetLastErrorMsg();
@@ -68,11 +65,11 @@ std::vector<NetCdfDimension> dimensionsOf(GDALMDArrayH array) {
     std::vector<NetCdfDimension> dimensions;
     for (std::size_t i = 0; i < count; ++i) {
         NetCdfDimension dimension;
-        dimension.name = textOf(GDALDimensionGetName(handles[i]));
+        dimension.name = orEmpty(GDALDimensionGetName(handles[i]));
         dimension.size = static_cast<std::size_t>(GDALDimensionGetSize(handles[i]));
-        dimension.temporal = textOf(GDALDimensionGetType(handles[i])) == GDAL_DIM_TYPE_TEMPORAL;
+        dimension.temporal = orEmpty(GDALDimensionGetType(handles[i])) == GDAL_DIM_TYPE_TEMPORAL;
         const GDALMDArrayH indexing = GDALDimensionGetIndexingVariable(handles[i]);
-        dimension.coordinates = indexing ? textOf(GDALMDArrayGetName(indexing)) : dimension.name;
+        dimension.coordinates = indexing ? orEmpty(GDALMDArrayGetName(indexing)) : dimension.name;
         GDALMDArrayRelease(indexing);
         dimensions.push_back(dimension);
     }
@@ -88,7 +85,7 @@ NetCdfArray::Attribute NetCdfArray::attribute(const char* name) const {
     GDALAttributeH* const all = GDALMDArrayGetAttributes(handle.get(), &count, options);
     Attribute found(nullptr, &GDALAttributeRelease);
     for (std::size_t i = 0; i < count; ++i) {
-        if (!found && textOf(GDALAttributeGetName(all[i])) == name)
+        if (!found && orEmpty(GDALAttributeGetName(all[i])) == name)
             found.reset(std::exchange(all[i], nullptr));
         GDALAttributeRelease(all[i]);
     }
@@ -98,7 +95,7 @@ NetCdfArray::Attribute NetCdfArray::attribute(const char* name) const {
 
 std::string NetCdfArray::text(const char* name) const {
     const Attribute found = attribute(name);
-    return found ? textOf(GDALAttributeReadAsString(found.get())) : "";
+    return found ? orEmpty(GDALAttributeReadAsString(found.get())) : "";
 }
 
 std::optional<double> NetCdfArray::number(const char* name) const {
@@ -142,7 +139,7 @@ NetCdfFile::NetCdfFile(const std::string& path)
             _arrays.push_back(
                 std::make_shared<const NetCdfArray>(NetCdfArray{{handle, &GDALMDArrayRelease},
                                                                 *name,
-                                                                textOf(GDALMDArrayGetUnit(handle)),
+                                                                orEmpty(GDALMDArrayGetUnit(handle)),
                                                                 dimensionsOf(handle)}));
 }
 
@@ -183,7 +180,7 @@ std::string NetCdfFile::text(const char* attribute) const {
     if (!_root)
         return {};
     const auto found = attributeOf(_root.get(), attribute, &GDALGroupGetAttribute);
-    return found ? textOf(GDALAttributeReadAsString(found.get())) : "";
+    return found ? orEmpty(GDALAttributeReadAsString(found.get())) : "";
 }
 
 /// A classic file holds every number of an array as it is; a compressed one leaves out what was never

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double gravity = 9.80665; // the standard one, which the unit of geopotential height is made of
+constexpr double standardGravity = 9.80665; // which the unit of geopotential height is made of
 
 /// Metres in one of its numbers: of a height, or of geopotential; 0 for another unit.
 double metresIn(const NetCdfArray& array) {
@@ -22,19 +22,19 @@ double metresIn(const NetCdfArray& array) {
     if (among(unit, {"m", "gpm", "meter", "meters", "metre", "metres", "geopotential meters"}))
         return 1.0;
     return among(unit, {"m2 s-2", "m**2 s**-2", "m^2 s^-2", "m2/s2", "m^2/s^2", "m2.s-2", "j kg-1"})
-               ? 1.0 / gravity
+               ? 1.0 / standardGravity
                : 0.0;
 }
 
 /// A column of levels at one point and time: heights, and velocities with as many numbers between.
-struct Column {
+struct LevelColumn {
     float* heights;
     float* values;
     std::size_t levels, stride;
 };
 
 /// Heights without data go on as those above or below; where there are none at all, there is no wind either.
-void completeHeights(const Column& column) {
+void completeHeights(const LevelColumn& column) {
     const auto height = [&](std::size_t z) -> float& { return column.heights[z * column.stride]; };
     std::size_t known = 0;
     while (known < column.levels && std::isnan(height(known)))
@@ -52,7 +52,7 @@ void completeHeights(const Column& column) {
 }
 
 /// Winds at or below 0 become that of the lowest level above. @return how many.
-std::size_t holdBelowGround(const Column& column) {
+std::size_t holdBelowGround(const LevelColumn& column) {
     std::size_t lowest = 0;
     while (lowest < column.levels && column.heights[lowest * column.stride] <= 0.0f)
         ++lowest;
@@ -173,8 +173,8 @@ void NetCdfLevels::setHeights(NetCdfFile& file, const NetCdfPoints& points, Grid
     for (std::size_t t = 0; t < points.times.size(); ++t)
         for (std::size_t i = 0; i < points.perLevel(); ++i) {
             const std::size_t at = t * points.perTime() + i;
-            const Column column{&grid.heights[at], &grid.values[3 * at], points.levels.size(),
-                                points.perLevel()};
+            const LevelColumn column{&grid.heights[at], &grid.values[3 * at], points.levels.size(),
+                                     points.perLevel()};
             completeHeights(column);
             held += grid.aboveGround ? holdBelowGround(column) : 0;
         }

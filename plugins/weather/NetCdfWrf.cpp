@@ -17,7 +17,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr float gravity = 9.81f; // as WRF has it
+constexpr float wrfGravity = 9.81f;
 
 /// Sizes of the mass grid: times, layers, rows, columns.
 struct Sizes {
@@ -177,7 +177,6 @@ void append(const Means& means, std::size_t t, const Part& part, const glm::ivec
 /// The arrays of a file, in the order of the names below.
 constexpr const char* names[] = {"U", "V", "W", "PH", "PHB"};
 using Arrays = std::vector<NetCdfFile::Array>;
-using Names = std::vector<const char*>;
 
 bool hasLevels(const NetCdfFile& file) {
     const NetCdfFile::Array u = file.array("U");
@@ -198,7 +197,8 @@ void expectShape(NetCdfFile& file, const NetCdfArray& array, const std::vector<s
 Arrays arraysOf(NetCdfFile& file, Sizes& n) {
     const bool levels = hasLevels(file);
     Arrays arrays;
-    for (const char* name : levels ? Names(names, names + 5) : Names{"U10", "V10"}) {
+    for (const char* name :
+         levels ? std::vector<const char*>(names, names + 5) : std::vector<const char*>{"U10", "V10"}) {
         arrays.push_back(file.array(name));
         if (!arrays.back() || arrays.back()->dimensions.size() != (levels ? 4 : 3)) {
             file.fail(name, "expected this array of " + std::string(levels ? "4" : "3") +
@@ -266,7 +266,8 @@ Means readMeans(NetCdfFile& file, const Arrays& arrays, const Part& part, bool& 
     aboveGround = !ground.empty();
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const std::size_t below = i / ((z + 1) * cells) * cells + i % cells;
-        heights[i] = (heights[i] + base[i]) / gravity - (aboveGround ? ground[below % ground.size()] : 0.0f);
+        heights[i] =
+            (heights[i] + base[i]) / wrfGravity - (aboveGround ? ground[below % ground.size()] : 0.0f);
     }
     return {destaggered(east, t * z * window.rows(), window.columns(), 1),
             destaggered(north, t * z, window.rows(), window.columns()), destaggered(up, t, z, cells),

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+
+/// Keys stay in the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+inline Json vectorJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
