@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <osgTreeWind/base/WholeFile.h>
@@ -13,11 +14,6 @@ using namespace osgTreeWind;
 
 namespace {
 
-std::string textOf(const std::string& path) {
-    std::ifstream input(path);
-    return {std::istreambuf_iterator<char>(input), {}};
-}
-
 std::size_t filesIn(const std::string& folder) {
     const std::filesystem::directory_iterator first(folder);
     return static_cast<std::size_t>(std::distance(first, {}));
@@ -31,12 +27,12 @@ TEST(WholeFile, WhatWasThereStaysUntilTheNewOneIsWhole) {
     {
         WholeFile file(path);
         std::ofstream(file.unfinished()) << "half";
-        EXPECT_EQ(textOf(path), "before");
+        EXPECT_EQ(bytesOf(path), "before");
     }
-    EXPECT_EQ(textOf(path), "before");
+    EXPECT_EQ(bytesOf(path), "before");
     EXPECT_EQ(filesIn(folder.path()), 1u) << "what was begun is gone";
     EXPECT_TRUE(writeWholeFile(path, "after"));
-    EXPECT_EQ(textOf(path), "after");
+    EXPECT_EQ(bytesOf(path), "after");
     EXPECT_EQ(filesIn(folder.path()), 1u);
 }
 
@@ -46,7 +42,7 @@ TEST(WholeFile, WritesWhereALinkLeadsAndIntoDevices) {
     std::filesystem::create_symlink(path, link);
     EXPECT_TRUE(writeWholeFile(link, "after"));
     EXPECT_TRUE(std::filesystem::is_symlink(link));
-    EXPECT_EQ(textOf(path), "after");
+    EXPECT_EQ(bytesOf(path), "after");
     EXPECT_TRUE(writeWholeFile("/dev/null", "nothing"));
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }

@@ -15,12 +15,12 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int width = 200, height = 150;
-
 enum class Way { Modal, Branchwise };
 
 class SurfaceGlTest : public GlTest, public ::testing::WithParamInterface<Way> {
 protected:
+    static constexpr int width = 200, height = 150;
+
     /// Trees in a row along x, some of them pictures.
     static osg::ref_ptr<Forest> forest() {
         ForestDescription description = smallForest(4);

@@ -21,8 +21,7 @@ std::ostream& operator<<(std::ostream& out, const BadFeatures& bad) {
     return out << bad.name;
 }
 
-const std::string utm = "urn:ogc:def:crs:EPSG::25832";
-const std::string good =
+const std::string goodFeatures =
     geoJson(point("565000, 5934000", R"("h": 5)") + "," + point("565009, 5934000", R"("h": 7)"), utm);
 
 std::string shape(const std::string& type, const std::string& coordinates) {
@@ -40,11 +39,11 @@ std::string cityTree(const std::string& geometry) {
 }
 
 const std::string columnH = "columns = { height = \"h\" }\n";
-const std::string xy = "columns = { x = \"x\", y = \"y\" }\n";
 
 const BadFeatures badFeatures[] = {
     // The file
-    {"GeoJsonCut", "a.geojson", good.substr(0, good.size() - 40), "", "a.geojson: cannot be read: "},
+    {"GeoJsonCut", "a.geojson", goodFeatures.substr(0, goodFeatures.size() - 40), "",
+     "a.geojson: cannot be read: "},
     {"GeoJsonEmpty", "a.geojson", "", "", "a.geojson: cannot be read: "},
     {"GeoJsonOfNothing", "a.geojson", "{}", "", "a.geojson: cannot be read: "},
     {"GeoJsonIsBinary", "a.geojson", std::string("\0\1\2\3", 4), "", "a.geojson: cannot be read: "},
@@ -71,36 +70,36 @@ const BadFeatures badFeatures[] = {
     {"CityJsonWithoutGeometry", "a.json", cityTree("[]"), "", "feature 0: it has no geometry"},
     {"LayerEmpty", "a.geojson", geoJson(""), "", "a.geojson: an inventory without trees"},
     // The layer
-    {"LayerUnknown", "a.geojson", good, "layer = \"bushes\"\n", "no layer \"bushes\"; it has: a"},
+    {"LayerUnknown", "a.geojson", goodFeatures, "layer = \"bushes\"\n", "no layer \"bushes\"; it has: a"},
     {"LayerOfATable", "a.csv", "x,y\n1,2\n", "layer = \"a\"\n" + xy,
      "inventory.layer: expected only beside a file with layers"},
-    {"DelimiterOfFeatures", "a.geojson", good, "delimiter = \";\"\n",
+    {"DelimiterOfFeatures", "a.geojson", goodFeatures, "delimiter = \";\"\n",
      "inventory.delimiter: expected only beside a CSV table"},
     {"FilterOfATable", "a.csv", "x,y\n1,2\n", "filter = \"x > 0\"\n" + xy,
      "inventory.filter: expected only beside a file with layers"},
-    {"FilterBroken", "a.geojson", good, "filter = \"h >\"\n",
+    {"FilterBroken", "a.geojson", goodFeatures, "filter = \"h >\"\n",
      "the filter cannot be used: SQL Expression Parsing Error"},
-    {"FilterOfAColumnAbsent", "a.geojson", good, "filter = \"tall > 3\"\n",
+    {"FilterOfAColumnAbsent", "a.geojson", goodFeatures, "filter = \"tall > 3\"\n",
      "the filter cannot be used: \"tall\" not recognised"},
     {"FilterOfAGeoPackage", "b.gpkg", "", "filter = \"tall > 3\"\n", "tall"},
-    {"FilterLeavesNone", "a.geojson", good, "filter = \"h > 100\"\n", "an inventory without trees"},
+    {"FilterLeavesNone", "a.geojson", goodFeatures, "filter = \"h > 100\"\n", "an inventory without trees"},
     // Columns
-    {"ColumnAbsent", "a.geojson", good, "columns = { height = \"tall\" }\n",
+    {"ColumnAbsent", "a.geojson", goodFeatures, "columns = { height = \"tall\" }\n",
      "inventory.columns.height: no column \"tall\" in "},
-    {"ColumnYAbsent", "a.geojson", good, "columns = { x = \"h\" }\n", "inventory.columns.y: missing"},
+    {"ColumnYAbsent", "a.geojson", goodFeatures, "columns = { x = \"h\" }\n", "inventory.columns.y: missing"},
     {"NoGeometry", "a.dbf", "", columnH, "inventory.columns.x: missing"},
     // Systems
-    {"CrsUnknown", "a.geojson", good, "crs = \"EPSG:1\"\n",
+    {"CrsUnknown", "a.geojson", goodFeatures, "crs = \"EPSG:1\"\n",
      "inventory.crs: expected a coordinate reference system that PROJ knows"},
-    {"CrsOfTheForestUnknown", "a.geojson", good, "",
+    {"CrsOfTheForestUnknown", "a.geojson", goodFeatures, "",
      "test.treewind:2:7: crs: expected a coordinate reference system", "crs = \"Mars 2000\""},
-    {"CrsOfTheForestOnDegrees", "a.geojson", good, "",
+    {"CrsOfTheForestOnDegrees", "a.geojson", goodFeatures, "",
      "crs: expected a projected system in metres, found WGS 84, which is on degrees", "crs = \"EPSG:4326\""},
-    {"CrsOfTheForestInFeet", "a.geojson", good, "",
+    {"CrsOfTheForestInFeet", "a.geojson", goodFeatures, "",
      "crs: expected a projected system in metres, found NAD83 / New York Long Island (ftUS) in US survey "
      "foot",
      "crs = \"EPSG:2263\""},
-    {"CrsNotAText", "a.geojson", good, "crs = 25832\n",
+    {"CrsNotAText", "a.geojson", goodFeatures, "crs = 25832\n",
      "inventory.crs: expected a text in quotes, found 25832"},
     {"CrsAndUnits", "a.csv", "x,y\n9,50\n", "crs = \"EPSG:4326\"\nunits = { x = \"ft\" }\n" + xy,
      "inventory.units: expected no units of x and y"},
@@ -142,7 +141,7 @@ class BadFeaturesTest : public testing::TestWithParam<BadFeatures> {};
 
 /// `file`, which has no content: good trees in its format, and half of that where it is called "cut".
 void make(const TemporaryFolder& folder, const BadFeatures& bad) {
-    folder.write("good.geojson", good);
+    folder.write("good.geojson", goodFeatures);
     const std::string path = folder.path() + '/' + bad.file;
     if (bad.file == "a.dbf") {
         convert(folder, "good.geojson", "a.shp");

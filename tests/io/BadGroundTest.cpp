@@ -24,7 +24,7 @@ std::ostream& operator<<(std::ostream& out, const BadGround& bad) {
     return out << bad.name;
 }
 
-void good(const std::string& path) {
+void goodRaster(const std::string& path) {
     RasterFile{}.write(path);
 }
 void ofCrs(const std::string& path) {
@@ -172,13 +172,13 @@ const BadGround badGrounds[] = {
     {"Unlocated", unlocated, "a.tif: it does not say where it lies: expected a geotransform"},
     {"CellsWithoutExtent", flat, "a.tif: its cells have no extent"},
     // Where it is
-    {"WithoutCrs", good,
+    {"WithoutCrs", goodRaster,
      "a.tif: it has no coordinate reference system; expected ground.crs to say of what it is",
      "file = \"a.tif\"\n", "position = [2, 2]\n", "crs = \"EPSG:25832\""},
-    {"CrsUnknown", good,
+    {"CrsUnknown", goodRaster,
      "test.treewind:7:7: ground.crs: expected a coordinate reference system that PROJ knows",
      "file = \"a.tif\"\ncrs = \"EPSG:1\"\n"},
-    {"CrsNotAText", good, "ground.crs: expected a text in quotes, found 25832",
+    {"CrsNotAText", goodRaster, "ground.crs: expected a text in quotes, found 25832",
      "file = \"a.tif\"\ncrs = 25832\n"},
     {"MetresAsDegrees", metresAsDegrees,
      "a.tif: its places are none of WGS 84; expected ground.crs to say of what they are"},
@@ -186,7 +186,7 @@ const BadGround badGrounds[] = {
      "a.tif: expected no coordinate reference system, as the file before it has none",
      "file = [\"good.tif\", \"a.tif\"]\n"},
     // Trees
-    {"TreeBeyondTheEdge", good,
+    {"TreeBeyondTheEdge", goodRaster,
      "test.treewind:7:8: ground.file: no ground below 1 of 1 trees, first tree[0] (id \"ash\") at (4.5, 2): "
      "there is "
      "a hole, or it is beyond the edge",
@@ -198,10 +198,10 @@ const BadGround badGrounds[] = {
     {"NoFile", nullptr, "ground.file: missing", ""},
     {"NoFiles", nullptr, "ground.file: expected at least one file", "file = []\n"},
     {"FileNotAText", nullptr, "ground.file: expected a text in quotes, found 7", "file = 7\n"},
-    {"NoneAndAFile", good, "ground.none: expected neither file nor crs beside it",
+    {"NoneAndAFile", goodRaster, "ground.none: expected neither file nor crs beside it",
      "none = true\nfile = \"a.tif\"\n"},
     {"NoneNotABoolean", nullptr, "ground.none: expected true or false", "none = 1\n"},
-    {"KeyUnknown", good, "ground.fiel: unknown key", "file = \"a.tif\"\nfiel = 1\n"},
+    {"KeyUnknown", goodRaster, "ground.fiel: unknown key", "file = \"a.tif\"\nfiel = 1\n"},
 };
 
 class BadGroundTest : public testing::TestWithParam<BadGround> {};
@@ -211,7 +211,7 @@ class BadGroundTest : public testing::TestWithParam<BadGround> {};
 TEST_P(BadGroundTest, GivesOneClearErrorAndNothingElse) {
     const BadGround& bad = GetParam();
     const TemporaryFolder folder;
-    good(folder.path() + "/good.tif");
+    goodRaster(folder.path() + "/good.tif");
     if (bad.make)
         bad.make(folder.path() + "/a.tif");
     testing::internal::CaptureStderr();

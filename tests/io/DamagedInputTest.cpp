@@ -15,17 +15,15 @@ namespace osgTreeWind {
 
 namespace {
 
-const std::string examples = OSGTREEWIND_SOURCE_DIR "/examples";
-
 std::string readAll(const std::string& name) {
-    std::ifstream file(examples + '/' + name + ".treewind", std::ios::binary);
+    std::ifstream file(OSGTREEWIND_SOURCE_DIR "/examples/" + name + ".treewind", std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// Damaged or not: a sane forest, or problems with a message. Never a crash.
 void expectForestOrProblems(const std::string& text) {
     std::istringstream input(text);
-    const auto result = readForest(input, {"damaged", examples});
+    const auto result = readForest(input, {"damaged", OSGTREEWIND_SOURCE_DIR "/examples"});
     if (!result.ok()) {
         ASSERT_FALSE(result.problems().empty());
         for (const Diagnostic& problem : result.problems()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/EnvironmentVariable.h>
 #include <tests/Folders.h>
+#include <tests/Near.h>
 #include <tests/TestData.h>
 #include <tests/io/TemporaryFolder.h>
 
@@ -37,11 +38,7 @@ glm::vec3 windOf(const std::string& lines, const glm::vec3& position = glm::vec3
     return forest.wind ? forest.wind->velocity(position, time) : glm::vec3(NAN);
 }
 
-void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-4f) {
-    EXPECT_LT(glm::distance(actual, expected), tolerance) << actual.x << ", " << actual.y << ", " << actual.z;
-}
-
-const std::string tree = "[[tree]]\nposition = [0, 0]\n";
+const std::string treeAtOrigin = "[[tree]]\nposition = [0, 0]\n";
 
 } // namespace
 
@@ -58,17 +55,17 @@ TEST(ForestFile, ThesisExampleIsOneReferenceTree) {
 }
 
 TEST(ForestFile, ASeasonIsAWordANumberOrADate) {
-    EXPECT_EQ(forestOf(tree).season, midsummer);
-    EXPECT_EQ(forestOf("season = \"autumn\"\n" + tree).season, midautumn);
-    EXPECT_EQ(forestOf("season = 1\n" + tree).season, midspring);
-    EXPECT_EQ(forestOf("season = 0.5\n" + tree).season, 0.5f);
-    EXPECT_NEAR(forestOf("season = 2024-08-06\n" + tree).season, midsummer, 0.02);
-    EXPECT_EQ(forestOf("season = 2024-11-05\n" + tree).season,
-              forestOf("season = \"2024-11-05\"\n" + tree).season);
+    EXPECT_EQ(forestOf(treeAtOrigin).season, midsummer);
+    EXPECT_EQ(forestOf("season = \"autumn\"\n" + treeAtOrigin).season, midautumn);
+    EXPECT_EQ(forestOf("season = 1\n" + treeAtOrigin).season, midspring);
+    EXPECT_EQ(forestOf("season = 0.5\n" + treeAtOrigin).season, 0.5f);
+    EXPECT_NEAR(forestOf("season = 2024-08-06\n" + treeAtOrigin).season, midsummer, 0.02);
+    EXPECT_EQ(forestOf("season = 2024-11-05\n" + treeAtOrigin).season,
+              forestOf("season = \"2024-11-05\"\n" + treeAtOrigin).season);
     const ForestDescription larch =
         forestOf("[[species]]\nname = \"larch\"\nappearance = { leaf_form = \"needles\", evergreen = false, "
                  "autumn_leaves = [0.5, 0.3, 0] }\n" +
-                 tree);
+                 treeAtOrigin);
     EXPECT_FALSE(larch.species[0].appearance.isEvergreen());
     EXPECT_EQ(larch.species[0].appearance.autumnLeaves, glm::vec3(0.5f, 0.3f, 0.0f));
 }
@@ -195,7 +192,7 @@ TEST(ForestFile, LargeCoordinatesGetAnOriginAmongTheTrees) {
 }
 
 TEST(ForestFile, GivenOriginIsKept) {
-    EXPECT_EQ(forestOf("origin = [10, 20, 30]\n" + tree).origin, glm::dvec3(10, 20, 30));
+    EXPECT_EQ(forestOf("origin = [10, 20, 30]\n" + treeAtOrigin).origin, glm::dvec3(10, 20, 30));
 }
 
 TEST(ForestFile, AnglesAreDegrees) {
@@ -207,11 +204,11 @@ TEST(ForestFile, AnglesAreDegrees) {
 
 TEST(ForestFile, ASpeciesSaysAllThatBuiltInOnesDo) {
     const ForestDescription forest =
-        forestOf(tree + "[[species]]\nname = \"elm\"\nsource = \"by hand\"\naliases = [\"Ulmus\"]\n"
-                        "[species.growth]\nheight = 26\ntrunk = 0.5\ntrunk_taper = 0.5\n"
-                        "trunk_diameter = 0.57\n[species.leaves]\nthin_wood = 0.5\narea = 4000\n"
-                        "length = 0.4\n[species.crown]\nbase = 1\nper_diameter = 15\nopen_base = 2\n"
-                        "open_per_diameter = 20\n[species.wood]\nbranch_wood = \"broadleaf\"\n");
+        forestOf(treeAtOrigin + "[[species]]\nname = \"elm\"\nsource = \"by hand\"\naliases = [\"Ulmus\"]\n"
+                                "[species.growth]\nheight = 26\ntrunk = 0.5\ntrunk_taper = 0.5\n"
+                                "trunk_diameter = 0.57\n[species.leaves]\nthin_wood = 0.5\narea = 4000\n"
+                                "length = 0.4\n[species.crown]\nbase = 1\nper_diameter = 15\nopen_base = 2\n"
+                                "open_per_diameter = 20\n[species.wood]\nbranch_wood = \"broadleaf\"\n");
     const Species& elm = forest.species.front();
     EXPECT_EQ(elm.source, "by hand");
     EXPECT_EQ(elm.aliases, std::vector<std::string>{"Ulmus"});
@@ -273,8 +270,8 @@ TEST(ForestFile, SourceAndFolderGiveTheSameForestAgain) {
 }
 
 TEST(ForestFile, CalmIsNoWind) {
-    EXPECT_FALSE(forestOf(tree).wind);
-    EXPECT_FALSE(forestOf(tree + "[wind]\nkind = \"calm\"\n").wind);
+    EXPECT_FALSE(forestOf(treeAtOrigin).wind);
+    EXPECT_FALSE(forestOf(treeAtOrigin + "[wind]\nkind = \"calm\"\n").wind);
 }
 
 TEST(ForestFile, UniformWindKnowsUnitsAndDirections) {
@@ -356,7 +353,7 @@ TEST(ForestFile, MessagesCarryFileLineAndColumn) {
 TEST(ForestFile, SettingsStandInPlaceOfTheDocumentsKeys) {
     const std::string document = "version = 1\nseason = \"winter\"\n[wind]\nkind = \"uniform\"\nspeed = 3.0\n"
                                  "direction_from = 270.0\n" +
-                                 tree;
+                                 treeAtOrigin;
     const auto with = [&](const std::vector<std::string>& settings) {
         std::istringstream input(document);
         return readForest(input, {"my.treewind", "", 100, settings});

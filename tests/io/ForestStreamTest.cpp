@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A forest of which only some trees are in memory is the one that is read at once.
+#include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/places/RasterFile.h>
 
@@ -47,18 +48,6 @@ ForestStream streamOf(const std::string& file, const TemporaryFolder& folder, st
     for (const Diagnostic& problem : stream.problems())
         ADD_FAILURE() << problem.text();
     return stream ? std::move(stream.value()) : ForestStream();
-}
-
-std::map<std::string, std::string> filesOf(const std::string& folder) {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        std::ostringstream text;
-        if (entry.is_regular_file()) {
-            text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-            files[std::filesystem::relative(entry.path(), folder).string()] = text.str();
-        }
-    }
-    return files;
 }
 
 std::vector<std::string> textsOf(const Diagnostics& problems) {

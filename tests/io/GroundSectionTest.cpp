@@ -12,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-ForestDescription forestOf(const std::string& folder, const std::string& text) {
+ForestDescription forestIn(const std::string& folder, const std::string& text) {
     std::istringstream input("version = 1\n" + text);
     const auto forest = readForest(input, {"test.treewind", folder});
     for (const Diagnostic& problem : forest.problems())
@@ -38,7 +38,7 @@ TEST(GroundSection, TreesWithoutAHeightStandOnItOthersWhereTheySay) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     folder.write("a.csv", "x,y,z\n50,50,7\n50,50,\n");
-    const ForestDescription forest = forestOf(
+    const ForestDescription forest = forestIn(
         folder.path(), "[[tree]]\nposition = [20, 50]\n" + thin + "[[tree]]\nposition = [20, 50, 3]\n" +
                            thin + "[[scatter]]\ncount = 5\narea = [10, 10, 90, 90]\n" + thin +
                            "[[inventory]]\nfile = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", z = \"z\" }\n"
@@ -60,7 +60,7 @@ TEST(GroundSection, AFootIsSunkToTheLowestPointOfItsTrunk) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     const ForestDescription forest =
-        forestOf(folder.path(),
+        forestIn(folder.path(),
                  "[[tree]]\nposition = [20, 50]\ntrunk_diameter = 0.8\nheight = 15\n"
                  "[[tree]]\nposition = [20, 50]\nheight = 15\n[[tree]]\nposition = [20, 50]\nheight = 30\n" +
                      ground);
@@ -72,7 +72,7 @@ TEST(GroundSection, AFootIsSunkToTheLowestPointOfItsTrunk) {
 }
 
 TEST(GroundSection, NoneIsFlat) {
-    const ForestDescription forest = forestOf("/", "[[tree]]\nposition = [2, 3]\n[ground]\nnone = true\n");
+    const ForestDescription forest = forestIn("/", "[[tree]]\nposition = [2, 3]\n[ground]\nnone = true\n");
     EXPECT_FALSE(forest.ground);
     EXPECT_EQ(forest.trees.at(0).position, glm::dvec3(2, 3, 0));
 }
@@ -95,10 +95,10 @@ TEST(GroundSection, ItsMapBecomesTheForestsUnlessThereIsOne) {
     file.crs = "EPSG:25832";
     file.write(folder.path() + "/a.tif");
     const std::string tree = "[[tree]]\nposition = [20, 50]\n";
-    ForestDescription forest = forestOf(folder.path(), tree + ground);
+    ForestDescription forest = forestIn(folder.path(), tree + ground);
     EXPECT_EQ(forest.crs, "EPSG:25832");
     EXPECT_TRUE(forest.crsChosen);
-    forest = forestOf(folder.path(), "crs = \"EPSG:25832\"\n" + tree + ground);
+    forest = forestIn(folder.path(), "crs = \"EPSG:25832\"\n" + tree + ground);
     EXPECT_FALSE(forest.crsChosen);
     // An inventory on degrees chooses first, and the ground follows it there.
     file.transform = {500000, 1, 0, 5538680, 0, -1};
@@ -114,7 +114,7 @@ TEST(GroundSection, WrittenItReadsBackTheSame) {
     const TemporaryFolder folder;
     slope().write(folder.path() + "/a.tif");
     const ForestDescription forest =
-        forestOf(folder.path(), "crs = \"EPSG:25832\"\n[scatter]\ncount = 9\narea = [10, 10, 90, 90]\n" +
+        forestIn(folder.path(), "crs = \"EPSG:25832\"\n[scatter]\ncount = 9\narea = [10, 10, 90, 90]\n" +
                                     ground + "crs = \"EPSG:25832\"\n");
     std::ostringstream output;
     for (const Diagnostic& problem : writeForest(forest, output))
@@ -163,7 +163,7 @@ TEST(StandOnGround, TreesOfCodeStandOnACallable) {
 TEST(GroundSection, ScatteredTreesStandOnTheModelOfMissoula) {
     REQUIRE_REAL_DATA(path, "place/dem.tif");
     const ForestDescription forest =
-        forestOf("/", "[scatter]\ncount = 500\narea = [726400, 5209000, 729400, 5213800]\n" + thin +
+        forestIn("/", "[scatter]\ncount = 500\narea = [726400, 5209000, 729400, 5213800]\n" + thin +
                           "[ground]\nfile = \"" + path + "\"\n");
     ASSERT_EQ(forest.trees.size(), 500u);
     EXPECT_EQ(forest.crs, "EPSG:32611");

@@ -28,8 +28,6 @@ void expectAllAt(const ForestDescription& forest, const std::vector<glm::dvec2>&
         expectAt(forest.trees[i], places[i].x, places[i].y, tolerance);
 }
 
-const std::string xy = "columns = { x = \"x\", y = \"y\" }\n";
-
 } // namespace
 
 TEST(InventoryCrs, CuestasTreesStandWhereCs2csPutsThem) {

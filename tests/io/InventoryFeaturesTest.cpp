@@ -12,8 +12,6 @@ namespace osgTreeWind {
 
 namespace {
 
-const std::string utm = "urn:ogc:def:crs:EPSG::25832";
-
 const std::string trees = geoJson(
     point("565000, 5934000, 0", R"("nr": "a 1", "kind": "oak", "h": 12.5, "d": 40, "girth": null)") + "," +
         point("565010, 5934000, 0",
@@ -21,7 +19,7 @@ const std::string trees = geoJson(
         "," +
         point("565020, 5934000, 3.5", R"("nr": "a 3", "kind": "moon tree", "h": 9, "d": 10, "girth": 5)"),
     utm);
-const std::string columns =
+const std::string featureColumns =
     "columns = { id = \"nr\", species = \"kind\", height = \"h\", trunk_diameter = \"d\", "
     "circumference = \"girth\" }\n"
     "units = { trunk_diameter = \"cm\", circumference = \"cm\" }\n";
@@ -48,7 +46,7 @@ void expectThreeTrees(const ForestDescription& forest) {
 TEST(InventoryFeatures, OfAnyFormatAreTheSameTrees) {
     const TemporaryFolder folder;
     folder.write("a.geojson", trees);
-    const ForestDescription first = inventoryOf(folder.path(), "file = \"a.geojson\"\n" + columns);
+    const ForestDescription first = inventoryOf(folder.path(), "file = \"a.geojson\"\n" + featureColumns);
     expectThreeTrees(first);
     EXPECT_EQ(first.trees[2].position.z, 3.5);
     REQUIRE_PROGRAM("ogr2ogr");
@@ -57,7 +55,7 @@ TEST(InventoryFeatures, OfAnyFormatAreTheSameTrees) {
         convert(folder, "a.geojson", name,
                 name == std::string("b.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // their order
         const ForestDescription forest =
-            inventoryOf(folder.path(), "file = \"" + std::string(name) + "\"\n" + columns);
+            inventoryOf(folder.path(), "file = \"" + std::string(name) + "\"\n" + featureColumns);
         expectThreeTrees(forest);
         ASSERT_FALSE(HasFailure());
         EXPECT_EQ(forest.trees[0].heading, first.trees[0].heading);
@@ -73,7 +71,7 @@ TEST(InventoryFeatures, AreThoseOfALayerAndAFilter) {
     convert(folder, "a.geojson", "a.gpkg", "-update -nln felled");
     for (const std::string file : {"file = \"a.gpkg\"\nlayer = \"standing\"\n", "file = \"a.geojson\"\n"}) {
         const ForestDescription forest =
-            inventoryOf(folder.path(), file + "filter = \"h >= 9 AND kind <> 'oak'\"\n" + columns);
+            inventoryOf(folder.path(), file + "filter = \"h >= 9 AND kind <> 'oak'\"\n" + featureColumns);
         ASSERT_EQ(forest.trees.size(), 1u);
         EXPECT_EQ(forest.trees[0].name, "a 3");
     }
@@ -122,10 +120,10 @@ TEST(InventoryFeatures, ShapesWithoutAProjectionAreInMetresAsTheyAre) {
     folder.write("a.geojson", trees);
     convert(folder, "a.geojson", "a.shp");
     std::filesystem::remove(folder.path() + "/a.prj");
-    ForestDescription forest = inventoryOf(folder.path(), "file = \"a.shp\"\n" + columns);
+    ForestDescription forest = inventoryOf(folder.path(), "file = \"a.shp\"\n" + featureColumns);
     expectThreeTrees(forest);
     EXPECT_EQ(forest.crs, "");
-    forest = inventoryOf(folder.path(), "file = \"a.shp\"\ncrs = \"EPSG:25832\"\n" + columns);
+    forest = inventoryOf(folder.path(), "file = \"a.shp\"\ncrs = \"EPSG:25832\"\n" + featureColumns);
     expectThreeTrees(forest);
     EXPECT_EQ(forest.crs, "EPSG:25832");
 }

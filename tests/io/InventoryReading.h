@@ -11,6 +11,9 @@
 
 namespace osgTreeWind {
 
+inline const std::string utm = "urn:ogc:def:crs:EPSG::25832";
+inline const std::string xy = "columns = { x = \"x\", y = \"y\" }\n";
+
 /// A forest of one [inventory] with these lines, of beeches unless they say more.
 inline Result<ForestDescription> readInventoryOf(const std::string& folder, const std::string& lines,
                                                  const std::string& head = "") {

@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 namespace {
 
-const char* const columns =
+const char* const sizeColumns =
     "columns = { id = \"nr\", x = \"x\", y = \"y\", height = \"h\", trunk_diameter = \"d\" }\n";
 
 std::map<std::string, TreeSize> sizesOf(const ForestDescription& forest) {
@@ -36,19 +36,19 @@ TEST(InventorySizes, StayTheSameInAnyOrderFileAndSeed) {
     const std::string head = "nr,x,y,h,d\n", a = "a,1,2,,0.3\n", b = "b,3,4,9,\n", c = "c,5,6,,\n";
     folder.write("one.csv", head + a + b + c);
     folder.write("two.csv", head + c + b + "d,7,8,,0.4\n" + a);
-    const auto one = sizesOf(inventoryOf(folder.path(), "file = \"one.csv\"\n" + std::string(columns)));
+    const auto one = sizesOf(inventoryOf(folder.path(), "file = \"one.csv\"\n" + std::string(sizeColumns)));
     auto two = sizesOf(
-        inventoryOf(folder.path(), "file = \"two.csv\"\nseed = 9\n" + std::string(columns), "seed = 7"));
+        inventoryOf(folder.path(), "file = \"two.csv\"\nseed = 9\n" + std::string(sizeColumns), "seed = 7"));
     EXPECT_NE(two["d"].height, 0.0f);
     two.erase("d");
     expectSame(one, two);
-    expectSame(one, sizesOf(inventoryOf(folder.path(), "file = \"one.csv\"\n" + std::string(columns))));
+    expectSame(one, sizesOf(inventoryOf(folder.path(), "file = \"one.csv\"\n" + std::string(sizeColumns))));
 }
 
 TEST(InventorySizes, FollowTheIdOrElseTheNumberOfTheRow) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\n,1,2,,0.3\n5,1,3,,0.3\n5,1,4,,0.3\n,1,5,,0.3\n2,1,6,,0.3\n");
-    const auto trees = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(columns)).trees;
+    const auto trees = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)).trees;
     ASSERT_EQ(trees.size(), 5u);
     const float law = 31.8f * std::pow(0.3f, 0.441f); // beeches in a forest
     EXPECT_NEAR(std::log(trees[0].size.height / law), 0.186 * residual("1", "height"), 1e-5);
@@ -61,7 +61,7 @@ TEST(InventorySizes, FollowTheIdOrElseTheNumberOfTheRow) {
 TEST(InventorySizes, FollowTheRoomThatTreesHave) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\n");
-    const std::string lines = "file = \"a.csv\"\n" + std::string(columns);
+    const std::string lines = "file = \"a.csv\"\n" + std::string(sizeColumns);
     const TreeSize forest = inventoryOf(folder.path(), lines).trees[0].size;
     const TreeSize open = inventoryOf(folder.path(), lines + "open_grown = true\n").trees[0].size;
     EXPECT_GT(forest.height, open.height);
@@ -71,7 +71,7 @@ TEST(InventorySizes, FollowTheRoomThatTreesHave) {
 TEST(InventorySizes, AreSaidInANote) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,\nc,1,3,,\nd,1,3,9,0.3\n");
-    const auto notes = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(columns)).notes;
+    const auto notes = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)).notes;
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_NE(notes[0].find("a.csv: not given, by the laws of the species: height of 2, trunk diameter of 1, "
                             "crown width of 3 trees"),
@@ -82,7 +82,8 @@ TEST(InventorySizes, AreSaidInANote) {
 TEST(InventorySizes, AreWrittenAsWhatTheyAre) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,0.3\n");
-    const ForestDescription forest = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(columns));
+    const ForestDescription forest =
+        inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns));
     std::stringstream text;
     ASSERT_TRUE(writeForest(forest, text).empty());
     const auto again = readForest(text);
@@ -97,7 +98,7 @@ TEST(InventorySizes, AreWrittenAsWhatTheyAre) {
 TEST(InventorySizes, StayEstimatedInAForestAsItIsNow) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\nb,1,3,9,0.3\n");
-    PlacedForest placed(inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(columns)));
+    PlacedForest placed(inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns)));
     const TreePlacement turned = [&] {
         TreePlacement tree = placed.placementOf(0);
         tree.heading = 1.0f;
@@ -113,7 +114,7 @@ TEST(InventorySizes, StayEstimatedInAForestAsItIsNow) {
 TEST(InventorySizes, OfASpeciesWithoutLawsFollowItsShape) {
     const TemporaryFolder folder;
     folder.write("a.csv", "nr,x,y,h,d\na,1,2,,0.3\n");
-    const TreePlacement tree = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(columns),
+    const TreePlacement tree = inventoryOf(folder.path(), "file = \"a.csv\"\n" + std::string(sizeColumns),
                                            "[[species]]\nname = \"beech\"\n")
                                    .trees[0];
     EXPECT_EQ(tree.size.height, 0.0f);

@@ -4,6 +4,7 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TiledForest.h>
+#include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 
 #include <gtest/gtest.h>
@@ -73,21 +74,6 @@ bool same(const TreePlacement& a, const TreePlacement& b) {
            glm::distance(a.position, b.position) < 1e-4;
 }
 
-std::string textOf(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-/// All files below a folder, with what is in them.
-std::map<std::string, std::string> filesOf(const std::string& folder) {
-    std::map<std::string, std::string> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file())
-            files[fs::relative(entry.path(), folder).string()] = textOf(entry.path().string());
-    return files;
-}
-
 ForestDescription worldOf(const std::string& folder) {
     auto world = readForestFile(folder + "/world.treewind");
     EXPECT_TRUE(world) << world.problems().front().text();
@@ -127,7 +113,7 @@ TEST(TiledForestTest, aFlightOverItComesWithIt) {
     const TemporaryFolder folder;
     const auto tiles = writeTiledForest(variedForest(300), folder.path());
     ASSERT_TRUE(tiles);
-    std::istringstream path(textOf(folder.path() + "/fly.path"));
+    std::istringstream path(bytesOf(folder.path() + "/fly.path"));
     double time = -1.0, next = 0.0;
     glm::dvec3 eye(0.0), before(0.0);
     glm::dquat rotation;
@@ -226,7 +212,7 @@ TEST(TiledForestTest, aFolderOfOtherThingsIsLeftAlone) {
     ASSERT_FALSE(tiles);
     EXPECT_EQ(tiles.problems().front().text(),
               folder.path() + "/tiles: expected nothing but tiles in it, found photo.jpg");
-    EXPECT_EQ(textOf(folder.path() + "/tiles/photo.jpg"), "mine");
+    EXPECT_EQ(bytesOf(folder.path() + "/tiles/photo.jpg"), "mine");
 }
 
 TEST(TiledForestTest, thereIsNoWorldUntilItIsWhole) {
@@ -264,7 +250,7 @@ TEST(TiledForestTest, aWorldIsWrittenAgainAsOne) {
 TEST(TiledForestTest, whatIsWrongWithTheWorldIsSaid) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
-    const std::string good = textOf(folder.path() + "/world.treewind");
+    const std::string good = bytesOf(folder.path() + "/world.treewind");
     const std::vector<std::array<std::string, 3>> cases = {
         {"size = 1000", "size = -1", "tiles.size: expected a finite number in [10, 100000], found -1"},
         {"corner = [", "korner = [", "tiles.corner: missing"},
@@ -319,7 +305,7 @@ TEST(TiledForestTest, aTileThatLacksTreesIsRefused) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
     ForestDescription world = worldOf(folder.path());
-    std::string tile = textOf(world.tiles->fileOf(1));
+    std::string tile = bytesOf(world.tiles->fileOf(1));
     tile.erase(tile.rfind('\n', tile.size() - 2) + 1); // the last tree
     folder.write("tiles/1_0.trees", tile);
     const Diagnostics problems = loadTiles(world).problems();

@@ -26,7 +26,7 @@ rc::Gen<std::string> text() {
 }
 
 /// Keys of [wind] and [motion] with their values, and a comment behind each.
-std::string document(const std::map<std::string, int>& wind, const std::map<std::string, int>& motion) {
+std::string documentOf(const std::map<std::string, int>& wind, const std::map<std::string, int>& motion) {
     std::string lines = "# a forest\nversion = 1\n";
     for (const auto& [name, table] : {std::pair("wind", &wind), std::pair("motion", &motion)}) {
         lines += std::string("\n[") + name + "] # of it\n";
@@ -61,7 +61,7 @@ RC_GTEST_PROP(TomlProperty, AnEditChangesKeysAndKeepsTheOtherLines, ()) {
     std::map<std::string, int> wind, motion;
     for (const int key : *keys)
         wind[name(key)] = motion[name(7 - key)] = *rc::gen::inRange(-9, 99);
-    TomlEdit edit(document(wind, motion));
+    TomlEdit edit(documentOf(wind, motion));
     for (const int key : *keys) {
         const int value = *rc::gen::inRange(-9, 99);
         edit.set("wind", name(key), std::to_string(value));
@@ -71,7 +71,7 @@ RC_GTEST_PROP(TomlProperty, AnEditChangesKeysAndKeepsTheOtherLines, ()) {
         edit.remove("motion", name(key));
         motion.erase(name(key));
     }
-    const toml::parse_result after = toml::parse(edit.text()), wanted = toml::parse(document(wind, motion));
+    const toml::parse_result after = toml::parse(edit.text()), wanted = toml::parse(documentOf(wind, motion));
     RC_ASSERT(after.succeeded());
     RC_ASSERT(after.table() == wanted.table());
     RC_ASSERT(edit.text().rfind("# a forest\nversion = 1\n\n[wind] # of it\n", 0) == 0u);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/base/FirstProblem.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <osgTreeWind/model/ScanAxes.h>
 #include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/model/TreeModel.h>
@@ -14,7 +16,6 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double pi = 3.14159265358979;
 const glm::dvec3 field(4.3e5, 4.5e6, 253.0); // where a map has its trees
 
 ScanCylinder cylinder(const glm::dvec3& start, const glm::dvec3& end, double radius, int parent) {
@@ -97,14 +98,14 @@ TEST(ScannedTree, APoleStandsAtTheOriginWithItsVolume) {
     EXPECT_EQ(skeleton.units.front().base, glm::vec3(0.0f));
     EXPECT_NEAR(skeleton.units.back().tip.z, 8.0f, 1e-5f);
     EXPECT_EQ(skeleton.units.size(), 8u) << "none longer than an eighth of the height";
-    EXPECT_NEAR(woodVolume(skeleton), 8.0 * pi * 0.01, 1e-5);
+    EXPECT_NEAR(woodVolume(skeleton), 8.0 * glm::pi<double>() * 0.01, 1e-5);
     const ScanReport& report = tree.value().report;
     EXPECT_EQ(report.cylinders, 8u);
     EXPECT_EQ(report.taken, 8u);
     EXPECT_EQ(report.units, 8u);
     EXPECT_NEAR(report.height, 8.0, 1e-6);
-    EXPECT_NEAR(report.cylinderVolume, 8.0 * pi * 0.01, 1e-8);
-    EXPECT_NEAR(report.woodVolume, 8.0 * pi * 0.01, 1e-5);
+    EXPECT_NEAR(report.cylinderVolume, 8.0 * glm::pi<double>() * 0.01, 1e-8);
+    EXPECT_NEAR(report.woodVolume, 8.0 * glm::pi<double>() * 0.01, 1e-5);
     EXPECT_NEAR(report.baseDiameter, 0.2, 1e-6);
 }
 
@@ -157,7 +158,7 @@ TEST(ScannedTree, RadiiTaperAndKeepTheVolume) {
     double volume = 0.0;
     for (std::size_t i = 0; i < 8; ++i) {
         cylinders[i].radius = radii[i];
-        volume += pi * radii[i] * radii[i];
+        volume += glm::pi<double>() * radii[i] * radii[i];
     }
     const Skeleton skeleton = skeletonOf(cylinders);
     expectWellFormed(skeleton);

@@ -32,7 +32,7 @@ bool allocatorTells() {
     return tells;
 }
 
-std::unique_ptr<ForestSimulation> wood(std::size_t count, ModalLevel level = ModalLevel::Far) {
+std::unique_ptr<ForestSimulation> mixedWood(std::size_t count, ModalLevel level = ModalLevel::Far) {
     ForestDescription forest;
     forest.species = {*findSpecies("oak"), *findSpecies("Norway spruce")};
     forest.wind = std::make_shared<UniformWind>(glm::vec3(7, 0, 0));
@@ -57,7 +57,7 @@ TEST(ForestBytes, ATreeTakesWhatIsSaid) {
         std::size_t taken[2];
         for (const std::size_t count : {10000u, 100000u}) {
             const std::size_t before = bytesInUse();
-            const std::unique_ptr<ForestSimulation> simulation = wood(count, level);
+            const std::unique_ptr<ForestSimulation> simulation = mixedWood(count, level);
             for (int i = 0; i < 20; ++i)
                 simulation->advance(i / 60.0);
             taken[count == 100000u] = bytesInUse() - before;
@@ -71,7 +71,7 @@ TEST(ForestBytes, ATreeTakesWhatIsSaid) {
 TEST(ForestBytes, SteppingTakesNone) {
     if (!allocatorTells())
         GTEST_SKIP() << "the allocator does not say what it gave out";
-    const std::unique_ptr<ForestSimulation> simulation = wood(200);
+    const std::unique_ptr<ForestSimulation> simulation = mixedWood(200);
     const auto run = [&](int from, int to) {
         for (int i = from; i < to; ++i)
             simulation->advance(i / 60.0);
@@ -85,7 +85,7 @@ TEST(ForestBytes, SteppingTakesNone) {
 TEST(ForestBytes, TreesThatComeAndGoLeaveNone) {
     if (!allocatorTells())
         GTEST_SKIP() << "the allocator does not say what it gave out";
-    const std::unique_ptr<ForestSimulation> simulation = wood(2000);
+    const std::unique_ptr<ForestSimulation> simulation = mixedWood(2000);
     const TreePlacement tree = simulation->placementOf(TreeId(0));
     const auto churn = [&] {
         std::vector<TreeId> ids;

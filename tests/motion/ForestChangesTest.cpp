@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trees put up, taken down and changed while a forest runs.
+#include <tests/motion/OneTree.h>
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/model/Random.h>
@@ -26,7 +27,7 @@ TreePlacement treeAt(double x, float height = 5.0f, std::size_t species = 0, std
     return tree;
 }
 
-ForestDescription saplings(std::size_t count) {
+ForestDescription windySaplings(std::size_t count) {
     ForestDescription forest;
     forest.species = {sapling(), sapling()};
     forest.species[1].name = "stiff";
@@ -45,13 +46,8 @@ TreePlacement inWorld(const ForestSimulation& simulation, TreePlacement tree) {
     return tree;
 }
 
-void run(ForestSimulation& simulation, int frames, double start = 0.0) {
-    for (int i = 0; i <= frames; ++i)
-        simulation.advance(start + i / 60.0);
-}
-
 TEST(ForestChanges, TheDescriptionsTreesHaveTheirNumbersAsIds) {
-    const ForestSimulation simulation(saplings(4));
+    const ForestSimulation simulation(windySaplings(4));
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_EQ(simulation.idOf(i), TreeId(i));
         EXPECT_TRUE(simulation.holds(TreeId(i)));
@@ -61,7 +57,7 @@ TEST(ForestChanges, TheDescriptionsTreesHaveTheirNumbersAsIds) {
 }
 
 TEST(ForestChanges, AnAddedTreeStandsAndSways) {
-    ForestSimulation simulation(saplings(2));
+    ForestSimulation simulation(windySaplings(2));
     run(simulation, 30);
     const TreeId tree = simulation.addTree(inWorld(simulation, treeAt(77.0, 8.0f))).value();
     ASSERT_TRUE(simulation.holds(tree));
@@ -74,7 +70,7 @@ TEST(ForestChanges, AnAddedTreeStandsAndSways) {
 }
 
 TEST(ForestChanges, AnIdLastsAndNamesNoOtherTree) {
-    ForestSimulation simulation(saplings(3));
+    ForestSimulation simulation(windySaplings(3));
     EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
     EXPECT_FALSE(simulation.trees()[1].alive);
     EXPECT_FALSE(simulation.removeTree(TreeId(1)).empty());
@@ -88,7 +84,7 @@ TEST(ForestChanges, AnIdLastsAndNamesNoOtherTree) {
 }
 
 TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
-    ForestSimulation simulation(saplings(1));
+    ForestSimulation simulation(windySaplings(1));
     TreePlacement given = inWorld(simulation, treeAt(12.25, 7.0f, 1, "T-9"));
     given.heading = 0.4f;
     given.leaves = 0.5f;
@@ -107,7 +103,7 @@ TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
 }
 
 TEST(ForestChanges, ATreeMovedByItsPlacementKeepsSizeAndSwayToTheBit) {
-    ForestSimulation simulation(saplings(2));
+    ForestSimulation simulation(windySaplings(2));
     run(simulation, 40);
     const TreeScale scale = simulation.trees()[1].scale;
     const std::vector<float> amplitudes = simulation.modal()->amplitudes(1);
@@ -122,7 +118,7 @@ TEST(ForestChanges, ATreeMovedByItsPlacementKeepsSizeAndSwayToTheBit) {
 }
 
 TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
-    ForestDescription expected = saplings(2);
+    ForestDescription expected = windySaplings(2);
     expected.wind = std::make_shared<UniformWind>(glm::vec3(1.5f, 0.3f, 0));
     ForestSimulation simulation(expected);
     run(simulation, 20);
@@ -138,9 +134,9 @@ TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
 }
 
 TEST(ForestChanges, OnlyWhatCanBeIsDone) {
-    ForestDescription damped = saplings(1);
+    ForestDescription damped = windySaplings(1);
     damped.law = MotionLaw::Damped;
-    ForestSimulation branchwise(damped), modal(saplings(1));
+    ForestSimulation branchwise(damped), modal(windySaplings(1));
     const std::string fixed = "law: trees come, go and change under the law modal only";
     EXPECT_EQ(branchwise.addTree(treeAt(1.0)).problems().front().text(), fixed);
     EXPECT_EQ(branchwise.removeTree(TreeId(0)).front().text(), fixed);
@@ -154,7 +150,7 @@ TEST(ForestChanges, OnlyWhatCanBeIsDone) {
 }
 
 TEST(ForestChanges, NamesAreFoundAgain) {
-    ForestDescription forest = saplings(4);
+    ForestDescription forest = windySaplings(4);
     forest.trees[1].name = "oak 7";
     forest.trees[2].name = "oak 8";
     forest.trees[3].name = "oak 7"; // the first one has it
@@ -182,7 +178,7 @@ TEST(ForestChanges, NamesAreFoundAgain) {
 }
 
 TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
-    ForestSimulation simulation(saplings(3));
+    ForestSimulation simulation(windySaplings(3));
     simulation.removeTree(TreeId(0));
     const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f))).value();
     run(simulation, 50);
@@ -201,7 +197,7 @@ TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
 }
 
 TEST(ForestChanges, UnderALawOfABranchARestartIsAtRestToo) {
-    ForestDescription damped = saplings(2);
+    ForestDescription damped = windySaplings(2);
     damped.law = MotionLaw::Damped;
     ForestSimulation simulation(damped);
     run(simulation, 20);
@@ -213,7 +209,7 @@ TEST(ForestChanges, UnderALawOfABranchARestartIsAtRestToo) {
 }
 
 TEST(ForestChanges, ARestartSharesWhatTakesTimeToMake) {
-    ForestDescription forest = saplings(20);
+    ForestDescription forest = windySaplings(20);
     forest.law = MotionLaw::Modal;
     const ForestSimulation simulation(std::move(forest));
     const std::shared_ptr<const ForestSimulation> again = simulation.restarted();
@@ -223,7 +219,7 @@ TEST(ForestChanges, ARestartSharesWhatTakesTimeToMake) {
 }
 
 TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
-    ForestDescription given = saplings(4);
+    ForestDescription given = windySaplings(4);
     given.law = MotionLaw::Modal;
     given.gain = 2.0f;
     given.noiseExponent = 1.5f;
@@ -274,7 +270,7 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
 }
 
 TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
-    ForestSimulation simulation(saplings(10));
+    ForestSimulation simulation(windySaplings(10));
     Random random(2);
     std::map<TreeId, glm::vec3> there;
     for (std::size_t i = 0; i < 10; ++i)

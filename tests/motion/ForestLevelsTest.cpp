@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trees of a forest near by and far away.
+#include <tests/motion/OneTree.h>
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -19,11 +20,6 @@ ForestDescription saplings(std::size_t count) {
     forest.species = {sapling()};
     forest.trees.resize(count);
     return forest;
-}
-
-void run(ForestSimulation& simulation, int frames, double start) {
-    for (int i = 0; i <= frames; ++i)
-        simulation.advance(start + i / 60.0);
 }
 
 } // namespace

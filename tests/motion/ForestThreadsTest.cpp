@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Forests that share the threads of the process, or a host's.
 #include <tests/ThreadsOfTheProcess.h>
+#include <tests/motion/OneTree.h>
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
@@ -19,7 +20,7 @@
 namespace osgTreeWind {
 namespace {
 
-ForestDescription wood(std::size_t trees) {
+ForestDescription saplingWood(std::size_t trees) {
     ForestDescription forest;
     forest.species = {sapling()};
     forest.wind = std::make_shared<UniformWind>(glm::vec3(6.0f, 2.0f, 0.0f));
@@ -30,11 +31,6 @@ ForestDescription wood(std::size_t trees) {
         forest.trees.push_back(tree);
     }
     return forest;
-}
-
-void run(ForestSimulation& simulation, int frames) {
-    for (int i = 0; i <= frames; ++i)
-        simulation.advance(i / 60.0);
 }
 
 std::vector<glm::vec2> leansOf(const ForestSimulation& simulation) {
@@ -61,7 +57,7 @@ TEST(ForestThreads, TwoThreadsAdvanceCopiesOfOneForest) {
     SimulationOptions lent;
     lent.executor = ThreadPool::executor(3);
     for (const SimulationOptions& options : {SimulationOptions(), lent}) {
-        const ForestSimulation simulation(wood(300), options);
+        const ForestSimulation simulation(saplingWood(300), options);
         std::vector<std::shared_ptr<ForestSimulation>> copies;
         for (int i = 0; i < 4; ++i)
             copies.push_back(simulation.restarted());
@@ -72,7 +68,7 @@ TEST(ForestThreads, TwoThreadsAdvanceCopiesOfOneForest) {
             thread.join();
         SimulationOptions alone;
         alone.executor = runInTurn;
-        ForestSimulation expected(wood(300), alone);
+        ForestSimulation expected(saplingWood(300), alone);
         run(expected, 100);
         for (const auto& copy : copies)
             EXPECT_EQ(leansOf(*copy), leansOf(expected));
@@ -80,11 +76,11 @@ TEST(ForestThreads, TwoThreadsAdvanceCopiesOfOneForest) {
 }
 
 TEST(ForestThreads, HundredsOfForestsStartNoneOfTheirOwn) {
-    const ForestSimulation first(wood(300)); // has the threads of the process started
+    const ForestSimulation first(saplingWood(300)); // has the threads of the process started
     const std::ptrdiff_t threads = threadsOfTheProcess();
     std::vector<std::unique_ptr<ForestSimulation>> forests;
     for (int i = 0; i < 200; ++i) {
-        forests.push_back(std::make_unique<ForestSimulation>(wood(260)));
+        forests.push_back(std::make_unique<ForestSimulation>(saplingWood(260)));
         run(*forests.back(), 2);
     }
     EXPECT_EQ(threadsOfTheProcess(), threads);
@@ -103,7 +99,7 @@ TEST(ForestThreads, HundredsOfForestsStartNoneOfTheirOwn) {
 }
 
 TEST(ForestThreads, AHostMayLendItsOwnAtAnyTime) {
-    ForestSimulation simulation(wood(300)), expected(wood(300));
+    ForestSimulation simulation(saplingWood(300)), expected(saplingWood(300));
     std::atomic<int> calls{0};
     simulation.setExecutor([&](std::size_t count, const std::function<void(std::size_t)>& job) {
         ++calls;
@@ -127,7 +123,7 @@ TEST(ForestThreads, AWindMayUseTheThreadsToo) {
     const auto steady = [](const glm::vec3& position, double) {
         return glm::vec3(4.0f + 0.01f * position.x, 1.0f, 0.0f);
     };
-    ForestDescription plain = wood(300), busy = plain;
+    ForestDescription plain = saplingWood(300), busy = plain;
     plain.wind = std::make_shared<FunctionWind>(steady);
     busy.wind = std::make_shared<FunctionWind>([&](const glm::vec3& position, double time) {
         std::atomic<int> done{0};
@@ -142,14 +138,14 @@ TEST(ForestThreads, AWindMayUseTheThreadsToo) {
 
 TEST(ForestThreads, AJobThatWaitsMayTakeUpAnother) {
     // As the threads of a host do that have something else to do while they wait.
-    ForestSimulation inner(wood(8));
+    ForestSimulation inner(saplingWood(8));
     inner.advance(0.0);
     double time = 0.0;
     const auto nested = [&](const glm::vec3& position, double) {
         inner.advance(time += 0.01);
         return glm::vec3(4.0f + 0.01f * position.x, 1.0f, 0.0f);
     };
-    ForestDescription plain = wood(40), busy = plain;
+    ForestDescription plain = saplingWood(40), busy = plain;
     plain.wind = std::make_shared<FunctionWind>(
         [](const glm::vec3& position, double) { return glm::vec3(4.0f + 0.01f * position.x, 1.0f, 0.0f); });
     busy.wind = std::make_shared<FunctionWind>(nested);

@@ -10,6 +10,8 @@
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
+#include <osg/Camera>
+
 #include <osg/FrameStamp>
 #include <osgUtil/UpdateVisitor>
 
@@ -41,6 +43,13 @@ inline osgTreeWind::ForestDescription smallForest(int count, float speed = 10.0f
     }
     description.wind = std::make_shared<osgTreeWind::UniformWind>(glm::vec3(speed, 0.0f, 0.0f));
     return description;
+}
+
+/// Looks at the two rows of smallForest(8) from the south, in a picture of 4 to 3.
+inline void lookAtSmallForest(osg::Camera& camera) {
+    camera.setClearColor(osg::Vec4(0, 0, 0, 1));
+    camera.setProjectionMatrixAsPerspective(40, 4.0 / 3.0, 1, 100);
+    camera.setViewMatrixAsLookAt(osg::Vec3(4.5f, -14, 4), osg::Vec3(4.5f, 0, 3), osg::Z_AXIS);
 }
 
 /// One tree of the given species, unscaled, at the origin.

@@ -14,22 +14,15 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int width = 160, height = 120;
-
-/// Looks at the two rows of four trees from the south.
-void placeCamera(osg::Camera& camera) {
-    camera.setClearColor(osg::Vec4(0, 0, 0, 1));
-    camera.setProjectionMatrixAsPerspective(40, double(width) / height, 1, 100);
-    camera.setViewMatrixAsLookAt(osg::Vec3(4.5f, -14, 4), osg::Vec3(4.5f, 0, 3), osg::Z_AXIS);
-}
-
 class ForestGlTest : public GlTest {
 protected:
+    static constexpr int width = 160, height = 120;
+
     /// The last of that many frames 1/25 s apart from 0; the camera does not depend on bounds.
     osg::ref_ptr<osg::Image> picture(osg::Node* scene, int frames) {
         open(width, height);
         viewer().setSceneData(scene);
-        placeCamera(*viewer().getCamera());
+        lookAtSmallForest(*viewer().getCamera());
         return later(0, frames - 1);
     }
     /// Draws on.
@@ -108,7 +101,7 @@ TEST_F(ForestGlTest, twoViewsShowTheSameForestAndStepItOnce) {
         contexts.push_back(made.value());
         osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
         image = attachFrameImage(*view->getCamera(), *contexts.back());
-        placeCamera(*view->getCamera());
+        lookAtSmallForest(*view->getCamera());
         view->setSceneData(forest);
         composite.addView(view);
     }

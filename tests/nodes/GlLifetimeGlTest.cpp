@@ -12,10 +12,10 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int width = 96, height = 72;
-
 class GlLifetimeGlTest : public GlTest {
 protected:
+    static constexpr int width = 96, height = 72;
+
     unsigned contextID() { return context().getState()->getContextID(); }
     /// Bytes of buffers and textures that OSG keeps in the context, used or to be reused.
     std::size_t poolSize() {

@@ -20,7 +20,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int width = 96, height = 72;
+constexpr int viewWidth = 96, viewHeight = 72;
 
 /// Two rows of four, at all tiers.
 ForestDescription tieredForest() {
@@ -31,20 +31,14 @@ ForestDescription tieredForest() {
     return description;
 }
 
-void placeCamera(osg::Camera& camera) {
-    camera.setClearColor(osg::Vec4(0, 0, 0, 1));
-    camera.setProjectionMatrixAsPerspective(40, double(width) / height, 1, 100);
-    camera.setViewMatrixAsLookAt(osg::Vec3(4.5f, -14, 4), osg::Vec3(4.5f, 0, 3), osg::Z_AXIS);
-}
-
 /// A camera that draws the node into a texture before the others do.
 osg::ref_ptr<osg::Camera> intoTexture(osg::Node* node, osg::Texture2D* texture) {
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
-    placeCamera(*camera);
+    lookAtSmallForest(*camera);
     camera->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
     camera->setRenderOrder(osg::Camera::PRE_RENDER);
     camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-    camera->setViewport(0, 0, width, height);
+    camera->setViewport(0, 0, viewWidth, viewHeight);
     camera->attach(osg::Camera::COLOR_BUFFER, texture);
     camera->addChild(node);
     return camera;
@@ -53,7 +47,7 @@ osg::ref_ptr<osg::Camera> intoTexture(osg::Node* node, osg::Texture2D* texture) 
 /// The forest, its shadow, and beside it a screen that shows it once more.
 osg::ref_ptr<osg::Node> shadowsAndScreen(Forest* forest) {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
-    texture->setTextureSize(width, height);
+    texture->setTextureSize(viewWidth, viewHeight);
     texture->setInternalFormat(GL_RGBA);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     osg::ref_ptr<osg::Geometry> screen =
@@ -88,12 +82,12 @@ protected:
         _viewer = new osgViewer::CompositeViewer;
         _viewer->setThreadingModel(threading);
         for (osg::ref_ptr<osg::Image>& image : _images) {
-            auto made = createOffscreenContext(width, height);
+            auto made = createOffscreenContext(viewWidth, viewHeight);
             ASSERT_TRUE(made);
             made.value()->getState()->setCheckForGLErrors(osg::State::ONCE_PER_ATTRIBUTE);
             osg::ref_ptr<osgViewer::View> view = new osgViewer::View;
             image = attachFrameImage(*view->getCamera(), *made.value());
-            placeCamera(*view->getCamera());
+            lookAtSmallForest(*view->getCamera());
             view->setSceneData(scene);
             _viewer->addView(view);
         }

@@ -11,16 +11,16 @@ using namespace osgTreeWind;
 
 namespace {
 
-enum class Way { Branches, Impostors, Branchwise };
+enum class SeasonWay { Branches, Impostors, Branchwise };
 
-osg::ref_ptr<Forest> tree(const char* species, Way way, float season) {
+osg::ref_ptr<Forest> tree(const char* species, SeasonWay way, float season) {
     ForestDescription forest;
     forest.species = {*findSpecies(species)};
     forest.species[0].shapes = 1;
     forest.trees.emplace_back();
-    forest.law = way == Way::Branchwise ? MotionLaw::ThesisSmooth : MotionLaw::Modal;
+    forest.law = way == SeasonWay::Branchwise ? MotionLaw::ThesisSmooth : MotionLaw::Modal;
     forest.season = season;
-    if (way == Way::Impostors)
+    if (way == SeasonWay::Impostors)
         forest.drawing.full = 3e4f, forest.drawing.reduced = 2e4f, forest.drawing.impostor = 1e4f;
     else
         forest.drawing.tiers = false;
@@ -42,12 +42,12 @@ protected:
     osg::ref_ptr<osg::Image> picture(osg::Node* node) { return render(node, 240, 240, 2); }
 };
 
-constexpr Way ways[] = {Way::Branches, Way::Impostors, Way::Branchwise};
+constexpr SeasonWay ways[] = {SeasonWay::Branches, SeasonWay::Impostors, SeasonWay::Branchwise};
 
 } // namespace
 
 TEST_F(SeasonGlTest, ABroadleafLosesItsLeavesAndKeepsItsTwigs) {
-    for (const Way way : ways) {
+    for (const SeasonWay way : ways) {
         const double summer = covered(*picture(tree("oak", way, midsummer)));
         const double autumn = covered(*picture(tree("oak", way, midautumn)));
         const double winter = covered(*picture(tree("oak", way, midwinter)));
@@ -59,7 +59,7 @@ TEST_F(SeasonGlTest, ABroadleafLosesItsLeavesAndKeepsItsTwigs) {
 }
 
 TEST_F(SeasonGlTest, LeavesTurn) {
-    for (const Way way : ways) {
+    for (const SeasonWay way : ways) {
         const osg::ref_ptr<osg::Image> summer = picture(tree("oak", way, midsummer)),
                                        autumn = picture(tree("oak", way, midautumn));
         EXPECT_LT(redness(*summer), 0.49) << static_cast<int>(way);
@@ -68,7 +68,7 @@ TEST_F(SeasonGlTest, LeavesTurn) {
 }
 
 TEST_F(SeasonGlTest, AnEvergreenStaysAsItIs) {
-    for (const Way way : ways) {
+    for (const SeasonWay way : ways) {
         const osg::ref_ptr<osg::Image> summer = picture(tree("Norway spruce", way, midsummer)),
                                        winter = picture(tree("Norway spruce", way, midwinter));
         EXPECT_EQ(difference(*summer, *winter).mean, 0.0) << static_cast<int>(way);
@@ -76,7 +76,7 @@ TEST_F(SeasonGlTest, AnEvergreenStaysAsItIs) {
 }
 
 TEST_F(SeasonGlTest, ASeasonThatIsSetIsThatOfAForestMadeInIt) {
-    for (const Way way : ways) {
+    for (const SeasonWay way : ways) {
         const osg::ref_ptr<Forest> forest = tree("oak", way, midsummer);
         const osg::ref_ptr<osg::Image> summer = picture(forest);
         for (const float season : {midautumn, midwinter, midsummer}) {
@@ -85,14 +85,14 @@ TEST_F(SeasonGlTest, ASeasonThatIsSetIsThatOfAForestMadeInIt) {
             EXPECT_LT(difference(*picture(forest), *picture(tree("oak", way, season))).mean, 0.05)
                 << static_cast<int>(way) << ", " << season;
         }
-        if (way != Way::Branchwise) { // which has swayed meanwhile
+        if (way != SeasonWay::Branchwise) { // which has swayed meanwhile
             EXPECT_LT(difference(*picture(forest), *summer).mean, 0.05) << static_cast<int>(way);
         }
     }
 }
 
 TEST_F(SeasonGlTest, ACopyHasASeasonOfItsOwn) {
-    const osg::ref_ptr<Forest> forest = tree("oak", Way::Impostors, midautumn);
+    const osg::ref_ptr<Forest> forest = tree("oak", SeasonWay::Impostors, midautumn);
     const osg::ref_ptr<Forest> copy = osg::clone(forest.get());
     EXPECT_EQ(copy->getSeason(), midautumn);
     const osg::ref_ptr<osg::Image> before = picture(copy);

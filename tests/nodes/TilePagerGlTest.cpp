@@ -15,8 +15,6 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int width = 240, height = 180;
-
 /// Over a square kilometre about (0, 0).
 ForestDescription wood() {
     std::istringstream text("version = 1\n[wind]\nkind = \"calm\"\n"
@@ -40,6 +38,8 @@ double brightness(const osg::Image& image) {
 
 class TilePagerGlTest : public GlTest {
 protected:
+    static constexpr int width = 240, height = 180;
+
     osg::ref_ptr<Forest> tiled(const ForestDescription& forest, double range) {
         TilingOptions options;
         options.size = 250.0;

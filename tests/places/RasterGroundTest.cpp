@@ -12,12 +12,12 @@ namespace osgTreeWind {
 
 namespace {
 
-std::optional<Crs> crsOf(const std::string& text) {
+std::optional<Crs> crsOrNone(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(Crs::parse(text).value());
 }
 
 std::shared_ptr<const RasterGround> opened(const RasterGround::Source& source, const std::string& map = "") {
-    const auto ground = RasterGround::open(source, crsOf(map));
+    const auto ground = RasterGround::open(source, crsOrNone(map));
     for (const Diagnostic& problem : ground.problems())
         ADD_FAILURE() << problem.text();
     return ground ? ground.value() : nullptr;
@@ -94,7 +94,7 @@ TEST(RasterGround, ItsCrsGoesBeforeTheFiles) {
 TEST(RasterGround, ASystemIsAskedForWhereTheForestHasOne) {
     const TemporaryFolder folder;
     const std::string path = RasterFile{}.write(folder.path() + "/a.tif");
-    const auto ground = RasterGround::open({{path}, ""}, crsOf("EPSG:25832"));
+    const auto ground = RasterGround::open({{path}, ""}, crsOrNone("EPSG:25832"));
     ASSERT_FALSE(ground);
     EXPECT_EQ(ground.problems().front().text(),
               path + ": it has no coordinate reference system; expected ground.crs to say of what it is");

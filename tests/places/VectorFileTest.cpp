@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 namespace {
 
-VectorFile opened(const std::string& path, const std::string& layer = "") {
+VectorFile openedVectors(const std::string& path, const std::string& layer = "") {
     auto file = VectorFile::open(path);
     EXPECT_TRUE(file) << file.problems().front().text();
     const Diagnostics problems = file.value().chooseLayer(layer);
@@ -46,7 +46,7 @@ const std::string two = geoJson(point("9.5, 50.25, 3", R"("kind": "oak", "h": 1.
 
 TEST(VectorFile, GivesFeaturesInTheirOrder) {
     const TemporaryFolder folder;
-    VectorFile file = opened(folder.write("two.geojson", two));
+    VectorFile file = openedVectors(folder.write("two.geojson", two));
     EXPECT_EQ(file.columns(), (std::vector<std::string>{"kind", "h"}));
     ASSERT_TRUE(file.crs());
     EXPECT_TRUE(file.crs()->isDegrees());
@@ -62,7 +62,7 @@ TEST(VectorFile, GivesFeaturesInTheirOrder) {
 
 TEST(VectorFile, NumbersAreNotRounded) {
     const TemporaryFolder folder;
-    VectorFile file = opened(folder.write(
+    VectorFile file = openedVectors(folder.write(
         "a.geojson", geoJson(point("1, 2", "\"h\": 0.1234567890123456789, \"n\": 9007199254740993"))));
     ASSERT_TRUE(file.next().value());
     EXPECT_EQ(file.number(0), 0.1234567890123456789);
@@ -80,7 +80,7 @@ TEST(VectorFile, FormatsAreKnownByContentOrExtension) {
                 name == std::string("a.fgb") ? "-lco SPATIAL_INDEX=NO" : ""); // their order
         const std::string path = folder.path() + '/' + name;
         EXPECT_TRUE(VectorFile::knows(path)) << name;
-        VectorFile file = opened(path);
+        VectorFile file = openedVectors(path);
         const auto kind = std::find(file.columns().begin(), file.columns().end(), "kind");
         ASSERT_NE(kind, file.columns().end()) << name;
         ASSERT_TRUE(file.next().value()) << name;
@@ -127,7 +127,7 @@ TEST(VectorFile, AnOutlineIsItsMiddleAndWidth) {
     const TemporaryFolder folder;
     // An L of three squares of 2 m: centroid 5/3 from its corner, extents 4 and 4; and an oblong with a
     // hole.
-    VectorFile file = opened(folder.write(
+    VectorFile file = openedVectors(folder.write(
         "a.geojson",
         geoJson(
             feature(
@@ -156,7 +156,7 @@ TEST(VectorFile, ManyThreadsReadManyFiles) {
     std::vector<std::thread> threads;
     for (int i = 0; i < 8; ++i)
         threads.emplace_back([&] {
-            VectorFile file = opened(path);
+            VectorFile file = openedVectors(path);
             int count = 0;
             while (file.next().value())
                 ++count;

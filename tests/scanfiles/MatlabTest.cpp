@@ -2,6 +2,7 @@
 #include <tests/TestData.h>
 #include <tests/WithoutReader.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/scanfiles/WriteMatlab.h>
 
@@ -32,11 +33,6 @@ void expectSame(const ScanCylinders& actual, const ScanCylinders& expected) {
         EXPECT_NEAR(glm::distance(actual[i].start, expected[i].start), 0.0, 1e-9) << i;
         EXPECT_NEAR(glm::distance(actual[i].end, expected[i].end), 0.0, 1e-9) << i;
     }
-}
-
-std::string bytesOf(const std::string& path) {
-    std::ifstream input(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(input), {}};
 }
 
 } // namespace

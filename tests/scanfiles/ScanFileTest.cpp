@@ -2,7 +2,9 @@
 #include <tests/Folders.h>
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/io/FileBytes.h>
 #include <tests/io/TemporaryFolder.h>
+#include <tests/scanfiles/ScanProblem.h>
 
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/model/ScannedTree.h>
@@ -40,25 +42,16 @@ void PrintTo(const FormatCase& format, std::ostream* out) {
     *out << format.file;
 }
 
-std::string bytesOf(const std::string& file) {
-    std::ifstream input(folder + file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(input), {}};
-}
-
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     return text.replace(at, from.size(), to);
 }
 
-std::string problemOf(const std::string& text) {
-    return firstProblem(readScan(text, "a"));
-}
-
 /// @param cases a text and its problem.
 void expectProblems(std::initializer_list<std::pair<std::string, std::string>> cases) {
     for (const auto& [text, problem] : cases)
-        EXPECT_EQ(problemOf(text), problem) << text;
+        EXPECT_EQ(problemOfText(text), problem) << text;
 }
 
 double volumeOf(const ScanCylinders& tree) {
@@ -118,14 +111,14 @@ TEST_P(ScanFormat, GivesTheSameTreeAsTheOthers) {
 }
 
 TEST_P(ScanFormat, CutAnywhereIsReadWholeOrNotAtAll) {
-    const std::string whole = bytesOf(GetParam().file);
+    const std::string whole = bytesOf(folder + GetParam().file);
     ASSERT_FALSE(whole.empty());
     for (std::size_t length = 0; length < whole.size(); ++length)
         expectTreesOrProblem(whole.substr(0, length), "cut at " + std::to_string(length));
 }
 
 TEST_P(ScanFormat, ChangedBytesAreReadOrRefused) {
-    const std::string whole = bytesOf(GetParam().file);
+    const std::string whole = bytesOf(folder + GetParam().file);
     Random random(5);
     for (int round = 0; round < 3000; ++round) {
         std::string text = whole;
@@ -139,7 +132,7 @@ TEST_P(ScanFormat, ChangedBytesAreReadOrRefused) {
 
 TEST_P(ScanFormat, EndsOfLinesOfWindowsAndAByteOrderMarkAreNoMatter) {
     std::string text = "\xEF\xBB\xBF";
-    for (const char c : bytesOf(GetParam().file))
+    for (const char c : bytesOf(folder + GetParam().file))
         text += c == '\n' ? std::string("\r\n") : std::string(1, c);
     const TemporaryFolder temporary;
     const auto scan = readScanFile(temporary.write("scan.txt", text));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/scanfiles/ScanProblem.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
@@ -33,10 +34,6 @@ ScanFile read(const std::string& text) {
     Result<ScanFile> scan = readScan(text, "a");
     EXPECT_TRUE(scan) << firstProblem(scan) << " in\n" << text;
     return std::move(scan.value());
-}
-
-std::string problemOf(const std::string& text) {
-    return firstProblem(readScan(text, "a"));
 }
 
 std::vector<int> parentsOf(const ScanFile& scan) {
@@ -130,7 +127,7 @@ TEST(ScanTable, ARealTreeIsTheSameInATable) {
 
 TEST(BrokenScanTable, SaysWhichColumnIsMissingAndHowItMayBeCalled) {
     const auto without = [](std::string names, const std::string& name) {
-        return problemOf(table(names.replace(names.find(name), name.size(), "other"), {}));
+        return problemOfText(table(names.replace(names.find(name), name.size(), "other"), {}));
     };
     EXPECT_EQ(without(archi, "radius_cyl"), "a:1: radius_cyl: expected a column of this name");
     EXPECT_EQ(without(archi, "endY"), "a:1: endY: expected a column of this name");
@@ -139,13 +136,13 @@ TEST(BrokenScanTable, SaysWhichColumnIsMissingAndHowItMayBeCalled) {
     EXPECT_EQ(without(rtwig, "length"), "a:1: length: expected a column of this name");
     EXPECT_EQ(without(archi, "cyl_ID"), "a:1: cyl_ID: expected a column of this name");
     EXPECT_EQ(without(treeQsm, "extension"), "a:1: id: expected a column of this name or extension");
-    EXPECT_EQ(problemOf("cyl_ID,parent,startX,startY,startZ,endX,endY,endZ\n"),
+    EXPECT_EQ(problemOfText("cyl_ID,parent,startX,startY,startZ,endX,endY,endZ\n"),
               "a:1: radius: expected a column of this name or radius_cyl");
 }
 
 TEST(BrokenScanTable, IsOneProblemWithItsPlace) {
     const auto archiWith = [](const std::string& row) {
-        return problemOf(table(archi, {archiRows[0], row}));
+        return problemOfText(table(archi, {archiRows[0], row}));
     };
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,1,0"),
               "a:3: radius_cyl: expected a radius above 0 and of at most 10 m, found '0'");
@@ -157,11 +154,11 @@ TEST(BrokenScanTable, IsOneProblemWithItsPlace) {
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,3,0.1"), "a:3: expected a parent of the same tree, found 3");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,NA,0.1"), "a:3: expected one root, found another one than in line 2");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,1"), "a:3: expected 9 cells as in the header, found 8");
-    EXPECT_EQ(problemOf(table(rtwig, {"0,0,0,0,0,2,1,0,0.1,1"})),
+    EXPECT_EQ(problemOfText(table(rtwig, {"0,0,0,0,0,2,1,0,0.1,1"})),
               "a:2: axis_z: expected a part of a direction of length 1, found '2'");
-    EXPECT_EQ(problemOf(table(rtwig, {"0,0,0,0,0,0.5,1,0,0.1,1"})),
+    EXPECT_EQ(problemOfText(table(rtwig, {"0,0,0,0,0,0.5,1,0,0.1,1"})),
               "a:2: axis_x: expected a direction of length 1, found one of 0.5");
-    EXPECT_EQ(problemOf(table(rtwig, {"0,0,0,0,0,1,1,0,0.1,"})),
+    EXPECT_EQ(problemOfText(table(rtwig, {"0,0,0,0,0,1,1,0,0.1,"})),
               "a:2: length: expected a length above 0 and of at most 200 m, found nothing");
 }
 

@@ -6,24 +6,24 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 const std::string forest = example("forest.treewind");
 
 /// What a command prints as JSON.
-Json printed(const std::vector<std::string>& words, const std::string& folder = ".") {
+OrderedJson printed(const std::vector<std::string>& words, const std::string& folder = ".") {
     const Outcome outcome = runTool(words, folder);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    const Json json = Json::parse(outcome.out, nullptr, false);
+    const OrderedJson json = OrderedJson::parse(outcome.out, nullptr, false);
     EXPECT_TRUE(json.is_object()) << outcome.out;
     return json;
 }
 
 /// That the page tells of all that documents of a command hold, and of nothing else.
-void expectDocumented(const std::string& command, const std::vector<Json>& documents) {
+void expectDocumented(const std::string& command, const std::vector<OrderedJson>& documents) {
     const DocumentedFields table = documentedFields(pageOf("tool.md"), "| field of `" + command);
     std::set<std::string> fields;
-    for (const Json& document : documents)
+    for (const OrderedJson& document : documents)
         addFields(document, "", fields);
     for (const std::string& field : fields)
         EXPECT_TRUE(isDocumented(table, field)) << field << " is not documented";

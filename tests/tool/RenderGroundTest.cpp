@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <tests/tool/Pictures.h>
 #include <tests/tool/Tool.h>
-
-#include <osgDB/ReadFile>
 
 #include <cmath>
 #include <sstream>
@@ -19,14 +18,12 @@ void writeForest(const TemporaryFolder& folder, const std::string& more) {
     folder.write("a.treewind", "version = 1\n[[tree]]\nposition = [0, 0]\nheight = 12\n" + more);
 }
 
-osg::ref_ptr<osg::Image> render(const TemporaryFolder& folder, const std::string& output,
-                                std::vector<std::string> options) {
+osg::ref_ptr<osg::Image> renderSlope(const TemporaryFolder& folder, const std::string& output,
+                                     std::vector<std::string> options) {
     options.insert(options.begin(), {"render", "a.treewind", "-o", output, "--size", "160x90"});
     const Outcome outcome = runTool(options, folder.path());
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(folder.path() + '/' + output);
-    EXPECT_TRUE(image);
-    return image ? image : osg::ref_ptr<osg::Image>(new osg::Image);
+    return pictureIn(folder, output);
 }
 
 /// Of a column, how far up there is grass: greener than blue.
@@ -44,9 +41,9 @@ TEST(RenderGround, GrassLiesOnTheSlopeThatTheTreeStandsOn) {
     writeForest(folder, "[ground]\nfile = \"slope.asc\"\n");
     // From the south, just above the foot, past the tree on either side: high in the west, low in the east.
     const std::vector<std::string> view = {"--eye", "0,-60,606", "--center", "0,0,604"};
-    const auto image = render(folder, "a.png", view);
+    const auto image = renderSlope(folder, "a.png", view);
     EXPECT_GT(grassUpTo(*image, 10), grassUpTo(*image, 150) + 20);
-    render(folder, "b.png", view);
+    renderSlope(folder, "b.png", view);
     EXPECT_EQ(contentOf(folder.path() + "/a.png"), contentOf(folder.path() + "/b.png"));
 }
 
@@ -54,7 +51,7 @@ TEST(RenderGround, EveryViewIsAboveIt) {
     const TemporaryFolder folder;
     writeForest(folder, "[ground]\nfile = \"slope.asc\"\n");
     for (const char* view : {"eye", "above", "portrait"}) {
-        const auto image = render(folder, "a.png", {"--view", view});
+        const auto image = renderSlope(folder, "a.png", {"--view", view});
         const unsigned char* top = image->data(80, 89);
         EXPECT_GE(top[2], top[1]) << view << ": sky at the top of the picture";
         EXPECT_GT(grassUpTo(*image, 5), 3) << view;
@@ -64,9 +61,9 @@ TEST(RenderGround, EveryViewIsAboveIt) {
 TEST(RenderGround, NoneIsTheLevelGroundOfAForestThatDoesNotSay) {
     const TemporaryFolder folder;
     writeForest(folder, "");
-    render(folder, "a.png", {});
+    renderSlope(folder, "a.png", {});
     writeForest(folder, "[ground]\nnone = true\n");
-    render(folder, "b.png", {});
+    renderSlope(folder, "b.png", {});
     EXPECT_EQ(contentOf(folder.path() + "/a.png"), contentOf(folder.path() + "/b.png"));
 }
 

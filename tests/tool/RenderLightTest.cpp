@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: MIT
+#include <tests/tool/Pictures.h>
 #include <tests/tool/Tool.h>
-
-#include <osgDB/ReadFile>
 
 #include <cstdlib>
 
 namespace {
 
 /// A picture of a forest that stands in a file's text.
-osg::ref_ptr<osg::Image> render(const std::string& forest, const std::vector<std::string>& options) {
+osg::ref_ptr<osg::Image> renderForest(const std::string& forest, const std::vector<std::string>& options) {
     const TemporaryFolder folder;
     folder.write("a.treewind", "version = 1\n" + forest);
     std::vector<std::string> words = {"render", "a.treewind", "-o", "a.png", "--size", "96x54"};
     words.insert(words.end(), options.begin(), options.end());
     const Outcome outcome = runTool(words, folder.path());
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(folder.path() + "/a.png");
-    EXPECT_TRUE(image);
-    return image ? image : osg::ref_ptr<osg::Image>(new osg::Image);
+    return pictureIn(folder, "a.png");
 }
 
 /// Mean of a channel, 0 to 255.
@@ -27,13 +24,6 @@ double mean(const osg::Image& image, int channel) {
         for (int x = 0; x < image.s(); ++x)
             sum += image.data(x, y)[channel];
     return sum / (image.s() * image.t());
-}
-
-double meanDifference(const osg::Image& a, const osg::Image& b) {
-    double sum = 0.0;
-    for (unsigned i = 0; i < a.getTotalSizeInBytes(); ++i)
-        sum += std::abs(a.data()[i] - b.data()[i]);
-    return sum / a.getTotalSizeInBytes();
 }
 
 std::string tree(const std::string& place) {
@@ -49,10 +39,11 @@ std::vector<std::string> onItsShadow(const std::string& shadows, const std::stri
 } // namespace
 
 TEST(RenderLight, SoftShadowsTakeTheSunOnceHoweverManyOverlap) {
-    const double lit = mean(*render(tree("[0, 0]"), onItsShadow("off")), 1),
-                 one = mean(*render(tree("[0, 0]"), onItsShadow("soft")), 1),
-                 three = mean(
-                     *render(tree("[0, 0]") + tree("[0.02, 0]") + tree("[0, 0.02]"), onItsShadow("soft")), 1);
+    const double lit = mean(*renderForest(tree("[0, 0]"), onItsShadow("off")), 1),
+                 one = mean(*renderForest(tree("[0, 0]"), onItsShadow("soft")), 1),
+                 three = mean(*renderForest(tree("[0, 0]") + tree("[0.02, 0]") + tree("[0, 0.02]"),
+                                            onItsShadow("soft")),
+                              1);
     EXPECT_LT(one, 0.85 * lit);
     EXPECT_GT(three, 0.93 * one);
     EXPECT_GT(three, 0.4 * lit) << "the sky still lights it";
@@ -63,25 +54,26 @@ TEST(RenderLight, SoftShadowsLeanWithTheirTrees) {
         return tree("[0, 0]") + "[wind]\nkind = \"uniform\"\nvelocity = [" + speed + ", 0, 0]\n";
     };
     const auto difference = [&](const std::string& speed) {
-        return meanDifference(*render(inWind(speed), onItsShadow("soft")),
-                              *render(inWind(speed), onItsShadow("soft", "3")));
+        return meanDifference(*renderForest(inWind(speed), onItsShadow("soft")),
+                              *renderForest(inWind(speed), onItsShadow("soft", "3")));
     };
     EXPECT_EQ(difference("0"), 0.0);
     EXPECT_GT(difference("25"), 0.3);
 }
 
 TEST(RenderLight, ALowSunIsWarmAndDim) {
-    const auto usual = render(tree("[0, 0]"), {}), low = render(tree("[0, 0]"), {"--sun", "250,8"});
+    const auto usual = renderForest(tree("[0, 0]"), {}),
+               low = renderForest(tree("[0, 0]"), {"--sun", "250,8"});
     EXPECT_GT(mean(*low, 0) / mean(*low, 2), 1.1 * mean(*usual, 0) / mean(*usual, 2));
     EXPECT_LT(mean(*low, 1), 0.9 * mean(*usual, 1));
 }
 
 TEST(RenderLight, ATimeAndAPlaceSayWhereTheSunStands) {
     // As tests/places/SolarPositionTest.cpp.
-    EXPECT_LT(
-        meanDifference(*render(tree("[0, 0]"), {"--sun", "2003-10-17T12:30:30-07:00@39.742476,-105.1786"}),
-                       *render(tree("[0, 0]"), {"--sun", "194.34,39.89"})),
-        0.3);
+    EXPECT_LT(meanDifference(
+                  *renderForest(tree("[0, 0]"), {"--sun", "2003-10-17T12:30:30-07:00@39.742476,-105.1786"}),
+                  *renderForest(tree("[0, 0]"), {"--sun", "194.34,39.89"})),
+              0.3);
 }
 
 TEST(RenderLight, ASunThatIsNotSeenIsAnError) {
@@ -105,7 +97,7 @@ TEST(RenderLight, ASunThatIsNotSeenIsAnError) {
 
 TEST(RenderLight, HazeIsFullAtTheRimOfTheGround) {
     const auto image =
-        render(tree("[0, 0]"), {"--eye", "0,-2600,60", "--center", "0,-3600,0", "--fov", "20"});
+        renderForest(tree("[0, 0]"), {"--eye", "0,-2600,60", "--center", "0,-3600,0", "--fov", "20"});
     for (int y = 1; y < image->t(); ++y)
         for (int channel = 0; channel < 3; ++channel)
             EXPECT_NEAR(image->data(48, y)[channel], image->data(48, y - 1)[channel], 12) << y;
@@ -113,7 +105,7 @@ TEST(RenderLight, HazeIsFullAtTheRimOfTheGround) {
 
 TEST(RenderLight, GrassStandsAboutTheEye) {
     const auto image =
-        render(tree("[0, 300]"), {"--eye", "0,0,0.12", "--center", "0,-10,0.12", "--fov", "5"});
+        renderForest(tree("[0, 300]"), {"--eye", "0,0,0.12", "--center", "0,-10,0.12", "--fov", "5"});
     int green = 0; // above the horizon
     for (int y = image->t() / 2 + 1; y < image->t(); ++y)
         for (int x = 0; x < image->s(); ++x)
@@ -123,10 +115,10 @@ TEST(RenderLight, GrassStandsAboutTheEye) {
 }
 
 TEST(RenderLight, WithoutAGroundItGoesThroughTheFeet) {
-    const auto low = render(tree("[0, 0]"), {"--eye", "0,-20,1.7", "--center", "0,0,1.7"}),
-               high = render(tree("[0, 0, 30]"), {"--eye", "0,-20,31.7", "--center", "0,0,31.7"});
+    const auto low = renderForest(tree("[0, 0]"), {"--eye", "0,-20,1.7", "--center", "0,0,1.7"}),
+               high = renderForest(tree("[0, 0, 30]"), {"--eye", "0,-20,31.7", "--center", "0,0,31.7"});
     EXPECT_LT(meanDifference(*low, *high), 3.0);
-    const auto between = render(tree("[0, 0, 30]") + tree("[10, 0, 32]") + tree("[-10, 0, 34]"),
-                                {"--eye", "5,-4,60", "--center", "5,0,30"});
+    const auto between = renderForest(tree("[0, 0, 30]") + tree("[10, 0, 32]") + tree("[-10, 0, 34]"),
+                                      {"--eye", "5,-4,60", "--center", "5,0,30"});
     EXPECT_GT(mean(*between, 1), mean(*between, 2)) << "grass below";
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <tests/tool/Pictures.h>
 #include <tests/tool/Tool.h>
-
-#include <osgDB/ReadFile>
 
 #include <cmath>
 
@@ -12,23 +11,6 @@ Outcome render(const TemporaryFolder& folder, const std::string& output,
                std::vector<std::string> options = {}) {
     options.insert(options.begin(), {"render", example("thesis.treewind"), "-o", output, "--size", "160x90"});
     return runTool(options, folder.path());
-}
-
-osg::ref_ptr<osg::Image> picture(const TemporaryFolder& folder, const std::string& name) {
-    osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(folder.path() + '/' + name);
-    EXPECT_TRUE(image) << name;
-    return image ? image : osg::ref_ptr<osg::Image>(new osg::Image);
-}
-
-/// Mean difference of two pictures, in steps of 1/255.
-double meanDifference(const osg::Image& a, const osg::Image& b) {
-    EXPECT_EQ(a.s(), b.s());
-    EXPECT_EQ(a.t(), b.t());
-    EXPECT_EQ(a.getTotalSizeInBytes(), b.getTotalSizeInBytes());
-    double sum = 0.0;
-    for (unsigned i = 0; i < a.getTotalSizeInBytes(); ++i)
-        sum += std::abs(a.data()[i] - b.data()[i]);
-    return sum / a.getTotalSizeInBytes();
 }
 
 } // namespace
@@ -46,7 +28,7 @@ TEST(Render, AFileAloneMakesForestPng) {
     const TemporaryFolder folder;
     const Outcome outcome = runTool({"render", example("thesis.treewind")}, folder.path());
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    const osg::ref_ptr<osg::Image> image = picture(folder, "forest.png");
+    const osg::ref_ptr<osg::Image> image = pictureIn(folder, "forest.png");
     EXPECT_EQ(image->s(), 1280);
     EXPECT_EQ(image->t(), 720);
 }
@@ -54,7 +36,7 @@ TEST(Render, AFileAloneMakesForestPng) {
 TEST(Render, ShowsSkyOverGreenOverGround) {
     const TemporaryFolder folder;
     EXPECT_EQ(render(folder, "a.png").exitCode, 0);
-    const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
+    const osg::ref_ptr<osg::Image> image = pictureIn(folder, "a.png");
     ASSERT_EQ(image->s(), 160);
     const osg::Vec4 sky = image->getColor(2u, 88u);
     EXPECT_GT(sky.b(), sky.r());
@@ -87,7 +69,7 @@ TEST(Render, APersonStandsBeforeTheForestWithSkyAboveIt) {
         const Outcome outcome =
             runTool({"render", example(file), "-o", "a.png", "--size", "320x180"}, folder.path());
         ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-        const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
+        const osg::ref_ptr<osg::Image> image = pictureIn(folder, "a.png");
         EXPECT_EQ(greenInRow(*image, 0.97), 0.0) << file << ": sky";
         EXPECT_GT(greenInRow(*image, 0.4), 0.3) << file << ": trees";
         EXPECT_GT(greenInRow(*image, 0.05), 0.95) << file << ": ground";
@@ -99,7 +81,7 @@ TEST(Render, NamedViewsDifferAndAnEyeThatIsGivenWins) {
     const auto view = [&](std::vector<std::string> options) {
         const std::string name = "a.png";
         EXPECT_EQ(render(folder, name, std::move(options)).exitCode, 0);
-        return picture(folder, name);
+        return pictureIn(folder, name);
     };
     const auto eye = view({}), above = view({"--view", "above"}), portrait = view({"--view", "portrait"});
     EXPECT_EQ(meanDifference(*eye, *view({"--view", "eye"})), 0.0);
@@ -117,7 +99,7 @@ TEST(Render, ASeasonOnTheCommandLineGoesBeforeThatOfTheFile) {
     const auto draw = [&](std::vector<std::string> options) {
         options.insert(options.begin(), {"render", "a.treewind", "-o", "a.png", "--size", "160x90"});
         EXPECT_EQ(runTool(options, folder.path()).exitCode, 0);
-        return picture(folder, "a.png");
+        return pictureIn(folder, "a.png");
     };
     const auto winter = draw({}), summer = draw({"--season", "summer"});
     EXPECT_GT(meanDifference(*winter, *summer), 1.0);
@@ -128,8 +110,8 @@ TEST(Render, APatternNumbersTheFramesFromZero) {
     const TemporaryFolder folder;
     EXPECT_EQ(render(folder, "f_%03d.png", {"--frames", "3", "--fps", "2"}).exitCode, 0);
     EXPECT_FALSE(std::filesystem::exists(folder.path() + "/f_003.png"));
-    EXPECT_GT(meanDifference(*picture(folder, "f_000.png"), *picture(folder, "f_001.png")), 0.1);
-    EXPECT_GT(meanDifference(*picture(folder, "f_000.png"), *picture(folder, "f_002.png")), 0.1);
+    EXPECT_GT(meanDifference(*pictureIn(folder, "f_000.png"), *pictureIn(folder, "f_001.png")), 0.1);
+    EXPECT_GT(meanDifference(*pictureIn(folder, "f_000.png"), *pictureIn(folder, "f_002.png")), 0.1);
 }
 
 TEST(Render, StartIsThePictureThatFramesWouldHaveReached) {
@@ -142,7 +124,7 @@ TEST(Render, StartIsThePictureThatFramesWouldHaveReached) {
 TEST(Render, LooksStraightDown) {
     const TemporaryFolder folder;
     EXPECT_EQ(render(folder, "a.png", {"--eye", "0,0,20", "--center", "0,0,0"}).exitCode, 0);
-    const osg::ref_ptr<osg::Image> image = picture(folder, "a.png");
+    const osg::ref_ptr<osg::Image> image = pictureIn(folder, "a.png");
     ASSERT_EQ(image->s(), 160);
     const osg::Vec4 crown = image->getColor(80u, 45u), ground = image->getColor(2u, 2u);
     EXPECT_GT((crown - ground).length(), 0.02f);
@@ -174,7 +156,7 @@ TEST(Render, BothBackendsDrawTheSame) {
     const Outcome egl = render(folder, "egl.png", {"--start", "0.5", "--backend", "egl"});
     EXPECT_EQ(egl.exitCode, 0) << egl.err;
     // Another renderer (a GPU, perhaps) may differ at edges.
-    EXPECT_LT(meanDifference(*picture(folder, "osmesa.png"), *picture(folder, "egl.png")), 1.0);
+    EXPECT_LT(meanDifference(*pictureIn(folder, "osmesa.png"), *pictureIn(folder, "egl.png")), 1.0);
 }
 
 TEST(Render, EveryWayToThePoseGivesThePicture) {
@@ -182,7 +164,7 @@ TEST(Render, EveryWayToThePoseGivesThePicture) {
     const std::vector<std::string> moving = {"--frames", "6", "--fps", "30", "--start", "1"};
     EXPECT_EQ(render(folder, "rest.png").exitCode, 0);
     EXPECT_EQ(render(folder, "cpu_%d.png", moving).exitCode, 0);
-    const double moved = meanDifference(*picture(folder, "rest.png"), *picture(folder, "cpu_5.png"));
+    const double moved = meanDifference(*pictureIn(folder, "rest.png"), *pictureIn(folder, "cpu_5.png"));
     EXPECT_GT(moved, 0.7);
     for (const std::string pose : {"gpu", "scenegraph"}) {
         std::vector<std::string> options = moving;
@@ -190,7 +172,7 @@ TEST(Render, EveryWayToThePoseGivesThePicture) {
         const Outcome outcome = render(folder, pose + "_%d.png", options);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
         // Branches are one frame late there; leaves below transforms are shaded without their crown.
-        EXPECT_LT(meanDifference(*picture(folder, "cpu_5.png"), *picture(folder, pose + "_5.png")),
+        EXPECT_LT(meanDifference(*pictureIn(folder, "cpu_5.png"), *pictureIn(folder, pose + "_5.png")),
                   pose == "gpu" ? 0.2 * moved : 3.5)
             << pose;
     }

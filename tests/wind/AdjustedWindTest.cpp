@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Near.h>
 #include <tests/wind/Extremes.h>
 
 #include <osgTreeWind/wind/AdjustedWind.h>
@@ -15,10 +16,6 @@ namespace {
 
 WindFieldPtr toward(const glm::vec3& velocity) {
     return std::make_shared<FunctionWind>([velocity](const glm::vec3&, double) { return velocity; });
-}
-
-void expectNear(const glm::vec3& found, const glm::vec3& expected) {
-    EXPECT_LT(glm::length(found - expected), 1e-5f) << found.x << ' ' << found.y << ' ' << found.z;
 }
 
 TEST(AdjustedWind, ANortherlyTurnedAQuarterIsAnEasterly) {

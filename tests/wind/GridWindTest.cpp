@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Near.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/wind/Extremes.h>
 
@@ -37,12 +38,6 @@ std::shared_ptr<const GridWind> made(GridWind::Grid grid) {
     auto wind = GridWind::create(std::move(grid));
     EXPECT_TRUE(wind) << firstProblem(wind);
     return wind.value();
-}
-
-void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
-    EXPECT_NEAR(actual.x, expected.x, 1e-4f);
-    EXPECT_NEAR(actual.y, expected.y, 1e-4f);
-    EXPECT_NEAR(actual.z, expected.z, 1e-4f);
 }
 
 const std::vector<double> times = {5.0, 6.0, 10.0};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Near.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/wind/Extremes.h>
 
@@ -22,12 +23,6 @@ std::shared_ptr<const TimeSeriesWind> made(WindSeries series) {
     auto wind = TimeSeriesWind::create(std::move(series));
     EXPECT_TRUE(wind) << firstProblem(wind);
     return wind.value();
-}
-
-void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
-    EXPECT_NEAR(actual.x, expected.x, 1e-5f);
-    EXPECT_NEAR(actual.y, expected.y, 1e-5f);
-    EXPECT_NEAR(actual.z, expected.z, 1e-5f);
 }
 
 } // namespace

@@ -25,7 +25,7 @@ const Case compass[] = {
     {630, {10, 0, 0}},
 };
 
-void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
+void expectHorizontal(const glm::vec3& actual, const glm::vec3& expected) {
     EXPECT_NEAR(actual.x, expected.x, 1e-5f);
     EXPECT_NEAR(actual.y, expected.y, 1e-5f);
     EXPECT_EQ(actual.z, 0.0f);
@@ -36,14 +36,14 @@ void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
 TEST(WindDirection, FromBlowsAwayFromTheBearing) {
     for (const Case& c : compass) {
         SCOPED_TRACE(c.from);
-        expectNear(windVelocity({10.0, c.from}, DirectionSense::From), c.velocity);
+        expectHorizontal(windVelocity({10.0, c.from}, DirectionSense::From), c.velocity);
     }
 }
 
 TEST(WindDirection, TowardIsTheOppositeOfFrom) {
     for (const Case& c : compass) {
         SCOPED_TRACE(c.from);
-        expectNear(windVelocity({10.0, c.from}, DirectionSense::Toward), -c.velocity);
+        expectHorizontal(windVelocity({10.0, c.from}, DirectionSense::Toward), -c.velocity);
     }
 }
 

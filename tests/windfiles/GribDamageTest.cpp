@@ -13,7 +13,7 @@ std::string messageOf(const grib::Field& field) {
     return grib::message(field);
 }
 
-grib::Field northOf(grib::Field field) {
+grib::Field northwardOf(grib::Field field) {
     return grib::with(std::move(field), field.edition == 1 ? 34 : 3, northward);
 }
 
@@ -58,7 +58,7 @@ bool has(const std::string& text, const std::string& part) {
 TEST(GribDamage, CutAtAndWithinEverySection) {
     for (const int edition : {1, 2}) {
         grib::Field field = edition == 1 ? edition1() : grib::Field();
-        const std::string u = messageOf(field), whole = u + messageOf(northOf(field));
+        const std::string u = messageOf(field), whole = u + messageOf(northwardOf(field));
         ASSERT_TRUE(readGribBytes(whole));
         for (const std::size_t section : sectionsOf(u, edition))
             for (const std::size_t more : {2u, 6u})
@@ -71,7 +71,7 @@ TEST(GribDamage, CutAtAndWithinEverySection) {
 }
 
 TEST(GribDamage, SectionsThatContradictTheirMessage) {
-    const std::string u = messageOf({}), v = messageOf(northOf({}));
+    const std::string u = messageOf({}), v = messageOf(northwardOf({}));
     const std::vector<std::size_t> sections = sectionsOf(u, 2);
     for (std::size_t i = 1; i + 1 < sections.size(); ++i) {
         std::string bytes = u + v;
@@ -95,10 +95,11 @@ TEST(GribDamage, WhatIsMissingIsNamed) {
     high.level = 80.0;
     later.lead = 3;
     EXPECT_EQ(problemOf({u}), "expected fields of wind: U and V, or its speed and direction; found only U");
-    EXPECT_EQ(problemOf({u, northOf(u), high}), "V at 80 m above ground at 2017-06-03T18:00:00Z is missing");
-    EXPECT_EQ(problemOf({u, northOf(u), northOf(later)}),
+    EXPECT_EQ(problemOf({u, northwardOf(u), high}),
+              "V at 80 m above ground at 2017-06-03T18:00:00Z is missing");
+    EXPECT_EQ(problemOf({u, northwardOf(u), northwardOf(later)}),
               "U at 10 m above ground at 2017-06-03T21:00:00Z is missing");
-    EXPECT_EQ(problemOf({u, u, northOf(u)}),
+    EXPECT_EQ(problemOf({u, u, northwardOf(u)}),
               "U at 10 m above ground at 2017-06-03T18:00:00Z is there twice, as with "
               "the members of an ensemble; expected one of each");
     grib::Field temperature;
@@ -107,7 +108,7 @@ TEST(GribDamage, WhatIsMissingIsNamed) {
               "expected fields of wind: U and V, or its speed and direction; found none");
     grib::Field surface;
     surface.type = 1;
-    EXPECT_TRUE(has(problemOf({u, northOf(surface)}),
+    EXPECT_TRUE(has(problemOf({u, northwardOf(surface)}),
                     "U and V are at different kinds of levels: U at 10 m above ground"));
 }
 
@@ -116,7 +117,7 @@ TEST(GribDamage, LevelsWithoutHeightsAreNamed) {
     low.type = high.type = height.type = 100;
     low.level = 100000;
     high.level = height.level = 90000;
-    const std::vector<grib::Field> wind = {low, northOf(low), high, northOf(high)};
+    const std::vector<grib::Field> wind = {low, northwardOf(low), high, northwardOf(high)};
     EXPECT_EQ(problemOf(wind),
               "expected the geopotential heights of the 2 levels of wind at isobaric levels");
     height.category = 3;
@@ -140,12 +141,12 @@ TEST(GribDamage, DifferentGridsAreNeverReadAsOne) {
     small.grid.rows = 2;
     u.grid.relativeToGrid = false;
     turned.grid.relativeToGrid = true;
-    EXPECT_EQ(problemOf({u, northOf(moved)}),
+    EXPECT_EQ(problemOf({u, northwardOf(moved)}),
               "U at 10 m above ground at 2017-06-03T18:00:00Z and V at 10 m above ground at "
               "2017-06-03T18:00:00Z lie on "
               "different grids, latitude and longitude of 4 x 3 and latitude and longitude of 4 x 3");
-    EXPECT_TRUE(has(problemOf({u, northOf(small)}), "4 x 3 and latitude and longitude of 4 x 2"));
-    EXPECT_TRUE(has(problemOf({u, northOf(turned)}),
+    EXPECT_TRUE(has(problemOf({u, northwardOf(small)}), "4 x 3 and latitude and longitude of 4 x 2"));
+    EXPECT_TRUE(has(problemOf({u, northwardOf(turned)}),
                     "count from different norths: one from true north, one from the grid's"));
 }
 
@@ -156,7 +157,7 @@ TEST(GribDamage, GridsThatAreNotEvenAreRefusedByName) {
                                        {101, "unstructured"},
                                        {999, "template 999"}}) {
         std::string bytes;
-        for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+        for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
             bytes += message;
             const std::size_t grid = bytes.size() - message.size() + sectionsOf(message, 2)[2];
             bytes[grid + 12] = static_cast<char>(number >> 8);
@@ -170,7 +171,7 @@ TEST(GribDamage, GridsThatAreNotEvenAreRefusedByName) {
 
 TEST(GribDamage, HugeGridsAreRefusedBeforeMemoryIsAskedFor) {
     std::string bytes;
-    for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+    for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         bytes += message;
         const std::size_t grid = bytes.size() - message.size() + sectionsOf(message, 2)[2];
         bytes[grid + 30] = bytes[grid + 34] = '\x01'; // millions of columns and rows
@@ -182,7 +183,7 @@ TEST(GribDamage, HugeGridsAreRefusedBeforeMemoryIsAskedFor) {
 
 TEST(GribDamage, WhatGdalCannotUnpackIsNamedWithItsField) {
     std::string bytes;
-    for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+    for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         bytes += message;
         bytes[bytes.size() - message.size() + sectionsOf(message, 2)[4] + 10] =
             '\x77'; // template of section 5
@@ -195,11 +196,11 @@ TEST(GribDamage, WhatGdalCannotUnpackIsNamedWithItsField) {
 /// GDAL would give numbers of its own for them.
 TEST(GribDamage, PackingThatGdalMistakesIsRefused) {
     std::string first, second;
-    for (const std::string& message : {messageOf(edition1()), messageOf(northOf(edition1()))}) {
+    for (const std::string& message : {messageOf(edition1()), messageOf(northwardOf(edition1()))}) {
         first += message;
         first[first.size() - message.size() + sectionsOf(message, 1)[3] + 3] |= 0x40;
     }
-    for (const std::string& message : {messageOf({}), messageOf(northOf({}))}) {
+    for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         second += message;
         const std::size_t section = second.size() - message.size() + sectionsOf(message, 2)[4];
         second[section + 10] = 41;
@@ -214,7 +215,7 @@ TEST(GribDamage, TwoHundredDamagedFilesAreReadOrRefusedWithAReason) {
     std::mt19937 random(16);
     for (int round = 0; round < 200; ++round) {
         grib::Field field = round % 2 ? grib::Field() : edition1();
-        std::string bytes = messageOf(field) + messageOf(northOf(field));
+        std::string bytes = messageOf(field) + messageOf(northwardOf(field));
         for (unsigned changes = 1u << round % 5; changes > 0; --changes)
             bytes[random() % bytes.size()] = static_cast<char>(random());
         const auto file = readGribBytes(bytes);

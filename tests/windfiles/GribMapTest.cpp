@@ -29,7 +29,7 @@ std::string tenAlongU(const grib::Field& field) {
 
 /// Of Lambert's map: the angle by which true north lies to the left of the y axis, sin 25° (longitude - 95
 /// W).
-double convergence(const glm::dvec2& place, double radius) {
+double lambertConvergence(const glm::dvec2& place, double radius) {
     return std::atan2(place.x, radius / std::tan(25.0 * degree) - place.y);
 }
 
@@ -88,7 +88,7 @@ TEST_P(GribMap, WhatCountsFromTrueNorthIsTurnedByTheConvergence) {
     EXPECT_EQ(summary.direction, "components toward true east, true north and up");
     for (const glm::dvec2& place :
          {glm::dvec2(summary.low), glm::dvec2(summary.high.x, summary.low.y), glm::dvec2(summary.high)}) {
-        const double left = convergence(place, GetParam() == 1 ? 6371200.0 : 6371229.0);
+        const double left = lambertConvergence(place, GetParam() == 1 ? 6371200.0 : 6371229.0);
         EXPECT_GT(std::abs(left), 0.02);
         const WindPlace at(glm::vec3(place, 10));
         expectNear(file.value().field->velocity(at, 0), {10 * std::cos(left), 10 * std::sin(left), 0}, 1e-3f);

@@ -34,7 +34,7 @@ void writePacked(const std::string& path, const Numbers& longitudes, const Numbe
 }
 
 /// u is the longitude and v the latitude, in m/s, -180 to 180.
-double eastOf(double longitude) {
+double within180(double longitude) {
     return longitude - 360.0 * std::round(longitude / 360.0);
 }
 
@@ -44,7 +44,7 @@ void writeGlobe(const std::string& path, double west) {
     file.axis("lon", longitudes, "degrees_east", {}, NC_FLOAT)
         .axis("lat", latitudes, "degrees_north", {}, NC_FLOAT)
         .array("u", {"lat", "lon"}, metresPerSecond,
-               over(latitudes, longitudes, [](double, double x) { return eastOf(x); }), NC_FLOAT)
+               over(latitudes, longitudes, [](double, double x) { return within180(x); }), NC_FLOAT)
         .array("v", {"lat", "lon"}, metresPerSecond,
                over(latitudes, longitudes, [](double y, double) { return y; }), NC_FLOAT);
 }
@@ -54,7 +54,7 @@ void expectOwnWind(const GridWind::Grid& grid) {
     for (int y = 0; y < grid.points.y; ++y)
         for (int x = 0; x < grid.points.x; ++x) {
             const glm::vec3 velocity = velocityAt(grid, 0, 0, y, x);
-            const double east = eastOf(grid.origin.x + x * grid.cell.x);
+            const double east = within180(grid.origin.x + x * grid.cell.x);
             EXPECT_NEAR(std::cos(glm::radians(double(velocity.x))), std::cos(glm::radians(east)), 1e-6);
             EXPECT_NEAR(std::sin(glm::radians(double(velocity.x))), std::sin(glm::radians(east)), 1e-6);
             EXPECT_NEAR(velocity.y, grid.origin.y + y * grid.cell.y, 1e-4);

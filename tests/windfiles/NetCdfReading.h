@@ -2,7 +2,9 @@
 #pragma once
 
 #include <tests/Folders.h>
+#include <tests/Near.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/windfiles/Notes.h>
 
 #include <osgTreeWind/windfiles/WindFile.h>
 
@@ -21,19 +23,6 @@ inline Result<WindFile> readAt(const std::string& path, const glm::dvec3& origin
     options.origin = origin;
     options.asStored = asStored;
     return readWindFile(path, options);
-}
-
-inline void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance) {
-    for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
-}
-
-/// Whether a note says this.
-inline bool notes(const WindSummary& summary, const std::string& part) {
-    for (const std::string& note : summary.notes)
-        if (note.find(part) != std::string::npos)
-            return true;
-    return false;
 }
 
 inline std::string smallNetCdf(const std::string& name) {

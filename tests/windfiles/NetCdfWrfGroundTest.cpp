@@ -2,6 +2,8 @@
 // Output of WRF above the model's own ground, and with winds of 10 m only.
 #include <tests/windfiles/NetCdfWriting.h>
 
+#include <glm/trigonometric.hpp>
+
 #include <osgTreeWind/places/Crs.h>
 
 namespace osgTreeWind {
@@ -9,7 +11,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr std::size_t columns = 5, rows = 4;
-constexpr double radius = 6370000.0, degree = 3.14159265358979323846 / 180.0, cell = 3000.0;
+constexpr double radius = 6370000.0, cell = 3000.0;
 
 /// Cells on Mercator's map, the first at the origin of the map; u is the column, v the row.
 class WrfWriter {
@@ -27,9 +29,10 @@ public:
         for (int t = 0; t < 2; ++t)
             for (std::size_t y = 0; y < rows; ++y)
                 for (std::size_t x = 0; x < columns; ++x) {
-                    longitudes.push_back(static_cast<double>(x) * cell / (radius * degree));
+                    longitudes.push_back(static_cast<double>(x) * cell / (radius * glm::radians(1.0)));
                     latitudes.push_back(
-                        2 * (std::atan(std::exp(static_cast<double>(y) * cell / radius)) / degree - 45.0));
+                        2 *
+                        (glm::degrees(std::atan(std::exp(static_cast<double>(y) * cell / radius))) - 45.0));
                 }
         _file.array("XLAT", flat(), {}, latitudes, NC_FLOAT).array("XLONG", flat(), {}, longitudes, NC_FLOAT);
     }

@@ -12,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-const std::string lambert = smallNetCdf("wrf_lambert.nc"), polar = smallNetCdf("wrf_polar.nc");
+const std::string lambertFile = smallNetCdf("wrf_lambert.nc"), polarFile = smallNetCdf("wrf_polar.nc");
 
 glm::vec3 windAt(const std::string& path, const glm::dvec3& place, double time) {
     const auto file = readAt(path, place);
@@ -76,24 +76,24 @@ TEST(NetCdfWrf, CellsStandWhereTheirLatitudesAndLongitudesSay) {
 
 /// In the small files u is the column and v the row of a cell, both 100 more after an hour: make_wrf.py.
 TEST(NetCdfWrf, LambertGridStandsWhereItWasPut) {
-    REQUIRE_NETCDF(lambert);
-    expectNear(windAt(lambert, {-500000, 20000, 10}, 0), {0, 0, 0}, 1e-3f);
-    expectNear(windAt(lambert, {-473000, 38000, 10}, 0), {3, 2, 0}, 1e-3f);
-    const WindSummary summary = readAt(lambert).value().summary;
+    REQUIRE_NETCDF(lambertFile);
+    expectNear(windAt(lambertFile, {-500000, 20000, 10}, 0), {0, 0, 0}, 1e-3f);
+    expectNear(windAt(lambertFile, {-473000, 38000, 10}, 0), {3, 2, 0}, 1e-3f);
+    const WindSummary summary = readAt(lambertFile).value().summary;
     EXPECT_EQ(summary.coordinates, "+proj=lcc +lat_1=30 +lat_2=60 +lat_0=45 +lon_0=10 +R=6370000");
     EXPECT_EQ(summary.direction, "components toward x, y and up of the model's grid");
 }
 
 TEST(NetCdfWrf, AMovingGridLeavesTheWindInItsPlace) {
-    REQUIRE_NETCDF(lambert); // it moves one cell east and two north
-    expectNear(windAt(lambert, {-482000, 38000, 10}, 3600), {101, 100, 0}, 1e-3f);
-    expectNear(windAt(lambert, {-473000, 38000, 10}, 3600), {102, 100, 0}, 1e-3f);
-    expectNear(windAt(lambert, {-500000, 20000, 10}, 3600), {100, 100, 0}, 1e-3f);
+    REQUIRE_NETCDF(lambertFile); // it moves one cell east and two north
+    expectNear(windAt(lambertFile, {-482000, 38000, 10}, 3600), {101, 100, 0}, 1e-3f);
+    expectNear(windAt(lambertFile, {-473000, 38000, 10}, 3600), {102, 100, 0}, 1e-3f);
+    expectNear(windAt(lambertFile, {-500000, 20000, 10}, 3600), {100, 100, 0}, 1e-3f);
 }
 
 TEST(NetCdfWrf, AsStoredAMovingGridStands) {
-    REQUIRE_NETCDF(lambert);
-    const auto file = readAt(lambert, {-473000, 38000, 10}, true);
+    REQUIRE_NETCDF(lambertFile);
+    const auto file = readAt(lambertFile, {-473000, 38000, 10}, true);
     ASSERT_TRUE(file) << firstProblem(file);
     expectNear(file.value().field->velocity({}, 3600), {103, 102, 0}, 1e-3f);
     EXPECT_TRUE(notes(file.value().summary, "in a forest they are where they blew"));
@@ -117,27 +117,27 @@ TEST(NetCdfWrf, AsStoredCellsOfAllTimesAreThoseOfTheFile) {
 }
 
 TEST(NetCdfWrf, PolarGridStandsWhereItWasPut) {
-    REQUIRE_NETCDF(polar);
-    expectNear(windAt(polar, {-300000, 1200000, 10}, 0), {0, 0, 0}, 1e-3f);
-    expectNear(windAt(polar, {-273000, 1218000, 10}, 0), {3, 2, 0}, 1e-3f);
-    const WindSummary summary = readAt(polar).value().summary;
+    REQUIRE_NETCDF(polarFile);
+    expectNear(windAt(polarFile, {-300000, 1200000, 10}, 0), {0, 0, 0}, 1e-3f);
+    expectNear(windAt(polarFile, {-273000, 1218000, 10}, 0), {3, 2, 0}, 1e-3f);
+    const WindSummary summary = readAt(polarFile).value().summary;
     EXPECT_EQ(summary.coordinates, "+proj=stere +lat_0=-90 +lat_ts=-70 +lon_0=10 +R=6370000");
     EXPECT_FALSE(notes(summary, "moves"));
 }
 
 TEST(NetCdfWrf, OneOfLatitudeAndLongitudeMayBeTheSameAtAllTimes) {
-    REQUIRE_NETCDF(polar);
+    REQUIRE_NETCDF(polarFile);
     const TemporaryFolder folder;
     for (const char* array : {"XLAT", "XLONG"}) {
-        const std::string path = folder.write("a.nc", withDimensions(fileBytes(polar), array, {3, 5}));
+        const std::string path = folder.write("a.nc", withDimensions(fileBytes(polarFile), array, {3, 5}));
         expectNear(windAt(path, {-273000, 1218000, 10}, 0), {3, 2, 0}, 1e-3f);
     }
 }
 
 TEST(NetCdfWrf, WithoutAKnownMapPlacesCountFromTheCorner) {
-    REQUIRE_NETCDF(polar);
+    REQUIRE_NETCDF(polarFile);
     const TemporaryFolder folder;
-    const std::string bytes = fileBytes(polar);
+    const std::string bytes = fileBytes(polarFile);
     const std::pair<std::string, const char*> cases[] = {
         {renamed(bytes, "MAP_PROJ", "MAP_PORJ"), "names no map that is known here"},
         {renamed(bytes, "STAND_LON", "STAND_LAT"), "names no map that is known here"},

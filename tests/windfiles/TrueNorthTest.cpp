@@ -2,6 +2,8 @@
 // Winds that count from true north, on Lambert's map around 40 N, 100 W on a sphere of 6371.2 km.
 #include <tests/windfiles/NetCdfReading.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <tests/io/TemporaryFolder.h>
 
 #include <cmath>
@@ -10,11 +12,9 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// n (longitude - 100 W): the angle by which true north lies to the left of the y axis.
 double convergence(const glm::dvec2& place) {
-    return std::atan2(place.x, 6371200.0 / std::tan(40.0 * pi / 180.0) - place.y);
+    return std::atan2(place.x, 6371200.0 / std::tan(40.0 * glm::pi<double>() / 180.0) - place.y);
 }
 
 /// truenorth.nc after a change: 10 m/s toward east, and as speed and direction 10 m/s from south.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/Near.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/windfiles/RecordOf.h>
 
@@ -26,12 +27,6 @@ WindSeriesColumns cartesian() {
 
 Result<WindSeries> read(const std::string& content, const WindSeriesColumns& columns) {
     return recordOf(readWindCsv(content, "w.csv", columns));
-}
-
-void expectNear(const glm::vec3& actual, const glm::vec3& expected) {
-    EXPECT_NEAR(actual.x, expected.x, 1e-5f);
-    EXPECT_NEAR(actual.y, expected.y, 1e-5f);
-    EXPECT_NEAR(actual.z, expected.z, 1e-5f);
 }
 
 } // namespace

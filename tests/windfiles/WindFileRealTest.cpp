@@ -2,6 +2,9 @@
 // Real files against the numbers that a plain reading of their text gives.
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <glm/gtc/constants.hpp>
+
+#include <tests/Near.h>
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
 
@@ -19,19 +22,12 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 WindFile readReal(const std::string& path, const glm::dvec3& origin = glm::dvec3(0.0)) {
     WindFileOptions options;
     options.origin = origin;
     const Result<WindFile> file = readWindFile(path, options);
     EXPECT_TRUE(file) << firstProblem(file);
     return file ? file.value() : WindFile{};
-}
-
-void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance) {
-    for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
 }
 
 std::vector<std::string> linesOf(const std::string& path) {
@@ -68,7 +64,8 @@ TEST_P(WindNinjaGrids, EqualTheTextAtItsCells) {
     const auto [columns, rows, x, y, cell] = header;
     for (int row : {0, 1, 4, static_cast<int>(rows) - 1})
         for (int column : {0, 5, static_cast<int>(columns) - 1}) {
-            const double s = cellOf(speeds, row, column), d = cellOf(directions, row, column) * pi / 180.0;
+            const double s = cellOf(speeds, row, column),
+                         d = cellOf(directions, row, column) * glm::pi<double>() / 180.0;
             const glm::dvec3 place(x + (column + 0.5) * cell, y + (rows - row - 0.5) * cell, 0.0);
             const WindFile file = readReal(speeds, place);
             ASSERT_TRUE(file.field);
@@ -93,7 +90,8 @@ TEST(WindFileReal, TwoHoursOfWindNinjaAreOneWind) {
     REQUIRE_REAL_DATA(firstAngles, folder + "198001010100/output/PIG_1000m_ang.asc");
     REQUIRE_REAL_DATA(secondAngles, folder + "198001010200/output/PIG_1000m_ang.asc");
     const auto velocity = [](double speed, double degrees) {
-        return -speed * glm::dvec3(std::sin(degrees * pi / 180.0), std::cos(degrees * pi / 180.0), 0.0);
+        return -speed * glm::dvec3(std::sin(degrees * glm::pi<double>() / 180.0),
+                                   std::cos(degrees * glm::pi<double>() / 180.0), 0.0);
     };
     for (int row : {0, 50, 97})
         for (int column : {0, 70, 137}) {
@@ -187,7 +185,8 @@ TEST(WindFileReal, QesSensorEqualsItsText) {
     const WindFile file = readReal(path);
     ASSERT_TRUE(file.field);
     const auto velocity = [](double speed, double from) {
-        return glm::vec3(-speed * std::sin(from * pi / 180.0), -speed * std::cos(from * pi / 180.0), 0.0);
+        return glm::vec3(-speed * std::sin(from * glm::pi<double>() / 180.0),
+                         -speed * std::cos(from * glm::pi<double>() / 180.0), 0.0);
     };
     const glm::vec3 first = velocity(3.1, 78.4), second = velocity(2.9, 107.0);
     const auto at = [&](float height, double time) { return file.field->velocity({300, -20, height}, time); };

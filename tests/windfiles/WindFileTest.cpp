@@ -2,7 +2,9 @@
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <tests/Folders.h>
+#include <tests/Near.h>
 #include <tests/base/FirstProblem.h>
+#include <tests/windfiles/Notes.h>
 
 #include <gtest/gtest.h>
 
@@ -18,18 +20,6 @@ WindFile readSmall(const std::string& name, const WindFileOptions& options = {})
     const Result<WindFile> file = readWindFile(folder + name, options);
     EXPECT_TRUE(file) << firstProblem(file);
     return file ? file.value() : WindFile{};
-}
-
-void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-5f) {
-    for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
-}
-
-bool notes(const WindSummary& summary, const std::string& part) {
-    for (const std::string& note : summary.notes)
-        if (note.find(part) != std::string::npos)
-            return true;
-    return false;
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/LeafEdges.h>
 
+#include <tests/drawing/impostors/SolidMask.h>
+
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 
 #include <gtest/gtest.h>
@@ -12,13 +14,11 @@ using namespace osgTreeWind;
 namespace {
 
 constexpr int size = 256, closing = 8;
-const Silhouette::Mask solid{1, {1}};
-
 /// Bars as wide as the gaps between them, across half of the picture.
 Silhouette bars(int width) {
     Silhouette picture(size);
     for (int x = 64; x < 192; x += 2 * width)
-        picture.draw({x, 64}, {width, 0}, {0, 128}, solid);
+        picture.draw({x, 64}, {width, 0}, {0, 128}, solidMask);
     return picture;
 }
 
@@ -35,7 +35,7 @@ TEST(LeafEdges, CountChangesAndRunsAlongLines) {
 
 TEST(LeafEdges, OfWhatIsSolidThereAreNone) {
     Silhouette square(size);
-    square.draw({64, 64}, {128, 0}, {0, 128}, solid);
+    square.draw({64, 64}, {128, 0}, {0, 128}, solidMask);
     const LeafEdges edges = measureEdges(square, closing);
     EXPECT_EQ(edges.edges, 0.0f);
     EXPECT_EQ(edges.leafRun, 128.0f);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/Silhouette.h>
 
+#include <tests/drawing/impostors/SolidMask.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,8 +10,6 @@
 using namespace osgTreeWind;
 
 namespace {
-
-const Silhouette::Mask solid{1, {1}};
 
 /// Four by four squares, every other one solid.
 Silhouette::Mask chequered() {
@@ -23,7 +23,7 @@ Silhouette::Mask chequered() {
 
 TEST(Silhouette, ARectangleCoversThePixelsWhoseMiddlesAreInIt) {
     Silhouette picture(32);
-    picture.draw({4.0f, 5.0f}, {10.0f, 0.0f}, {0.0f, 6.0f}, solid);
+    picture.draw({4.0f, 5.0f}, {10.0f, 0.0f}, {0.0f, 6.0f}, solidMask);
     EXPECT_EQ(picture.count(), 60u);
     EXPECT_TRUE(picture.black(4, 5));
     EXPECT_TRUE(picture.black(13, 10));
@@ -38,7 +38,7 @@ TEST(Silhouette, AParallelogramCoversItsArea) {
                         along = 90.0f * glm::vec2(std::cos(turn + 1.2f), std::sin(turn + 1.2f));
         const glm::vec2 corner = glm::vec2(200.0f) - 0.5f * (across + along);
         const float area = std::abs(across.x * along.y - across.y * along.x);
-        picture.draw(corner, across, along, solid);
+        picture.draw(corner, across, along, solidMask);
         EXPECT_NEAR(static_cast<float>(picture.count()) / area, 1.0f, 0.01f) << turn;
         Silhouette half(400);
         half.draw(corner, across, along, chequered());
@@ -48,25 +48,25 @@ TEST(Silhouette, AParallelogramCoversItsArea) {
 
 TEST(Silhouette, WhatLiesOutsideIsLeftOut) {
     Silhouette picture(16);
-    picture.draw({-8.0f, -8.0f}, {16.0f, 0.0f}, {0.0f, 16.0f}, solid);
+    picture.draw({-8.0f, -8.0f}, {16.0f, 0.0f}, {0.0f, 16.0f}, solidMask);
     EXPECT_EQ(picture.count(), 64u);
-    picture.draw({5.0f, 5.0f}, {4.0f, 4.0f}, {8.0f, 8.0f}, solid); // edge on
-    picture.draw({1e9f, 0.0f}, {4.0f, 0.0f}, {0.0f, 4.0f}, solid);
-    picture.draw({NAN, 0.0f}, {4.0f, 0.0f}, {0.0f, 4.0f}, solid);
+    picture.draw({5.0f, 5.0f}, {4.0f, 4.0f}, {8.0f, 8.0f}, solidMask); // edge on
+    picture.draw({1e9f, 0.0f}, {4.0f, 0.0f}, {0.0f, 4.0f}, solidMask);
+    picture.draw({NAN, 0.0f}, {4.0f, 0.0f}, {0.0f, 4.0f}, solidMask);
     EXPECT_EQ(picture.count(), 64u);
 }
 
 TEST(Silhouette, TheOutlineClosesGapsAndHolesAndKeepsBays) {
     Silhouette picture(100);
-    picture.draw({20.0f, 20.0f}, {60.0f, 0.0f}, {0.0f, 60.0f}, solid);
+    picture.draw({20.0f, 20.0f}, {60.0f, 0.0f}, {0.0f, 60.0f}, solidMask);
     const Silhouette square = picture.outline(8);
     EXPECT_EQ(square.count(), 3600u); // nothing to close
     Silhouette ring(100);
-    ring.draw({20.0f, 20.0f}, {60.0f, 0.0f}, {0.0f, 10.0f}, solid);
-    ring.draw({20.0f, 70.0f}, {60.0f, 0.0f}, {0.0f, 10.0f}, solid);
-    ring.draw({20.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 60.0f}, solid);
-    ring.draw({70.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 25.0f}, solid);
-    ring.draw({70.0f, 51.0f}, {10.0f, 0.0f}, {0.0f, 29.0f}, solid); // a gap of 6 on the right
+    ring.draw({20.0f, 20.0f}, {60.0f, 0.0f}, {0.0f, 10.0f}, solidMask);
+    ring.draw({20.0f, 70.0f}, {60.0f, 0.0f}, {0.0f, 10.0f}, solidMask);
+    ring.draw({20.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 60.0f}, solidMask);
+    ring.draw({70.0f, 20.0f}, {10.0f, 0.0f}, {0.0f, 25.0f}, solidMask);
+    ring.draw({70.0f, 51.0f}, {10.0f, 0.0f}, {0.0f, 29.0f}, solidMask); // a gap of 6 on the right
     EXPECT_EQ(ring.outline(8).count(), 3600u);
     EXPECT_EQ(ring.outline(4).count(), ring.count()); // too narrow for it: the inside is outside
     EXPECT_EQ(ring.common(square), ring.count());

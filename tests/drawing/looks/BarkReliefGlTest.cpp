@@ -14,11 +14,11 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int size = 128;
-
 /// A bare pole before black.
 class BarkReliefGlTest : public GlTest {
 protected:
+    static constexpr int size = 128;
+
     /// @param width of the picture, metres. @param file of bark.
     osg::ref_ptr<osg::Image> pole(BarkForm form, float radius, double width, const std::string& file = {}) {
         GrownTreeParameters wood;

@@ -19,7 +19,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int size = 128;
+constexpr int pictureSize = 128;
 
 /// The mean of what is not background.
 osg::Vec3d meanColour(const osg::Image& image) {
@@ -61,7 +61,7 @@ protected:
         source->setStateSetModes(*scene->getOrCreateStateSet(), osg::StateAttribute::ON);
     }
     /// From the south, `distance` metres away, the tree as large each time.
-    osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = size, int samples = 0,
+    osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = pictureSize, int samples = 0,
                                      double half = 3.0) {
         open(pixels, pixels, samples);
         viewer().setSceneData(scene);
@@ -104,7 +104,7 @@ TEST_F(SceneShadingGlTest, coloursAreWrittenAsSrgb) {
     scene->getStateSet()->removeDefine("LINEAR_COLORS");
     osg::ref_ptr<osg::Image> encoded = picture();
     int pixels = 0;
-    for (int i = 0; i < 4 * size * size; ++i) {
+    for (int i = 0; i < 4 * pictureSize * pictureSize; ++i) {
         const double value = encoded->data()[i] / 255.0;
         const double decoded = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
         if (i % 4 < 3) {
@@ -136,11 +136,12 @@ TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
 TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
     scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     scene->getStateSet()->removeDefine("LINEAR_COLORS");
-    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * size, 0, 1.0), plain = picture(20.0, size, 0, 1.0),
-                             multisampled = picture(20.0, size, 4, 1.0);
+    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * pictureSize, 0, 1.0),
+                             plain = picture(20.0, pictureSize, 0, 1.0),
+                             multisampled = picture(20.0, pictureSize, 4, 1.0);
     osg::ref_ptr<osg::Image> mean = new osg::Image(*plain, osg::CopyOp::DEEP_COPY_ALL);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
+    for (int y = 0; y < pictureSize; ++y)
+        for (int x = 0; x < pictureSize; ++x)
             for (int c = 0; c < 3; ++c) {
                 int sum = 0;
                 for (int i = 0; i < 16; ++i)
@@ -148,7 +149,7 @@ TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
                 mean->data(x, y)[c] = static_cast<unsigned char>(sum / 16);
             }
     EXPECT_LT(difference(*multisampled, *mean).mean, 0.95 * difference(*plain, *mean).mean);
-    for (int i = 3; i < 4 * size * size; i += 4)
+    for (int i = 3; i < 4 * pictureSize * pictureSize; i += 4)
         ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "alpha is written as ever";
 }
 
@@ -254,7 +255,7 @@ protected:
     }
     void look(osg::Node* scene, const osg::Vec3d& eye, const osg::Vec3d& centre, const osg::Vec3d& up,
               double half) {
-        open(size, size);
+        open(pictureSize, pictureSize);
         viewer().setSceneData(scene);
         viewer().setLightingMode(osg::View::NO_LIGHT);
         osg::Camera& camera = *viewer().getCamera();

@@ -7,7 +7,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-TreeRaster::Stencil solid() {
+TreeRaster::Stencil solidStencil() {
     TreeRaster::Stencil stencil;
     stencil.fill(1);
     return stencil;
@@ -25,7 +25,7 @@ int seen(const TreeRaster& raster, std::uint32_t item) {
 
 TEST(TreeRaster, APieceCoversItsArea) {
     TreeRaster raster(100);
-    raster.draw({{20.3f, 10.1f, 0.0f}, {40.0f, 20.0f, 0.0f}, {-10.0f, 50.0f, 0.0f}}, solid(), 7);
+    raster.draw({{20.3f, 10.1f, 0.0f}, {40.0f, 20.0f, 0.0f}, {-10.0f, 50.0f, 0.0f}}, solidStencil(), 7);
     EXPECT_NEAR(seen(raster, 7), 40 * 50 + 20 * 10, 40);
     EXPECT_EQ(raster.sample(99, 0).item, TreeRaster::nothing);
 }
@@ -36,7 +36,7 @@ TEST(TreeRaster, ThinPiecesCoverTheirAreaInTheMean) {
         TreeRaster raster(100);
         raster.draw(
             {{10.0f + 0.37f * static_cast<float>(i), 10.0f, 0.0f}, {0.2f, 0.0f, 0.0f}, {0.0f, 80.0f, 0.0f}},
-            solid(), 1);
+            solidStencil(), 1);
         sum += seen(raster, 1);
     }
     EXPECT_NEAR(sum / 200.0, 16.0, 1.0);
@@ -46,15 +46,15 @@ TEST(TreeRaster, WhatIsNearerIsSeenWhateverComesFirst) {
     for (const bool nearFirst : {false, true}) {
         TreeRaster raster(10);
         for (const std::uint32_t item : {nearFirst ? 1u : 0u, nearFirst ? 0u : 1u})
-            raster.draw({{0, 0, static_cast<float>(item)}, {10, 0, 0}, {0, 10, 0}}, solid(), item);
+            raster.draw({{0, 0, static_cast<float>(item)}, {10, 0, 0}, {0, 10, 0}}, solidStencil(), item);
         EXPECT_EQ(seen(raster, 1), 100);
     }
 }
 
 TEST(TreeRaster, DepthRunsAcrossAPiece) {
     TreeRaster raster(10);
-    raster.draw({{0, 0, -1}, {10, 0, 2}, {0, 10, 0}}, solid(), 0); // nearer to the right
-    raster.draw({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, solid(), 1);
+    raster.draw({{0, 0, -1}, {10, 0, 2}, {0, 10, 0}}, solidStencil(), 0); // nearer to the right
+    raster.draw({{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, solidStencil(), 1);
     EXPECT_EQ(raster.sample(0, 5).item, 1u);
     EXPECT_EQ(raster.sample(9, 5).item, 0u);
 }
@@ -73,9 +73,9 @@ TEST(TreeRaster, StencilsAreSeenThrough) {
 
 TEST(TreeRaster, PiecesBeyondThePictureOrOnEdgeDrawNothingThere) {
     TreeRaster raster(10);
-    raster.draw({{-50, -50, 0}, {20, 0, 0}, {0, 20, 0}}, solid(), 1);
-    raster.draw({{1, 1, 0}, {5, 5, 0}, {2, 2, 0}}, solid(), 1);
+    raster.draw({{-50, -50, 0}, {20, 0, 0}, {0, 20, 0}}, solidStencil(), 1);
+    raster.draw({{1, 1, 0}, {5, 5, 0}, {2, 2, 0}}, solidStencil(), 1);
     EXPECT_EQ(seen(raster, 1), 0);
-    raster.draw({{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}, solid(), 2);
+    raster.draw({{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}, solidStencil(), 2);
     EXPECT_EQ(seen(raster, 2), 100);
 }

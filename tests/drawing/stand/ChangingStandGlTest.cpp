@@ -37,8 +37,6 @@ void operator delete(void* memory, std::size_t) noexcept {
 
 namespace {
 
-constexpr int width = 64, height = 48;
-
 /// Counts what is allocated while what is below it is culled.
 class CullMeter : public osg::Group {
 public:
@@ -72,6 +70,8 @@ ForestDescription squareForest(std::size_t count, double apart) {
 
 class ChangingStandGlTest : public GlTest {
 protected:
+    static constexpr int width = 64, height = 48;
+
     void show(osg::Node* scene, const osg::Vec3& eye, const osg::Vec3& at) {
         open(width, height);
         viewer().setSceneData(scene);

@@ -19,8 +19,6 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int width = 320, height = 240;
-
 /// White on black, whatever the light.
 osg::ref_ptr<osg::StateSet> silhouette(const char* vertexShader) {
     osg::ref_ptr<osg::Program> program = new osg::Program;
@@ -43,7 +41,7 @@ struct Triangles {
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
 };
 
-osg::ref_ptr<osg::Geometry> white(osg::Vec3Array* corners) {
+osg::ref_ptr<osg::Geometry> whiteTriangles(osg::Vec3Array* corners) {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     geometry->setUseDisplayList(false);
     geometry->setVertexArray(corners);
@@ -57,7 +55,7 @@ osg::ref_ptr<osg::Node> posedByCpu(const Forest& forest) {
     osg::TriangleFunctor<Triangles> triangles;
     for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
         osg::ref_ptr<TreeHit>(new TreeHit(forest.getSimulation(), tree))->accept(triangles);
-    return white(triangles.corners);
+    return whiteTriangles(triangles.corners);
 }
 
 /// Trees of two species in several shapes and odd sizes, one of which heads due south.
@@ -85,6 +83,8 @@ double differing(const osg::Image& a, const osg::Image& b) {
 
 class TreeStandGlTest : public GlTest {
 protected:
+    static constexpr int width = 320, height = 240;
+
     /// Opens, and looks at the two rows of trees from the south.
     void look(osg::Node* scene) {
         open(width, height);
@@ -148,7 +148,7 @@ TEST_F(TreeStandGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSameFram
                 if (static_cast<unsigned>(vertex.unit + 0.5f) == unit)
                     corners->push_back(toOsg(posedSkinPoint(vertex, placed.scale, UnitPose())));
             }
-            followed->branch(simulation.idOf(tree), unit)->addChild(white(corners));
+            followed->branch(simulation.idOf(tree), unit)->addChild(whiteTriangles(corners));
         }
     }
     followed->getStand()->trees()->setNodeMask(0);
@@ -271,7 +271,7 @@ TEST_F(TreeStandGlTest, whatIsDrawnAroundItIsDrawnAsWithoutIt) { // passes leave
         osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
         for (const osg::Vec3 corner : {osg::Vec3(3, -2, 0), osg::Vec3(7, -2, 0), osg::Vec3(5, -2, 5)})
             corners->push_back(corner);
-        osg::ref_ptr<osg::Geometry> geometry = white(corners);
+        osg::ref_ptr<osg::Geometry> geometry = whiteTriangles(corners);
         geometry->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
         geometry->getOrCreateStateSet()->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
         osg::ref_ptr<osg::Vec4Array> colour = new osg::Vec4Array;

@@ -2,6 +2,8 @@
 // Against the closed forms of cantilevers (Blevins, Formulas for Natural Frequency and Mode Shape).
 #include <osgTreeWind/motion/laws/AxisPaces.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +11,6 @@
 using namespace osgTreeWind;
 
 namespace {
-
-constexpr double pi = 3.141592653589793;
 
 /// An upright pole along z, diameters d0 to d1, in equal units.
 TreeModel pole(int units, double length, double d0, double d1) {
@@ -56,8 +56,8 @@ TEST(AxisPaces, AConeSwaysAsACone) {
 TEST(AxisPaces, AHeavyTipSwaysAsAMassOnASpring) {
     TreeModel model = pole(4, 10, 0.2, 0.2);
     model.skeleton.units.push_back({3, 1, {0, 0, 10}, {0, 0, 10.001f}, 0.001f, 0.001f});
-    const double mass = 1.0e5, own = 33.0 / 140.0 * 1000.0 * pi * 0.01 * 10.0;
-    const double stiffness = 3.0 * 1.0e10 * pi * std::pow(0.2, 4) / 64.0 / 1000.0;
+    const double mass = 1.0e5, own = 33.0 / 140.0 * 1000.0 * glm::pi<double>() * 0.01 * 10.0;
+    const double stiffness = 3.0 * 1.0e10 * glm::pi<double>() * std::pow(0.2, 4) / 64.0 / 1000.0;
     std::vector<UnitLoad> loads = bare(model);
     loads[4].leafMass = static_cast<float>(mass);
     EXPECT_NEAR(axisPaces(model, {}, loads, 0.0)[0] / std::sqrt(stiffness / (mass + own)), 1.0, 0.002);
@@ -131,7 +131,7 @@ TEST(AxisPaces, JointsOfAnAxisBendAsItsWoodUnderAForceAtTheTip) {
         const double length = base == 0.0 ? 2.0 : base == 2.0 ? 3.0 : 5.0, reach = 10.0 - base;
         shift += reach * reach / jointStiffness(1.0e10, 0.2, 0.2, length, reach);
     }
-    EXPECT_NEAR(shift / (1000.0 / (3.0 * 1.0e10 * pi * std::pow(0.2, 4) / 64.0)), 1.0, 1e-9);
+    EXPECT_NEAR(shift / (1000.0 / (3.0 * 1.0e10 * glm::pi<double>() * std::pow(0.2, 4) / 64.0)), 1.0, 1e-9);
 }
 
 TEST(AxisPaces, AStiffPoleOnASpringSwaysAsAPendulumOnASpring) {
@@ -140,7 +140,7 @@ TEST(AxisPaces, AStiffPoleOnASpringSwaysAsAPendulumOnASpring) {
     std::vector<UnitLoad> loads = bare(model);
     for (UnitLoad& load : loads)
         load.modulus *= 1.0e5f;
-    const double mass = 1000.0 * pi * 0.01 * 10.0, spring = 1.0e5;
+    const double mass = 1000.0 * glm::pi<double>() * 0.01 * 10.0, spring = 1.0e5;
     loads[0].rootGive = static_cast<float>(1.0 / spring);
     const double expected = std::sqrt(spring / (mass * 100.0 / 3.0));
     EXPECT_NEAR(axisPaces(model, {}, loads, 0.0)[0] / expected, 1.0, 0.003);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/Rotations.h>
 
+#include <tests/Near.h>
+
 #include <osgTreeWind/model/ThesisAxes.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
@@ -15,10 +17,6 @@ const glm::vec3 up(0, 0, 1);
 /// A turn about an axis given in the thesis' frame.
 glm::quat thesisTurn(const glm::vec3& axis, float angle) {
     return glm::angleAxis(angle, fromThesis(axis));
-}
-
-void expectNear(const glm::vec3& a, const glm::vec3& b) {
-    EXPECT_LT(glm::length(a - b), 1e-5f) << a.x << " " << a.y << " " << a.z;
 }
 
 } // namespace

@@ -12,7 +12,7 @@ using namespace osgTreeWind;
 namespace {
 
 constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
-const glm::vec4 rest(0.0f);
+const glm::vec4 restingBranch(0.0f);
 
 /// k = 1 and L = 1, so that loads are deflections over length.
 Laws::ThesisBranch unitBranch(float maxAngle = 0.5f) {
@@ -39,14 +39,14 @@ TEST(ThesisBranchLaw, SpringIsARectangularCantilever) {
 }
 
 TEST(ThesisBranchLaw, GoldenOfALightWind) {
-    const glm::vec4 state = thesis(rest, glm::vec3(0.1f), 0.3f, unitBranch());
+    const glm::vec4 state = thesis(restingBranch, glm::vec3(0.1f), 0.3f, unitBranch());
     EXPECT_NEAR(state.x, 0.07217f, 1e-5f);
     EXPECT_NEAR(state.y, 0.08250f, 1e-5f);
 }
 
 TEST(ThesisBranchLaw, GoldenOfALoadBeyondTheArcSine) {
     // Vertical wind alone: the substitute angles asin 0.6 and asin 0.3, the first limited.
-    const glm::vec4 state = thesis(rest, {0, 9, 0}, 0.3f, unitBranch(0.5f));
+    const glm::vec4 state = thesis(restingBranch, {0, 9, 0}, 0.3f, unitBranch(0.5f));
     EXPECT_NEAR(state.x, 0.5f, 1e-5f);
     EXPECT_NEAR(state.y, 0.3046f, 1e-3f);
     EXPECT_NEAR(state.y, std::asin(0.3f), 1e-6f);
@@ -54,7 +54,7 @@ TEST(ThesisBranchLaw, GoldenOfALoadBeyondTheArcSine) {
 
 TEST(ThesisBranchLaw, EachAxisBeyondTheArcSineSubstitutesAllAngles) {
     for (const glm::vec3 wind : {glm::vec3(2, 0, 0), glm::vec3(0, 2, 0), glm::vec3(0, 0, 2)}) {
-        const glm::vec4 state = thesis(rest, wind, 0.3f, unitBranch(1.5f));
+        const glm::vec4 state = thesis(restingBranch, wind, 0.3f, unitBranch(1.5f));
         EXPECT_NEAR(state.x, std::asin(0.6f), 1e-6f);
         EXPECT_NEAR(state.y, std::asin(0.3f), 1e-6f);
     }
@@ -62,19 +62,19 @@ TEST(ThesisBranchLaw, EachAxisBeyondTheArcSineSubstitutesAllAngles) {
 
 TEST(ThesisBranchLaw, ArcSineIsClampedBelow) {
     // The listing would make NaN of a share of -7.
-    const glm::vec4 state = thesis(rest, {-10, 0, -10}, 0.3f, unitBranch(0.4f));
+    const glm::vec4 state = thesis(restingBranch, {-10, 0, -10}, 0.3f, unitBranch(0.4f));
     EXPECT_FLOAT_EQ(state.x, -0.4f);
     EXPECT_FLOAT_EQ(state.y, -0.4f);
 }
 
 TEST(ThesisBranchLaw, TexelCarriesTheWind) {
-    const glm::vec4 state = thesis(rest, {1, 2, 3}, 0.3f, unitBranch());
+    const glm::vec4 state = thesis(restingBranch, {1, 2, 3}, 0.3f, unitBranch());
     EXPECT_EQ(state.z, 1.0f);
     EXPECT_EQ(state.w, 3.0f);
 }
 
 TEST(ThesisBranchLaw, AnglesAddUpToTheLimitUnderConstantWind) {
-    glm::vec4 state = rest;
+    glm::vec4 state = restingBranch;
     for (int frame = 0; frame < 100; ++frame)
         state = thesis(state, {0.05f, 0, -0.05f}, 0.3f, unitBranch());
     EXPECT_EQ(state.x, 0.5f);
@@ -82,7 +82,7 @@ TEST(ThesisBranchLaw, AnglesAddUpToTheLimitUnderConstantWind) {
 }
 
 TEST(ThesisBranchLaw, SpeedFollowsTheNumberOfFrames) {
-    glm::vec4 slow = rest, fast = rest;
+    glm::vec4 slow = restingBranch, fast = restingBranch;
     for (int frame = 0; frame < 4; ++frame) {
         fast = thesis(fast, {0.05f, 0, 0}, 0.3f, unitBranch());
         if (frame % 2 == 0)
@@ -99,13 +99,13 @@ TEST(ThesisBranchLaw, CalmFreezes) {
 }
 
 TEST(ThesisBranchLaw, NearlyNoWindIsCalmAlongZOnly) {
-    const glm::vec4 state = thesis(rest, {5e-6f, 0, 5e-6f}, 0.3f, unitBranch());
+    const glm::vec4 state = thesis(restingBranch, {5e-6f, 0, 5e-6f}, 0.3f, unitBranch());
     EXPECT_NEAR(state.x, 0.7f * 0.003005f, 1e-7f);
     EXPECT_EQ(state.y, 0.0f);
 }
 
 TEST(ThesisBranchLaw, NoiseOfZeroCountsAsOneEvenInACalm) {
-    const glm::vec4 state = thesis(rest, glm::vec3(0.0f), 0.0f, unitBranch());
+    const glm::vec4 state = thesis(restingBranch, glm::vec3(0.0f), 0.0f, unitBranch());
     EXPECT_NEAR(state.x, std::asin(0.007f), 1e-7f);
     EXPECT_NEAR(state.y, std::asin(0.008f), 1e-7f);
 }
@@ -114,11 +114,12 @@ TEST(ThesisBranchLaw, PartialStepsAndLevelHaveNoEffectAsPublished) {
     Laws::ThesisBranch other = unitBranch();
     other.partialSteps = 2.0f;
     other.levelLoad = 5.0f;
-    EXPECT_EQ(thesis(rest, glm::vec3(0.1f), 0.3f, unitBranch()), thesis(rest, glm::vec3(0.1f), 0.3f, other));
+    EXPECT_EQ(thesis(restingBranch, glm::vec3(0.1f), 0.3f, unitBranch()),
+              thesis(restingBranch, glm::vec3(0.1f), 0.3f, other));
 }
 
 TEST(ThesisBranchLaw, WindTowardPlusMakesPlusAngles) {
-    const glm::vec4 state = thesis(rest, {0.2f, 0, 0.2f}, -0.5f, unitBranch());
+    const glm::vec4 state = thesis(restingBranch, {0.2f, 0, 0.2f}, -0.5f, unitBranch());
     EXPECT_GT(state.x, 0.0f);
     EXPECT_GT(state.y, 0.0f);
 }
@@ -139,7 +140,7 @@ TEST(ThesisSmoothBranchLaw, LevelAddsToTheLoad) {
     Laws::ThesisBranch branch = unitBranch();
     branch.partialSteps = 1.0f;
     branch.levelLoad = 0.25f;
-    EXPECT_NEAR(smooth(rest, glm::vec3(0.1f), 0.3f, branch).x, std::asin(0.7f * 0.353f), 1e-6f);
+    EXPECT_NEAR(smooth(restingBranch, glm::vec3(0.1f), 0.3f, branch).x, std::asin(0.7f * 0.353f), 1e-6f);
 }
 
 TEST(ThesisSmoothBranchLaw, CalmFreezesWhateverTheNoiseAndLevel) {

@@ -8,7 +8,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-const glm::vec4 rest(0.0f);
+const glm::vec4 restingLeaf(0.0f);
 
 Laws::ThesisLeaf leaf(float partialSteps = 1.0f) {
     return {0.5f, 0.2f, 1.0f, partialSteps, 1.0f, 0.7f};
@@ -17,7 +17,7 @@ Laws::ThesisLeaf leaf(float partialSteps = 1.0f) {
 } // namespace
 
 TEST(ThesisLeafLaw, TargetsComeFromTheNoise) {
-    const glm::vec4 state = Laws().thesisLeafStep(rest, 0.4f, 0.5f, leaf());
+    const glm::vec4 state = Laws().thesisLeafStep(restingLeaf, 0.4f, 0.5f, leaf());
     EXPECT_FLOAT_EQ(state.x, 0.2f); // 0.5 * 0.4
     EXPECT_FLOAT_EQ(state.y, 0.1f); // 0.2 * 0.5
     EXPECT_FLOAT_EQ(state.z, 0.5f); // 1 * 0.45 + 0.7 * 0.2 = 0.59, limited
@@ -25,15 +25,15 @@ TEST(ThesisLeafLaw, TargetsComeFromTheNoise) {
 }
 
 TEST(ThesisLeafLaw, RotationIsNoisePlusTheLinkedMotion) {
-    EXPECT_NEAR(Laws().thesisLeafStep(rest, 0.1f, 0.3f, leaf()).z, 0.2f + 0.7f * 0.05f, 1e-6f);
+    EXPECT_NEAR(Laws().thesisLeafStep(restingLeaf, 0.1f, 0.3f, leaf()).z, 0.2f + 0.7f * 0.05f, 1e-6f);
 }
 
 TEST(ThesisLeafLaw, SinkingAnglesAreLimitedByMaxZ) {
-    EXPECT_FLOAT_EQ(Laws().thesisLeafStep(rest, -0.5f, 0.3f, leaf()).x, -0.2f); // target -0.25
+    EXPECT_FLOAT_EQ(Laws().thesisLeafStep(restingLeaf, -0.5f, 0.3f, leaf()).x, -0.2f); // target -0.25
 }
 
 TEST(ThesisLeafLaw, GrowingAnglesAreLimitedByMaxX) {
-    EXPECT_FLOAT_EQ(Laws().thesisLeafStep(rest, 1.0f, 1.0f, leaf()).z, 0.5f); // target 1.35
+    EXPECT_FLOAT_EQ(Laws().thesisLeafStep(restingLeaf, 1.0f, 1.0f, leaf()).z, 0.5f); // target 1.35
 }
 
 TEST(ThesisLeafLaw, TakesOnePartOfTheWay) {
@@ -43,20 +43,20 @@ TEST(ThesisLeafLaw, TakesOnePartOfTheWay) {
 }
 
 TEST(ThesisLeafLaw, FirstNoiseOfZeroBecomesOneAndLeavesTheOtherTarget) {
-    const glm::vec4 state = Laws().thesisLeafStep(rest, 0.0f, -0.5f, leaf());
+    const glm::vec4 state = Laws().thesisLeafStep(restingLeaf, 0.0f, -0.5f, leaf());
     EXPECT_FLOAT_EQ(state.x, 0.5f);
     EXPECT_FLOAT_EQ(state.y, 0.01f);
     EXPECT_FLOAT_EQ(state.w, 0.0f);
 }
 
 TEST(ThesisLeafLaw, SecondNoiseOfZeroBecomesOneAndLeavesTheOtherTarget) {
-    const glm::vec4 state = Laws().thesisLeafStep(rest, 0.5f, 0.0f, leaf());
+    const glm::vec4 state = Laws().thesisLeafStep(restingLeaf, 0.5f, 0.0f, leaf());
     EXPECT_FLOAT_EQ(state.x, 0.01f);
     EXPECT_FLOAT_EQ(state.y, 0.2f);
 }
 
 TEST(ThesisLeafLaw, BothNoisesOfZeroSetBothTargets) {
-    const glm::vec4 state = Laws().thesisLeafStep(rest, 0.0f, 0.0f, leaf());
+    const glm::vec4 state = Laws().thesisLeafStep(restingLeaf, 0.0f, 0.0f, leaf());
     EXPECT_FLOAT_EQ(state.x, 0.5f);
     EXPECT_FLOAT_EQ(state.y, 0.2f);
 }
@@ -64,7 +64,7 @@ TEST(ThesisLeafLaw, BothNoisesOfZeroSetBothTargets) {
 TEST(ThesisLeafLaw, FactorScalesTheMotion) {
     Laws::ThesisLeaf calm = leaf();
     calm.factor = 0.25f;
-    EXPECT_FLOAT_EQ(Laws().thesisLeafStep(rest, 0.4f, 0.4f, calm).x, 0.05f);
+    EXPECT_FLOAT_EQ(Laws().thesisLeafStep(restingLeaf, 0.4f, 0.4f, calm).x, 0.05f);
 }
 
 TEST(ThesisLeafLaw, ATargetReachedStays) {

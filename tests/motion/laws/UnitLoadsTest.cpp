@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
+#include <glm/gtc/constants.hpp>
+
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/laws/AxisPaces.h>
 #include <osgTreeWind/species/GrowthLaws.h>
@@ -10,8 +12,6 @@
 using namespace osgTreeWind;
 
 namespace {
-
-constexpr float pi = 3.14159265f;
 
 /// A trunk of 4 m and 20 cm with two branches of half its diameter; the second has no leaves.
 TreeModel twoBranches() {
@@ -31,7 +31,7 @@ TreeModel twoBranches() {
 TEST(UnitLoads, LeavesFollowTheSectionOfTheTrunk) {
     const Species species;
     const auto loads = makeUnitLoads(twoBranches(), {}, species);
-    const float area = species.wood.leafArea * pi * 0.01f;
+    const float area = species.wood.leafArea * glm::pi<float>() * 0.01f;
     EXPECT_EQ(loads[0].leafMass, 0.0f);
     EXPECT_NEAR(loads[1].leafMass, species.wood.leafMass * area, 1e-3f);
     EXPECT_NEAR(loads[1].leafDrag, species.wood.leafDrag * area, 1e-3f);
@@ -68,8 +68,8 @@ TEST(UnitLoads, JointsReachToTheTipOfTheirAxis) {
 
 TEST(UnitLoads, WoodWeighsAsItsPoles) {
     const auto loads = makeUnitLoads(twoBranches(), {}, Species());
-    EXPECT_NEAR(loads[0].woodMass, 900.0f * pi * 0.01f * 4.0f, 1e-3f);
-    EXPECT_NEAR(loads[1].woodMass, 900.0f * pi * 0.0025f * 2.0f, 1e-3f);
+    EXPECT_NEAR(loads[0].woodMass, 900.0f * glm::pi<float>() * 0.01f * 4.0f, 1e-3f);
+    EXPECT_NEAR(loads[1].woodMass, 900.0f * glm::pi<float>() * 0.0025f * 2.0f, 1e-3f);
 }
 
 TEST(UnitLoads, RootsGiveUnderTheTrunkOnly) {

@@ -68,7 +68,7 @@ float paceOf(const ModalMotion& motion, std::size_t mode) {
     return m.pace * std::sqrt(f.pace * stiffness * (1.0f - weight) / mass);
 }
 
-std::vector<double> anglesOf(const ModalMotion& motion, std::size_t mode) {
+std::vector<double> modeAngles(const ModalMotion& motion, std::size_t mode) {
     const ModalModel& model = motion.archetype(0).model(0);
     std::vector<double> angles;
     for (std::size_t i = 0; i < model.joints; ++i)
@@ -80,10 +80,10 @@ std::vector<double> anglesOf(const ModalMotion& motion, std::size_t mode) {
 /// a mode is a mixture of several on the rung: the mean of their squared paces, by their part in it.
 float paceRatio(const ModalMotion& rung, const ModalMotion& own, const SwayingTree& tree) {
     const JointMasses masses(makeJointTree(*tree.model, tree.scale, *tree.species, tree.leaves));
-    const std::vector<double> momenta = masses.times(anglesOf(own, 0));
+    const std::vector<double> momenta = masses.times(modeAngles(own, 0));
     double parts = 0.0, squares = 0.0;
     for (std::size_t k = 0; k < rung.archetype(0).model(0).modes.size(); ++k) {
-        const std::vector<double> angles = anglesOf(rung, k), its = masses.times(angles);
+        const std::vector<double> angles = modeAngles(rung, k), its = masses.times(angles);
         const double common = std::inner_product(angles.begin(), angles.end(), momenta.begin(), 0.0),
                      whole = std::inner_product(angles.begin(), angles.end(), its.begin(), 0.0);
         const double part = common * common / whole, pace = static_cast<double>(paceOf(rung, k));

@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <cmath>
 
 namespace osgTreeWind {
 namespace {
 
-constexpr double pi = 3.141592653589793;
 constexpr float length = 8.0f, radius = 0.05f;
 
 /// An even pole that stands upright.
@@ -36,7 +36,7 @@ TreeModel poleOf(int units) {
 /// First pace of an even cantilever: 3.516 sqrt(E I / (m L^4)).
 double cantileverPace(const WoodParameters& wood) {
     const double r = radius, l = length;
-    const double section = pi * r * r, moment = pi * std::pow(r, 4.0) / 4.0;
+    const double section = glm::pi<double>() * r * r, moment = glm::pi<double>() * std::pow(r, 4.0) / 4.0;
     return 3.516 * std::sqrt(static_cast<double>(wood.elasticModulus) * moment /
                              (static_cast<double>(wood.density) * section * std::pow(l, 4.0)));
 }
@@ -119,7 +119,8 @@ TEST(JointTree, WeighsAsMuchAsItsWoodAndLeaves) {
 
 TEST(JointTree, APoleWeighsItsVolume) {
     const Species species;
-    const double expected = static_cast<double>(species.wood.density) * pi * radius * radius * length;
+    const double expected =
+        static_cast<double>(species.wood.density) * glm::pi<double>() * radius * radius * length;
     EXPECT_NEAR(massOf(makeJointTree(poleOf(3), {}, species)) / expected, 1.0, 1e-5);
 }
 

@@ -34,7 +34,7 @@ void run(ModalMotion& motion, const WindField& wind, int frames, int from = 0) {
         motion.step(&wind, i / 60.0, 1.0f / 60.0f);
 }
 
-std::vector<glm::vec2> anglesOf(const ModalMotion& motion, std::size_t tree) {
+std::vector<glm::vec2> jointAngles(const ModalMotion& motion, std::size_t tree) {
     std::vector<glm::vec2> angles(motion.model(tree).joints / 2);
     motion.angles(tree, angles.data());
     return angles;
@@ -69,7 +69,7 @@ TEST_F(ModalChanges, AnAddedTreeIsAsOneThatWasThereFromTheStart) {
     run(grown, *wind, 90);
     for (std::size_t i = 0; i < trees.size(); ++i) {
         EXPECT_EQ(grown.amplitudes(i), all.amplitudes(i)) << "tree " << i;
-        EXPECT_EQ(anglesOf(grown, i), anglesOf(all, i)) << "tree " << i;
+        EXPECT_EQ(jointAngles(grown, i), jointAngles(all, i)) << "tree " << i;
         EXPECT_EQ(grown.lean(i), all.lean(i)) << "tree " << i;
     }
 }

@@ -25,12 +25,12 @@ glm::vec2 turned(const glm::vec2& v) {
 }
 
 /// What a crown moves by, posed in full and leaning: sums of squares over time.
-struct Errors {
+struct LeanErrors {
     float crown = 0.0f, difference = 0.0f; ///< Of the mean over the clusters of leaves.
     float relative() const { return std::sqrt(difference / crown); }
 };
 
-Errors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion::Level level) {
+LeanErrors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion::Level level) {
     ModalMotion::Tree placed;
     placed.form = tree.form();
     placed.heading = heading;
@@ -42,7 +42,7 @@ Errors leanErrors(const GrownTree& tree, const WindField& wind, ModalMotion::Lev
     std::vector<glm::vec2> angles(units);
     std::vector<glm::quat> rotations(units);
     std::vector<UnitPose> poses(units);
-    Errors errors;
+    LeanErrors errors;
     for (int i = 1; i <= 1500; ++i) {
         motion.step(&wind, i / 60.0, 1.0f / 60.0f);
         if (i < 300 || i % 16 != 0)

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/drawing/impostors/Silhouette.h>
+
+/// A mask that covers all.
+inline const osgTreeWind::Silhouette::Mask solidMask{1, {1}};
