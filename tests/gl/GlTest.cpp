@@ -41,7 +41,13 @@ void GlTest::open(int width, int height, int samples) {
     _viewer = new osgViewer::Viewer;
     _viewer->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     _viewer->getCamera()->setClearColor(osg::Vec4(0, 0, 0, 1));
+    _samples = samples;
     _image = osgTreeWind::attachFrameImage(*_viewer->getCamera(), *_context, samples);
+}
+
+void GlTest::reopen(int width, int height, int samples) {
+    if (!_viewer || _image->s() != width || _image->t() != height || _samples != samples)
+        open(width, height, samples);
 }
 
 osg::Vec4ub GlTest::pixel(int x, int y) const {

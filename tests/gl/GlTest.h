@@ -30,6 +30,8 @@ protected:
 
     /// A fresh context and a single-threaded viewer that draws into image(). Replaces the ones before.
     void open(int width, int height, int samples = 0);
+    /// As open(), but what was opened before stays if it has this size and these samples.
+    void reopen(int width, int height, int samples = 0);
     osgViewer::Viewer& viewer() { return *_viewer; }
     osg::GraphicsContext& context() { return *_context; }
     /// RGBA bytes, row 0 at the bottom; refilled by each frame().
@@ -55,4 +57,5 @@ private:
     osg::ref_ptr<osg::GraphicsContext> _context;
     osg::ref_ptr<osgViewer::Viewer> _viewer;
     osg::ref_ptr<osg::Image> _image;
+    int _samples = 0;
 };

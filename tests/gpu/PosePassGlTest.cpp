@@ -96,7 +96,7 @@ protected:
         for (const TreeModel& model : simulation->models())
             passes.push_back(new PosePass(model.skeleton, programs));
         reader = new PoseReader(*simulation, passes);
-        open(16, 16);
+        reopen(16, 16);
         viewer().setSceneData(reader);
     }
     void blow(int steps) {

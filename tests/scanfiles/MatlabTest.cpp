@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/FullTests.h>
 #include <tests/TestData.h>
 #include <tests/WithoutReader.h>
 #include <tests/base/FirstProblem.h>
@@ -145,7 +146,7 @@ TEST_P(Matlab, CutAnywhereItIsReadWholeOrNotAtAll) {
         const std::string whole =
             bytesOf(apart ? write({qsmStruct("elm", {arrays}), qsmStruct("oak", {arrays})})
                           : write({qsmStruct("QSM", {arrays, arrays})}));
-        const std::size_t step = whole.size() / 60 + 1;
+        const std::size_t step = whole.size() / static_cast<std::size_t>(casesToRun(60, 12)) + 1;
         for (std::size_t length = 0; length < whole.size(); length += step) {
             const auto scan = readScanFile(_folder.write("cut.mat", whole.substr(0, length)));
             if (!scan) {
@@ -165,7 +166,7 @@ TEST_P(Matlab, ChangedBytesAreReadOrRefused) {
     std::mt19937 random(6);
     int ended = 0;
     testing::internal::CaptureStderr();
-    for (int round = 0; round < 150; ++round) {
+    for (int round = 0; round < casesToRun(150, 20); ++round) {
         std::string bytes = whole;
         for (unsigned changes = 1u << round % 5; changes > 0; --changes)
             bytes[random() % bytes.size()] = static_cast<char>(random());

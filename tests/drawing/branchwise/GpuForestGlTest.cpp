@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/Folders.h>
+#include <tests/FullTests.h>
 #include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/drawing/BranchTransform.h>
@@ -91,16 +92,16 @@ protected:
         return forest;
     }
 
-    /// Of the branches' states from those on the CPU, after ten seconds of frames.
-    float offAfterSixHundredFrames(const ForestDescription& description) {
+    /// Difference of the branches' states from those on the CPU, after frames 1/60 s apart.
+    float offAfter(int frames, const ForestDescription& description) {
         osg::ref_ptr<Forest> forest = start(description);
         ForestSimulation oracle(given);
         oracle.advance(0.0);
-        for (int i = 1; i <= 600; ++i) {
+        for (int i = 1; i <= frames; ++i) {
             frame(i / 60.0);
             oracle.advance(i / 60.0);
         }
-        frame(10.0);
+        frame(frames / 60.0);
         return largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states());
     }
 
@@ -161,17 +162,17 @@ TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
 
 TEST_F(GpuForestGlTest, SixHundredFramesStayWithTheCpu) {
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped}) {
-        const float off = offAfterSixHundredFrames(forestOf(bareSpecies(4, 3, 2), 4, law));
+        const float off = offAfter(600, forestOf(bareSpecies(4, 3, 2), 4, law));
         RecordProperty("off" + std::to_string(static_cast<int>(law)), std::to_string(off));
         EXPECT_LT(off, 1e-3f) << static_cast<int>(law);
     }
 }
 
-TEST_F(GpuForestGlTest, SixHundredFramesOfTheExampleForestStayWithTheCpu) {
+TEST_F(GpuForestGlTest, TheExampleForestStaysWithTheCpu) {
     auto example = readForestFile(OSGTREEWIND_SOURCE_DIR "/examples/forest.treewind");
     ASSERT_TRUE(example);
     example.value().law = MotionLaw::Damped;
-    const float off = offAfterSixHundredFrames(example.value());
+    const float off = offAfter(casesToRun(600, 120), example.value());
     RecordProperty("off", std::to_string(off));
     EXPECT_LT(off, 1e-3f);
 }
@@ -347,19 +348,20 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
     }
 }
 
-TEST_F(GpuForestGlTest, AddingAndRemovingAThousandForestsLeavesNothingBehind) {
+TEST_F(GpuForestGlTest, AddingAndRemovingForestsLeavesNothingBehind) {
+    const int forests = casesToRun(1000, 150);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     open(16, 16);
     viewer().setSceneData(scene);
     std::size_t settled = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < forests; ++i) {
         osg::ref_ptr<Forest> forest = new Forest(forestOf(bareSpecies(1, 2, 1), 1));
         forest->getBranchwise()->setAngleSource(BranchwiseForest::GPU_ANGLES);
         scene->addChild(forest);
         for (int n = 0; n < 3; ++n)
             frame(0.02 * n);
         scene->removeChild(forest);
-        if (i == 300)
+        if (i == forests * 3 / 10)
             settled = residentMemory();
     }
     EXPECT_LT(residentMemory(), settled + keptMemory);

@@ -71,7 +71,7 @@ double blockDifference(const osg::Image& a, const osg::Image& b) {
 class ImpostorGlTest : public GlTest {
 protected:
     osg::ref_ptr<osg::Image> picture(osg::Node* node, const Sight& sight, float height) {
-        open(size, size);
+        reopen(size, size);
         viewer().setSceneData(node);
         viewer().setLightingMode(osg::View::SKY_LIGHT);
         viewer().getLight()->setPosition(osg::Vec4(0.5f, -0.7f, 0.8f, 0.0f));

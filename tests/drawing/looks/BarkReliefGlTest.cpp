@@ -34,7 +34,7 @@ protected:
         species.appearance.bark = glm::vec3(0.7f);
         species.appearance.barkForm = form;
         species.appearance.barkImage = file;
-        open(size, size);
+        reopen(size, size);
         viewer().setSceneData(new Forest(oneTree(species, 0.0f)));
         osg::Camera& camera = *viewer().getCamera();
         camera.setProjectionMatrixAsPerspective(2.0 * osg::RadiansToDegrees(std::atan(0.5 * width / 5.0)),

@@ -63,7 +63,7 @@ protected:
     /// From the south, `distance` metres away, the tree as large each time.
     osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = pictureSize, int samples = 0,
                                      double half = 3.0) {
-        open(pixels, pixels, samples);
+        reopen(pixels, pixels, samples);
         viewer().setSceneData(scene);
         viewer().setLightingMode(osg::View::NO_LIGHT);
         osg::Camera& camera = *viewer().getCamera();
@@ -255,7 +255,7 @@ protected:
     }
     void look(osg::Node* scene, const osg::Vec3d& eye, const osg::Vec3d& centre, const osg::Vec3d& up,
               double half) {
-        open(pictureSize, pictureSize);
+        reopen(pictureSize, pictureSize);
         viewer().setSceneData(scene);
         viewer().setLightingMode(osg::View::NO_LIGHT);
         osg::Camera& camera = *viewer().getCamera();

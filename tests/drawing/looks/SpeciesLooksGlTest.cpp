@@ -18,7 +18,7 @@ protected:
         species.appearance.underside = underside;
         ForestDescription description = oneTree(species, speed);
         description.drawing.tiers = false;
-        open(160, 160);
+        reopen(160, 160);
         viewer().setSceneData(new Forest(description));
         viewer().getCamera()->setProjectionMatrixAsPerspective(40, 1, 0.1, 200);
         viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3(1.5f, 1, eyeHeight), osg::Vec3(0, 0, 5),

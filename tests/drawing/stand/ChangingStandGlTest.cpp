@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/FullTests.h>
 #include <tests/gl/GlTest.h>
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
@@ -91,7 +92,7 @@ protected:
 // OSGTREEWIND_CHURN_FRAMES=10000 for a long run.
 TEST_F(ChangingStandGlTest, aThousandTreesASecondComeAndGo) {
     const char* wanted = std::getenv("OSGTREEWIND_CHURN_FRAMES");
-    const int frames = wanted ? std::atoi(wanted) : 400;
+    const int frames = wanted ? std::atoi(wanted) : casesToRun(400, 100);
     ForestDescription description = squareForest(200, 2.0);
     description.drawing.full = 20.0f;
     description.drawing.reduced = 12.0f;

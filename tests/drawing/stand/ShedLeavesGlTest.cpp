@@ -33,7 +33,7 @@ protected:
     /// Share of the picture that trees cover before the gust, and when it is over.
     std::pair<double, double> coveredAround(float impostorBelow, float season) {
         osg::ref_ptr<Forest> forest = new Forest(birches(impostorBelow, season));
-        open(320, 200);
+        reopen(320, 200);
         viewer().setSceneData(forest);
         viewer().getCamera()->setProjectionMatrixAsPerspective(40, 1.6, 1, 100);
         viewer().getCamera()->setViewMatrixAsLookAt({4, -24, 5}, {4, 0, 5}, osg::Z_AXIS);

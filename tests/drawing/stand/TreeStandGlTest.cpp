@@ -87,7 +87,7 @@ protected:
 
     /// Opens, and looks at the two rows of trees from the south.
     void look(osg::Node* scene) {
-        open(width, height);
+        reopen(width, height);
         viewer().setSceneData(scene);
         osg::Camera& camera = *viewer().getCamera();
         camera.setProjectionMatrixAsPerspective(40, double(width) / height, 1, 200);

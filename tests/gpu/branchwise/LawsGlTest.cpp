@@ -42,7 +42,7 @@ protected:
                                                                         osg::StateAttribute::OVERRIDE |
                                                                         osg::StateAttribute::PROTECTED);
         pass.step();
-        open(16, 16);
+        reopen(16, 16);
         viewer().setSceneData(pass.node());
         frame(0.0);
         Texels result;
