@@ -14,14 +14,16 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # Xvfb keeps its screen in a file, which is looked at while osgviewer runs.
-export OSG_LIBRARY_PATH=$folder OSG_RUN_FRAME_COUNT=${frames:-30} OSG_WINDOW="0 0 320 240"
+export OSG_LIBRARY_PATH=$folder OSG_WINDOW="0 0 320 240"
+# Few frames, slow enough to be told apart.
+export OSG_RUN_FRAME_COUNT=${frames:-30} OSG_RUN_MAX_FRAME_RATE=15
 # OSG opens a display twice: an Xvfb that starts anew in between (no -noreset) breaks the second one.
 timeout 120 xvfb-run -a -s "-noreset -screen 0 320x240x24 -fbdir $work" ${viewer:-osgviewer} "$@" "$file" >"$work/said" 2>&1 &
 running=$!
 seen=""
 while kill -0 "$running" 2>/dev/null; do
     picture=$(md5sum "$work/Xvfb_screen0" 2>/dev/null) && seen+=$picture$'\n' # it comes and goes with Xvfb
-    sleep 0.05
+    sleep 0.1
 done
 wait "$running" || { echo "failed: exit status $?"; cat "$work/said"; exit 1; }
 
