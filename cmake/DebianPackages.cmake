@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Packages for Debian: `cpack -G DEB` in the build folder, or script/package. Each component is one package; all are of
 # one version and one source. And a tarball: `cpack -G TGZ`.
-set(soname ${PROJECT_VERSION_MAJOR})
+set(soname ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_COMPONENTS_ALL library development plugin tool documentation)
 set(CPACK_PACKAGE_CONTACT "osgTreeWind maintainers <maintainers@osgtreewind.example>")
 set(CPACK_PACKAGE_VENDOR "osgTreeWind")

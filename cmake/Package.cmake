@@ -50,6 +50,6 @@ install(FILES ${PROJECT_BINARY_DIR}/osgTreeWind.pc DESTINATION ${CMAKE_INSTALL_L
 
 configure_package_config_file(cmake/osgTreeWindConfig.cmake.in osgTreeWindConfig.cmake
     INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(osgTreeWindConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+write_basic_package_version_file(osgTreeWindConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/osgTreeWindConfig.cmake ${PROJECT_BINARY_DIR}/osgTreeWindConfigVersion.cmake
     cmake/OpenSceneGraphTarget.cmake cmake/FindOSMesa.cmake DESTINATION ${package_folder} COMPONENT development)

@@ -6,6 +6,7 @@ set(public_headers
     osgTreeWind/base/Export.h
     osgTreeWind/base/Result.h
     osgTreeWind/base/Span.h
+    osgTreeWind/base/Version.h
     osgTreeWind/controls/ForestHandler.h
     osgTreeWind/controls/StatisticsLines.h
     osgTreeWind/drawing/BranchTransform.h
@@ -18,31 +19,21 @@ set(public_headers
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/ForestTiles.h
-    osgTreeWind/forest/PlacedForest.h
     osgTreeWind/forest/StandOnGround.h
     osgTreeWind/forest/TreeId.h
-    osgTreeWind/forest/TreeNames.h
     osgTreeWind/io/ForestFile.h
     osgTreeWind/io/ForestStream.h
     osgTreeWind/io/SpeciesCatalogue.h
     osgTreeWind/io/TiledForest.h
-    osgTreeWind/model/BranchSkin.h
-    osgTreeWind/model/CrownOutline.h
-    osgTreeWind/model/GrownTree.h
-    osgTreeWind/model/LeafClusters.h
-    osgTreeWind/model/RecursiveTree.h
-    osgTreeWind/model/ScanCylinder.h
+    osgTreeWind/model/GrownTreeParameters.h
     osgTreeWind/model/ScannedTree.h
     osgTreeWind/model/Skeleton.h
-    osgTreeWind/model/TreeExtents.h
-    osgTreeWind/model/TreeModel.h
+    osgTreeWind/model/TreeParameters.h
     osgTreeWind/model/TreeSize.h
     osgTreeWind/motion/ForestSimulation.h
     osgTreeWind/motion/SimulationOptions.h
     osgTreeWind/motion/damage/TreeDamage.h
     osgTreeWind/motion/laws/TreeMotion.h
-    osgTreeWind/motion/laws/UnitPose.h
-    osgTreeWind/motion/modal/ModalLevel.h
     osgTreeWind/nodes/Forest.h
     osgTreeWind/nodes/TreeUnit.h
     osgTreeWind/offscreen/FrameImage.h
@@ -63,11 +54,6 @@ set(public_headers
     osgTreeWind/wind/WindCanopy.h
     osgTreeWind/wind/WindDirection.h
     osgTreeWind/wind/WindField.h
-    osgTreeWind/wind/WindFrame.h
-    osgTreeWind/wind/WindPlace.h
-    osgTreeWind/wind/WindSeries.h
-    osgTreeWind/wind/WindSource.h
     osgTreeWind/wind/WindWithSources.h
-    osgTreeWind/windfiles/WindContent.h
     osgTreeWind/windfiles/WindFile.h
     osgTreeWind/windfiles/WindSeriesColumns.h)

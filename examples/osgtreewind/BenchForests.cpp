@@ -8,6 +8,7 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
@@ -61,8 +62,8 @@ struct Running {
         simulation = std::make_unique<ForestSimulation>(std::move(description), options);
         result.loadSeconds = clock.seconds();
         result.loadProcessorSeconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
-        result.trees = simulation->trees().size();
-        result.units = simulation->forest().units;
+        result.trees = SimulationParts::trees(*simulation).size();
+        result.units = SimulationParts::forest(*simulation).units;
     }
 
     double milliseconds(double time) {
@@ -108,8 +109,8 @@ BenchForests runBenchForests(const std::optional<ForestDescription>& described, 
         if (i % nearEvery == 0)
             ++modal.result.nearTrees;
         else
-            modal.simulation->modal()->setLevel(i, ModalMotion::Level::Far);
-    const ModalMotion& motion = *modal.simulation->modal();
+            SimulationParts::modal(*modal.simulation)->setLevel(i, ModalMotion::Level::Far);
+    const ModalMotion& motion = *SimulationParts::modal(*modal.simulation);
     modal.result.archetypes = motion.archetypeCount();
     modal.result.archetypeBytes = motion.archetypeBytes();
     modal.result.stateBytesPerTree =

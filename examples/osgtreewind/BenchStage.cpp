@@ -4,6 +4,7 @@
 #include "BenchRig.h"
 #include "BenchRows.h"
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/wind/GridWind.h>
@@ -70,7 +71,7 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit)
         lines.push_back(unitLines(skeleton, unit, 1, buffered));
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
-        TreeNode& tree = *forest.getBranchwise()->getTree(i);
+        TreeNode& tree = *BranchwiseParts::tree(*forest.getBranchwise(), i);
         osg::Group& full = *tree.getLod()->level(TreeLod::FULL);
         for (unsigned child = 0; child < full.getNumChildren(); ++child)
             if (dynamic_cast<SkinDrawable*>(full.getChild(child)))

@@ -6,7 +6,9 @@
 #include "DefaultView.h"
 
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/StandParts.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -65,8 +67,8 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
         result.forestBytes = allocatedBytes() - before;
     const ForestSimulation& simulation = forest->getSimulation();
     result.trees = forest->getNumTrees();
-    result.shapes = simulation.models().size();
-    if (const ModalMotion* modal = simulation.modal()) {
+    result.shapes = SimulationParts::models(simulation).size();
+    if (const ModalMotion* modal = SimulationParts::modal(simulation)) {
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
         const BenchClock clock;
@@ -120,7 +122,7 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
             viewer.measure(Full, time);
     }
     if (forest->getStand())
-        result.tiers = forest->getStand()->trees()->listedTrees();
+        result.tiers = StandParts::trees(*forest->getStand())->listedTrees();
     std::vector<BenchTimes> times = viewer.times(Tree, time);
     result.drawn = std::move(times[Drawn]);
     result.tree = std::move(times[Tree]);

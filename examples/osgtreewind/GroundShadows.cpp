@@ -6,6 +6,7 @@
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
@@ -204,15 +205,16 @@ std::vector<glm::vec2> squares(int columns, int rows) {
 class LeanUpdate : public osg::NodeCallback {
 public:
     LeanUpdate(const Forest& forest, DataTexture leans)
-        : _forest(&forest), _leans(std::move(leans)), _count(forest.getSimulation().trees().size()) {}
+        : _forest(&forest), _leans(std::move(leans)),
+          _count(SimulationParts::trees(forest.getSimulation()).size()) {}
 
     void operator()(osg::Node* node, osg::NodeVisitor* visitor) override {
         traverse(node, visitor);
         osg::ref_ptr<const Forest> forest;
         if (!_forest.lock(forest))
             return;
-        const ModalMotion* modal = forest->getSimulation().modal();
-        const std::size_t trees = modal ? forest->getSimulation().trees().size() : 0;
+        const ModalMotion* modal = SimulationParts::modal(forest->getSimulation());
+        const std::size_t trees = modal ? SimulationParts::trees(forest->getSimulation()).size() : 0;
         for (std::size_t i = 0; i < std::min(trees, _count); ++i) { // others have come since
             const glm::vec2 lean = modal->lean(i);
             _leans.data()[4 * i] = lean.x;
@@ -242,27 +244,27 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     };
     const float run = glm::length(level) / glm::max(sun.z(), 0.035f); // metres of shadow for one of height
     const Landing landing(forest, away, run);
-    const auto trees = static_cast<float>(simulation.trees().size());
+    const auto trees = static_cast<float>(SimulationParts::trees(simulation).size());
     const int fine = static_cast<int>(glm::clamp(std::sqrt(2e5f / trees), 1.0f, 6.0f));
     const std::vector<glm::vec2> spotsOfOne = squares(landing.isRelief() ? fine : 1, fine);
     std::map<std::uint32_t, std::size_t> pictureOf; // of a model, from its first tree
     std::vector<ShadowPicture> pictures;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array, spots = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> parts = new osg::Vec2Array;
-    for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
-        const PlacedTree& tree = simulation.trees()[i];
+    for (std::size_t i = 0; i < SimulationParts::trees(simulation).size(); ++i) {
+        const PlacedTree& tree = SimulationParts::trees(simulation)[i];
         if (!tree.alive)
             continue;
         const auto [found, first] = pictureOf.emplace(tree.model, pictures.size());
         if (first) {
             const Fall fall{turned(across, -tree.heading), turned(away, -tree.heading),
                             run * tree.scale.axes.z / tree.scale.axes.x};
-            pictures.emplace_back(simulation.models()[tree.model],
+            pictures.emplace_back(SimulationParts::models(simulation)[tree.model],
                                   simulation.description().species[tree.species].appearance, tree.leaves,
                                   fall);
         }
         const ShadowPicture& picture = pictures[found->second];
-        const float length = run * simulation.forest().measured(tree).height,
+        const float length = run * SimulationParts::forest(simulation).measured(tree).height,
                     half = 0.5f * tree.scale.axes.x * (picture.high.x - picture.low.x);
         const float lying = length * length / (length * length + half * half);
         for (const glm::vec2& spot : spotsOfOne) {
@@ -282,7 +284,7 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
     shadows->setTexCoordArray(0, spots);
     shadows->setTexCoordArray(1, parts);
     shadows->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    const DataTexture leans("tree leans", simulation.trees().size());
+    const DataTexture leans("tree leans", SimulationParts::trees(simulation).size());
     shadows->setStateSet(stateOf(pictures, landing.isRelief(), leans));
     above.addUpdateCallback(new LeanUpdate(forest, leans));
     return shadows;

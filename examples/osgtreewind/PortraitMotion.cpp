@@ -6,6 +6,7 @@
 #include <osgTreeWind/drawing/impostors/LeafEdges.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -65,7 +66,7 @@ private:
     }
     static TreeSize sizeOf(const Forest& forest) {
         const ForestSimulation& simulation = forest.getSimulation();
-        return simulation.forest().measured(simulation.trees().front());
+        return SimulationParts::forest(simulation).measured(SimulationParts::trees(simulation).front());
     }
     int pixels(float metres) const {
         return static_cast<int>(std::lround(_perMetre * static_cast<double>(metres)));

@@ -5,6 +5,7 @@
 #include "Setting.h"
 
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
@@ -64,9 +65,9 @@ public:
         : _company(openGrown ? "open" : "forest"), _drawing(panel, panel, panelSamplesAcross),
           _tree(row(species, openGrown, 1, false)), _trees(row(species, openGrown, 3, true)),
           _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
-        const PlacedTree& tree = _tree->getSimulation().trees().front();
-        _size = _tree->getSimulation().forest().measured(tree);
-        const auto& leaves = _tree->getSimulation().models().front().leaves;
+        const PlacedTree& tree = SimulationParts::trees(_tree->getSimulation()).front();
+        _size = SimulationParts::forest(_tree->getSimulation()).measured(tree);
+        const auto& leaves = SimulationParts::models(_tree->getSimulation()).front().leaves;
         for (const LeafCluster& leaf : leaves)
             _leaves +=
                 osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());

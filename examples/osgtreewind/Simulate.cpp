@@ -4,6 +4,7 @@
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 
 #include <glm/gtc/quaternion.hpp>
@@ -30,8 +31,8 @@ void writeFrame(std::FILE* out, const ForestSimulation& simulation, std::size_t 
                 bool tips) {
     UnitValues values;
     for (std::size_t t = 0; t < count; ++t) {
-        const PlacedTree& tree = simulation.trees()[t];
-        const std::vector<BranchUnit>& units = simulation.models()[tree.model].skeleton.units;
+        const PlacedTree& tree = SimulationParts::trees(simulation)[t];
+        const std::vector<BranchUnit>& units = SimulationParts::models(simulation)[tree.model].skeleton.units;
         const TreeMotion motion = simulation.motion(t, values);
         const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
         for (std::size_t u = 0; u < units.size(); ++u) {
@@ -53,12 +54,12 @@ void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t
     for (const TreeDamage& damage : simulation.damage()) {
         if (simulation.slotOf(damage.tree) >= count)
             continue;
-        const PlacedTree& tree = simulation.trees()[simulation.slotOf(damage.tree)];
+        const PlacedTree& tree = SimulationParts::trees(simulation)[simulation.slotOf(damage.tree)];
         const char* const kind = damage.kind == DamageKind::Snapped ? "snapped" : "uprooted";
         std::fprintf(out, "%.6g,%zu,%s,%s,%s,%u,%.6g,%.6g,%.6g,%.6g,%.6g\n", time,
                      simulation.slotOf(damage.tree), csvCell(simulation.nameOf(damage.tree)).c_str(),
-                     csvCell(simulation.forest().speciesOf(tree).name).c_str(), kind, damage.unit,
-                     static_cast<double>(damage.moment), static_cast<double>(damage.limit),
+                     csvCell(SimulationParts::forest(simulation).speciesOf(tree).name).c_str(), kind,
+                     damage.unit, static_cast<double>(damage.moment), static_cast<double>(damage.limit),
                      static_cast<double>(damage.wind.x), static_cast<double>(damage.wind.y),
                      static_cast<double>(damage.wind.z));
     }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <osgTreeWind/nodes/Forest.h>
-#include <osgTreeWind/wind/WindSource.h>
 #include <osgTreeWind/wind/WindSteering.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <osg/observer_ptr>
 

@@ -9,9 +9,11 @@
 #include <osgTreeWind/controls/WindStreaks.h>
 #include <osgTreeWind/drawing/stand/DrawnTrees.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/StandParts.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 
 #include <osg/ApplicationUsage>
 #include <osg/View>
@@ -97,7 +99,7 @@ std::string drawnText(Forest& forest) {
     std::string text = formatted("\ntrees   %zu", forest.getNumTrees());
     if (!forest.getStand())
         return text;
-    const DrawnTrees drawn(forest.getStand()->trees()->listedTrees());
+    const DrawnTrees drawn(StandParts::trees(*forest.getStand())->listedTrees());
     return text + formatted("; drawn %zu in full, %zu by boughs, %zu as pictures", drawn.full, drawn.byBoughs,
                             drawn.asPictures);
 }
@@ -159,11 +161,11 @@ void ForestHandler::State::putSource() {
     Forest& forest = *controls.forest();
     const ForestSimulation& simulation = forest.getSimulation();
     if (watched && simulation.holds(watched->id())) {
-        const PlacedTree& tree = simulation.forest().trees[simulation.slotOf(watched->id())];
+        const PlacedTree& tree = SimulationParts::forest(simulation).trees[simulation.slotOf(watched->id())];
         _sourceFoot = toOsg(tree.position);
         if (forest.getWindFrame() == WindFrame::Scene)
             *_sourceFoot = *_sourceFoot * osg::Matrix::inverse(toForest(forest));
-        _sourceHeight = static_cast<double>(simulation.forest().measured(tree).height);
+        _sourceHeight = static_cast<double>(SimulationParts::forest(simulation).measured(tree).height);
     }
     if (_sourceFoot) // else nothing was clicked yet
         controls.nextSource({_sourceFoot->x(), _sourceFoot->y(), _sourceFoot->z()}, _sourceHeight, _time);

@@ -2,6 +2,8 @@
 #include <osgTreeWind/controls/WatchedTree.h>
 
 #include <osgTreeWind/controls/FormattedText.h>
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/sway/CalmTree.h>
 
 #include <glm/geometric.hpp>
@@ -15,7 +17,7 @@ WatchedTree::WatchedTree(const ForestSimulation& simulation, TreeId tree) : _tre
     if (!simulation.holds(tree))
         return;
     const std::size_t slot = simulation.slotOf(tree);
-    const PlacedForest& forest = simulation.forest();
+    const PlacedForest& forest = SimulationParts::forest(simulation);
     const PlacedTree& placed = forest.trees[slot];
     const Species& species = forest.speciesOf(placed);
     const TreeSize size = forest.measured(placed);
@@ -23,7 +25,7 @@ WatchedTree::WatchedTree(const ForestSimulation& simulation, TreeId tree) : _tre
     _what = "tree    " + (name.empty() ? std::to_string(slot) : name) + ", " + species.name +
             formatted(": %.1f m high, trunk of %.0f cm, crown of %.1f m", static_cast<double>(size.height),
                       100.0 * static_cast<double>(size.trunkDiameter), static_cast<double>(size.crownWidth));
-    if (!simulation.modal())
+    if (!SimulationParts::modal(simulation))
         return;
     TreePlacement alone = simulation.placementOf(tree);
     alone.leaves = placed.leaves;
@@ -38,7 +40,7 @@ std::string WatchedTree::swayText(const ForestSimulation& simulation) const {
     if (!simulation.stands(_tree))
         return "\nsway    it has come down";
     const std::size_t slot = simulation.slotOf(_tree);
-    const ModalMotion& sway = *simulation.modal();
+    const ModalMotion& sway = *SimulationParts::modal(simulation);
     std::string text = formatted("\nsway    %.2f Hz, leans %.2f m", _frequency,
                                  static_cast<double>(glm::length(sway.lean(slot))));
     const double moment = _foot->of(sway, slot), uproot = _strength.uproot, breaking = _strength.breaking,
@@ -53,7 +55,7 @@ std::string WatchedTree::swayText(const ForestSimulation& simulation) const {
 std::string WatchedTree::text(const ForestSimulation& simulation) const {
     if (!simulation.holds(_tree))
         return {};
-    return _foot && simulation.modal() ? _what + swayText(simulation) : _what;
+    return _foot && SimulationParts::modal(simulation) ? _what + swayText(simulation) : _what;
 }
 
 } // namespace osgTreeWind

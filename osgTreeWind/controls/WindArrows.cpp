@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/controls/WindOverForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/wind/GivenWind.h>
 
 #include <glm/common.hpp>
@@ -24,8 +25,8 @@ WindArrows::WindArrows() {
 void WindArrows::show(const ForestSimulation& simulation, double time, const glm::vec2& middle, float reach) {
     auto& points = static_cast<osg::Vec3Array&>(*getVertexArray());
     auto& colours = static_cast<osg::Vec4Array&>(*getColorArray());
-    const WindFieldPtr wind = simulation.givenWind()->here();
-    const float above = highestTree(simulation.forest()) + clearance;
+    const WindFieldPtr wind = SimulationParts::wind(simulation)->here();
+    const float above = highestTree(SimulationParts::forest(simulation)) + clearance;
     std::size_t next = 0;
     for (int j = 0; j < across; ++j)
         for (int i = 0; i < across; ++i) {

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/controls/WindOverForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/wind/GivenWind.h>
 
 #include <osg/BlendFunc>
@@ -32,7 +33,7 @@ void WindStreaks::show(const ForestSimulation& simulation, double time, const gl
                        float reach) {
     constexpr double longestStep = 0.2, between = 1.0 / (points - 1); // seconds
     const ForestDescription& forest = simulation.description();
-    const float highest = std::max(highestTree(simulation.forest()), 2.0f);
+    const float highest = std::max(highestTree(SimulationParts::forest(simulation)), 2.0f);
     const bool anew = !_began || time < _time || time - _time > longestStep;
     const float step = anew ? 0.0f : static_cast<float>(time - _time);
     const bool marks = time - _marked >= between || anew;
@@ -41,7 +42,7 @@ void WindStreaks::show(const ForestSimulation& simulation, double time, const gl
     if (marks)
         _marked = time;
 
-    const WindFieldPtr wind = simulation.givenWind()->here();
+    const WindFieldPtr wind = SimulationParts::wind(simulation)->here();
     auto& places = static_cast<osg::Vec3Array&>(*getVertexArray());
     auto& colours = static_cast<osg::Vec4Array&>(*getColorArray());
     std::size_t next = 0;

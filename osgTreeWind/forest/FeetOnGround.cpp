@@ -4,6 +4,8 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/TreeModel.h>
 
 namespace osgTreeWind {
 

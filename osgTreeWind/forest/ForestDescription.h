@@ -9,7 +9,6 @@
 #include <osgTreeWind/species/Species.h>
 #include <osgTreeWind/wind/WindCanopy.h>
 #include <osgTreeWind/wind/WindField.h>
-#include <osgTreeWind/wind/WindFrame.h>
 
 #include <glm/vec3.hpp>
 

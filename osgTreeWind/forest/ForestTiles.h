@@ -5,8 +5,8 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@
 namespace osgTreeWind {
 
 /// Trees that lie in a folder in square tiles, a file each, and come and go with the camera (docs/worlds.md).
-struct ForestTiles {
+struct OSGTREEWIND_EXPORT ForestTiles {
     /// One of them.
     struct Tile {
         std::uint32_t trees = 0; ///< None: there is no file.
@@ -42,21 +42,6 @@ struct ForestTiles {
     std::size_t treeCount() const; ///< Of all tiles.
     /// Its least x and y, in the world's frame.
     glm::dvec2 cornerOf(std::size_t tile) const;
-    /// "COLUMN_ROW".
-    std::string nameOf(std::size_t tile) const;
-    /// "FOLDER/COLUMN_ROW.trees"; TileTrees.h says what is in it.
-    std::string fileOf(std::size_t tile) const;
-    /// "FOLDER/all.crowns"; CrownSheet.h says what is in it.
-    std::string fileOfCrowns() const { return folder + "/all.crowns"; }
-    /// "FOLDER/N.ids"; TileIds.h says what is in it.
-    std::string fileOfIds(std::uint32_t file) const { return folder + '/' + std::to_string(file) + ".ids"; }
-    /// Which of them a name is in. Nothing where no tree has a name of its own.
-    std::optional<std::uint32_t> idFileOf(const std::string& name) const;
-    /// Of a tree by its tile and its number in it, "COLUMN_ROW/N"; that is the name of one without its own.
-    std::optional<std::size_t> tileOf(const std::string& place) const;
 };
-
-/// So far that some 50,000 trees of that density are in range, from 1 to 5 km.
-double rangeOfTiles(const ForestTiles& tiles);
 
 } // namespace osgTreeWind

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/forest/TreeNames.h>
-#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/model/MeasureTree.h>
 
 #include <functional>
 #include <memory>
@@ -38,7 +37,7 @@ struct PlacedTree {
 
 /// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes. Read by many threads while
 /// none writes.
-struct OSGTREEWIND_EXPORT PlacedForest {
+struct PlacedForest {
     /// Trees of a species that is not there are left out; `placed`, which may be empty, is called after each.
     explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
-
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,7 +11,7 @@ namespace osgTreeWind {
 
 /// Names of those trees that have one, no two alike, as an inventory gives them. Takes no memory where none
 /// has.
-class OSGTREEWIND_EXPORT TreeNames {
+class TreeNames {
 public:
     TreeNames() = default;
     TreeNames(const TreeNames& other) { *this = other; } ///< All names.

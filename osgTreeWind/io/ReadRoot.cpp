@@ -5,6 +5,7 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
+#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <glm/common.hpp>

@@ -8,6 +8,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/TileFiles.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -205,7 +206,7 @@ Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species,
                                             std::size_t tile) {
     if (tiles.tiles[tile].trees == 0)
         return std::vector<TreePlacement>();
-    const std::string file = tiles.fileOf(tile);
+    const std::string file = fileOfTile(tiles, tile);
     std::ifstream input(file, std::ios::binary);
     if (!input)
         return fileProblem(file, "cannot be opened for reading");

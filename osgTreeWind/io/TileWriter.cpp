@@ -2,6 +2,7 @@
 #include <osgTreeWind/io/TileWriter.h>
 
 #include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
 
@@ -54,16 +55,16 @@ bool TileWriter::add(const std::vector<TreePlacement>& trees) {
         const std::size_t tile = tileAt(_tiles, trees[i].position);
         const std::string& name = trees[i].name;
         if (!name.empty()) {
-            const std::uint32_t file = *_tiles.idFileOf(name);
+            const std::uint32_t file = *idFileOf(_tiles, name);
             const std::size_t number = _tiles.tiles[tile].trees + byTile[tile].size();
             ids[file] += (_idFiles[file] ? "" : tileIdsHead()) +
-                         tileIdsRow(name, _tiles.nameOf(tile) + '/' + std::to_string(number));
+                         tileIdsRow(name, nameOfTile(_tiles, tile) + '/' + std::to_string(number));
             _idFiles[file] = true;
         }
         byTile[tile].push_back(static_cast<std::uint32_t>(i));
     }
     for (const auto& [file, text] : ids)
-        _failed = _failed || !append(_tiles.fileOfIds(file), text);
+        _failed = _failed || !append(fileOfIds(_tiles, file), text);
     std::atomic<bool> failed = _failed;
     _executor(byTile.size(), [&](std::size_t tile) {
         if (!failed && !byTile[tile].empty() && !addToTile(tile, trees, byTile[tile]))
@@ -85,18 +86,18 @@ bool TileWriter::addToTile(std::size_t tile, const std::vector<TreePlacement>& a
         if (const std::optional<PlacedTree> placed = _shapes.fitted(all[index]))
             _crowns[tile].add(all[index], _shapes.measured(*placed), _tiles);
     }
-    return append(_tiles.fileOf(tile), head + tileRows(all, trees, _shapes.description().species));
+    return append(fileOfTile(_tiles, tile), head + tileRows(all, trees, _shapes.description().species));
 }
 
 bool TileWriter::finish() {
     std::string crowns = crownSheetHead();
     for (std::size_t tile = 0; !_failed && tile < _tiles.tiles.size(); ++tile) {
         crowns += _crowns[tile].text(_shapes.description().species);
-        _failed = _tiles.tiles[tile].trees > 0 && !finishFile(_tiles.fileOf(tile));
+        _failed = _tiles.tiles[tile].trees > 0 && !finishFile(fileOfTile(_tiles, tile));
     }
     for (std::uint32_t file = 0; !_failed && file < _idFiles.size(); ++file)
-        _failed = _idFiles[file] && !finishFile(_tiles.fileOfIds(file));
-    return !_failed && writeWholeFile(_tiles.fileOfCrowns(), crowns);
+        _failed = _idFiles[file] && !finishFile(fileOfIds(_tiles, file));
+    return !_failed && writeWholeFile(fileOfCrowns(_tiles), crowns);
 }
 
 } // namespace osgTreeWind

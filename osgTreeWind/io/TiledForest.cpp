@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TileWriter.h>

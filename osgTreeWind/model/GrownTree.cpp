@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/GrownTree.h>
 
+#include <osgTreeWind/model/CrownOutline.h>
 #include <osgTreeWind/model/PortableMath.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/model/RecursiveTree.h>

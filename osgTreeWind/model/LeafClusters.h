@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/model/Skeleton.h>
+#include <osgTreeWind/model/TreeParameters.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -12,33 +13,6 @@
 #include <vector>
 
 namespace osgTreeWind {
-
-/// How leaves sit on a tree (thesis §2.4); ranges: TreeFields.h. The default makes 16 clusters of 3 quads on
-/// every branch.
-struct LeafParameters {
-    int clustersPerBranch = 16; ///< 0 for a bare tree.
-    int clusters = 0;  ///< Of the whole tree, spread evenly along its branches; 0: clustersPerBranch holds.
-    float bare = 0.0f; ///< Of `clusters`: share of a branch at firstLevel without any, from its base; on
-                       ///< further levels less, on the outermost 0.
-    float thinWood = 1.0f; ///< Of `clusters`: share of the length of all wood, the thinnest, that bears some.
-    int firstLevel = 1;    ///< Lowest branch level that bears leaves (the trunk is 0).
-    float length = 0.5f;   ///< Cluster length along its petiole at the outermost level, metres.
-    float width = 0.45f;   ///< Cluster width, metres.
-    float innerSize = 0.5f; ///< Size at `firstLevel` over size at the outermost level.
-    float droop = 0.3f;     ///< 0: clusters stand off the branch; 1: they hang down; -1: they point up.
-    /// Of `clusters`: mean angle of leaf faces from the horizontal, radians; each cluster is a flat
-    /// spray with its own. 0: clusters are fans, with faces to all sides.
-    float inclination = 0.0f;
-    /// Of `clusters`: each is a segment of a frond, which is the branch, with rows of leaflets on both sides
-    /// and one that hangs. `length` is along the branch, `width` that of a row.
-    bool frond = false;
-    /// Of `clusters` with an inclination: each is drawn as a twig with two rows of shoots that hang, more
-    /// than twice as long as wide, and one upon it. How wide a crown is does not follow from it.
-    bool hanging = false;
-    float area = 0.0f;      ///< Of all quads over the trunk's cross-section at breast height; 0: length
-                            ///< and width hold as they are, else they tell the proportions.
-    std::uint32_t seed = 1; ///< One seed gives the same leaves.
-};
 
 /// The parameters with every value brought into its range; NaN becomes the default.
 LeafParameters clamped(LeafParameters parameters);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/ScannedTree.h>
 
+#include <osgTreeWind/model/CheckScan.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/ScanAxes.h>
 #include <osgTreeWind/model/UnitVectors.h>
 

@@ -2,13 +2,28 @@
 #pragma once
 
 #include <osgTreeWind/base/Export.h>
-#include <osgTreeWind/model/ScanCylinder.h>
+#include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/model/Skeleton.h>
+
+#include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
+
+/// A piece of a tree's wood as laser scans are fitted: a round cylinder, and which one it springs from.
+struct ScanCylinder {
+    glm::dvec3 start{0.0}; ///< Of its axis, metres, z up; coordinates of a map are welcome.
+    glm::dvec3 end{0.0};   ///< Likewise.
+    double radius = 0.0;   ///< Metres.
+    int parent = -1;       ///< Index of the cylinder it springs from; -1 for the root. Any order.
+    int line = 0;          ///< Of the file it stands in, 1-based; 0 when unknown.
+};
+
+/// All cylinders of one tree.
+using ScanCylinders = std::vector<ScanCylinder>;
 
 /// How much of a scan becomes wood; the rest is left to leaves.
 struct ScanDetail {
@@ -47,11 +62,10 @@ struct ScannedTree {
 /// branch springs. What leads to the highest point is taken first, then the thickest branches. Those thinner
 /// than `thinnest`, shorter than a thousandth of the height, or too many for `mostUnits` are pruned with all
 /// they bear.
-/// @return problemOfScan() where there is one.
+/// @return what keeps the cylinders from being one tree, with its line: no cylinder, a radius outside (0, 10]
+/// m or a length below a micrometre, no root or two, a parent that is not there, a loop, a height above the
+/// foot outside 0.1 to 150 m, or an extent of over 200 m.
 OSGTREEWIND_EXPORT Result<ScannedTree> makeScannedTree(const ScanCylinders& cylinders,
                                                        const ScanDetail& detail = {});
-
-/// Volume of the wood of a skeleton along its centre lines, m^3.
-double woodVolume(const Skeleton& skeleton);
 
 } // namespace osgTreeWind

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Export.h>
+
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace osgTreeWind {
@@ -21,7 +24,7 @@ struct BranchUnit {
 /// The rest geometry of a tree's wood as centre lines: the thesis' `verticesForLeaves` (§2.2).
 /// Units stand in depth-first access order (Fig 4.5); every parent comes before its children.
 /// Generic: any maker (recursive generator, species form, scan) may fill it.
-struct Skeleton {
+struct OSGTREEWIND_EXPORT Skeleton {
     int ringsPerBranch = 16; ///< `numBreaks`: points of one unit, at least 2.
     /// Bark closes over joints, forks and tips and has collars: BranchSkin.h. False: open tubes (thesis
     /// §2.3).

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/TreeFields.h>
 
+#include <osgTreeWind/model/GrownTree.h>
+#include <osgTreeWind/model/RecursiveTree.h>
+
 namespace osgTreeWind {
 
 template <>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/TreeModel.h>
 
+#include <osgTreeWind/model/GrownTree.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/RecursiveTree.h>
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <glm/geometric.hpp>

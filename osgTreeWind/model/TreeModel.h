@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/model/BranchSkin.h>
-#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/LeafClusters.h>
-#include <osgTreeWind/model/RecursiveTree.h>
-#include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeExtents.h>
+#include <osgTreeWind/model/TreeParameters.h>
 
 #include <array>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
-
-/// Everything that shapes a tree.
-struct TreeParameters {
-    RecursiveTreeParameters wood;             ///< Of a tree grown by the rule of the thesis.
-    std::optional<GrownTreeParameters> grown; ///< In place of `wood`.
-    /// In place of both: variant v takes scan v modulo their number. Null or at least one.
-    std::shared_ptr<const std::vector<ScannedTree>> scans;
-    LeafParameters leaves; ///< That hang on its wood.
-};
 
 /// The rest geometry of one tree shape, shared by all trees drawn with it.
 struct TreeModel {
@@ -37,10 +23,10 @@ struct TreeModel {
 };
 
 /// Grows skeleton, skin and leaves. All seeds of `parameters` are offset by `variant`.
-OSGTREEWIND_EXPORT TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
+TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
 
 /// What a tree is made of. Vertices are unique ones; triangles are what is drawn.
-struct OSGTREEWIND_EXPORT TreeCounts {
+struct TreeCounts {
     std::uint64_t units = 0;          ///< Pieces of wood that turn.
     std::uint64_t branches = 0;       ///< Of one or more units.
     std::uint64_t skeletonPoints = 0; ///< Points of centre lines.
@@ -54,9 +40,9 @@ struct OSGTREEWIND_EXPORT TreeCounts {
     TreeCounts& operator+=(const TreeCounts& other);                               ///< Adds each.
 };
 
-OSGTREEWIND_EXPORT TreeCounts countTree(const TreeModel& model);
+TreeCounts countTree(const TreeModel& model);
 /// The same numbers without growing skin and leaves; all are exact.
-OSGTREEWIND_EXPORT TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
+TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
 /// Of each number the largest among variants 0 to `shapes` - 1.
 TreeCounts countLargest(const TreeParameters& parameters, int shapes);
 

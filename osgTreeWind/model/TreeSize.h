@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
-#include <osgTreeWind/model/TreeModel.h>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 
@@ -34,18 +33,5 @@ struct TreeScale {
     float radius = 1.0f;  ///< Of radii of wood.
     float leaf = 1.0f;    ///< Of leaf clusters.
 };
-
-/// Size of a model under a scale whose parts are above 0: that of all its wood and leaves.
-OSGTREEWIND_EXPORT TreeSize measureTree(const TreeExtents& extents, const TreeScale& scale = {});
-OSGTREEWIND_EXPORT TreeSize measureTree(const TreeModel& model, const TreeScale& scale = {});
-
-/// Cross-section of the trunk at breast height, m^2.
-float trunkSection(const Skeleton& skeleton, const TreeScale& scale = {});
-
-/// The scale under which measureTree() gives `size` (within 1 %) as far as the shape can have it: no crown is
-/// narrower than its trunk. Sizes not given follow the height in proportion; with no size at all the scale
-/// is 1.
-OSGTREEWIND_EXPORT TreeScale fitTree(const TreeExtents& extents, const TreeSize& size);
-OSGTREEWIND_EXPORT TreeScale fitTree(const TreeModel& model, const TreeSize& size);
 
 } // namespace osgTreeWind

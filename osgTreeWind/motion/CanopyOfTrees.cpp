@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>

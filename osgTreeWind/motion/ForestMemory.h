@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/modal/ModalTree.h>
 
 #include <cstdint>

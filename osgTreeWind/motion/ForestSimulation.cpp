@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/WindAmongTrees.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
@@ -20,9 +21,10 @@ namespace {
 constexpr std::size_t baredAtOnce = 16;  // trees
 constexpr std::size_t largeForest = 256; // trees; below it threads cost more than they give
 
-PlacedForest placed(ForestDescription&& description, const SimulationOptions& options) {
+std::unique_ptr<PlacedForest> placed(ForestDescription&& description, const SimulationOptions& options) {
     const bool last = description.law == MotionLaw::Modal; // laws of a branch have work to do on each tree
-    return PlacedForest(std::move(description), last ? options.placed : std::function<void()>());
+    return std::make_unique<PlacedForest>(std::move(description),
+                                          last ? options.placed : std::function<void()>());
 }
 
 Executor executorFor(const Executor& given, std::size_t trees) {
@@ -32,7 +34,8 @@ Executor executorFor(const Executor& given, std::size_t trees) {
 std::unique_ptr<Motion> motionOf(const PlacedForest& forest, const SimulationOptions& options) {
     if (forest.description().law != MotionLaw::Modal)
         return std::make_unique<BranchwiseMotion>(forest, options.leaves, options.placed);
-    return std::make_unique<ModalForest>(forest, options.level, options.leaves,
+    const ModalLevel level = options.distant ? ModalLevel::Far : ModalLevel::Near;
+    return std::make_unique<ModalForest>(forest, level, options.leaves,
                                          executorFor(options.executor, forest.trees.size()));
 }
 
@@ -61,15 +64,20 @@ Diagnostics noSuchSpecies(const TreePlacement& placement, const ForestDescriptio
 } // namespace
 
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
+    : ForestSimulation(std::move(description), options, nullptr) {}
+
+/// @param wind null: a place of its own, with the description's.
+ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options,
+                                   std::shared_ptr<GivenWind> wind)
     : _forest(placed(std::move(description), options)), _lent(options.executor),
-      _motion(motionOf(_forest, options)),
-      _wind(options.wind ? options.wind : std::make_shared<GivenWind>(givenBy(this->description()))),
+      _motion(motionOf(*_forest, options)),
+      _wind(wind ? std::move(wind) : std::make_shared<GivenWind>(givenBy(this->description()))),
       _amongTrees(std::make_unique<WindAmongTrees>()), _damage(damageOf(this->description())) {}
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
-    : _forest(other._forest), _lent(other._lent), _motion(other._motion->restarted(_forest)),
-      _wind(std::make_shared<GivenWind>(other._wind->get())), _amongTrees(std::make_unique<WindAmongTrees>()),
-      _damage(damageOf(description())) {
+    : _forest(std::make_unique<PlacedForest>(*other._forest)), _lent(other._lent),
+      _motion(other._motion->restarted(*_forest)), _wind(std::make_shared<GivenWind>(other._wind->get())),
+      _amongTrees(std::make_unique<WindAmongTrees>()), _damage(damageOf(description())) {
     regrow();
 }
 
@@ -79,29 +87,69 @@ std::shared_ptr<ForestSimulation> ForestSimulation::restarted() const {
     return std::shared_ptr<ForestSimulation>(new ForestSimulation(*this));
 }
 
+const ForestDescription& ForestSimulation::description() const {
+    return _forest->description();
+}
+
 ForestDescription ForestSimulation::describe() const {
-    ForestDescription now = _forest.describe();
+    ForestDescription now = _forest->describe();
     const FramedWind given = _wind->get();
     now.wind = given.wind;
     now.windFrame = given.frame;
     return now;
 }
 
+std::size_t ForestSimulation::slotCount() const {
+    return _forest->trees.size();
+}
+
+std::size_t ForestSimulation::modelCount() const {
+    return _forest->models().size();
+}
+
+const Skeleton& ForestSimulation::skeleton(std::size_t model) const {
+    return _forest->models()[model].skeleton;
+}
+
+std::size_t ForestSimulation::modelOf(std::size_t slot) const {
+    return _forest->trees[slot].model;
+}
+
+TreeScale ForestSimulation::scaleOf(std::size_t slot) const {
+    return _forest->trees[slot].scale;
+}
+
+bool ForestSimulation::holds(TreeId tree) const {
+    return _forest->holds(tree);
+}
+
+TreeId ForestSimulation::idOf(std::size_t slot) const {
+    return _forest->idOf(slot);
+}
+
+TreePlacement ForestSimulation::placementOf(TreeId tree) const {
+    return _forest->placementOf(slotOf(tree));
+}
+
+float ForestSimulation::season() const {
+    return _forest->season();
+}
+
 Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
-    const std::optional<PlacedTree> tree = _forest.fitted(placement);
+    const std::optional<PlacedTree> tree = _forest->fitted(placement);
     if (!tree)
         return noSuchSpecies(placement, description());
     const Result<std::size_t> slot = _motion->add(*tree);
     if (!slot)
         return slot.problems();
-    _forest.put(slot.value(), *tree, placement.name);
+    _forest->put(slot.value(), *tree, placement.name);
     treeChanged(slot.value());
     return idOf(slot.value());
 }
 
 Diagnostics ForestSimulation::removeTree(TreeId tree) {
     if (holds(tree))
-        _forest.strike(slotOf(tree));
+        _forest->strike(slotOf(tree));
     return unloadTree(tree);
 }
 
@@ -110,7 +158,7 @@ Diagnostics ForestSimulation::unloadTree(TreeId tree) {
         return noSuchTree();
     Diagnostics problems = _motion->remove(slotOf(tree));
     if (problems.empty()) {
-        _forest.remove(slotOf(tree));
+        _forest->remove(slotOf(tree));
         treeChanged(slotOfTree(tree));
     }
     return problems;
@@ -120,27 +168,27 @@ Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& place
     if (!holds(tree))
         return noSuchTree();
     const std::size_t slot = slotOf(tree);
-    std::optional<PlacedTree> other = _forest.fitted(placement, &trees()[slot]);
+    std::optional<PlacedTree> other = _forest->fitted(placement, &_forest->trees[slot]);
     if (!other)
         return noSuchSpecies(placement, description());
     Diagnostics problems = _motion->replace(slot, *other);
     if (problems.empty()) {
-        _forest.strike(slot);
+        _forest->strike(slot);
         other->tiled = false;
-        _forest.put(slot, *other, placement.name);
+        _forest->put(slot, *other, placement.name);
         treeChanged(slot);
     }
     return problems;
 }
 
 void ForestSimulation::runUp(const std::vector<TreeId>& trees) {
-    if (!modal() || !_time || trees.empty())
+    if (!SimulationParts::modal(*this) || !_time || trees.empty())
         return;
     std::vector<std::size_t> slots;
     for (const TreeId tree : trees)
         if (holds(tree))
             slots.push_back(slotOf(tree));
-    modal()->runUp(slots, windHere().get(), *_time, runUpTime);
+    SimulationParts::modal(*this)->runUp(slots, windHere().get(), *_time, runUpTime);
 }
 
 /// Another tree is there, or none, which has not come down.
@@ -149,7 +197,7 @@ void ForestSimulation::treeChanged(std::size_t slot) {
     if (!_damage)
         return;
     _damage->forget(slot);
-    modal()->putUpright(slot);
+    SimulationParts::modal(*this)->putUpright(slot);
 }
 
 /// The leaves that the wind has shed.
@@ -157,25 +205,25 @@ void ForestSimulation::regrow() {
     if (!_damage)
         return;
     _damage->reset();
-    _forest.setSeason(season());
+    _forest->setSeason(season());
     _motion->followSeason();
 }
 
 void ForestSimulation::setSeason(float season) {
-    _forest.setSeason(season);
+    _forest->setSeason(season);
     if (_damage)
-        _damage->shedAgain(_forest);
+        _damage->shedAgain(*_forest);
     _motion->followSeason();
     _amongTrees->allTreesChanged();
 }
 
 std::optional<TreeId> ForestSimulation::findTree(const std::string& name) const {
-    const std::optional<std::uint32_t> slot = _forest.names.find(name);
+    const std::optional<std::uint32_t> slot = _forest->names.find(name);
     return slot ? std::optional(idOf(*slot)) : std::nullopt;
 }
 
 std::string ForestSimulation::nameOf(TreeId tree) const {
-    return holds(tree) ? _forest.names.of(static_cast<std::uint32_t>(slotOf(tree))) : std::string();
+    return holds(tree) ? _forest->names.of(static_cast<std::uint32_t>(slotOf(tree))) : std::string();
 }
 
 void ForestSimulation::setWind(WindFieldPtr wind) {
@@ -188,7 +236,7 @@ WindFieldPtr ForestSimulation::wind() const {
 
 void ForestSimulation::setExecutor(Executor executor) {
     _lent = std::move(executor);
-    _motion->setExecutor(executorFor(_lent, trees().size()));
+    _motion->setExecutor(executorFor(_lent, slotCount()));
 }
 
 Executor ForestSimulation::executor() const {
@@ -213,7 +261,7 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
 }
 
 WindFieldPtr ForestSimulation::windHere() {
-    WindFieldPtr wind = _amongTrees->from(_wind->here(), _forest, *_time);
+    WindFieldPtr wind = _amongTrees->from(_wind->here(), *_forest, *_time);
     if (_amongTrees->company() && _amongTrees->company() != _stand) {
         _stand = _amongTrees->company();
         _motion->standIn(*_stand);
@@ -240,8 +288,8 @@ bool ForestSimulation::advance(double time) {
     else
         _motion->meet(wind.get(), time); // for the next step to start from
     if (_damage && *elapsed > 0.0f) {
-        _damage->follow(_forest, *modal(), *elapsed, executorFor(_lent, trees().size()));
-        _motion->followLeaves(_damage->bared(_forest, baredAtOnce));
+        _damage->follow(*_forest, *SimulationParts::modal(*this), *elapsed, executorFor(_lent, slotCount()));
+        _motion->followLeaves(_damage->bared(*_forest, baredAtOnce));
     }
     return *elapsed > 0.0f;
 }
@@ -252,7 +300,8 @@ const std::vector<TreeDamage>& ForestSimulation::damage() const {
 }
 
 bool ForestSimulation::stands(TreeId tree) const {
-    const TreeFall* fall = _damage && holds(tree) ? modal()->fall(slotOf(tree)) : nullptr;
+    const TreeFall* fall =
+        _damage && holds(tree) ? SimulationParts::modal(*this)->fall(slotOf(tree)) : nullptr;
     return holds(tree) && !(fall && fall->isDown);
 }
 
@@ -264,25 +313,8 @@ TreeMotion ForestSimulation::motion(std::size_t slot, UnitValues& values) const 
     return _motion->motion(slot, values);
 }
 
-ModalMotion* ForestSimulation::modal() {
-    auto* modal = dynamic_cast<ModalForest*>(_motion.get());
-    return modal ? &modal->sway() : nullptr;
-}
-
 UnitMotion ForestSimulation::unitMotion(std::size_t slot, std::size_t unit) const {
     return _motion->unitMotion(slot, unit);
-}
-
-const ModalMotion* ForestSimulation::modal() const {
-    return const_cast<ForestSimulation*>(this)->modal();
-}
-
-BranchwiseMotion* ForestSimulation::branches() {
-    return dynamic_cast<BranchwiseMotion*>(_motion.get());
-}
-
-const BranchwiseMotion* ForestSimulation::branches() const {
-    return dynamic_cast<const BranchwiseMotion*>(_motion.get());
 }
 
 } // namespace osgTreeWind

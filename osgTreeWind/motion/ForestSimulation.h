@@ -3,7 +3,8 @@
 
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
-#include <osgTreeWind/forest/PlacedForest.h>
+#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/motion/SimulationOptions.h>
 #include <osgTreeWind/motion/laws/TreeMotion.h>
 
@@ -14,12 +15,13 @@
 
 namespace osgTreeWind {
 
-class BranchwiseMotion;
 class CanopyWind;
-class ModalMotion;
+class GivenWind;
 class Motion;
 class WindAmongTrees;
 class WindDamage;
+struct PlacedForest;
+struct Skeleton;
 struct TreeDamage;
 
 /// A forest in motion, without graphics (docs/frame.md).
@@ -33,25 +35,31 @@ public:
     /// The same trees as they are by now, at rest, in the same wind. Shares what does not change.
     std::shared_ptr<ForestSimulation> restarted() const;
 
-    /// As given, but without its trees, which are trees(), and with its first wind and season, whatever
-    /// setWind() and setSeason() did.
-    const ForestDescription& description() const { return _forest.description(); }
+    /// As given, but without its trees, and with its first wind and season, whatever setWind() and
+    /// setSeason() did.
+    const ForestDescription& description() const;
     /// The forest as it is now: the trees that are alive, with the sizes they were given and names, in the
     /// season and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
     ForestDescription describe() const;
-    const std::vector<TreeModel>& models() const { return _forest.models(); } ///< Shapes, shared by trees.
-    /// By slot: in the order of the description, then as they were added. Not all of them are alive.
-    const std::vector<PlacedTree>& trees() const { return _forest.trees; }
-    const PlacedForest& forest() const { return _forest; } ///< Trees at rest.
 
-    // Trees come and go in a time that does not depend on the forest (ModalMotion::add()). It is a problem,
+    /// Slots: of trees in the order of the description, then as they were added. Some may be empty.
+    std::size_t slotCount() const;
+    std::size_t modelCount() const; ///< Shapes, which trees of a species share.
+    /// The wood of a shape at rest, before it is stretched by scaleOf() a tree. @param model unchecked.
+    const Skeleton& skeleton(std::size_t model) const;
+    /// The shape of the tree in a slot; unchecked.
+    std::size_t modelOf(std::size_t slot) const;
+    /// How its shape is stretched.
+    TreeScale scaleOf(std::size_t slot) const;
+
+    // Trees come and go in a time that does not depend on the forest. It is a problem,
     // and nothing is changed, under a law of a branch, and where there is no such tree or species.
 
     /// Puts up a tree at rest.
     Result<TreeId> addTree(const TreePlacement& placement);
     /// @return the problems; empty when it is done.
     Diagnostics removeTree(TreeId tree);
-    /// Moves it, or makes it another one, in full sway (ModalMotion::replace()); one of a tile is a tree of
+    /// Moves it, or makes it another one, in full sway; one of a tile is a tree of
     /// the forest's own from then on. @return as removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
 
@@ -61,22 +69,22 @@ public:
     void runUp(const std::vector<TreeId>& trees);
     static constexpr float runUpTime = 40.0f; ///< Seconds.
 
-    bool holds(TreeId tree) const { return _forest.holds(tree); } ///< Whether it is there.
-    /// Where a tree stands in trees().
+    bool holds(TreeId tree) const; ///< Whether it is there.
+    /// Where a tree stands.
     std::size_t slotOf(TreeId tree) const { return slotOfTree(tree); }
     /// Of the tree in a slot; the description's have their numbers, 0 and up.
-    TreeId idOf(std::size_t slot) const { return _forest.idOf(slot); }
+    TreeId idOf(std::size_t slot) const;
     std::optional<TreeId> findTree(const std::string& name) const; ///< None has it: nothing.
     std::string nameOf(TreeId tree) const;                         ///< Empty for none.
     /// What would put that tree up again, with all of its sizes, in world coordinates. Only of one it holds.
-    TreePlacement placementOf(TreeId tree) const { return _forest.placementOf(slotOf(tree)); }
+    TreePlacement placementOf(TreeId tree) const;
 
     /// Of the year (Season.h), which all trees follow in full sway: the leaves they bear, at once, and by
     /// them their mass, drag and damping. Under `modal` 256 trees at most, and two new archetypes, do so at
     /// once and in each step that comes, which takes up to 10 ms more: 100,000 trees of five species follow
     /// within some 700 steps.
     void setSeason(float season);
-    float season() const { return _forest.season(); } ///< Of the year.
+    float season() const; ///< Of the year.
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
     void setWind(WindFieldPtr wind);
@@ -116,28 +124,19 @@ public:
     /// One unit of a tree that stands there: the same numbers, at the cost of the units that carry it.
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const;
 
-    // The library's own: may change in any version.
-    Diagnostics unloadTree(TreeId tree); ///< removeTree() of one that may come again with its tile.
-    const std::shared_ptr<GivenWind>& givenWind() const { return _wind; } ///< Home of wind().
-    /// The trees under the law `modal`, which also knows how closely each is followed; null under another
-    /// law. They come and go through this class only.
-    ModalMotion* modal();
-    const ModalMotion* modal() const; ///< The same.
-    /// The branches, where each has a state; null under `modal`.
-    BranchwiseMotion* branches();
-    const BranchwiseMotion* branches() const; ///< The same.
-    /// Instead of advance(), for those who work out states elsewhere (gpu/branchwise/AnglePrePass.h): moves
-    /// on to `time` and samples the wind. @return seconds to step, or nothing when the state is to be kept.
-    std::optional<float> beginStep(double time);
-
 private:
+    friend struct SimulationParts;
+    ForestSimulation(ForestDescription description, const SimulationOptions& options,
+                     std::shared_ptr<GivenWind> wind);
     ForestSimulation(const ForestSimulation& other);
+    Diagnostics unloadTree(TreeId tree);
+    std::optional<float> beginStep(double time);
     std::optional<float> elapsedAt(double time);
     WindFieldPtr windHere();
     void treeChanged(std::size_t slot);
     void regrow();
 
-    PlacedForest _forest;
+    std::unique_ptr<PlacedForest> _forest;
     Executor _lent;
     std::unique_ptr<Motion> _motion;
     std::optional<double> _time;

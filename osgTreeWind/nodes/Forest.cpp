@@ -9,6 +9,7 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
@@ -80,12 +81,12 @@ std::string problemOfRoom(const ForestDescription& description) {
 }
 
 std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot) {
-    const PlacedTree& tree = simulation.trees()[slot];
+    const PlacedTree& tree = SimulationParts::trees(simulation)[slot];
     UnitValues values;
     const TreeMotion motion = simulation.motion(slot, values);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
     std::vector<TreeUnit> units;
-    for (const BranchUnit& rest : simulation.forest().modelOf(tree).skeleton.units) {
+    for (const BranchUnit& rest : SimulationParts::forest(simulation).modelOf(tree).skeleton.units) {
         const UnitPose& pose = motion.poses[units.size()];
         const auto now = [&](const glm::vec3& point) {
             return toOsg(turnHeading(pose.apply(point), sine, cosine) + tree.position);
@@ -127,9 +128,9 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
             removeChild(i);
     const std::shared_ptr<ForestSimulation> simulation = other._simulation->restarted();
     show(simulation, other._drawing->again(simulation));
-    _wind = _simulation->givenWind();
+    _wind = SimulationParts::wind(*_simulation);
     for (const TreeId tree : getTrees())
-        if (_simulation->trees()[_simulation->slotOf(tree)].tiled)
+        if (SimulationParts::trees(*_simulation)[_simulation->slotOf(tree)].tiled)
             unload(tree); // its own tiles bring it again
 }
 
@@ -196,10 +197,9 @@ void Forest::grow(ForestDescription description) {
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
     options.executor = _executor;
-    options.wind = _wind;
     if (description.drawing.tiers && (description.tiles || description.trees.size() > smallStand))
-        options.level = ModalLevel::Far; // until someone sees them
-    const auto simulation = std::make_shared<ForestSimulation>(std::move(description), options);
+        options.distant = true; // until someone sees them
+    const auto simulation = SimulationParts::make(std::move(description), options, _wind);
     const osg::ref_ptr<ForestDrawing> drawing = drawingFor(simulation);
     if (_drawing)
         drawing->takeSettings(*_drawing);
@@ -218,9 +218,9 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_p
         insertChild(1, _tiles);
     }
     _ground = groundOf(getDescription(), _drawing->getBound());
-    _treeCount =
-        static_cast<std::size_t>(std::count_if(_simulation->trees().begin(), _simulation->trees().end(),
-                                               [](const PlacedTree& tree) { return tree.alive; }));
+    _treeCount = static_cast<std::size_t>(std::count_if(SimulationParts::trees(*_simulation).begin(),
+                                                        SimulationParts::trees(*_simulation).end(),
+                                                        [](const PlacedTree& tree) { return tree.alive; }));
 }
 
 Result<TreeId> Forest::addTree(const TreePlacement& placement) {
@@ -242,7 +242,7 @@ Diagnostics Forest::removeTree(TreeId tree) {
 }
 
 void Forest::unload(TreeId tree) {
-    if (!_simulation->unloadTree(tree).empty())
+    if (!SimulationParts::unloadTree(*_simulation, tree).empty())
         return;
     --_treeCount;
     _drawing->treeChanged(_simulation->slotOf(tree));
@@ -264,8 +264,8 @@ TreeId Forest::findTree(const std::string& name) {
 std::vector<TreeId> Forest::getTrees() const {
     std::vector<TreeId> ids;
     ids.reserve(_treeCount);
-    for (std::size_t slot = 0; slot < _simulation->trees().size(); ++slot)
-        if (_simulation->trees()[slot].alive)
+    for (std::size_t slot = 0; slot < SimulationParts::trees(*_simulation).size(); ++slot)
+        if (SimulationParts::trees(*_simulation)[slot].alive)
             ids.push_back(_simulation->idOf(slot));
     return ids;
 }

@@ -7,7 +7,6 @@
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 #include <osgTreeWind/wind/WindField.h>
-#include <osgTreeWind/wind/WindFrame.h>
 
 #include <osg/Group>
 #include <osg/Matrix>

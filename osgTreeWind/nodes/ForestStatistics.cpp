@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/stand/DrawnTrees.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/StandParts.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/nodes/TilePager.h>
@@ -44,7 +45,7 @@ void reportStatistics(Forest& forest, osg::NodeVisitor& cullVisitor, double step
         stats->setAttribute(frame, "Forest tiles", static_cast<double>(tiles->countThere()));
     if (!forest.getStand())
         return;
-    const DrawnTrees drawn(forest.getStand()->trees()->listedTrees());
+    const DrawnTrees drawn(StandParts::trees(*forest.getStand())->listedTrees());
     stats->setAttribute(frame, "Forest trees in full", static_cast<double>(drawn.full));
     stats->setAttribute(frame, "Forest trees by boughs", static_cast<double>(drawn.byBoughs));
     stats->setAttribute(frame, "Forest trees as pictures", static_cast<double>(drawn.asPictures));

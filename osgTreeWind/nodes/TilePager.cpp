@@ -3,8 +3,10 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/crowns/FarCrowns.h>
+#include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/nodes/FileOfTiles.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -86,7 +88,7 @@ void TilePager::traverse(osg::NodeVisitor& visitor) {
     const std::lock_guard<std::mutex> lock(_mutex);
     _eye = eye;
     if (!_crownFile.arrived && _crownFile.arrival->getNumChildren() == 0)
-        ask(_crownFile, _tiles.fileOfCrowns(), 1.0f, visitor);
+        ask(_crownFile, fileOfCrowns(_tiles), 1.0f, visitor);
     for (double row = low.y; row <= high.y; ++row)
         for (double column = low.x; column <= high.x; ++column) {
             const std::size_t tile =
@@ -101,7 +103,7 @@ void TilePager::traverse(osg::NodeVisitor& visitor) {
             slot.near = frame;
             slot.nearTime = visitor.getFrameStamp()->getReferenceTime();
             if (!slot.arrived && slot.arrival->getNumChildren() == 0)
-                ask(slot, _tiles.fileOf(tile), static_cast<float>(1.0 - distance / (keptFrom * range)),
+                ask(slot, fileOfTile(_tiles, tile), static_cast<float>(1.0 - distance / (keptFrom * range)),
                     visitor);
         }
 }
@@ -138,10 +140,10 @@ void TilePager::receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::No
                         const Forest& forest, double now) {
     auto* arrived = dynamic_cast<TreeTile*>(file.get());
     slot.arrival = new osg::Group;
-    Diagnostics problems = {fileProblem(_tiles.fileOf(tile), "expected trees")};
+    Diagnostics problems = {fileProblem(fileOfTile(_tiles, tile), "expected trees")};
     if (arrived)
         problems = arrived->content.fit(forest.getDescription().species, _tiles.tiles[tile].trees,
-                                        _tiles.fileOf(tile));
+                                        fileOfTile(_tiles, tile));
     if (!problems.empty()) {
         if (_blamed.insert(tile).second)
             OSG_WARN << "osgTreeWind: " << problems.front().text() << "; its place stays empty" << std::endl;
@@ -168,7 +170,7 @@ void TilePager::receiveCrowns(const Forest& forest, double now) {
 
 /// @param until as osg::Timer::time_s() has it.
 void TilePager::putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const {
-    const std::set<std::string>& removed = forest.getSimulation().forest().struck();
+    const std::set<std::string>& removed = SimulationParts::forest(forest.getSimulation()).struck();
     while (!slot.coming.empty() && osg::Timer::instance()->time_s() < until) {
         TreePlacement& tree = slot.coming.back();
         tree.tiled = true;
@@ -187,9 +189,9 @@ void TilePager::leave(Slot& slot, const Forest& forest, std::vector<TreeId>& lea
     const ForestSimulation& simulation = forest.getSimulation();
     for (const TreeId tree : slot.standing) {
         const std::size_t number = simulation.slotOf(tree);
-        if (!simulation.holds(tree) || !simulation.trees()[number].tiled)
+        if (!simulation.holds(tree) || !SimulationParts::trees(simulation)[number].tiled)
             continue; // its host made it another one
-        if (simulation.modal()->fall(number))
+        if (SimulationParts::modal(simulation)->fall(number))
             _damaged.insert(simulation.nameOf(tree));
         else
             leaving.push_back(tree);
@@ -197,12 +199,12 @@ void TilePager::leave(Slot& slot, const Forest& forest, std::vector<TreeId>& lea
 }
 
 std::optional<std::size_t> TilePager::tileWith(const std::string& name) const {
-    if (const std::optional<std::size_t> tile = _tiles.tileOf(name))
+    if (const std::optional<std::size_t> tile = tileOfPlace(_tiles, name))
         return tile;
-    const std::optional<std::uint32_t> number = _tiles.idFileOf(name);
+    const std::optional<std::uint32_t> number = idFileOf(_tiles, name);
     if (!number)
         return {};
-    const std::string file = _tiles.fileOfIds(*number);
+    const std::string file = fileOfIds(_tiles, *number);
     const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(file);
     const auto* ids = dynamic_cast<const IdFile*>(read.get());
     if (!ids) {
@@ -210,19 +212,20 @@ std::optional<std::size_t> TilePager::tileWith(const std::string& name) const {
         return {};
     }
     const auto place = ids->content.find(name);
-    return place == ids->content.end() ? std::nullopt : _tiles.tileOf(place->second);
+    return place == ids->content.end() ? std::nullopt : tileOfPlace(_tiles, place->second);
 }
 
 void TilePager::bring(const std::string& name, Forest& forest) {
     const std::optional<std::size_t> tile = tileWith(name);
     const std::lock_guard<std::mutex> lock(_mutex);
-    if (!tile || _tiles.tiles[*tile].trees == 0 || forest.getSimulation().forest().struck().count(name) > 0)
+    if (!tile || _tiles.tiles[*tile].trees == 0 ||
+        SimulationParts::forest(forest.getSimulation()).struck().count(name) > 0)
         return;
     Slot& slot = _slots[*tile];
     slot.near = _frame;
     slot.nearTime = _now;
     if (!slot.arrived)
-        receive(slot, *tile, osgDB::readRefNodeFile(_tiles.fileOf(*tile)), forest, _now);
+        receive(slot, *tile, osgDB::readRefNodeFile(fileOfTile(_tiles, *tile)), forest, _now);
     std::vector<TreeId> near;
     putUp(slot, forest, std::numeric_limits<double>::infinity(), near);
     if (_crowns && slot.arrived)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/ReaderProgram.h>
+#include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 #include <osgTreeWind/scanfiles/ScanWire.h>
 

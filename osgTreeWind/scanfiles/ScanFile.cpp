@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/scanfiles/ScanColumns.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 #include <osgTreeWind/scanfiles/ScanRows.h>

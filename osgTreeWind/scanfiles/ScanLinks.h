@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/ScanCylinder.h>
+#include <osgTreeWind/model/ScannedTree.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 

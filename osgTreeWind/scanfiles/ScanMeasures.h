@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/ScanCylinder.h>
+#include <osgTreeWind/model/ScannedTree.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/model/TreeParameters.h>
 #include <osgTreeWind/species/Appearance.h>
 
 #include <string>

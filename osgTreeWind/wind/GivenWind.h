@@ -2,7 +2,6 @@
 #pragma once
 
 #include <osgTreeWind/wind/WindField.h>
-#include <osgTreeWind/wind/WindFrame.h>
 
 #include <glm/mat4x4.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/wind/WindPlace.h>
+#include <osgTreeWind/wind/WindField.h>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec4.hpp>

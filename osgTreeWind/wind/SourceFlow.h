@@ -2,8 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/wind/WindField.h>
-#include <osgTreeWind/wind/WindPlace.h>
-#include <osgTreeWind/wind/WindSource.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <glm/vec2.hpp>
 

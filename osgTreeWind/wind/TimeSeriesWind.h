@@ -3,12 +3,24 @@
 
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/WindField.h>
-#include <osgTreeWind/wind/WindSeries.h>
+
+#include <glm/vec3.hpp>
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace osgTreeWind {
+
+/// A wind record taken at one point, as plain values: what the readers give and TimeSeriesWind takes.
+struct WindSeries {
+    std::vector<double> times;         ///< Seconds, strictly increasing; readers start them at 0.
+    std::vector<glm::vec3> velocities; ///< m/s toward, one per time.
+    bool repeat = false;               ///< Start again after the last time (period last - first) or hold it.
+    std::optional<LogProfile> profile; ///< Over the ground of each place; empty: all heights alike.
+};
 
 /// A record of wind at one point, blowing over the whole forest: components linear in time (directions are
 /// never interpolated), scaled with height above the ground where the record has a profile. Before the first

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <osgTreeWind/base/Export.h>
-#include <osgTreeWind/wind/WindPlace.h>
 
 #include <glm/vec3.hpp>
 
@@ -10,6 +9,27 @@
 #include <memory>
 
 namespace osgTreeWind {
+
+/// Whose axes a wind is given in: its places, its velocities and what is up (docs/coordinates.md).
+enum class WindFrame {
+    Forest,    ///< The forest's own, metres from its origin: it stays with the forest wherever that is put.
+    Scene,     ///< Those of the scene's root, z up; or of the world less the forest's origin, where the
+               ///< forest stands nearer to its origin than to the scene's zero.
+    Geocentric ///< Those of the scene's root, which is a globe: up is the forest's own z.
+};
+
+/// Where wind is asked for: a position, and how far above the ground that is. Metres.
+struct WindPlace {
+    glm::vec3 position{0.0f}; ///< Metres.
+    float height = 0.0f;      ///< Above the ground below it.
+    bool inCrown = false;     ///< Between the leaves of a tree: a stand shelters them from the air around it.
+
+    WindPlace() = default;
+    /// Over ground at z = `ground`.
+    WindPlace(const glm::vec3& at, float ground = 0.0f) : position(at), height(at.z - ground) {}
+    /// Over ground at z = 0.
+    WindPlace(float x, float y, float z) : position(x, y, z), height(z) {}
+};
 
 /// The wind: a velocity at every place and time.
 ///

@@ -8,9 +8,9 @@
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/LogProfile.h>
 #include <osgTreeWind/wind/RetimedWind.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindCanopy.h>
-#include <osgTreeWind/wind/WindSeries.h>
-#include <osgTreeWind/wind/WindSource.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 namespace osgTreeWind {
 

@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindField.h>
-#include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 #include <glm/vec2.hpp>
@@ -42,6 +42,29 @@ struct WindFileOptions {
     /// Velocities as the file has them: not turned from true north to the grid's, a model grid that moves
     /// taken as standing still.
     bool asStored = false;
+};
+
+/// What a file of wind data was understood to say, in the file's own coordinates.
+struct WindSummary {
+    std::string format;      ///< "TurbSim full field", say.
+    std::string unit;        ///< Of the speeds in the file; empty when it does not say.
+    std::string direction;   ///< "from, clockwise from grid north" or what the components mean.
+    std::string coordinates; ///< Name or PROJ text of the reference system; empty when not said.
+    /// The same as PROJ reads it, where points are x east and y north of a map in metres, or longitude and
+    /// latitude in degrees; empty when not said.
+    std::string crs;
+    /// Date and time of time 0, as ISO 8601 in UTC where the file's calendar is the usual one; empty when it
+    /// does not say.
+    std::string start;
+    std::vector<std::string> notes; ///< What else is worth knowing, one sentence each.
+
+    glm::ivec3 points{1};      ///< Points east, north and up; 1, 1, 1 for a record at one point.
+    glm::dvec3 low{0.0};       ///< South-western lowest point; all 0 for a record at one point.
+    glm::dvec3 high{0.0};      ///< North-eastern highest point.
+    bool aboveGround = false;  ///< Heights count from the ground below each place.
+    std::vector<double> times; ///< Seconds; empty for a wind that does not change.
+    double slowest = 0.0;      ///< m/s, over all points and times.
+    double fastest = 0.0;      ///< m/s, likewise.
 };
 
 /// A file of wind data as a field, and what was understood.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/CsvTable.h>
-#include <osgTreeWind/wind/WindSeries.h>
+#include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 namespace osgTreeWind {

@@ -9,6 +9,7 @@
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <benchmark/benchmark.h>
@@ -53,13 +54,15 @@ void simulate(benchmark::State& state, Step step) {
     double time = 0.0;
     for (auto _ : state)
         benchmark::DoNotOptimize(step(simulation, time += frame));
-    state.counters["units"] = static_cast<double>(simulation.forest().units);
-    state.counters["leaves"] = static_cast<double>(simulation.forest().leaves);
+    state.counters["units"] = static_cast<double>(SimulationParts::forest(simulation).units);
+    state.counters["leaves"] = static_cast<double>(SimulationParts::forest(simulation).leaves);
 }
 
 /// The first half of a step: the wind at every branch base.
 void sampleWind(benchmark::State& state) {
-    simulate(state, [](ForestSimulation& simulation, double time) { return simulation.beginStep(time); });
+    simulate(state, [](ForestSimulation& simulation, double time) {
+        return SimulationParts::beginStep(simulation, time);
+    });
 }
 
 /// A whole step: wind, law, leaves, poses.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+
 #include <gtest/gtest.h>
 
 using namespace osgTreeWind;
@@ -44,7 +46,7 @@ TEST(BranchTransformTest, turnsAboutItsBase) {
 
 TEST(BranchTransformTest, jointsStayConnectedUnderAnyAngles) {
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     turnAllBranches(tree);
     for (unsigned unit = 1; unit < tree.getNumBranches(); ++unit) {
         const BranchUnit& rest = skeletonOf(tree).units[unit];
@@ -60,7 +62,7 @@ TEST(BranchTransformTest, jointsStayConnectedUnderAnyAngles) {
 
 TEST(BranchTransformTest, turningABranchLeavesItsSiblingsAlone) { // Fig 3.10
     osg::ref_ptr<Forest> forest = stretchedTree();
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     turnAllBranches(tree);
     const std::vector<BranchUnit>& units = skeletonOf(tree).units;
     const unsigned turned = 2; // the first branch on the trunk
@@ -83,7 +85,7 @@ TEST(BranchTransformTest, turningABranchLeavesItsSiblingsAlone) { // Fig 3.10
 TEST(BranchTransformTest, hierarchyPosesTheBarkAsTheSimulationDoes) {
     osg::ref_ptr<Forest> forest = stretchedTree();
     updateFrames(*forest, 1, 60);
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     const PosedTree& posed = *tree.getPosedTree();
     const osg::Matrix toTree = osg::Matrix::inverse(worldMatrix(tree));
     double furthest = 0.0, moved = 0.0;

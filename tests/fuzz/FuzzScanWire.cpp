@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/fuzz/FuzzScan.h>
 
+#include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/scanfiles/ScanWire.h>
 
 #include <sys/mman.h>

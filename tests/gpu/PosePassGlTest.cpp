@@ -4,6 +4,7 @@
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/gpu/PosePass.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
@@ -26,20 +27,20 @@ public:
     }
 
     void ask(unsigned frame, std::size_t tree) {
-        const PlacedTree& placed = _simulation.trees()[tree];
+        const PlacedTree& placed = SimulationParts::trees(_simulation)[tree];
         PosePass& passes = *_passes[placed.model];
         rows[tree] = passes.row(frame, static_cast<std::uint32_t>(tree), [&](PoseRequest& request) {
             ++fills;
-            passes.ask(*_simulation.modal(), tree, placed.scale,
-                       Reconfiguration(_simulation.forest().speciesOf(placed)), request);
+            passes.ask(*SimulationParts::modal(_simulation), tree, placed.scale,
+                       Reconfiguration(SimulationParts::forest(_simulation).speciesOf(placed)), request);
         });
     }
 
     void drawImplementation(osg::RenderInfo& info) const override {
         osg::State& state = *info.getState();
         for (const auto& [tree, row] : rows) {
-            const PlacedTree& placed = _simulation.trees()[tree];
-            const std::size_t units = _simulation.forest().unitsOf(placed);
+            const PlacedTree& placed = SimulationParts::trees(_simulation)[tree];
+            const std::size_t units = SimulationParts::forest(_simulation).unitsOf(placed);
             const PoseLayout layout(units);
             if (row.page != _read) { // a page at a time: the next one takes its place
                 _read = row.page;
@@ -89,11 +90,11 @@ class PosePassGlTest : public GlTest {
 protected:
     void begin(ForestDescription description, ModalMotion::Level level = ModalMotion::Level::Near) {
         SimulationOptions options;
-        options.level = level;
+        options.distant = level == ModalMotion::Level::Far;
         simulation = std::make_unique<ForestSimulation>(std::move(description), options);
         passes.clear();
         const osg::ref_ptr<PosePrograms> programs = new PosePrograms;
-        for (const TreeModel& model : simulation->models())
+        for (const TreeModel& model : SimulationParts::models(*simulation))
             passes.push_back(new PosePass(model.skeleton, programs));
         reader = new PoseReader(*simulation, passes);
         reopen(16, 16);
@@ -104,7 +105,7 @@ protected:
             simulation->advance(i / 25.0);
     }
     void askAll(unsigned frame) {
-        for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree)
+        for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree)
             reader->ask(frame, tree);
     }
     /// The largest distance of a vertex of the bark from where the CPU has it, metres; and how far one has
@@ -113,11 +114,11 @@ protected:
         float furthest = 0.0f, moved = 0.0f;
     };
     Distances distances(std::size_t tree) {
-        const PlacedTree& placed = simulation->trees()[tree];
+        const PlacedTree& placed = SimulationParts::trees(*simulation)[tree];
         const TreeMotion motion = simulation->motion(tree);
         const std::vector<UnitPose>& poses = reader->read.at(tree);
         Distances result;
-        for (const SkinVertex& vertex : simulation->forest().modelOf(placed).skin.vertices) {
+        for (const SkinVertex& vertex : SimulationParts::forest(*simulation).modelOf(placed).skin.vertices) {
             const auto unit = static_cast<std::size_t>(vertex.unit + 0.5f);
             const glm::vec3 cpu = posedSkinPoint(vertex, placed.scale, motion.poses[unit]),
                             rest = posedSkinPoint(vertex, placed.scale, UnitPose());
@@ -128,7 +129,7 @@ protected:
         return result;
     }
     void expectThePosesOfTheCpu(float atLeast) {
-        for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree) {
+        for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree) {
             const Distances found = distances(tree);
             ASSERT_LT(found.furthest, 1e-4f) << "tree " << tree;
             ASSERT_GT(found.moved, atLeast) << "tree " << tree << " stands still, so this shows nothing";
@@ -164,7 +165,7 @@ TEST_P(PosePassLevelsGlTest, everyVertexIsWhereTheCpuHasIt) {
     expectThePosesOfTheCpu(0.05f);
     const glm::vec3 wind = simulation->motion(0).winds[simulation->motion(0).winds.size - 1];
     EXPECT_NEAR(reader->winds[0], glm::length(wind), 1e-4f) << "which leaves flutter in";
-    for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree) {
+    for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree) {
         const TreeMotion motion = simulation->motion(tree);
         EXPECT_GT(glm::length(glm::vec3(motion.pulls[0])), 0.1f);
         for (std::size_t unit = 0; unit < motion.pulls.size; ++unit)
@@ -176,7 +177,7 @@ TEST_P(PosePassLevelsGlTest, everyVertexIsWhereTheCpuHasIt) {
 TEST_P(PosePassLevelsGlTest, treesThatHaveComeDownAreWhereTheCpuHasThem) {
     begin(mixedForest(25.0f), GetParam());
     blow(60);
-    for (std::size_t tree = 0; tree < simulation->trees().size(); ++tree) {
+    for (std::size_t tree = 0; tree < SimulationParts::trees(*simulation).size(); ++tree) {
         const auto angle = 0.3f * static_cast<float>(tree + 1); // one after the other, about the first units
         TreeFall fall;
         fall.parts[0] = {4, {0.0f, 1.0f}};
@@ -184,7 +185,7 @@ TEST_P(PosePassLevelsGlTest, treesThatHaveComeDownAreWhereTheCpuHasThem) {
         fall.count = 2;
         fall.isDown = true;
         fall.sway = 0.5f;
-        simulation->modal()->setFall(tree, fall);
+        SimulationParts::modal(*simulation)->setFall(tree, fall);
     }
     askAll(0);
     frame(0.0);
@@ -265,7 +266,7 @@ TEST_F(PosePassGlTest, aTreeOfMoreUnitsThanARowHoldsTakesSeveral) {
     description.species[0].tree.wood.ringsPerBranch = 2;
     description.species[0].shapes = 1;
     begin(description);
-    ASSERT_GT(simulation->forest().unitsOf(simulation->trees()[0]), 2048u);
+    ASSERT_GT(SimulationParts::forest(*simulation).unitsOf(SimulationParts::trees(*simulation)[0]), 2048u);
     blow(20);
     askAll(0);
     frame(0.0);

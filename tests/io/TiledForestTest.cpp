@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A forest cut into tiles and read again.
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TiledForest.h>
@@ -305,7 +306,7 @@ TEST(TiledForestTest, aTileThatLacksTreesIsRefused) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(100), folder.path()));
     ForestDescription world = worldOf(folder.path());
-    std::string tile = bytesOf(world.tiles->fileOf(1));
+    std::string tile = bytesOf(fileOfTile(*world.tiles, 1));
     tile.erase(tile.rfind('\n', tile.size() - 2) + 1); // the last tree
     folder.write("tiles/1_0.trees", tile);
     const Diagnostics problems = loadTiles(world).problems();

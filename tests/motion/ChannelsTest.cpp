@@ -2,6 +2,7 @@
 // Several processes that show one forest, at frame rates of their own, some of them started later.
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <gtest/gtest.h>
@@ -27,13 +28,13 @@ ForestDescription wood() {
 /// Of all trees, by then.
 std::vector<glm::vec2> leans(ModalLevel level, int framesASecond, double started = 0.0) {
     SimulationOptions options;
-    options.level = level;
+    options.distant = level == ModalLevel::Far;
     ForestSimulation simulation(wood(), options);
     for (int i = 0; i <= static_cast<int>((now - started) * framesASecond); ++i)
         simulation.advance(started + i / static_cast<double>(framesASecond));
     std::vector<glm::vec2> all;
-    for (std::size_t slot = 0; slot < simulation.trees().size(); ++slot)
-        all.push_back(simulation.modal()->lean(slot));
+    for (std::size_t slot = 0; slot < SimulationParts::trees(simulation).size(); ++slot)
+        all.push_back(SimulationParts::modal(simulation)->lean(slot));
     return all;
 }
 

@@ -46,7 +46,7 @@ std::unique_ptr<ForestSimulation> mixedWood(std::size_t count, ModalLevel level 
         forest.trees.push_back(tree);
     }
     SimulationOptions options;
-    options.level = level;
+    options.distant = level == ModalLevel::Far;
     return std::make_unique<ForestSimulation>(std::move(forest), options);
 }
 

@@ -5,6 +5,7 @@
 
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -61,18 +62,18 @@ TEST(ForestChanges, AnAddedTreeStandsAndSways) {
     run(simulation, 30);
     const TreeId tree = simulation.addTree(inWorld(simulation, treeAt(77.0, 8.0f))).value();
     ASSERT_TRUE(simulation.holds(tree));
-    const PlacedTree& placed = simulation.trees()[simulation.slotOf(tree)];
+    const PlacedTree& placed = SimulationParts::trees(simulation)[simulation.slotOf(tree)];
     EXPECT_TRUE(placed.alive);
     EXPECT_EQ(placed.position, glm::vec3(77, 154, 10));
     run(simulation, 60, 1.0);
-    EXPECT_GT(glm::length(simulation.modal()->lean(simulation.slotOf(tree))), 0.001f);
+    EXPECT_GT(glm::length(SimulationParts::modal(simulation)->lean(simulation.slotOf(tree))), 0.001f);
     EXPECT_GT(simulation.motion(simulation.slotOf(tree)).poses.size, 0u);
 }
 
 TEST(ForestChanges, AnIdLastsAndNamesNoOtherTree) {
     ForestSimulation simulation(windySaplings(3));
     EXPECT_TRUE(simulation.removeTree(TreeId(1)).empty());
-    EXPECT_FALSE(simulation.trees()[1].alive);
+    EXPECT_FALSE(SimulationParts::trees(simulation)[1].alive);
     EXPECT_FALSE(simulation.removeTree(TreeId(1)).empty());
     EXPECT_EQ(simulation.motion(1).poses.size, 0u) << "nothing stands there";
     const TreeId next = simulation.addTree(inWorld(simulation, treeAt(5.0))).value();
@@ -105,15 +106,15 @@ TEST(ForestChanges, APlacementComesBackAsItWasGiven) {
 TEST(ForestChanges, ATreeMovedByItsPlacementKeepsSizeAndSwayToTheBit) {
     ForestSimulation simulation(windySaplings(2));
     run(simulation, 40);
-    const TreeScale scale = simulation.trees()[1].scale;
-    const std::vector<float> amplitudes = simulation.modal()->amplitudes(1);
+    const TreeScale scale = SimulationParts::trees(simulation)[1].scale;
+    const std::vector<float> amplitudes = SimulationParts::modal(simulation)->amplitudes(1);
     TreePlacement moved = simulation.placementOf(TreeId(1));
     moved.position.x += 30.0;
     ASSERT_TRUE(simulation.changeTree(TreeId(1), moved).empty());
-    EXPECT_EQ(simulation.trees()[1].scale.axes, scale.axes);
-    EXPECT_EQ(simulation.trees()[1].scale.radius, scale.radius);
-    EXPECT_EQ(simulation.trees()[1].position.x, 31.0f);
-    EXPECT_EQ(simulation.modal()->amplitudes(1), amplitudes);
+    EXPECT_EQ(SimulationParts::trees(simulation)[1].scale.axes, scale.axes);
+    EXPECT_EQ(SimulationParts::trees(simulation)[1].scale.radius, scale.radius);
+    EXPECT_EQ(SimulationParts::trees(simulation)[1].position.x, 31.0f);
+    EXPECT_EQ(SimulationParts::modal(simulation)->amplitudes(1), amplitudes);
     EXPECT_TRUE(simulation.holds(TreeId(1))) << "under the same id";
 }
 
@@ -123,14 +124,15 @@ TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
     ForestSimulation simulation(expected);
     run(simulation, 20);
     ASSERT_TRUE(simulation.changeTree(TreeId(0), inWorld(simulation, treeAt(0.0, 9.0f, 1))).empty());
-    EXPECT_EQ(simulation.trees()[0].species, 1u);
+    EXPECT_EQ(SimulationParts::trees(simulation)[0].species, 1u);
     EXPECT_NEAR(simulation.placementOf(TreeId(0)).size.height, 9.0f, 0.05f);
     run(simulation, 6000, 1.0);
     expected.trees[0].species = 1;
     expected.trees[0].size.height = 9.0f;
     ForestSimulation fresh(expected);
     run(fresh, 6020);
-    EXPECT_NEAR(simulation.modal()->lean(0).x, fresh.modal()->lean(0).x, 0.02f * fresh.modal()->lean(0).x);
+    EXPECT_NEAR(SimulationParts::modal(simulation)->lean(0).x, SimulationParts::modal(fresh)->lean(0).x,
+                0.02f * SimulationParts::modal(fresh)->lean(0).x);
 }
 
 TEST(ForestChanges, OnlyWhatCanBeIsDone) {
@@ -146,7 +148,7 @@ TEST(ForestChanges, OnlyWhatCanBeIsDone) {
     EXPECT_EQ(modal.addTree(treeAt(1.0, 5.0f, 7)).problems().front().text(), unknown);
     EXPECT_EQ(modal.changeTree(TreeId(0), treeAt(1.0, 5.0f, 7)).front().text(), unknown);
     EXPECT_EQ(modal.removeTree(TreeId(1)).front().text(), "tree: no tree has this id, or it is gone");
-    EXPECT_EQ(modal.trees().size(), 1u);
+    EXPECT_EQ(SimulationParts::trees(modal).size(), 1u);
 }
 
 TEST(ForestChanges, NamesAreFoundAgain) {
@@ -183,17 +185,20 @@ TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
     const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f))).value();
     run(simulation, 50);
     std::shared_ptr<ForestSimulation> again = simulation.restarted();
-    EXPECT_EQ(&again->models(), &simulation.models());
-    EXPECT_EQ(&again->modal()->archetype(1), &simulation.modal()->archetype(1));
+    EXPECT_EQ(&SimulationParts::models(*again), &SimulationParts::models(simulation));
+    EXPECT_EQ(&SimulationParts::modal(*again)->archetype(1),
+              &SimulationParts::modal(simulation)->archetype(1));
     EXPECT_TRUE(again->holds(added));
     EXPECT_FALSE(again->holds(TreeId(0)));
-    EXPECT_EQ(again->modal()->lean(1), glm::vec2(0.0f));
+    EXPECT_EQ(SimulationParts::modal(*again)->lean(1), glm::vec2(0.0f));
     simulation.removeTree(TreeId(1));
     EXPECT_TRUE(again->holds(TreeId(1))) << "they go their own ways";
     EXPECT_TRUE(again->addTree(inWorld(*again, treeAt(2.0))));
-    EXPECT_EQ(again->modal()->archetypeCount(), simulation.modal()->archetypeCount());
+    EXPECT_EQ(SimulationParts::modal(*again)->archetypeCount(),
+              SimulationParts::modal(simulation)->archetypeCount());
     run(*again, 50);
-    EXPECT_EQ(again->modal()->lean(2), simulation.modal()->lean(2)) << "in the same wind";
+    EXPECT_EQ(SimulationParts::modal(*again)->lean(2), SimulationParts::modal(simulation)->lean(2))
+        << "in the same wind";
 }
 
 TEST(ForestChanges, UnderALawOfABranchARestartIsAtRestToo) {
@@ -214,8 +219,9 @@ TEST(ForestChanges, ARestartSharesWhatTakesTimeToMake) {
     const ForestSimulation simulation(std::move(forest));
     const std::shared_ptr<const ForestSimulation> again = simulation.restarted();
     for (std::size_t tree = 0; tree < 20; ++tree)
-        EXPECT_EQ(&again->modal()->archetype(tree), &simulation.modal()->archetype(tree));
-    EXPECT_EQ(&again->models().front(), &simulation.models().front());
+        EXPECT_EQ(&SimulationParts::modal(*again)->archetype(tree),
+                  &SimulationParts::modal(simulation)->archetype(tree));
+    EXPECT_EQ(&SimulationParts::models(*again).front(), &SimulationParts::models(simulation).front());
 }
 
 TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
@@ -274,7 +280,7 @@ TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
     Random random(2);
     std::map<TreeId, glm::vec3> there;
     for (std::size_t i = 0; i < 10; ++i)
-        there[simulation.idOf(i)] = simulation.trees()[i].position;
+        there[simulation.idOf(i)] = SimulationParts::trees(simulation)[i].position;
     for (int i = 0; i < 2000; ++i) {
         const double x = 100.0 * static_cast<double>(random.uniform());
         const TreePlacement tree =
@@ -287,17 +293,17 @@ TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
         } else {
             const TreeId id = simulation.addTree(tree).value();
             ASSERT_EQ(there.count(id), 0u) << "an id is given once";
-            there[id] = simulation.trees()[simulation.slotOf(id)].position;
+            there[id] = SimulationParts::trees(simulation)[simulation.slotOf(id)].position;
         }
         simulation.advance(i / 60.0);
     }
     std::size_t alive = 0;
-    for (const PlacedTree& tree : simulation.trees())
+    for (const PlacedTree& tree : SimulationParts::trees(simulation))
         alive += tree.alive;
     EXPECT_EQ(alive, there.size());
     for (const auto& [id, position] : there) {
         ASSERT_TRUE(simulation.holds(id));
-        EXPECT_EQ(simulation.trees()[simulation.slotOf(id)].position, position);
+        EXPECT_EQ(SimulationParts::trees(simulation)[simulation.slotOf(id)].position, position);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <tests/motion/Sapling.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -29,10 +30,13 @@ TEST(ForestLevels, TreesFarAwayTakeLittleMemory) {
     SimulationOptions options;
     options.leaves = false;
     ForestSimulation simulation(std::move(forest), options);
-    const auto bytesPerTree = [&] { return simulation.modal()->stateBytes() / simulation.trees().size(); };
+    const auto bytesPerTree = [&] {
+        return SimulationParts::modal(simulation)->stateBytes() / SimulationParts::trees(simulation).size();
+    };
     EXPECT_LE(bytesPerTree(), 300u);
-    for (std::size_t i = 0; i < simulation.trees().size(); ++i)
-        simulation.modal()->setLevel(i, i % 50 == 0 ? ModalMotion::Level::Near : ModalMotion::Level::Far);
+    for (std::size_t i = 0; i < SimulationParts::trees(simulation).size(); ++i)
+        SimulationParts::modal(simulation)
+            ->setLevel(i, i % 50 == 0 ? ModalMotion::Level::Near : ModalMotion::Level::Far);
     EXPECT_LE(bytesPerTree(), 200u);
 }
 
@@ -41,18 +45,18 @@ TEST(ForestLevels, ATreeComesNearWithTheModesThatItHad) {
     forest.wind = std::make_shared<UniformWind>(glm::vec3(8.0f, 2.0f, 0.0f));
     ForestSimulation simulation(std::move(forest));
     for (const auto level : {ModalMotion::Level::Far, ModalMotion::Level::Near}) {
-        simulation.modal()->setLevel(2, level);
+        SimulationParts::modal(simulation)->setLevel(2, level);
         run(simulation, 30, level == ModalMotion::Level::Far ? 0.0 : 1.0);
     }
-    simulation.modal()->setLevel(2, ModalMotion::Level::Far);
+    SimulationParts::modal(simulation)->setLevel(2, ModalMotion::Level::Far);
     run(simulation, 30, 2.0); // trees near go on beside the place it left
-    const std::vector<float> far = simulation.modal()->amplitudes(2);
-    simulation.modal()->setLevel(2, ModalMotion::Level::Near);
-    const std::vector<float> near = simulation.modal()->amplitudes(2);
+    const std::vector<float> far = SimulationParts::modal(simulation)->amplitudes(2);
+    SimulationParts::modal(simulation)->setLevel(2, ModalMotion::Level::Near);
+    const std::vector<float> near = SimulationParts::modal(simulation)->amplitudes(2);
     ASSERT_GT(near.size(), far.size());
     for (std::size_t k = 0; k < far.size(); ++k)
         EXPECT_EQ(near[k], far[k]) << k;
     run(simulation, 30, 3.0);
-    for (const float amplitude : simulation.modal()->amplitudes(2))
+    for (const float amplitude : SimulationParts::modal(simulation)->amplitudes(2))
         EXPECT_TRUE(std::isfinite(amplitude));
 }

@@ -3,6 +3,7 @@
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <gtest/gtest.h>
@@ -47,8 +48,8 @@ std::vector<glm::vec2> leansOf(const ForestDescription& forest) {
     ForestSimulation simulation(forest);
     run(simulation, 40, 0.0, 0.05);
     std::vector<glm::vec2> leans;
-    for (std::size_t slot = 0; slot < simulation.trees().size(); ++slot)
-        leans.push_back(simulation.modal()->lean(slot));
+    for (std::size_t slot = 0; slot < SimulationParts::trees(simulation).size(); ++slot)
+        leans.push_back(SimulationParts::modal(simulation)->lean(slot));
     return leans;
 }
 

@@ -2,6 +2,7 @@
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
@@ -25,10 +26,10 @@ glm::vec3 turned(const glm::vec3& v, float heading) {
 
 TEST(ForestSimulation, StartsAtRest) {
     const ForestSimulation simulation(oneTree());
-    ASSERT_EQ(simulation.branches()->poses().size(), 14u);
-    ASSERT_EQ(simulation.branches()->leaves().states().size(), 24u);
+    ASSERT_EQ(SimulationParts::branches(simulation)->poses().size(), 14u);
+    ASSERT_EQ(SimulationParts::branches(simulation)->leaves().states().size(), 24u);
     for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_EQ(tip(simulation, unit), simulation.models()[0].skeleton.units[unit].tip);
+        EXPECT_EQ(tip(simulation, unit), SimulationParts::models(simulation)[0].skeleton.units[unit].tip);
 }
 
 TEST(ForestSimulation, SaysWhenEachTreeIsPlaced) {
@@ -65,15 +66,16 @@ TEST(ForestSimulation, JointsStayConnected) {
     forest.trees[0].size = {11.0f, 0.5f, 9.0f};
     ForestSimulation simulation(forest);
     run(simulation, 100);
-    const PlacedTree& tree = simulation.trees()[0];
-    const Skeleton& skeleton = simulation.models()[tree.model].skeleton;
+    const PlacedTree& tree = SimulationParts::trees(simulation)[0];
+    const Skeleton& skeleton = SimulationParts::models(simulation)[tree.model].skeleton;
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const int parent = skeleton.units[i].parent;
         const glm::vec3 joint = tree.scale.axes * skeleton.units[i].base;
-        const glm::vec3 below =
-            parent < 0 ? joint
-                       : simulation.branches()->poses()[static_cast<std::size_t>(parent)].apply(joint);
-        EXPECT_LT(glm::length(below - simulation.branches()->poses()[i].apply(joint)), 1e-4f);
+        const glm::vec3 below = parent < 0 ? joint
+                                           : SimulationParts::branches(simulation)
+                                                 ->poses()[static_cast<std::size_t>(parent)]
+                                                 .apply(joint);
+        EXPECT_LT(glm::length(below - SimulationParts::branches(simulation)->poses()[i].apply(joint)), 1e-4f);
     }
 }
 
@@ -84,7 +86,7 @@ TEST(ForestSimulation, AnglesStayWithinTheirLimits) {
         [](const glm::vec3&, double t) { return glm::vec3(40 * std::sin(t), 40 * std::cos(3 * t), 0); });
     ForestSimulation simulation(forest);
     run(simulation, 300);
-    for (const glm::vec4& state : simulation.branches()->states()) {
+    for (const glm::vec4& state : SimulationParts::branches(simulation)->states()) {
         EXPECT_LE(std::abs(state.x), 0.3f);
         EXPECT_LE(std::abs(state.y), 0.3f);
     }
@@ -101,7 +103,7 @@ TEST(ForestSimulation, DampedTreesComeBackToRestInACalm) {
         ForestSimulation simulation(forest);
         const auto largestAngle = [&] {
             float largest = 0.0f;
-            for (const glm::vec4& state : simulation.branches()->states())
+            for (const glm::vec4& state : SimulationParts::branches(simulation)->states())
                 largest = std::max({largest, std::abs(state.x), std::abs(state.y)});
             return largest;
         };
@@ -125,8 +127,8 @@ TEST(ForestSimulation, ATurnedTreeInATurnedWindMakesTheTurnedPose) {
     run(other, 20);
     for (std::size_t i = 0; i < 14; ++i) {
         EXPECT_LT(glm::length(tip(straight, i) - tip(other, i)), 1e-4f);
-        EXPECT_LT(glm::length(turned(straight.branches()->windPlaces()[i].position, heading) -
-                              other.branches()->windPlaces()[i].position),
+        EXPECT_LT(glm::length(turned(SimulationParts::branches(straight)->windPlaces()[i].position, heading) -
+                              SimulationParts::branches(other)->windPlaces()[i].position),
                   1e-4f);
     }
 }
@@ -140,11 +142,12 @@ TEST(ForestSimulation, SamplesTheWindAtEachBranchBase) {
     ForestSimulation simulation(forest);
     simulation.advance(0.0);
     simulation.advance(2.0);
-    const auto& units = simulation.models()[0].skeleton.units;
+    const auto& units = SimulationParts::models(simulation)[0].skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const glm::vec3 base = glm::vec3(100.25f, -7.5f, 2.0f) + units[i].base;
-        EXPECT_LT(glm::length(simulation.branches()->windPlaces()[i].position - base), 1e-4f);
-        EXPECT_LT(glm::length(simulation.branches()->winds()[i] - base - glm::vec3(0, 0, 2)), 1e-4f);
+        EXPECT_LT(glm::length(SimulationParts::branches(simulation)->windPlaces()[i].position - base), 1e-4f);
+        EXPECT_LT(glm::length(SimulationParts::branches(simulation)->winds()[i] - base - glm::vec3(0, 0, 2)),
+                  1e-4f);
     }
 }
 
@@ -164,7 +167,7 @@ TEST(ForestSimulation, TreesOnAHillAndBelowTheSeaHaveTheWindOfThoseAtZero) {
         forest.trees[2].position.z = -50.0;
         ForestSimulation simulation(forest);
         simulation.advance(4.0);
-        const std::vector<glm::vec3>& winds = simulation.branches()->winds();
+        const std::vector<glm::vec3>& winds = SimulationParts::branches(simulation)->winds();
         const std::size_t units = winds.size() / 3;
         EXPECT_GT(glm::length(winds[units - 1]), 1.0f);
         for (std::size_t i = 0; i < units; ++i)
@@ -180,8 +183,9 @@ TEST(ForestSimulation, StateCarriesTheWindInThesisAxesOfTheTree) {
     forest.wind = uniform({3, 5, 0});
     ForestSimulation simulation(forest);
     run(simulation, 1);
-    EXPECT_NEAR(simulation.branches()->states()[0].z, 5.0f, 1e-5f); // north is the tree's x
-    EXPECT_NEAR(simulation.branches()->states()[0].w, 3.0f, 1e-5f); // east is the tree's -y, thesis z
+    EXPECT_NEAR(SimulationParts::branches(simulation)->states()[0].z, 5.0f, 1e-5f); // north is the tree's x
+    EXPECT_NEAR(SimulationParts::branches(simulation)->states()[0].w, 3.0f,
+                1e-5f); // east is the tree's -y, thesis z
 }
 
 TEST(ForestSimulation, ResetGoesBackToRest) {
@@ -190,11 +194,14 @@ TEST(ForestSimulation, ResetGoesBackToRest) {
     ForestSimulation simulation(forest), fresh(forest);
     run(simulation, 20);
     simulation.reset();
-    EXPECT_TRUE(sameBits(simulation.branches()->poses(), fresh.branches()->poses()));
+    EXPECT_TRUE(
+        sameBits(SimulationParts::branches(simulation)->poses(), SimulationParts::branches(fresh)->poses()));
     run(simulation, 20);
     run(fresh, 20);
-    EXPECT_TRUE(sameBits(simulation.branches()->states(), fresh.branches()->states()));
-    EXPECT_TRUE(sameBits(simulation.branches()->leaves().states(), fresh.branches()->leaves().states()));
+    EXPECT_TRUE(sameBits(SimulationParts::branches(simulation)->states(),
+                         SimulationParts::branches(fresh)->states()));
+    EXPECT_TRUE(sameBits(SimulationParts::branches(simulation)->leaves().states(),
+                         SimulationParts::branches(fresh)->leaves().states()));
 }
 
 TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
@@ -206,9 +213,10 @@ TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
     ForestSimulation a(forest), b(forest);
     run(a, 50);
     run(b, 50);
-    EXPECT_TRUE(sameBits(a.branches()->states(), b.branches()->states()));
-    EXPECT_TRUE(sameBits(a.branches()->leaves().states(), b.branches()->leaves().states()));
-    EXPECT_TRUE(sameBits(a.branches()->poses(), b.branches()->poses()));
+    EXPECT_TRUE(sameBits(SimulationParts::branches(a)->states(), SimulationParts::branches(b)->states()));
+    EXPECT_TRUE(sameBits(SimulationParts::branches(a)->leaves().states(),
+                         SimulationParts::branches(b)->leaves().states()));
+    EXPECT_TRUE(sameBits(SimulationParts::branches(a)->poses(), SimulationParts::branches(b)->poses()));
 }
 
 TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
@@ -217,10 +225,10 @@ TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
     forest.trees[1].seed = 3; // the same shape: 3 shapes
     ForestSimulation simulation(forest);
     run(simulation, 30);
-    const auto& leaves = simulation.branches()->leaves().states();
-    EXPECT_EQ(simulation.trees()[0].model, simulation.trees()[1].model);
+    const auto& leaves = SimulationParts::branches(simulation)->leaves().states();
+    EXPECT_EQ(SimulationParts::trees(simulation)[0].model, SimulationParts::trees(simulation)[1].model);
     EXPECT_NE(leaves[0].x, leaves[1].x);
-    EXPECT_NE(leaves[0].x, leaves[simulation.trees()[1].firstLeaf].x);
+    EXPECT_NE(leaves[0].x, leaves[SimulationParts::trees(simulation)[1].firstLeaf].x);
     EXPECT_NE(leaves[0].x, leaves[0].y);
 }
 
@@ -228,10 +236,11 @@ TEST(ForestSimulation, LeavesMoveSmoothly) {
     ForestSimulation simulation(oneTree());
     run(simulation, 60);
     for (int frame = 61; frame < 400; ++frame) {
-        const auto before = simulation.branches()->leaves().states();
+        const auto before = SimulationParts::branches(simulation)->leaves().states();
         simulation.advance(frame / 60.0);
         for (std::size_t i = 0; i < before.size(); ++i)
-            ASSERT_LT(std::abs(simulation.branches()->leaves().states()[i].x - before[i].x), 0.05f);
+            ASSERT_LT(std::abs(SimulationParts::branches(simulation)->leaves().states()[i].x - before[i].x),
+                      0.05f);
     }
 }
 
@@ -244,10 +253,10 @@ TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
     for (std::uint32_t i = 0; i < 9; ++i)
         forest.trees[i] = {i < 4 ? 0u : 1u, glm::dvec3(i), 0.0f, {}, 1.0f, i};
     const ForestSimulation simulation(forest);
-    EXPECT_EQ(simulation.models().size(), 6u);
-    EXPECT_EQ(simulation.trees()[3].model, 1u);
-    EXPECT_EQ(simulation.trees()[6].model, 2u + 6u % 4u);
-    EXPECT_EQ(simulation.trees()[8].firstUnit, 8u * 14u);
+    EXPECT_EQ(SimulationParts::models(simulation).size(), 6u);
+    EXPECT_EQ(SimulationParts::trees(simulation)[3].model, 1u);
+    EXPECT_EQ(SimulationParts::trees(simulation)[6].model, 2u + 6u % 4u);
+    EXPECT_EQ(SimulationParts::trees(simulation)[8].firstUnit, 8u * 14u);
 }
 
 TEST(ForestSimulation, TreesOfNoSpeciesAreLeftOut) {
@@ -255,7 +264,7 @@ TEST(ForestSimulation, TreesOfNoSpeciesAreLeftOut) {
     forest.trees.resize(2);
     forest.trees[0].species = 7;
     ForestSimulation simulation(forest);
-    EXPECT_EQ(simulation.trees().size(), 1u);
+    EXPECT_EQ(SimulationParts::trees(simulation).size(), 1u);
     EXPECT_TRUE(simulation.description().trees.empty()) << "they are trees()";
 }
 
@@ -277,13 +286,13 @@ TEST(ForestSimulation, AHostileWindLeavesNoTrace) {
     for (const float bad : {std::nanf(""), HUGE_VALF, -HUGE_VALF, 1e30f}) {
         simulation.setWind(uniform(glm::vec3(bad)));
         run(simulation, 3, 1.0);
-        for (const UnitPose& pose : simulation.branches()->poses())
+        for (const UnitPose& pose : SimulationParts::branches(simulation)->poses())
             ASSERT_TRUE(std::isfinite(glm::length(pose.translation)) &&
                         std::isfinite(glm::length(pose.rotation)));
     }
     simulation.setWind(uniform({-3, 0, 0}));
     run(simulation, 200, 2.0);
-    EXPECT_FLOAT_EQ(simulation.branches()->states()[13].x, -0.5f);
+    EXPECT_FLOAT_EQ(SimulationParts::branches(simulation)->states()[13].x, -0.5f);
 }
 
 TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
@@ -297,8 +306,9 @@ TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
     });
     for (int frame = 0; frame < 500; ++frame) {
         simulation.advance(frame / 60.0);
-        const glm::vec3 first = simulation.branches()->winds()[0];
-        for (const glm::vec3& sample : simulation.branches()->winds()) // one field for all branches of a step
+        const glm::vec3 first = SimulationParts::branches(simulation)->winds()[0];
+        for (const glm::vec3& sample :
+             SimulationParts::branches(simulation)->winds()) // one field for all branches of a step
             ASSERT_EQ(sample, first);
     }
     done = true;
@@ -321,7 +331,7 @@ TEST(ForestSimulation, DeflectionGrowsWithTheWindAsMeasured) {
             return glm::vec3(speed * static_cast<float>(1.0 + gust), 0, 0);
         });
         ForestSimulation simulation(forest);
-        const std::size_t top = simulation.branches()->poses().size() - 1;
+        const std::size_t top = SimulationParts::branches(simulation)->poses().size() - 1;
         const glm::vec3 rest = tip(simulation, top);
         double sum = 0.0;
         for (int i = 0; i < 3600; ++i) {
@@ -346,19 +356,20 @@ TEST(ForestSimulation, AGainOfThreeMovesThreeTimesAsFar) {
     run(physical, 300);
     run(more, 300);
     for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_NEAR(more.branches()->states()[unit].x, 3.0f * physical.branches()->states()[unit].x, 1e-6f);
+        EXPECT_NEAR(SimulationParts::branches(more)->states()[unit].x,
+                    3.0f * SimulationParts::branches(physical)->states()[unit].x, 1e-6f);
 }
 
 TEST(ForestSimulation, UnderModalHasNoStatePerBranchUntilATreeIsAskedFor) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({4, 0, 0});
     ForestSimulation simulation(forest);
-    EXPECT_EQ(simulation.branches(), nullptr);
-    ASSERT_NE(simulation.modal(), nullptr);
+    EXPECT_EQ(SimulationParts::branches(simulation), nullptr);
+    ASSERT_NE(SimulationParts::modal(simulation), nullptr);
     run(simulation, 60);
     UnitValues values;
     const TreeMotion once = simulation.motion(0), again = simulation.motion(0, values);
-    ASSERT_EQ(once.poses.size, simulation.models()[0].skeleton.units.size());
+    ASSERT_EQ(once.poses.size, SimulationParts::models(simulation)[0].skeleton.units.size());
     for (std::size_t unit = 0; unit < once.poses.size; ++unit) {
         EXPECT_EQ(once.states[unit], again.states[unit]);
         EXPECT_EQ(once.poses[unit].translation, again.poses[unit].translation);
@@ -412,6 +423,6 @@ TEST(ForestSimulation, UnderModalABareTreeStandsMoreStillInTheWind) {
     ForestSimulation bare(forest);
     run(leafy, 600);
     run(bare, 600);
-    const float rest = leafy.models()[0].skeleton.units[1].tip.x;
+    const float rest = SimulationParts::models(leafy)[0].skeleton.units[1].tip.x;
     EXPECT_GT(tip(leafy, 1).x - rest, 1.5f * (tip(bare, 1).x - rest));
 }

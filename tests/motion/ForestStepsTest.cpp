@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/motion/OneTree.h>
 
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <gtest/gtest.h>
@@ -15,11 +16,11 @@ TEST(ForestSteps, CalmAfterWindFreezesTheThesisLaw) {
     forest.wind = uniform({2, 1, 0});
     ForestSimulation simulation(forest);
     run(simulation, 20);
-    const auto poses = simulation.branches()->poses();
+    const auto poses = SimulationParts::branches(simulation)->poses();
     simulation.setWind(nullptr);
     run(simulation, 60, 1.0);
-    EXPECT_GT(simulation.branches()->states()[5].x, 0.01f);
-    EXPECT_TRUE(sameBits(poses, simulation.branches()->poses()));
+    EXPECT_GT(SimulationParts::branches(simulation)->states()[5].x, 0.01f);
+    EXPECT_TRUE(sameBits(poses, SimulationParts::branches(simulation)->poses()));
 }
 
 TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
@@ -29,7 +30,9 @@ TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 30, 0.0, 1.0 / 30.0);
     run(fast, 60, 0.0, 1.0 / 60.0);
-    EXPECT_NEAR(fast.branches()->states()[8].x / slow.branches()->states()[8].x, 2.0f, 0.02f);
+    EXPECT_NEAR(SimulationParts::branches(fast)->states()[8].x /
+                    SimulationParts::branches(slow)->states()[8].x,
+                2.0f, 0.02f);
 }
 
 TEST(ForestSteps, DampedLawDoesNotFollowTheFrameRate) {
@@ -51,7 +54,8 @@ TEST(ForestSteps, AJumpCountsAsTheLongestStepOfTheDampedLaw) {
     jump.advance(1000.0);
     step.advance(0.0);
     step.advance(ForestSimulation::maxStep);
-    EXPECT_TRUE(sameBits(jump.branches()->states(), step.branches()->states()));
+    EXPECT_TRUE(
+        sameBits(SimulationParts::branches(jump)->states(), SimulationParts::branches(step)->states()));
 }
 
 TEST(ForestSteps, AReplacedWindShowsInTheNextStep) {
@@ -61,11 +65,11 @@ TEST(ForestSteps, AReplacedWindShowsInTheNextStep) {
     run(simulation, 3);
     simulation.setWind(uniform({0, -4, 0}));
     simulation.advance(1.0);
-    for (const glm::vec3& sample : simulation.branches()->winds())
+    for (const glm::vec3& sample : SimulationParts::branches(simulation)->winds())
         EXPECT_EQ(sample, glm::vec3(0, -4, 0));
     simulation.setWind(nullptr);
     simulation.advance(1.1);
-    EXPECT_EQ(simulation.branches()->winds()[3], glm::vec3(0.0f));
+    EXPECT_EQ(SimulationParts::branches(simulation)->winds()[3], glm::vec3(0.0f));
 }
 
 TEST(ForestSteps, FirstCallPauseAndEarlierTimesHoldTheState) {
@@ -73,15 +77,15 @@ TEST(ForestSteps, FirstCallPauseAndEarlierTimesHoldTheState) {
     forest.wind = uniform({2, 0, 0});
     ForestSimulation simulation(forest);
     EXPECT_FALSE(simulation.advance(5.0));
-    EXPECT_EQ(simulation.branches()->states()[3], glm::vec4(0.0f));
+    EXPECT_EQ(SimulationParts::branches(simulation)->states()[3], glm::vec4(0.0f));
     EXPECT_TRUE(simulation.advance(5.1));
-    const auto states = simulation.branches()->states();
-    const auto leaves = simulation.branches()->leaves().states();
+    const auto states = SimulationParts::branches(simulation)->states();
+    const auto leaves = SimulationParts::branches(simulation)->leaves().states();
     EXPECT_FALSE(simulation.advance(5.1));
     EXPECT_FALSE(simulation.advance(2.0));
     EXPECT_FALSE(simulation.advance(std::nan("")));
-    EXPECT_TRUE(sameBits(states, simulation.branches()->states()));
-    EXPECT_TRUE(sameBits(leaves, simulation.branches()->leaves().states()));
+    EXPECT_TRUE(sameBits(states, SimulationParts::branches(simulation)->states()));
+    EXPECT_TRUE(sameBits(leaves, SimulationParts::branches(simulation)->leaves().states()));
     EXPECT_TRUE(simulation.advance(2.1)); // goes on from the earlier time
 }
 
@@ -92,8 +96,8 @@ TEST(ForestSteps, AJumpIsOneStep) {
     run(one, 1);
     jump.advance(0.0);
     jump.advance(1.0e6);
-    EXPECT_NEAR(jump.branches()->states()[9].x, one.branches()->states()[9].x,
-                0.2f * one.branches()->states()[9].x);
+    EXPECT_NEAR(SimulationParts::branches(jump)->states()[9].x, SimulationParts::branches(one)->states()[9].x,
+                0.2f * SimulationParts::branches(one)->states()[9].x);
 }
 
 TEST(ForestSteps, GustsAreFollowedAtAnyFrameRate) {
@@ -190,8 +194,9 @@ TEST(ForestSteps, AWindThatIsReplacedIsReachedWithinTheStep) {
     rising.setWind(forest.wind);
     for (ForestSimulation* simulation : {&rising, &steady})
         simulation->advance(0.1);
-    EXPECT_GT(rising.branches()->states()[0].x, 0.0f);
-    EXPECT_LT(rising.branches()->states()[0].x, 0.5f * steady.branches()->states()[0].x);
+    EXPECT_GT(SimulationParts::branches(rising)->states()[0].x, 0.0f);
+    EXPECT_LT(SimulationParts::branches(rising)->states()[0].x,
+              0.5f * SimulationParts::branches(steady)->states()[0].x);
 }
 
 TEST(ForestSteps, EveryStepStartsFromTheWindOfTheTimeBefore) {
@@ -201,10 +206,10 @@ TEST(ForestSteps, EveryStepStartsFromTheWindOfTheTimeBefore) {
         [](const glm::vec3&, double t) { return glm::vec3(0.0f, static_cast<float>(t), 0.0f); });
     ForestSimulation simulation(forest);
     const auto expectWinds = [&](float before, float now) {
-        ASSERT_EQ(simulation.branches()->windTexels().size(), 28u);
+        ASSERT_EQ(SimulationParts::branches(simulation)->windTexels().size(), 28u);
         for (std::size_t unit = 0; unit < 14; ++unit) {
-            EXPECT_NEAR(simulation.branches()->windTexels()[2 * unit].x, before, 1e-5f);
-            EXPECT_NEAR(simulation.branches()->windTexels()[2 * unit + 1].x, now, 1e-5f);
+            EXPECT_NEAR(SimulationParts::branches(simulation)->windTexels()[2 * unit].x, before, 1e-5f);
+            EXPECT_NEAR(SimulationParts::branches(simulation)->windTexels()[2 * unit + 1].x, now, 1e-5f);
         }
     };
     simulation.advance(6.0);
@@ -232,7 +237,7 @@ TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 90, 0.0, 1.0 / 30.0);
     run(fast, 720, 0.0, 1.0 / 240.0);
-    const float lean = tip(fast, 0).x - fast.models()[0].skeleton.units[0].tip.x;
+    const float lean = tip(fast, 0).x - SimulationParts::models(fast)[0].skeleton.units[0].tip.x;
     EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
 }
 

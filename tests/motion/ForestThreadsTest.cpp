@@ -6,6 +6,7 @@
 
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -35,8 +36,8 @@ ForestDescription saplingWood(std::size_t trees) {
 
 std::vector<glm::vec2> leansOf(const ForestSimulation& simulation) {
     std::vector<glm::vec2> leans;
-    for (std::size_t slot = 0; slot < simulation.trees().size(); ++slot)
-        leans.push_back(simulation.modal()->lean(slot));
+    for (std::size_t slot = 0; slot < SimulationParts::trees(simulation).size(); ++slot)
+        leans.push_back(SimulationParts::modal(simulation)->lean(slot));
     return leans;
 }
 

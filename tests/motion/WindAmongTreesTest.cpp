@@ -2,6 +2,7 @@
 #include <tests/motion/OneTree.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/WindWithSources.h>
@@ -44,7 +45,7 @@ float meanLean(ForestSimulation& simulation) {
     float sum = 0.0f;
     for (int i = 0; i <= 400; ++i) {
         simulation.advance(0.1 * i);
-        sum += i > 100 ? simulation.modal()->lean(0).x / 300.0f : 0.0f;
+        sum += i > 100 ? SimulationParts::modal(simulation)->lean(0).x / 300.0f : 0.0f;
     }
     return sum;
 }
@@ -58,21 +59,22 @@ TEST(WindAmongTrees, AStandSheltersATreeInIt) {
 
 float contactOf(ForestSimulation& simulation) {
     simulation.advance(0.0);
-    return simulation.modal()->factors(0).contact;
+    return SimulationParts::modal(simulation)->factors(0).contact;
 }
 
 TEST(WindAmongTrees, CrownsInContactDampEachOther) {
     ForestSimulation closed(stand(CanopySource::Forest)), alone(stand(CanopySource::Forest, 0.0)),
         open(stand(CanopySource::None));
-    const float width = closed.forest().measured(closed.forest().trees[0]).crownWidth;
+    const float width =
+        SimulationParts::forest(closed).measured(SimulationParts::forest(closed).trees[0]).crownWidth;
     const float share = 0.25f * 3.14159265f * width * width / 16.0f;
     EXPECT_NEAR(contactOf(closed), 0.05f * std::min(share, 1.0f), 0.003f);
     EXPECT_LT(contactOf(alone), 0.001f);
     EXPECT_EQ(contactOf(open), 0.0f);
-    for (std::size_t slot = 1; slot < closed.forest().trees.size(); ++slot)
-        EXPECT_TRUE(closed.removeTree(closed.forest().idOf(slot)).empty());
+    for (std::size_t slot = 1; slot < SimulationParts::forest(closed).trees.size(); ++slot)
+        EXPECT_TRUE(closed.removeTree(SimulationParts::forest(closed).idOf(slot)).empty());
     closed.advance(0.1);
-    EXPECT_LT(closed.modal()->factors(0).contact, 0.001f) << "its neighbours are gone";
+    EXPECT_LT(SimulationParts::modal(closed)->factors(0).contact, 0.001f) << "its neighbours are gone";
 }
 
 TEST(WindAmongTrees, ATreeAloneHasTheWindAsItIsGiven) {
@@ -83,7 +85,7 @@ TEST(WindAmongTrees, ATreeAloneHasTheWindAsItIsGiven) {
 TEST(WindAmongTrees, TreesThatGoLeaveTheOthersToTheWind) {
     ForestSimulation felled(stand(CanopySource::Forest)), alone(stand(CanopySource::Forest, 0.0));
     felled.advance(0.0);
-    for (std::size_t slot = 1; slot < felled.trees().size(); ++slot)
+    for (std::size_t slot = 1; slot < SimulationParts::trees(felled).size(); ++slot)
         ASSERT_TRUE(felled.removeTree(felled.idOf(slot)).empty());
     felled.reset();
     EXPECT_NEAR(meanLean(felled) / meanLean(alone), 1.0f, 1e-3f);
@@ -107,7 +109,7 @@ TEST(WindAmongTrees, GustsDoNotJumpAsTreesComeAndGo) {
     const auto windAt = [&](ForestSimulation& simulation, double time) {
         simulation.advance(time);
         glm::vec3 winds[64];
-        simulation.modal()->patchWinds(0, winds);
+        SimulationParts::modal(simulation)->patchWinds(0, winds);
         return winds[0];
     };
     ForestSimulation changed(forest), same(forest);
@@ -137,7 +139,7 @@ TEST(WindAmongTrees, WhatMovesTheAirBesideTheWindDoesSoAmongTrees) {
         ForestSimulation simulation(forest);
         simulation.advance(0.0);
         glm::vec3 winds[64];
-        simulation.modal()->patchWinds(0, winds);
+        SimulationParts::modal(simulation)->patchWinds(0, winds);
         return winds[0];
     };
     const WindFieldPtr open = forest.wind;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/NamesInOrder.h>
 #include <tests/nodes/ForestFixtures.h>
@@ -57,10 +59,12 @@ TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
     osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
     forest->getStand()->setLeafState(0, own);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
-    EXPECT_EQ(&copy->getSimulation().models(), &forest->getSimulation().models());
-    EXPECT_EQ(&copy->getSimulation().modal()->archetype(0), &forest->getSimulation().modal()->archetype(0));
-    const StandResources &one = forest->getStand()->trees()->resources(),
-                         &other = copy->getStand()->trees()->resources();
+    EXPECT_EQ(&SimulationParts::models(copy->getSimulation()),
+              &SimulationParts::models(forest->getSimulation()));
+    EXPECT_EQ(&SimulationParts::modal(copy->getSimulation())->archetype(0),
+              &SimulationParts::modal(forest->getSimulation())->archetype(0));
+    const StandResources &one = StandParts::trees(*forest->getStand())->resources(),
+                         &other = StandParts::trees(*copy->getStand())->resources();
     EXPECT_EQ(one.models, other.models);
     EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
     EXPECT_EQ(other.looks[0].ownLeaves, own);

@@ -7,6 +7,7 @@
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -63,7 +64,7 @@ inline osgTreeWind::ForestDescription oneTree(const osgTreeWind::Species& specie
 /// Of all units of all trees (TreeMotion::states).
 inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec4> states;
-    for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
+    for (std::size_t tree = 0; tree < SimulationParts::trees(forest.getSimulation()).size(); ++tree)
         for (const glm::vec4& state : forest.getSimulation().motion(tree).states)
             states.push_back(state);
     return states;
@@ -72,7 +73,7 @@ inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
 /// Of all units of all trees (TreeMotion::winds).
 inline std::vector<glm::vec3> windsOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec3> winds;
-    for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
+    for (std::size_t tree = 0; tree < SimulationParts::trees(forest.getSimulation()).size(); ++tree)
         for (const glm::vec3& wind : forest.getSimulation().motion(tree).winds)
             winds.push_back(wind);
     return winds;

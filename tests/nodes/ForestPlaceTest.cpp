@@ -3,6 +3,7 @@
 #include <tests/nodes/Culling.h>
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -35,7 +36,7 @@ ForestDescription treesIn(const WindFieldPtr& wind) {
 }
 
 glm::vec2 leanOf(const Forest& forest, std::size_t tree) {
-    return forest.getSimulation().modal()->lean(tree);
+    return SimulationParts::modal(forest.getSimulation())->lean(tree);
 }
 
 osg::ref_ptr<osg::MatrixTransform> below(const osg::Matrix& place, osg::Node* node) {

@@ -3,6 +3,9 @@
 #include <tests/MessageCollector.h>
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -35,7 +38,8 @@ struct CountedForest {
         forest = new Forest(description);
     }
     int samples() const {
-        return *asked / static_cast<int>(forest->getSimulation().branches()->windPlaces().size());
+        return *asked /
+               static_cast<int>(SimulationParts::branches(forest->getSimulation())->windPlaces().size());
     }
 };
 
@@ -106,7 +110,7 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
-    const osg::ref_ptr<TreeStand> former = forest->getStand()->trees();
+    const osg::ref_ptr<TreeStand> former = StandParts::trees(*forest->getStand());
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2);
     forest->setDescription(smallForest(5));
     EXPECT_EQ(forest->getNumTrees(), 5u);
@@ -128,7 +132,7 @@ TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     forest->setDescription(damped);
     EXPECT_EQ(forest->getStand(), nullptr);
     ASSERT_NE(forest->getBranchwise(), nullptr);
-    EXPECT_EQ(forest->branch(TreeId(1), 2), forest->getBranchwise()->getTree(1)->getBranch(2));
+    EXPECT_EQ(forest->branch(TreeId(1), 2), BranchwiseParts::tree(*forest->getBranchwise(), 1)->getBranch(2));
     EXPECT_FALSE(forest->addTree(TreePlacement()).ok()) << "under modal only";
     EXPECT_FALSE(forest->removeTree(TreeId(0)).empty());
     updateFrames(*forest, 1, 5);
@@ -262,7 +266,7 @@ TEST(ForestTest, leavesOutTreesOfASpeciesThatIsNotThere) {
 TEST(ForestTest, treesOfASpeciesShareTheirGeometry) {
     const auto geometries = [](int trees) {
         osg::ref_ptr<Forest> forest = new Forest(smallForest(trees));
-        return forest->getSimulation().models().size();
+        return SimulationParts::models(forest->getSimulation()).size();
     };
     EXPECT_EQ(geometries(2), 2u);
     EXPECT_EQ(geometries(40), 2u) << "memory grows with shapes, not trees";
@@ -278,7 +282,8 @@ TEST(ForestTest, farFromTheWorldsOriginNothingIsLost) {
     updateFrames(*here, 1, 20);
     updateFrames(*there, 1, 20);
     for (unsigned i = 0; i < 3; ++i)
-        EXPECT_EQ(there->getSimulation().trees()[i].position, here->getSimulation().trees()[i].position);
+        EXPECT_EQ(SimulationParts::trees(there->getSimulation())[i].position,
+                  SimulationParts::trees(here->getSimulation())[i].position);
     EXPECT_EQ(there->getBound().center(), here->getBound().center());
     EXPECT_EQ(statesOf(*there), statesOf(*here));
 }

@@ -3,6 +3,8 @@
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 
 #include <osg/ComputeBoundsVisitor>
@@ -40,7 +42,7 @@ TEST(ForestTreesTest, idsLast) {
     }
     for (std::size_t tree = 0; tree < 4; ++tree)
         EXPECT_TRUE(forest->getSimulation().holds(TreeId(tree)));
-    EXPECT_LE(forest->getSimulation().trees().size(), 5u) << "slots are used again";
+    EXPECT_LE(SimulationParts::trees(forest->getSimulation()).size(), 5u) << "slots are used again";
 }
 
 TEST(ForestTreesTest, aTreeOfNoSpeciesIsNotPutUp) {
@@ -91,18 +93,18 @@ TEST(ForestTreesTest, aTreeThatChangesEveryFrameIsFollowedOnce) {
         update(*forest, frame, frame / 25.0);
         forest->removeTree(other);
     }
-    EXPECT_LE(forest->getStand()->trees()->nearTrees(), 5u);
+    EXPECT_LE(StandParts::trees(*forest->getStand())->nearTrees(), 5u);
 }
 
 TEST(ForestTreesTest, aTreeThatMovesKeepsItsSway) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     updateFrames(*forest, 1, 40);
-    const glm::vec2 lean = forest->getSimulation().modal()->lean(1);
+    const glm::vec2 lean = SimulationParts::modal(forest->getSimulation())->lean(1);
     ASSERT_GT(glm::length(lean), 0.01f);
     TreePlacement there = forest->getSimulation().placementOf(TreeId(1));
     there.position.x += 100.0;
     forest->changeTree(TreeId(1), there);
-    EXPECT_LT(glm::distance(forest->getSimulation().modal()->lean(1), lean), 1e-5f);
+    EXPECT_LT(glm::distance(SimulationParts::modal(forest->getSimulation())->lean(1), lean), 1e-5f);
 }
 
 TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
@@ -116,7 +118,8 @@ TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
     updateFrames(*one, 41, 60);
     updateFrames(*other, 41, 60);
     for (std::size_t tree = 0; tree < 4; ++tree)
-        EXPECT_EQ(one->getSimulation().modal()->lean(tree), other->getSimulation().modal()->lean(tree))
+        EXPECT_EQ(SimulationParts::modal(one->getSimulation())->lean(tree),
+                  SimulationParts::modal(other->getSimulation())->lean(tree))
             << tree;
 }
 
@@ -127,8 +130,9 @@ TEST(ForestTreesTest, branchesAreFollowedInTheFrameOfTheirTree) {
     EXPECT_EQ(forest->branch(TreeId(2), 11), branch);
     EXPECT_EQ(forest->branch(TreeId(2), 1000), nullptr);
     EXPECT_EQ(forest->branch(TreeId(77), 0), nullptr);
-    const PlacedTree& placed = forest->getSimulation().trees()[2];
-    const BranchUnit& rest = forest->getSimulation().forest().modelOf(placed).skeleton.units[11];
+    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[2];
+    const BranchUnit& rest =
+        SimulationParts::forest(forest->getSimulation()).modelOf(placed).skeleton.units[11];
     const osg::Matrix before = branch->getMatrix();
     for (unsigned frame = 1; frame <= 30; ++frame) {
         update(*forest, frame, frame / 25.0);
@@ -149,7 +153,7 @@ TEST(ForestTreesTest, aFollowedBranchStandsWhereTheWholeTreeHasIt) {
         branches.emplace_back(forest->branch(TreeId(2), unit));
     ASSERT_GT(branches.size(), 10u);
     updateFrames(*forest, 1, 30);
-    const PlacedTree& placed = forest->getSimulation().trees()[2];
+    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[2];
     const osg::Matrix stand = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                               osg::Matrix::translate(toOsg(placed.position));
     UnitValues values;
@@ -187,8 +191,8 @@ TEST(ForestTreesTest, unitsAreWhereTheTreeIs) {
     const std::vector<TreeUnit> rest = forest->getUnits(TreeId(1));
     updateFrames(*forest, 1, 30);
     const std::vector<TreeUnit> units = forest->getUnits(TreeId(1));
-    const PlacedTree& placed = forest->getSimulation().trees()[1];
-    ASSERT_EQ(units.size(), forest->getSimulation().forest().unitsOf(placed));
+    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[1];
+    ASSERT_EQ(units.size(), SimulationParts::forest(forest->getSimulation()).unitsOf(placed));
     EXPECT_LT((units[0].base - toOsg(placed.position)).length(), 1e-5f) << "the foot of the trunk";
     EXPECT_EQ(units[0].parent, -1);
     float moved = 0.0f, highest = 0.0f;
@@ -291,12 +295,12 @@ TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
-    ASSERT_EQ(forest->getStand()->trees()->nearTrees(), 0u);
+    ASSERT_EQ(StandParts::trees(*forest->getStand())->nearTrees(), 0u);
     forest->branch(TreeId(5), 0);
-    EXPECT_EQ(forest->getStand()->trees()->nearTrees(), 1u);
+    EXPECT_EQ(StandParts::trees(*forest->getStand())->nearTrees(), 1u);
     updateFrames(*forest, 1, 200);
-    EXPECT_EQ(forest->getSimulation().modal()->level(5), ModalMotion::Level::Near);
-    EXPECT_EQ(forest->getSimulation().modal()->level(6), ModalMotion::Level::Far);
+    EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->level(5), ModalMotion::Level::Near);
+    EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->level(6), ModalMotion::Level::Far);
 }
 
 TEST(ForestTreesTest, thousandsOfChangesTakeNoMemory) {
@@ -312,8 +316,8 @@ TEST(ForestTreesTest, thousandsOfChangesTakeNoMemory) {
         forest->changeTree(tree, treeAt(i % 200, 5.0, description.trees[0].size.height));
         forest->removeTree(tree);
         if (i == 0)
-            archetypes = forest->getSimulation().modal()->archetypeCount();
+            archetypes = SimulationParts::modal(forest->getSimulation())->archetypeCount();
     }
-    EXPECT_LE(forest->getSimulation().trees().size(), 3001u);
-    EXPECT_EQ(forest->getSimulation().modal()->archetypeCount(), archetypes) << "flat memory";
+    EXPECT_LE(SimulationParts::trees(forest->getSimulation()).size(), 3001u);
+    EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->archetypeCount(), archetypes) << "flat memory";
 }

@@ -3,6 +3,7 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TiledForest.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/MessageCollector.h>
 #include <tests/nodes/FileServer.h>
@@ -132,7 +133,7 @@ TEST(TilePagerTest, aTreeThatComesSwaysAsIfItHadBeenThere) {
     ASSERT_TRUE(loadTiles(all.value()));
     all.value().wind = gusts;
     SimulationOptions far;
-    far.level = ModalLevel::Far;
+    far.distant = true;
     ForestSimulation whole(all.value(), far);
     for (int frame = 1; frame <= 505; ++frame)
         whole.advance(0.1 * frame);
@@ -140,8 +141,8 @@ TEST(TilePagerTest, aTreeThatComesSwaysAsIfItHadBeenThere) {
     for (const TreeId tree : world.forest().getTrees()) {
         const std::string name = world.forest().getSimulation().nameOf(tree);
         const ForestSimulation& here = world.forest().getSimulation();
-        const glm::vec2 lean = here.modal()->lean(here.slotOf(tree)),
-                        expected = whole.modal()->lean(whole.slotOf(*whole.findTree(name)));
+        const glm::vec2 lean = SimulationParts::modal(here)->lean(here.slotOf(tree)),
+                        expected = SimulationParts::modal(whole)->lean(whole.slotOf(*whole.findTree(name)));
         difference += static_cast<double>(glm::dot(lean - expected, lean - expected));
         sway += static_cast<double>(glm::dot(expected, expected));
     }

@@ -2,6 +2,7 @@
 // The same wind, wherever a host puts the forest.
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
@@ -49,7 +50,7 @@ std::vector<glm::vec2> leansAt(const osg::Matrixd& place, Forest& forest) {
     updateFrames(*scene, 1, 50);
     std::vector<glm::vec2> leans;
     for (std::size_t tree = 0; tree < forest.getNumTrees(); ++tree)
-        leans.push_back(forest.getSimulation().modal()->lean(tree));
+        leans.push_back(SimulationParts::modal(forest.getSimulation())->lean(tree));
     return leans;
 }
 

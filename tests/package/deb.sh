@@ -24,9 +24,9 @@ twice=$(sort "$work/files" | uniq -d)
 needs() { # PACKAGE WORD: whether its control file says so
     dpkg-deb -f "$work"/"$1"_*.deb Depends | grep -q "$2" || { echo "deb: $1 does not depend on $2"; exit 1; }
 }
-needs libosgtreewind1 libopenscenegraph161
-needs libosgtreewind-dev "libosgtreewind1 (= "
-needs osgtreewind-plugin libosgtreewind1
+needs libosgtreewind2.0 libopenscenegraph161
+needs libosgtreewind-dev "libosgtreewind2.0 (= "
+needs osgtreewind-plugin libosgtreewind2.0
 needs osgtreewind libosmesa6
 find "$root/usr/bin" "$root/usr/$library" -type f -exec sh -c 'readelf -d "$1" 2>/dev/null | grep -E "R(UN)?PATH" && echo "$1"' _ {} \; >"$work/paths"
 [[ ! -s $work/paths ]] || { cat "$work/paths"; echo "deb: the lines above say where libraries are"; exit 1; }

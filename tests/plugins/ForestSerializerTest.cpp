@@ -5,6 +5,7 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -181,9 +182,9 @@ TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
     const auto wind = std::dynamic_pointer_cast<const UniformWind>(back->getWind());
     ASSERT_TRUE(wind);
     EXPECT_EQ(wind->velocity(), glm::vec3(3, 4, 0));
-    const PlacedTree& tree =
-        back->getSimulation().trees()[back->getSimulation().slotOf(*back->getSimulation().findTree("moved"))];
-    const PlacedTree& was = forest->getSimulation().trees()[1];
+    const PlacedTree& tree = SimulationParts::trees(
+        back->getSimulation())[back->getSimulation().slotOf(*back->getSimulation().findTree("moved"))];
+    const PlacedTree& was = SimulationParts::trees(forest->getSimulation())[1];
     EXPECT_EQ(tree.position, was.position);
     EXPECT_EQ(tree.scale.axes, was.scale.axes) << "to the bit";
     EXPECT_EQ(tree.scale.radius, was.scale.radius);

@@ -4,6 +4,7 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/plugins/PluginPath.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
 #include <osgDB/ReadFile>
@@ -54,7 +55,7 @@ TEST_F(ReaderWriterTreewindTest, readsTheReferenceTree) {
     EXPECT_TRUE(&typeid(read) == &typeid(Forest)) << "the plugin's library has a Forest of its own";
     EXPECT_EQ(forest->getNumTrees(), 1u);
     EXPECT_EQ(forest->getName(), "thesis.treewind") << "for what is said of it";
-    EXPECT_EQ(forest->getBranchwise()->getTree(0)->getNumBranches(), 122u);
+    EXPECT_EQ(BranchwiseParts::tree(*forest->getBranchwise(), 0)->getNumBranches(), 122u);
     EXPECT_EQ(said(), "");
 }
 

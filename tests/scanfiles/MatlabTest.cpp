@@ -7,6 +7,7 @@
 #include <tests/io/TemporaryFolder.h>
 #include <tests/scanfiles/WriteMatlab.h>
 
+#include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
 #include <functional>

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/motion/sway/PullAndRelease.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -42,7 +43,7 @@ ForestDescription wood(float season, MotionLaw law = MotionLaw::Modal) {
 /// How far apart the trees of two forests stand, radians and metres.
 float apart(const ForestSimulation& a, const ForestSimulation& b) {
     float most = 0.0f;
-    for (std::size_t tree = 0; tree < a.trees().size(); ++tree) {
+    for (std::size_t tree = 0; tree < SimulationParts::trees(a).size(); ++tree) {
         const TreeMotion ma = a.motion(tree), mb = b.motion(tree);
         for (std::size_t unit = 0; unit < ma.poses.size; ++unit)
             most = std::max(most, glm::length(ma.poses[unit].translation - mb.poses[unit].translation) +
@@ -134,7 +135,7 @@ TEST(Season, AForestFollowsItAsIfMadeInIt) {
         changed.setSeason(midwinter);
         EXPECT_EQ(changed.season(), midwinter);
         for (std::size_t i = 0; i < 4; ++i)
-            EXPECT_EQ(changed.trees()[i].leaves, made.trees()[i].leaves);
+            EXPECT_EQ(SimulationParts::trees(changed)[i].leaves, SimulationParts::trees(made)[i].leaves);
         for (ForestSimulation* forest : {&changed, &made, &summer})
             for (int frame = 0; frame <= 90; ++frame)
                 forest->advance(frame / 30.0);
@@ -143,7 +144,7 @@ TEST(Season, AForestFollowsItAsIfMadeInIt) {
             EXPECT_GT(apart(changed, summer), 1e-3f);
         }
         changed.setSeason(midsummer);
-        EXPECT_EQ(changed.trees()[2].leaves, 0.8f);
+        EXPECT_EQ(SimulationParts::trees(changed)[2].leaves, 0.8f);
     }
 }
 
@@ -159,8 +160,8 @@ TEST(Season, ALargeForestFollowsItStepByStepToTheSameNumbers) {
     };
     ForestSimulation changed(large(midsummer)), made(large(midwinter));
     changed.setSeason(midwinter);
-    EXPECT_EQ(changed.trees()[996].leaves, 0.0f) << "at once";
-    const std::size_t archetypes = changed.modal()->archetypeCount();
+    EXPECT_EQ(SimulationParts::trees(changed)[996].leaves, 0.0f) << "at once";
+    const std::size_t archetypes = SimulationParts::modal(changed)->archetypeCount();
     EXPECT_TRUE(changed.removeTree(TreeId(999)).empty());
     EXPECT_TRUE(made.removeTree(TreeId(999)).empty());
     const std::shared_ptr<ForestSimulation> copy = changed.restarted();
@@ -171,10 +172,12 @@ TEST(Season, ALargeForestFollowsItStepByStepToTheSameNumbers) {
         for (int frame = 0; frame <= 20; ++frame)
             forest->advance(frame / 30.0);
     }
-    EXPECT_GT(changed.modal()->archetypeCount(), archetypes) << "made in steps";
+    EXPECT_GT(SimulationParts::modal(changed)->archetypeCount(), archetypes) << "made in steps";
     for (std::size_t slot = 0; slot < 999; ++slot) {
-        ASSERT_EQ(changed.modal()->lean(slot), made.modal()->lean(slot)) << slot;
-        ASSERT_EQ(copy->modal()->lean(slot), made.modal()->lean(slot)) << slot;
+        ASSERT_EQ(SimulationParts::modal(changed)->lean(slot), SimulationParts::modal(made)->lean(slot))
+            << slot;
+        ASSERT_EQ(SimulationParts::modal(*copy)->lean(slot), SimulationParts::modal(made)->lean(slot))
+            << slot;
     }
 }
 
@@ -183,12 +186,12 @@ TEST(Season, TreesThatComeLaterAndCopiesAreInIt) {
     TreePlacement tree;
     tree.leaves = 0.5f;
     const TreeId oak = forest.addTree(tree).value();
-    EXPECT_EQ(forest.trees()[forest.slotOf(oak)].leaves, 0.0f);
+    EXPECT_EQ(SimulationParts::trees(forest)[forest.slotOf(oak)].leaves, 0.0f);
     EXPECT_EQ(forest.placementOf(oak).leaves, 0.5f);
     forest.setSeason(midsummer);
     const auto copy = forest.restarted();
     EXPECT_EQ(copy->season(), midsummer);
-    EXPECT_EQ(copy->trees()[copy->slotOf(oak)].leaves, 0.5f);
+    EXPECT_EQ(SimulationParts::trees(*copy)[copy->slotOf(oak)].leaves, 0.5f);
     copy->setSeason(midwinter);
     EXPECT_EQ(forest.season(), midsummer);
 }
@@ -197,9 +200,9 @@ TEST(Season, ChangesInFullSway) {
     ForestSimulation forest(wood(midsummer));
     for (int frame = 0; frame <= 60; ++frame)
         forest.advance(frame / 30.0);
-    const glm::vec2 before = forest.modal()->lean(0);
+    const glm::vec2 before = SimulationParts::modal(forest)->lean(0);
     forest.setSeason(midautumn);
-    EXPECT_LT(glm::distance(forest.modal()->lean(0), before), 0.1f * glm::length(before));
+    EXPECT_LT(glm::distance(SimulationParts::modal(forest)->lean(0), before), 0.1f * glm::length(before));
     EXPECT_GT(glm::length(before), 0.01f);
 }
 

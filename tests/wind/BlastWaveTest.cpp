@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/BlastWave.h>
 #include <osgTreeWind/wind/WindWithSources.h>
@@ -55,12 +56,12 @@ float farthestLean(double step, double phase, ModalLevel level) {
     forest.trees[0].size.height = 15.0f;
     forest.wind = std::make_shared<WindWithSources>(nullptr, std::vector<WindSource>{tonneAtTwoSeconds()});
     SimulationOptions options;
-    options.level = level;
+    options.distant = level == ModalLevel::Far;
     ForestSimulation simulation(forest, options);
     float farthest = 0.0f;
     for (double time = phase * step; time < 6.0; time += step) {
         simulation.advance(time);
-        farthest = std::max(farthest, glm::length(simulation.modal()->lean(0)));
+        farthest = std::max(farthest, glm::length(SimulationParts::modal(simulation)->lean(0)));
     }
     return farthest;
 }

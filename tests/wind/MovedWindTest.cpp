@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -130,7 +131,8 @@ TEST(MovedWind, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
         for (ForestSimulation* simulation : {&inFrame, &inWorld})
             simulation->advance(i / 60.0);
     for (std::size_t tree = 0; tree < 3; ++tree) {
-        const glm::vec2 a = inFrame.modal()->lean(tree), b = inWorld.modal()->lean(tree);
+        const glm::vec2 a = SimulationParts::modal(inFrame)->lean(tree),
+                        b = SimulationParts::modal(inWorld)->lean(tree);
         EXPECT_LT(glm::distance(glm::vec2(-a.y, a.x), b), 1e-3f * glm::length(b)) << tree;
     }
 }

@@ -13,6 +13,7 @@
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 
 #include <osg/Notify>
 
@@ -91,18 +92,19 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     TreeStyles styles;
     for (const Species& species : simulation.description().species)
         _styles.push_back(styles.style(species.appearance));
-    for (std::size_t i = 0; i < simulation.models().size(); ++i) {
-        const Species& species = simulation.description().species[simulation.forest().speciesOfModel(i)];
-        _buffers.push_back(
-            new TreeBuffers(std::shared_ptr<const TreeModel>(_simulation, &simulation.models()[i]),
-                            species.appearance.leafForm));
+    for (std::size_t i = 0; i < SimulationParts::models(simulation).size(); ++i) {
+        const Species& species =
+            simulation.description().species[SimulationParts::forest(simulation).speciesOfModel(i)];
+        _buffers.push_back(new TreeBuffers(
+            std::shared_ptr<const TreeModel>(_simulation, &SimulationParts::models(simulation)[i]),
+            species.appearance.leafForm));
     }
 
     _stand = new osg::Group;
     _stand->setName("trees");
     _stand->setDataVariance(osg::Object::DYNAMIC);
-    for (std::size_t i = 0; i < simulation.trees().size(); ++i) {
-        const PlacedTree& tree = simulation.trees()[i];
+    for (std::size_t i = 0; i < SimulationParts::trees(simulation).size(); ++i) {
+        const PlacedTree& tree = SimulationParts::trees(simulation)[i];
         osg::ref_ptr<TreeNode> node = new TreeNode(_buffers[tree.model], _styles[tree.species], tree.scale);
         node->setPosition(toOsg(tree.position));
         node->setAttitude(osg::Quat(tree.heading, osg::Z_AXIS));
@@ -117,14 +119,14 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
     addChild(_stand);
     showSeason();
 
-    _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * simulation.forest().units);
-    _leafAngles = std::make_unique<DataTexture>("leaf angles", simulation.forest().leaves);
+    _unitPoses = std::make_unique<DataTexture>("unit poses", 2 * SimulationParts::forest(simulation).units);
+    _leafAngles = std::make_unique<DataTexture>("leaf angles", SimulationParts::forest(simulation).leaves);
     osg::StateSet* state = _stand->getOrCreateStateSet();
     state->setDataVariance(osg::Object::DYNAMIC);
     bindData(*state, "unitPoses", unitPosesTextureUnit, _unitPoses->texture());
     bindData(*state, "leafAngles", leafAnglesTextureUnit, _leafAngles->texture());
     uploadUnitPoses();
-    _leafAngles->fill(_simulation->branches()->leaves().states());
+    _leafAngles->fill(SimulationParts::branches(*_simulation)->leaves().states());
 }
 
 BranchwiseForest::BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp&)
@@ -139,7 +141,7 @@ void BranchwiseForest::showSeason() {
     for (std::size_t i = 0; i < species.size(); ++i)
         _styles[i].showSeason(species[i].appearance, _simulation->season());
     for (std::size_t i = 0; i < _trees.size(); ++i) {
-        const PlacedTree& tree = _simulation->trees()[i];
+        const PlacedTree& tree = SimulationParts::trees(*_simulation)[i];
         _trees[i]->setLeaves(tree.leaves);
         _trees[i]->setBillboard(billboard(tree, *_trees[i]->getPosedTree()));
     }
@@ -151,6 +153,10 @@ void BranchwiseForest::seasonChanged() {
         useCpuAngles();
         startPasses();
     }
+}
+
+osg::Node* BranchwiseForest::getTree(unsigned index) const {
+    return _trees[index].get();
 }
 
 osg::ref_ptr<ForestDrawing> BranchwiseForest::again(std::shared_ptr<ForestSimulation> simulation) const {
@@ -202,13 +208,13 @@ void BranchwiseForest::useCpuAngles() {
 }
 
 void BranchwiseForest::startPasses() {
-    _prePass = std::make_unique<AnglePrePass>(*_simulation->branches());
+    _prePass = std::make_unique<AnglePrePass>(*SimulationParts::branches(*_simulation));
     bindData(*_stand->getStateSet(), "leafAngles", leafAnglesTextureUnit, _prePass->leafAngles());
 }
 
 /// The passes start once a first frame has shown that the context can run them.
 void BranchwiseForest::chooseAngleSource() {
-    if (_wantedSource == CPU_ANGLES || _prePass || _simulation->forest().units == 0)
+    if (_wantedSource == CPU_ANGLES || _prePass || SimulationParts::forest(*_simulation).units == 0)
         return;
     if (!_probe)
         _probe = new FloatTargetProbe;
@@ -279,14 +285,14 @@ bool BranchwiseForest::unfollow(TreeId tree, unsigned unit) {
 bool BranchwiseForest::stepOnCpu(double time) {
     if (!_simulation->advance(time))
         return false;
-    _leafAngles->fill(_simulation->branches()->leaves().states());
+    _leafAngles->fill(SimulationParts::branches(*_simulation)->leaves().states());
     return true;
 }
 
 bool BranchwiseForest::stepOnGpu(double time) {
-    const bool moved = _prePass->readBack(*_simulation->branches());
-    if (const std::optional<float> seconds = _simulation->beginStep(time))
-        _prePass->step(*_simulation->branches(), time, *seconds);
+    const bool moved = _prePass->readBack(*SimulationParts::branches(*_simulation));
+    if (const std::optional<float> seconds = SimulationParts::beginStep(*_simulation, time))
+        _prePass->step(*SimulationParts::branches(*_simulation), time, *seconds);
     else
         _prePass->hold();
     return moved;
@@ -294,7 +300,7 @@ bool BranchwiseForest::stepOnGpu(double time) {
 
 void BranchwiseForest::uploadUnitPoses() {
     float* texel = _unitPoses->data();
-    for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
+    for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
         for (const UnitPose& pose : _simulation->motion(tree).poses) {
             const float values[8] = {
                 pose.rotation.x,    pose.rotation.y,    pose.rotation.z,    pose.rotation.w,

@@ -26,7 +26,7 @@ struct ForestDescription;
 struct PlacedTree;
 struct TreeStyle;
 
-/// Trees drawn the thesis' way, branch by branch: a TreeNode a tree, posed by the state of each unit.
+/// Trees drawn the thesis' way, branch by branch: a node a tree, posed by the state of each unit.
 class OSGTREEWIND_EXPORT BranchwiseForest : public ForestDrawing {
 public:
     /// Where the angles of branches and leaves are worked out.
@@ -77,10 +77,7 @@ public:
     const TreeLodRanges& getLodRanges() const { return _lodRanges; } ///< As set.
 
     unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); } ///< As many as were given.
-    TreeNode* getTree(unsigned index) const { return _trees[index].get(); } ///< In their order; unchecked.
-
-    /// The passes at work; null with CPU_ANGLES.
-    const AnglePrePass* getAnglePrePass() const { return _prePass.get(); }
+    osg::Node* getTree(unsigned index) const; ///< What draws one, in their order; unchecked.
 
     osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const override;
     void takeSettings(const ForestDrawing& former) override;
@@ -98,6 +95,7 @@ protected:
     ~BranchwiseForest() override;
 
 private:
+    friend struct BranchwiseParts;
     struct Pictures {
         osg::ref_ptr<ImpostorStrip> strip;
         osg::ref_ptr<SharedStateSet> state;

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/branchwise/LeafDrawable.h>
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+#include <osgTreeWind/model/MeasureTree.h>
 
 #include <osgUtil/IntersectionVisitor>
 

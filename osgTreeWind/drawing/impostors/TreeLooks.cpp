@@ -7,6 +7,7 @@
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
 #include <glm/common.hpp>

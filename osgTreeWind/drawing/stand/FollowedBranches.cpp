@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/stand/FollowedBranches.h>
 
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 
 namespace osgTreeWind {
 
@@ -13,8 +14,8 @@ FollowedBranches::FollowedBranches() {
 BranchTransform* FollowedBranches::follow(const ForestSimulation& simulation, TreeId tree, unsigned unit) {
     if (!simulation.holds(tree))
         return nullptr;
-    const PlacedTree& placed = simulation.trees()[simulation.slotOf(tree)];
-    const std::vector<BranchUnit>& units = simulation.forest().modelOf(placed).skeleton.units;
+    const PlacedTree& placed = SimulationParts::trees(simulation)[simulation.slotOf(tree)];
+    const std::vector<BranchUnit>& units = SimulationParts::forest(simulation).modelOf(placed).skeleton.units;
     if (unit >= units.size())
         return nullptr;
     osg::ref_ptr<BranchTransform>& branch = _branches[tree][unit];
@@ -48,8 +49,8 @@ void FollowedBranches::update(const ForestSimulation& simulation) {
 
 void FollowedBranches::place(const ForestSimulation& simulation, TreeId tree) {
     const std::size_t slot = simulation.slotOf(tree);
-    const PlacedTree& placed = simulation.trees()[slot];
-    const std::size_t units = simulation.forest().unitsOf(placed);
+    const PlacedTree& placed = SimulationParts::trees(simulation)[slot];
+    const std::size_t units = SimulationParts::forest(simulation).unitsOf(placed);
     const osg::Matrix stand = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                               osg::Matrix::translate(toOsg(placed.position));
     for (const auto& [unit, branch] : _branches[tree]) {

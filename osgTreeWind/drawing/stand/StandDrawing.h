@@ -12,7 +12,7 @@ class TreeStand;
 struct SpeciesLooks;
 struct StandResources;
 
-/// Trees under the law `modal`: instances (TreeStand), and transforms for the branches that someone follows.
+/// Trees under the law `modal`: instances, and transforms for the branches that someone follows.
 class OSGTREEWIND_EXPORT StandDrawing : public ForestDrawing {
 public:
     /// No trees.
@@ -30,14 +30,11 @@ public:
         bool setBarkState(std::size_t species, osg::StateSet* state);
     /// The same for leaves.
     bool setLeafState(std::size_t species, osg::StateSet* state);
-    /// Draws the trees of a model (index into ForestSimulation::models()) from these, at every tier with
+    /// Draws the trees of a model (ForestSimulation::modelOf()) from these, at every tier with
     /// branches, null for none: geometry with buffer objects and the arrays of shaders/instance_bark.vert and
     /// instance_leaf.vert, the index of the unit that moves a vertex among them. Not during a traversal.
     /// @return false where there is no such model.
     bool setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
-
-    /// The one drawable of all trees.
-    TreeStand* trees() const { return _trees.get(); }
 
     osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const override;
     void takeSettings(const ForestDrawing&) override {} // they are of species and models that are gone
@@ -54,6 +51,7 @@ protected:
     ~StandDrawing() override;
 
 private:
+    friend struct StandParts;
     StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources);
     bool setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species, osg::StateSet* state);
 

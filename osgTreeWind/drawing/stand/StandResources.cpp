@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/stand/StandResources.h>
 
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 
@@ -23,7 +24,7 @@ void want(const ForestSimulation& simulation, std::size_t model, const LeafFall&
 } // namespace
 
 StandResources::StandResources(const ForestSimulation& simulation)
-    : models(simulation.models().size()), state(new osg::StateSet), fading(new osg::StateSet),
+    : models(SimulationParts::models(simulation).size()), state(new osg::StateSet), fading(new osg::StateSet),
       programs(new PosePrograms) {
     SpeciesStyles styles;
     for (const Species& species : simulation.description().species)
@@ -37,8 +38,8 @@ StandResources::StandResources(const ForestSimulation& simulation)
         return;
     impostorProgram = createProgram("impostor", "impostor");
     simulation.executor()(models.size(), [&](std::size_t model) {
-        const std::size_t species = simulation.forest().speciesOfModel(model);
-        models[model] = new ModelResources(simulation.models()[model], species,
+        const std::size_t species = SimulationParts::forest(simulation).speciesOfModel(model);
+        models[model] = new ModelResources(SimulationParts::models(simulation)[model], species,
                                            simulation.description().species[species].appearance);
     });
     followSeason(simulation);
@@ -53,8 +54,9 @@ void StandResources::followSeason(const ForestSimulation& simulation) {
         leaves.emplace_back(each);
     Pictures wanted;
     for (std::size_t model = 0; model < models.size(); ++model) // of trees that may come
-        want(simulation, model, leaves[simulation.forest().speciesOfModel(model)], 1.0f, wanted);
-    for (const PlacedTree& tree : simulation.trees())
+        want(simulation, model, leaves[SimulationParts::forest(simulation).speciesOfModel(model)], 1.0f,
+             wanted);
+    for (const PlacedTree& tree : SimulationParts::trees(simulation))
         if (tree.alive)
             want(simulation, tree.model, leaves[tree.species], tree.summerLeaves, wanted);
     paintImpostors(simulation, wanted);
@@ -62,7 +64,8 @@ void StandResources::followSeason(const ForestSimulation& simulation) {
 
 void StandResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
     Pictures wanted;
-    want(simulation, tree.model, LeafFall(simulation.forest().speciesOf(tree)), tree.summerLeaves, wanted);
+    want(simulation, tree.model, LeafFall(SimulationParts::forest(simulation).speciesOf(tree)),
+         tree.summerLeaves, wanted);
     paintImpostors(simulation, wanted);
 }
 
@@ -74,7 +77,7 @@ void StandResources::paintImpostors(const ForestSimulation& simulation, const Pi
             missing.emplace_back(model, tier);
     const auto paint = [&](std::size_t i) {
         const auto [model, tier] = missing[i];
-        models[model]->paint(tier, simulation.models()[model],
+        models[model]->paint(tier, SimulationParts::models(simulation)[model],
                              simulation.description().species[models[model]->species()].appearance,
                              impostorProgram);
     };

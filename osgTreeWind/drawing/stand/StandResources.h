@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
 #include <osgTreeWind/drawing/stand/ModelResources.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/PosePass.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
@@ -12,8 +13,8 @@
 namespace osgTreeWind {
 
 TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) : _tree(simulation.idOf(slot)) {
-    const PlacedTree& tree = simulation.trees()[slot];
-    const TreeModel& model = simulation.forest().modelOf(tree);
+    const PlacedTree& tree = SimulationParts::trees(simulation)[slot];
+    const TreeModel& model = SimulationParts::forest(simulation).modelOf(tree);
     UnitValues values;
     const TreeMotion motion = simulation.motion(slot, values);
     const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);

@@ -2,17 +2,19 @@
 #pragma once
 
 #include <osgTreeWind/base/Export.h>
-#include <osgTreeWind/model/TreeModel.h>
-#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/forest/TreeId.h>
 
 #include <osg/Drawable>
 
+#include <cstddef>
 #include <vector>
 
 namespace osgTreeWind {
 
+class ForestSimulation;
+
 /// A tree as an intersection visitor met it: posed as it stood then, in the forest's frame. The `drawable` of
-/// a hit on a tree of a TreeStand:
+/// a hit on a tree of a StandDrawing:
 ///
 ///     if (auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get()))
 ///         use(tree->getTree(), tree->getUnit(hit.primitiveIndex));

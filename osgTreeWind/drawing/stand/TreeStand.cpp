@@ -3,7 +3,9 @@
 
 #include <osgTreeWind/drawing/stand/StandPicking.h>
 #include <osgTreeWind/drawing/stand/TreeStandCull.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
@@ -31,10 +33,10 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, StandResource
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true); // else nobody asks it to compile them
-    for (const TreeModel& model : _simulation->models())
+    for (const TreeModel& model : SimulationParts::models(*_simulation))
         _passes.push_back(new PosePass(model.skeleton, _resources.programs));
-    for (std::size_t tree = 0; tree < _simulation->trees().size(); ++tree)
-        if (_simulation->trees()[tree].alive)
+    for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
+        if (SimulationParts::trees(*_simulation)[tree].alive)
             treeChanged(tree);
     updateFlutter(0.0);
 }
@@ -43,7 +45,7 @@ TreeStand::TreeStand(const TreeStand& other, const osg::CopyOp&)
     : TreeStand(other._simulation, other._resources) {}
 
 void TreeStand::treeChanged(std::size_t tree) {
-    const PlacedTree& placed = _simulation->trees()[tree];
+    const PlacedTree& placed = SimulationParts::trees(*_simulation)[tree];
     const auto number = static_cast<std::uint32_t>(tree);
     if (tree >= _attention.size())
         _attention.resize(tree + 1);
@@ -51,13 +53,14 @@ void TreeStand::treeChanged(std::size_t tree) {
         _cells.take(number);
         _attention[tree].kept = false;
     } else {
-        const std::array<float, 5> reach = _simulation->forest().modelOf(placed).extents.reach(placed.scale);
-        const TreeFall* fall = _simulation->modal()->fall(tree);
+        const std::array<float, 5> reach =
+            SimulationParts::forest(*_simulation).modelOf(placed).extents.reach(placed.scale);
+        const TreeFall* fall = SimulationParts::modal(*_simulation)->fall(tree);
         const bool isDown = fall && fall->isDown;
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3], isDown ? reach[4] : 0.0f});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
         _resources.paintImpostor(*_simulation, placed);
-        if (_simulation->modal()->level(tree) == ModalMotion::Level::Near)
+        if (SimulationParts::modal(*_simulation)->level(tree) == ModalMotion::Level::Near)
             follow(number);
     }
     dirtyBound();
@@ -65,10 +68,11 @@ void TreeStand::treeChanged(std::size_t tree) {
 
 osg::BoundingBox TreeStand::computeBoundingBox() const {
     osg::BoundingBox box;
-    for (const PlacedTree& tree : _simulation->trees()) {
+    for (const PlacedTree& tree : SimulationParts::trees(*_simulation)) {
         if (!tree.alive)
             continue;
-        const std::array<float, 5> reach = _simulation->forest().modelOf(tree).extents.reach(tree.scale);
+        const std::array<float, 5> reach =
+            SimulationParts::forest(*_simulation).modelOf(tree).extents.reach(tree.scale);
         const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
         for (const float x : {-reach[1], reach[0]})
             for (const float y : {-reach[3], reach[2]})
@@ -94,19 +98,19 @@ void TreeStand::keepNear(std::size_t tree, bool kept) {
     _attention[tree].kept = kept;
     if (!kept)
         return;
-    _simulation->modal()->setLevel(tree, ModalMotion::Level::Near);
+    SimulationParts::modal(*_simulation)->setLevel(tree, ModalMotion::Level::Near);
     follow(static_cast<std::uint32_t>(tree));
 }
 
 void TreeStand::update(unsigned frame, double time) {
     _frame = frame;
     updateFlutter(time);
-    ModalMotion& modal = *_simulation->modal();
+    ModalMotion& modal = *SimulationParts::modal(*_simulation);
     {
         const std::lock_guard<std::mutex> lock(_listsMutex);
         for (const Lists& each : _lists) {
             for (const std::uint32_t tree : each.lists->near()) {
-                if (!_simulation->trees()[tree].alive)
+                if (!SimulationParts::trees(*_simulation)[tree].alive)
                     continue;
                 if (modal.level(tree) == ModalMotion::Level::Far)
                     modal.setLevel(tree, ModalMotion::Level::Near);
@@ -126,7 +130,7 @@ void TreeStand::update(unsigned frame, double time) {
     _near.erase(std::remove_if(_near.begin(), _near.end(),
                                [&](std::uint32_t tree) {
                                    Attention& attention = _attention[tree];
-                                   const bool isNear = _simulation->trees()[tree].alive &&
+                                   const bool isNear = SimulationParts::trees(*_simulation)[tree].alive &&
                                                        modal.level(tree) == ModalMotion::Level::Near;
                                    if (isNear && (attention.kept || static_cast<std::uint8_t>(
                                                                         frame - attention.seen) < framesNear))
@@ -194,7 +198,7 @@ void TreeStand::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
     const osg::ref_ptr<CullLists> lists = freeLists(visitor);
-    TreeStandCull{visitor,    frame,    *_simulation, *_simulation->modal(),
+    TreeStandCull{visitor,    frame,    *_simulation, *SimulationParts::modal(*_simulation),
                   _resources, _passes,  _tiers,       detailOf(visitor, frame),
                   _cells,     _flutter, *lists}
         .run();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/TreeStandCull.h>
 
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ bool TreeStandCull::isTreeDown(std::uint32_t number) const {
 
 /// None of a tree that lies, nor of one that a host draws in its own way.
 ScreenCover::Picture TreeStandCull::pictureOf(const PictureView& pictures, std::uint32_t number) const {
-    const PlacedTree& tree = simulation.trees()[number];
+    const PlacedTree& tree = SimulationParts::trees(simulation)[number];
     const ModelResources& model = *resources.models[tree.model];
     const SpeciesLooks& looks = resources.looks[tree.species];
     const ImpostorStrip* impostor = model.impostor(impostorTier(tree.leaves));
@@ -124,7 +125,7 @@ void TreeStandCull::addTree(const FrontToBack::Tree& seen, float clearness) {
 }
 
 void TreeStandCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade) {
-    const PlacedTree& tree = simulation.trees()[seen.number];
+    const PlacedTree& tree = SimulationParts::trees(simulation)[seen.number];
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;
     if (tier == Tier::Impostor) {

@@ -7,6 +7,7 @@
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
+#include <osgTreeWind/motion/laws/UnitPose.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>

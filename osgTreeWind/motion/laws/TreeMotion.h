@@ -2,8 +2,8 @@
 #pragma once
 
 #include <osgTreeWind/base/Span.h>
-#include <osgTreeWind/motion/laws/UnitPose.h>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -11,6 +11,17 @@
 #include <vector>
 
 namespace osgTreeWind {
+
+/// Where a branch unit stands: a rest point p of the scaled tree is drawn at rotation * p + translation,
+/// in the tree's own frame (metres, Z up).
+struct UnitPose {
+    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< About the origin,
+    glm::vec3 translation{0.0f};                ///< and then this far, metres.
+
+    glm::vec3 apply(const glm::vec3& p) const {
+        return rotation * p + translation;
+    } ///< Where a point at rest is now.
+};
 
 /// One tree as it stands now. Values run in access order.
 struct TreeMotion {

@@ -2,6 +2,8 @@
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
 #include <osgTreeWind/base/ClampOr.h>
+#include <osgTreeWind/model/LeafClusters.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/AxisPaces.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>

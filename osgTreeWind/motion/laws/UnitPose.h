@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/motion/laws/TreeMotion.h>
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 
-#include <vector>
-
 namespace osgTreeWind {
-
-/// Where a branch unit stands: a rest point p of the scaled tree is drawn at rotation * p + translation,
-/// in the tree's own frame (metres, Z up).
-struct UnitPose {
-    glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< About the origin,
-    glm::vec3 translation{0.0f};                ///< and then this far, metres.
-
-    glm::vec3 apply(const glm::vec3& p) const {
-        return rotation * p + translation;
-    } ///< Where a point at rest is now.
-};
 
 /// M(unit) = M(parent) * T(base) * R(unit) * T(-base) (thesis §3.1.3), of one unit.
 UnitPose carriedPose(const UnitPose& parent, const glm::quat& rotation, const glm::vec3& base);

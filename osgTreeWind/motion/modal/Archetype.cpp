@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/Archetype.h>
 
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/modal/JointTree.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/modal/ModalKernel.h>
 #include <osgTreeWind/motion/modal/ModalModel.h>

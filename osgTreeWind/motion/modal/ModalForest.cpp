@@ -4,6 +4,7 @@
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
+#include <osgTreeWind/motion/laws/UnitPose.h>
 #include <osgTreeWind/wind/CanopyWind.h>
 
 #include <cmath>

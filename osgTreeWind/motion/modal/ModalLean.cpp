@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalLean.h>
 
+#include <osgTreeWind/model/LeafClusters.h>
+#include <osgTreeWind/model/MeasureTree.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/motion/modal/ModalModel.h>
 

@@ -5,8 +5,10 @@
 #include <tests/nodes/Pictures.h>
 #include <tests/plugins/PluginPath.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
 #include <osg/BufferObject>
@@ -39,7 +41,9 @@ protected:
         for (int i = 0; i < count; ++i)
             frame(++now / 25.0);
     }
-    const std::vector<glm::vec4>& states() const { return forest->getSimulation().branches()->states(); }
+    const std::vector<glm::vec4>& states() const {
+        return SimulationParts::branches(forest->getSimulation())->states();
+    }
 
     osg::ref_ptr<Forest> forest;
     osg::ref_ptr<osg::Group> scene;
@@ -66,10 +70,10 @@ TEST_F(BranchwiseForestGlTest, theExampleOfTheThesisDoesThePublishedWay) {
                                                 bound.center(), osg::Z_AXIS);
     frames(4);
     const BranchwiseForest& branchwise = *forest->getBranchwise();
-    ASSERT_NE(branchwise.getAnglePrePass(), nullptr) << "the RTT passes";
+    ASSERT_NE(BranchwiseParts::prePass(branchwise), nullptr) << "the RTT passes";
     EXPECT_EQ(branchwise.getBranchDrawing(), BranchwiseForest::BRANCH_DRAWING);
     EXPECT_EQ(branchwise.getLeafDrawing(), BranchwiseForest::LEAF_TRANSFORMS);
-    const osg::Group& full = *branchwise.getTree(0)->getLod()->level(TreeLod::FULL);
+    const osg::Group& full = *BranchwiseParts::tree(branchwise, 0)->getLod()->level(TreeLod::FULL);
     ASSERT_EQ(full.getNumChildren(), 1u);
     const auto* trunk = dynamic_cast<const BranchTransform*>(full.getChild(0));
     ASSERT_NE(trunk, nullptr) << "a MatrixTransform a branch";
@@ -85,7 +89,7 @@ TEST_F(BranchwiseForestGlTest, keepsNothingAboveItFromBeingCulled) {
     frames(1);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the probe";
     frames(3);
-    ASSERT_NE(forest->getBranchwise()->getAnglePrePass(), nullptr);
+    ASSERT_NE(BranchwiseParts::prePass(*forest->getBranchwise()), nullptr);
     EXPECT_EQ(forest->getNumChildrenWithCullingDisabled(), 0u);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the passes";
     const std::vector<glm::vec4> before = states();
@@ -120,10 +124,11 @@ TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
     ForestSimulation oracle(description);
     for (int i = 2; i <= now - 1; ++i) // passes begin in the second frame; what came back is a frame old
         oracle.advance(i / 25.0);
-    const auto& leaves = forest->getSimulation().branches()->leaves().states();
+    const auto& leaves = SimulationParts::branches(forest->getSimulation())->leaves().states();
     float fluttering = 0.0f;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        ASSERT_NEAR(leaves[i].x, oracle.branches()->leaves().states()[i].x, 5e-4f) << "leaf " << i;
+        ASSERT_NEAR(leaves[i].x, SimulationParts::branches(oracle)->leaves().states()[i].x, 5e-4f)
+            << "leaf " << i;
         fluttering = std::max(fluttering, std::abs(leaves[i].x));
     }
     EXPECT_GT(fluttering, 0.01f);
@@ -142,7 +147,7 @@ TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
         const auto* textures = osg::get<osg::TextureObjectManager>(context);
         const unsigned buffersBefore = buffers->getNumberActiveGLBufferObjects();
         const unsigned texturesBefore = textures->getNumberActiveTextureObjects();
-        forest->getBranchwise()->getTree(0)->releaseGLObjects();
+        BranchwiseParts::tree(*forest->getBranchwise(), 0)->releaseGLObjects();
         EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), buffersBefore);
         EXPECT_EQ(textures->getNumberActiveTextureObjects(), texturesBefore);
         frames(1);
@@ -195,7 +200,7 @@ TEST_P(BranchwiseThreadingGlTest, aForestMayGoWhileItsFrameIsDrawn) {
         scene->addChild(forest);
     }
     frames(4);
-    EXPECT_NE(forest->getBranchwise()->getAnglePrePass(), nullptr);
+    EXPECT_NE(BranchwiseParts::prePass(*forest->getBranchwise()), nullptr);
     viewer().setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
 }
 

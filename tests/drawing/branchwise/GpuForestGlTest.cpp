@@ -5,11 +5,13 @@
 
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/wind/FunctionWind.h>
@@ -102,7 +104,8 @@ protected:
             oracle.advance(i / 60.0);
         }
         frame(frames / 60.0);
-        return largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states());
+        return largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
+                                 SimulationParts::branches(oracle)->states());
     }
 
     ForestDescription given;
@@ -121,7 +124,7 @@ TEST_F(GpuForestGlTest, EveryWindValueArrivesAtItsOwnBranch) {
                                TexelCase{"300,000 units", bareSpecies(8, 3, 2), 31, 9842 * 31}}) {
         osg::ref_ptr<Forest> forest = start(forestOf(c.species, c.trees));
         ForestSimulation oracle(given);
-        ASSERT_EQ(oracle.branches()->states().size(), c.units) << c.name;
+        ASSERT_EQ(SimulationParts::branches(oracle)->states().size(), c.units) << c.name;
         oracle.advance(0.0);
         for (int i = 1; i <= 3; ++i) {
             frame(i / 60.0);
@@ -129,12 +132,12 @@ TEST_F(GpuForestGlTest, EveryWindValueArrivesAtItsOwnBranch) {
         }
         frame(3.0 / 60.0); // brings the third step back
         float moved = 0.0f;
-        for (const glm::vec4& state : oracle.branches()->states())
+        for (const glm::vec4& state : SimulationParts::branches(oracle)->states())
             moved = std::max(moved, std::abs(state.x));
         EXPECT_GT(moved, 1e-4f) << c.name;
-        EXPECT_LT(
-            largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states()),
-            5e-4f)
+        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
+                                    SimulationParts::branches(oracle)->states()),
+                  5e-4f)
             << c.name;
     }
 }
@@ -145,9 +148,9 @@ TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
     osg::ref_ptr<Forest> forest = start(calm);
     const auto windTexel = [&] {
         return reinterpret_cast<const float*>(
-            forest->getBranchwise()->getAnglePrePass()->wind()->getImage()->data())[4];
+            BranchwiseParts::prePass(*forest->getBranchwise())->wind()->getImage()->data())[4];
     };
-    BranchTransform* branch = forest->getBranchwise()->getTree(0)->getBranch(1);
+    BranchTransform* branch = BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(1);
     frame(0.1);
     frame(0.2);
     EXPECT_EQ(windTexel(), 0.0f);
@@ -191,14 +194,14 @@ TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
             oracle.advance(i / 60.0);
         }
         frame(30.0 / 60.0);
-        ASSERT_FALSE(oracle.branches()->leaves().states().empty());
-        EXPECT_GT(std::abs(oracle.branches()->leaves().states()[0].x), 1e-3f);
-        EXPECT_LT(largestDifference(forest->getSimulation().branches()->leaves().states(),
-                                    oracle.branches()->leaves().states()),
+        ASSERT_FALSE(SimulationParts::branches(oracle)->leaves().states().empty());
+        EXPECT_GT(std::abs(SimulationParts::branches(oracle)->leaves().states()[0].x), 1e-3f);
+        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->leaves().states(),
+                                    SimulationParts::branches(oracle)->leaves().states()),
                   5e-4f);
-        EXPECT_LT(
-            largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states()),
-            5e-4f);
+        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
+                                    SimulationParts::branches(oracle)->states()),
+                  5e-4f);
     }
 }
 
@@ -206,7 +209,7 @@ TEST_F(GpuForestGlTest, ALostContextGoesOnFromTheStatesReadBack) {
     osg::ref_ptr<Forest> forest = start(forestOf(bareSpecies(2, 3, 1), 2));
     for (int i = 1; i <= 30; ++i)
         frame(i / 60.0);
-    const std::vector<glm::vec4> before = forest->getSimulation().branches()->states();
+    const std::vector<glm::vec4> before = SimulationParts::branches(forest->getSimulation())->states();
     forest->releaseGLObjects();
     open(16, 16);
     viewer().setSceneData(forest);
@@ -216,7 +219,8 @@ TEST_F(GpuForestGlTest, ALostContextGoesOnFromTheStatesReadBack) {
     for (const glm::vec4& state : before)
         moved = std::max(moved, std::abs(state.x));
     EXPECT_GT(moved, 0.1f);
-    EXPECT_LT(largestDifference(forest->getSimulation().branches()->states(), before), 0.2f * moved);
+    EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(), before),
+              0.2f * moved);
 }
 
 TEST_F(GpuForestGlTest, APauseHolds) {
@@ -224,10 +228,10 @@ TEST_F(GpuForestGlTest, APauseHolds) {
     for (int i = 1; i <= 5; ++i)
         frame(i / 60.0);
     frame(5.0 / 60.0);
-    const std::vector<glm::vec4> held = forest->getSimulation().branches()->states();
+    const std::vector<glm::vec4> held = SimulationParts::branches(forest->getSimulation())->states();
     for (int i = 0; i < 5; ++i)
         frame(5.0 / 60.0);
-    EXPECT_EQ(forest->getSimulation().branches()->states(), held);
+    EXPECT_EQ(SimulationParts::branches(forest->getSimulation())->states(), held);
 }
 
 TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
@@ -256,7 +260,8 @@ TEST_F(GpuForestGlTest, TwoViewsTakeOneStepAFrame) {
     }
     composite.frame(10.0 / 60.0);
     EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
-    EXPECT_LT(largestDifference(forest->getSimulation().branches()->states(), oracle.branches()->states()),
+    EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
+                                SimulationParts::branches(oracle)->states()),
               5e-4f);
 }
 
@@ -279,7 +284,7 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
             forest->setWind(sane);
             frame(time += 0.02);
             frame(time += 0.02);
-            for (const glm::vec4& state : forest->getSimulation().branches()->states()) {
+            for (const glm::vec4& state : SimulationParts::branches(forest->getSimulation())->states()) {
                 ASSERT_TRUE(std::isfinite(state.x) && std::isfinite(state.y)) << value;
                 ASSERT_LE(std::max(std::abs(state.x), std::abs(state.y)), 1.5708f) << value;
             }
@@ -304,7 +309,7 @@ TEST_F(GpuForestGlTest, WithoutFloatTargetsTheCpuTakesOverWithOneNotice) {
     EXPECT_NE(messages.find("angles come from the CPU"), std::string::npos);
     EXPECT_EQ(messages.find("angles come from the CPU"), messages.rfind("angles come from the CPU"));
     EXPECT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::CPU_ANGLES);
-    EXPECT_NE(forest->getSimulation().branches()->states()[1].x, 0.0f);
+    EXPECT_NE(SimulationParts::branches(forest->getSimulation())->states()[1].x, 0.0f);
 }
 
 TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
@@ -324,8 +329,8 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
         }
         std::vector<osg::Matrix> matrices;
     } leaves;
-    forest->getBranchwise()->getTree(0)->accept(leaves);
-    const PosedTree& tree = *forest->getBranchwise()->getTree(0)->getPosedTree();
+    BranchwiseParts::tree(*forest->getBranchwise(), 0)->accept(leaves);
+    const PosedTree& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0)->getPosedTree();
     ASSERT_EQ(leaves.matrices.size(), tree.model().leaves.size());
     std::vector<osg::Vec3> expected, found;
     glm::vec3 corners[verticesPerLeafCluster];
@@ -333,11 +338,13 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
     for (std::size_t leaf = 0; leaf < leaves.matrices.size(); ++leaf) {
         tree.leafPoints(leaf, corners);
         expected.push_back(
-            osg::Matrix::rotate(osg::Quat(forest->getSimulation().trees()[0].heading, osg::Z_AXIS))
+            osg::Matrix::rotate(
+                osg::Quat(SimulationParts::trees(forest->getSimulation())[0].heading, osg::Z_AXIS))
                 .preMult(toOsg(corners[2])));
         found.push_back(toOsg(tree.model().leafMesh[2].corner) * leaves.matrices[leaf]);
         fluttering =
-            std::max(fluttering, std::abs(forest->getSimulation().branches()->leaves().states()[leaf].x));
+            std::max(fluttering,
+                     std::abs(SimulationParts::branches(forest->getSimulation())->leaves().states()[leaf].x));
     }
     EXPECT_GT(fluttering, 1e-3f);
     for (const osg::Vec3& point : found) { // transforms stand in scene order, leaves in access order
@@ -386,7 +393,7 @@ TEST_F(GpuForestGlTest, ABrokenShaderFileGivesWayToTheEmbeddedOne) {
     const std::string messages = takeMessages();
     EXPECT_NE(messages.find("nonsense"), std::string::npos) << "the driver's log";
     EXPECT_NE(messages.find("the embedded ones are used instead"), std::string::npos);
-    EXPECT_NE(forest->getSimulation().branches()->states()[1].x, 0.0f);
+    EXPECT_NE(SimulationParts::branches(forest->getSimulation())->states()[1].x, 0.0f);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <tests/gl/GlTest.h>
 #include <tests/gl/ThreadingModels.h>
 
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 
@@ -40,7 +41,7 @@ TEST_P(GpuThreadingGlTest, SixHundredFramesBringBackWholeStatesOneFrameOld) {
     const double step = 1.0 / 64.0; // exact in floats
     for (int i = 1; i <= 600; ++i) {
         frame(i * step);
-        const std::vector<glm::vec4>& states = forest->getSimulation().branches()->states();
+        const std::vector<glm::vec4>& states = SimulationParts::branches(forest->getSimulation())->states();
         for (const glm::vec4& state : states)
             ASSERT_EQ(state.z, states.front().z) << "frame " << i;
         if (i > 4) {
@@ -77,9 +78,10 @@ TEST_F(ShadowedForestGlTest, AShadowPassTakesNoStepOfItsOwn) {
     }
     frame(10.0 / 60.0);
     ASSERT_EQ(forest->getBranchwise()->getAngleSource(), BranchwiseForest::GPU_ANGLES);
-    const auto& expected = plain->getSimulation().branches()->states();
+    const auto& expected = SimulationParts::branches(plain->getSimulation())->states();
     for (std::size_t i = 0; i < expected.size(); ++i)
-        ASSERT_NEAR(forest->getSimulation().branches()->states()[i].x, expected[i].x, 5e-4f) << i;
+        ASSERT_NEAR(SimulationParts::branches(forest->getSimulation())->states()[i].x, expected[i].x, 5e-4f)
+            << i;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <tests/drawing/branchwise/Onlooker.h>
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ protected:
         description.law = MotionLaw::Damped;
         forest = new Forest(description);
         forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
-        tree = forest->getBranchwise()->getTree(0);
+        tree = BranchwiseParts::tree(*forest->getBranchwise(), 0);
         height = tree->getLod()->getCenter().z() * 2.0f;
     }
     /// Classes of what a camera so many heights away draws.
@@ -138,7 +139,7 @@ TEST_F(TreeLodTest, distancesAreInHeightsAndCanBeSet) {
 TEST_F(TreeLodTest, aCopyOfTheForestKeepsThem) {
     forest->getBranchwise()->setLodRanges({3.0f, 20.0f});
     osg::ref_ptr<Forest> copy = osg::clone(forest.get());
-    EXPECT_EQ(copy->getBranchwise()->getTree(0)->getLod()->getRanges().full, 3.0f);
+    EXPECT_EQ(BranchwiseParts::tree(*copy->getBranchwise(), 0)->getLod()->getRanges().full, 3.0f);
 }
 
 TEST_F(TreeLodTest, aTreeFarAwayIsAPicture) {

@@ -2,7 +2,9 @@
 #include <tests/NamesInOrder.h>
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +12,7 @@ using namespace osgTreeWind;
 
 TEST(TreeNodeTest, hasABranchForEveryUnitAndNoneBeyond) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     EXPECT_EQ(tree.getNumBranches(), 122u);
     EXPECT_NE(tree.getBranch(121), nullptr);
     EXPECT_EQ(tree.getBranch(122), nullptr);
@@ -19,15 +21,15 @@ TEST(TreeNodeTest, hasABranchForEveryUnitAndNoneBeyond) {
 
 TEST(TreeNodeTest, givesTheSameBranchEveryTime) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
-    BranchTransform* const branch = forest->getBranchwise()->getTree(0)->getBranch(9);
-    EXPECT_EQ(forest->getBranchwise()->getTree(0)->getBranch(9), branch);
+    BranchTransform* const branch = BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(9);
+    EXPECT_EQ(BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(9), branch);
     EXPECT_EQ(branch->getUnit(), 9u);
 }
 
 TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(5)));
     const unsigned unit = 13, treeIndex = 4;
-    TreeNode& tree = *forest->getBranchwise()->getTree(treeIndex);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), treeIndex);
     const glm::vec3 tip =
         tree.getPosedTree()->scale().axes * tree.getPosedTree()->model().skeleton.units[unit].tip;
     osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(toOsg(tip)));
@@ -36,7 +38,7 @@ TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
     updateFrames(*forest, 1, 40);
 
     const ForestSimulation& simulation = forest->getSimulation();
-    const PlacedTree& place = simulation.trees()[treeIndex];
+    const PlacedTree& place = SimulationParts::trees(simulation)[treeIndex];
     const osg::Vec3d inTree = toOsg(simulation.motion(treeIndex).poses[unit].apply(tip));
     const osg::Vec3d expected =
         osg::Quat(place.heading, osg::Z_AXIS) * inTree + osg::Vec3d(toOsg(place.position));
@@ -47,7 +49,7 @@ TEST(TreeNodeTest, aSensorOnABranchIsWhereTheSimulationHasTheTip) {
 TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(1)));
     updateFrames(*forest, 1, 40);
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     const osg::Matrix late = worldMatrix(*tree.getBranch(13));
     tree.updatePose();
     EXPECT_EQ(worldMatrix(*tree.getBranch(13)), late);
@@ -56,7 +58,7 @@ TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
 
 TEST(TreeNodeTest, aBranchThatIsLetGoLosesWhatHungOnItAndFollowsNoMore) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 20.0f)));
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     BranchTransform* const branch = forest->branch(TreeId(0), 9);
     const unsigned own = branch->getNumChildren();
     branch->addChild(new osg::Group);
@@ -85,7 +87,7 @@ TEST(TreeNodeTest, anEmptyOneHasNothingAndTakesEverything) {
 
 TEST(TreeNodeTest, drawingBranchByBranchAndBackLeavesHungNodesThere) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
-    TreeNode& tree = *forest->getBranchwise()->getTree(0);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
     osg::ref_ptr<osg::Group> nest = new osg::Group;
     tree.getBranch(5)->addChild(nest);
     const unsigned children = tree.getNumChildren();
@@ -104,7 +106,7 @@ class TreeNodeCopyTest : public ::testing::TestWithParam<unsigned> {};
 TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
     updateFrames(*forest, 1, 40);
-    TreeNode& tree = *forest->getBranchwise()->getTree(1);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 1);
     tree.setName("by the gate");
     tree.addChild(new osg::Group);
     tree.getOrCreateStateSet()->setMode(GL_FOG, osg::StateAttribute::ON);
@@ -123,7 +125,7 @@ TEST_P(TreeNodeCopyTest, hasItsOwnPartsAndKeepsThoseOfTheUser) {
 
 TEST_P(TreeNodeCopyTest, doesNotTurnTheOriginalToRest) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(2)));
-    TreeNode& tree = *forest->getBranchwise()->getTree(1);
+    TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 1);
     int before = -2, after = -2;
     tree.getStateSet()->getUniform("treeFirstUnit")->get(before);
     osg::ref_ptr<TreeNode> copy = osg::clone(&tree, osg::CopyOp(GetParam()));

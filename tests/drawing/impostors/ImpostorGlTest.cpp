@@ -6,6 +6,7 @@
 #include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 
 #include <osg/GLExtensions>
 
@@ -213,7 +214,7 @@ TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
     turned.trees[0].size.height = 20.0f;
     turned.trees[0].size.crownWidth = 8.0f;
     osg::ref_ptr<Forest> forest = inFull(turned);
-    const TreeScale& scale = forest->getSimulation().trees()[0].scale;
+    const TreeScale& scale = SimulationParts::trees(forest->getSimulation())[0].scale;
     osg::ref_ptr<Instance> instance = new Instance;
     instance->place.w() = 1.1f;
     instance->scale = osg::Vec4(scale.axes.x, scale.axes.z, 0.0f, 0.0f);

@@ -4,6 +4,9 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
+#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+
 #include <osg/ContextData>
 #include <osg/DisplaySettings>
 #include <osg/Texture>
@@ -122,8 +125,9 @@ TEST_F(ChangingStandGlTest, aThousandTreesASecondComeAndGo) {
     EXPECT_EQ(forest->getNumTrees(), 200u);
     for (const TreeId tree : trees)
         EXPECT_TRUE(forest->getSimulation().holds(tree));
-    EXPECT_LE(forest->getSimulation().trees().size(), 201u) << "numbers of removed trees are given out again";
-    EXPECT_LE(forest->getStand()->trees()->nearTrees(), 201u);
+    EXPECT_LE(SimulationParts::trees(forest->getSimulation()).size(), 201u)
+        << "numbers of removed trees are given out again";
+    EXPECT_LE(StandParts::trees(*forest->getStand())->nearTrees(), 201u);
     EXPECT_LT(residentMemory(), settled + keptMemory);
     EXPECT_GT(covered(image()), 0.02);
 }
@@ -134,14 +138,14 @@ TEST_F(ChangingStandGlTest, aFrameThatIsDrawnAgainAndAgainTakesNoMoreMemory) {
     osg::ref_ptr<Forest> forest = new Forest(squareForest(200, 2.0));
     show(forest, osg::Vec3(16, -25, 8), osg::Vec3(16, 16, 2));
     frame(0.0);
-    const auto listed = forest->getStand()->trees()->listedTrees();
+    const auto listed = StandParts::trees(*forest->getStand())->listedTrees();
     std::size_t settled = 0;
     for (int i = 0; i < 200; ++i) {
         viewer().renderingTraversals();
         if (i == 50)
             settled = residentMemory();
     }
-    EXPECT_EQ(forest->getStand()->trees()->listedTrees(), listed);
+    EXPECT_EQ(StandParts::trees(*forest->getStand())->listedTrees(), listed);
     EXPECT_LT(residentMemory(), settled + (1u << 20));
 }
 
@@ -204,7 +208,7 @@ TEST_F(ChangingStandGlTest, posesAreRightOnEveryPage) {
     show(few, eye, at);
     osg::ref_ptr<osg::Image> expected = later(0, 1);
     ASSERT_GT(covered(*expected), 0.2);
-    EXPECT_LT(few->getStand()->trees()->listedTrees()[0], 1000u);
+    EXPECT_LT(StandParts::trees(*few->getStand())->listedTrees()[0], 1000u);
 
     osg::ref_ptr<Forest> all = new Forest(description);
     osg::ref_ptr<osg::Group> scene = new osg::Group;
@@ -221,6 +225,6 @@ TEST_F(ChangingStandGlTest, posesAreRightOnEveryPage) {
     scene->addChild(all);
     show(scene, eye, at);
     osg::ref_ptr<osg::Image> picture = later(0, 1);
-    EXPECT_GE(all->getStand()->trees()->listedTrees()[0], 4600u);
+    EXPECT_GE(StandParts::trees(*all->getStand())->listedTrees()[0], 4600u);
     EXPECT_EQ(difference(*picture, *expected).mean, 0.0);
 }

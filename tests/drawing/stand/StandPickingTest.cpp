@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <tests/nodes/ForestFixtures.h>
 
+#include <osgTreeWind/drawing/stand/StandParts.h>
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 
@@ -45,8 +47,9 @@ osg::Vec3d standing(const PlacedTree& tree, const glm::vec3& point) {
 
 /// The middle of a unit's centre line, as the CPU has it now.
 osg::Vec3d middleOf(const Forest& forest, std::size_t tree, std::size_t unit, bool moved = true) {
-    const PlacedTree& placed = forest.getSimulation().trees()[tree];
-    const BranchUnit& rest = forest.getSimulation().forest().modelOf(placed).skeleton.units[unit];
+    const PlacedTree& placed = SimulationParts::trees(forest.getSimulation())[tree];
+    const BranchUnit& rest =
+        SimulationParts::forest(forest.getSimulation()).modelOf(placed).skeleton.units[unit];
     const UnitPose pose = moved ? forest.getSimulation().motion(tree).poses[unit] : UnitPose();
     return standing(placed, pose.apply(placed.scale.axes * (0.5f * (rest.base + rest.tip))));
 }
@@ -90,8 +93,8 @@ TEST(StandPickingTest, doesNotHitABranchWhereItWas) {
 
 TEST(StandPickingTest, hitsLeavesAsTheyFlutterAndTurnDownwind) {
     osg::ref_ptr<Forest> forest = blownForest(1);
-    const PlacedTree& placed = forest->getSimulation().trees()[0];
-    const TreeModel& model = forest->getSimulation().forest().modelOf(placed);
+    const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[0];
+    const TreeModel& model = SimulationParts::forest(forest->getSimulation()).modelOf(placed);
     const TreeMotion motion = forest->getSimulation().motion(0);
     for (std::size_t i = 0; i < model.leaves.size(); i += 7) {
         const LeafCluster& leaf = model.leaves[i];
@@ -186,7 +189,7 @@ TEST(StandPickingTest, everyIntersectorOfAGroupFindsItsTree) {
 
 TEST(StandPickingTest, aMaskHidesTheTreesFromItsVisitors) {
     osg::ref_ptr<Forest> forest = blownForest(1);
-    forest->getStand()->trees()->setNodeMask(0x2);
+    StandParts::trees(*forest->getStand())->setNodeMask(0x2);
     const osg::Vec3d trunk = middleOf(*forest, 0, 0);
     osg::ref_ptr<LineSegmentIntersector> line =
         new LineSegmentIntersector(trunk - osg::Vec3d(0, 1, 0), trunk + osg::Vec3d(0, 1, 0));

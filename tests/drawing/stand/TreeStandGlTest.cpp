@@ -3,9 +3,11 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
+#include <osgTreeWind/drawing/stand/StandParts.h>
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/laws/PosedPoints.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
@@ -53,7 +55,7 @@ osg::ref_ptr<osg::Geometry> whiteTriangles(osg::Vec3Array* corners) {
 /// All trees as the CPU poses them now.
 osg::ref_ptr<osg::Node> posedByCpu(const Forest& forest) {
     osg::TriangleFunctor<Triangles> triangles;
-    for (std::size_t tree = 0; tree < forest.getSimulation().trees().size(); ++tree)
+    for (std::size_t tree = 0; tree < SimulationParts::trees(forest.getSimulation()).size(); ++tree)
         osg::ref_ptr<TreeHit>(new TreeHit(forest.getSimulation(), tree))->accept(triangles);
     return whiteTriangles(triangles.corners);
 }
@@ -137,10 +139,10 @@ TEST_F(TreeStandGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSameFram
     osg::ref_ptr<Forest> drawn = new Forest(description), followed = new Forest(description);
     drawWhite(*drawn);
     const ForestSimulation& simulation = followed->getSimulation();
-    for (std::size_t tree = 0; tree < simulation.trees().size(); ++tree) {
-        const PlacedTree& placed = simulation.trees()[tree];
-        const BranchSkin& skin = simulation.forest().modelOf(placed).skin;
-        const std::size_t units = simulation.forest().unitsOf(placed);
+    for (std::size_t tree = 0; tree < SimulationParts::trees(simulation).size(); ++tree) {
+        const PlacedTree& placed = SimulationParts::trees(simulation)[tree];
+        const BranchSkin& skin = SimulationParts::forest(simulation).modelOf(placed).skin;
+        const std::size_t units = SimulationParts::forest(simulation).unitsOf(placed);
         for (unsigned unit = 0; unit < units; ++unit) {
             osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
             for (const auto index : skin.indices) {
@@ -151,7 +153,7 @@ TEST_F(TreeStandGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSameFram
             followed->branch(simulation.idOf(tree), unit)->addChild(whiteTriangles(corners));
         }
     }
-    followed->getStand()->trees()->setNodeMask(0);
+    StandParts::trees(*followed->getStand())->setNodeMask(0);
     osg::ref_ptr<osg::Image> trees = picture(drawn, 30), things = picture(followed, 30);
     EXPECT_GT(covered(*trees), 0.01);
     EXPECT_LT(differing(*trees, *things), 0.001);
@@ -252,7 +254,7 @@ TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     ForestDescription description = smallForest(4);
     description.drawing.tiers = false;
     osg::ref_ptr<Forest> forest = new Forest(description), plain = new Forest(description);
-    const std::vector<TreeModel>& models = forest->getSimulation().models();
+    const std::vector<TreeModel>& models = SimulationParts::models(forest->getSimulation());
     for (std::size_t model = 0; model < models.size(); ++model) {
         const CrownShade crown(models[model].leaves, models[model].leafMesh, leafCoverage(LeafForm::Blade));
         forest->getStand()->setGeometry(
@@ -292,7 +294,7 @@ TEST_F(TreeStandGlTest, whatIsDrawnAroundItIsDrawnAsWithoutIt) { // passes leave
     look(with);
     viewer().getCamera()->setCullingMode(osg::CullSettings::NO_CULLING);
     osg::ref_ptr<osg::Image> together = run(0, 2);
-    const auto listed = forest->getStand()->trees()->listedTrees();
+    const auto listed = StandParts::trees(*forest->getStand())->listedTrees();
     EXPECT_GT(std::accumulate(listed.begin(), listed.begin() + branchTiers, std::size_t{0}), 0u);
     EXPECT_GT(covered(*alone), 0.02);
     EXPECT_EQ(difference(*alone, *together).mean, 0.0);

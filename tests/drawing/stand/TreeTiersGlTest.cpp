@@ -2,6 +2,7 @@
 #include <tests/gl/GlTest.h>
 
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/stand/StandParts.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -99,7 +100,7 @@ protected:
         forest.trees.resize(trees);
         show(forest);
         pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
-        const auto listed = _forest->getStand()->trees()->listedTrees();
+        const auto listed = StandParts::trees(*_forest->getStand())->listedTrees();
         return {listed.begin(), listed.end()};
     }
     osg::ref_ptr<Forest> _forest;
@@ -117,7 +118,7 @@ TEST_F(TreeTiersGlTest, aWoodLooksAlikeInAllTiersAndInFull) {
                 pictureFrom(eye, {0, 140, 8}, i / 30.0);
             pictures.push_back(pictureFrom(eye, {0, 140, 8}, 8 / 30.0));
             if (tiers) {
-                const auto listed = _forest->getStand()->trees()->listedTrees();
+                const auto listed = StandParts::trees(*_forest->getStand())->listedTrees();
                 EXPECT_GT(listed[static_cast<std::size_t>(Tier::Impostor)], 0u) << "no impostors in the test";
             }
         }
@@ -158,7 +159,7 @@ TEST_F(TreeTiersGlTest, theyHaveColoursOnDemand) {
         yellow += g > b + 40 && g > r - 60;
         blue += b > r + 40 && b > g + 40;
     }
-    const auto listed = _forest->getStand()->trees()->listedTrees();
+    const auto listed = StandParts::trees(*_forest->getStand())->listedTrees();
     EXPECT_EQ(listed.front() > 0, red > 100) << red;
     EXPECT_GT(yellow, 100u);
     EXPECT_GT(blue, 100u);
@@ -201,7 +202,7 @@ TEST_F(TreeTiersGlTest, aCrownStaysAsDenseWhileItsFormsGiveWay) {
         show(forest);
         for (int i = 0; i < 3; ++i)
             covered[step] = coveredPixels(pictureFrom({-17.0, -36.0, 6.5}, {-14.0, 4.0, 6.5}, 0.0));
-        const auto listed = _forest->getStand()->trees()->listedTrees();
+        const auto listed = StandParts::trees(*_forest->getStand())->listedTrees();
         EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Sprays)], step < 2) << step;
         EXPECT_EQ(listed[static_cast<std::size_t>(Tier::Boughs)], step > 0) << step;
     }
@@ -259,7 +260,7 @@ TEST_F(TreeTiersGlTest, aTreeThatOthersHideIsNotDrawn) {
     EXPECT_EQ(count(behind + 1), drawn + 1) << "small, and before all others";
     _forest->getStand()->setLeafState(1, new osg::StateSet); // which may show more
     pictureFrom({0, 0, 1.7}, {0, 20, 3}, 0.0);
-    const auto ofHost = _forest->getStand()->trees()->listedTrees();
+    const auto ofHost = StandParts::trees(*_forest->getStand())->listedTrees();
     EXPECT_GE(std::accumulate(ofHost.begin(), ofHost.end(), std::size_t{0}), drawn + 51)
         << "a host draws them in its own way";
 }
@@ -280,13 +281,13 @@ TEST_F(TreeTiersGlTest, eachViewKeepsToTheBudget) {
         const unsigned frame = viewer().getFrameStamp()->getFrameNumber();
         ASSERT_TRUE(viewer().getCamera()->getStats()->getAttribute(frame, "Tree detail", detail));
         EXPECT_EQ(detail, each.detail) << each.budget << " ms";
-        const auto listed = _forest->getStand()->trees()->listedTrees();
+        const auto listed = StandParts::trees(*_forest->getStand())->listedTrees();
         (each.detail == 1.0 ? full : least).assign(listed.begin(), listed.end());
     }
     ForestDescription without = wood(12, true);
     show(without);
     pictureFrom({0, -20, 3}, {0, 140, 8}, 0.0);
-    const auto listed = _forest->getStand()->trees()->listedTrees();
+    const auto listed = StandParts::trees(*_forest->getStand())->listedTrees();
     EXPECT_EQ(full, std::vector<std::size_t>(listed.begin(), listed.end()));
     double detail = 0.0;
     EXPECT_FALSE(viewer().getCamera()->getStats()->getAttribute(1, "Tree detail", detail))

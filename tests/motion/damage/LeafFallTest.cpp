@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/species/Season.h>
@@ -39,7 +40,7 @@ ForestDescription wood(const char* species, float speed, float season = midautum
 float leavesAfter(ForestSimulation& forest, double from, double to) {
     for (double time = from; time <= to; time += 0.05)
         forest.advance(time);
-    return forest.trees()[0].leaves;
+    return SimulationParts::trees(forest)[0].leaves;
 }
 
 } // namespace
@@ -81,8 +82,8 @@ TEST(LeafFall, AGustThatIsOverHasTakenThem) {
     const float before = leavesAfter(forest, 0.0, 3.0);
     EXPECT_NEAR(before, leaves.share(midautumn, leaves.ahead(3.0f)), 1e-4f);
     EXPECT_NEAR(leavesAfter(forest, 3.05, 8.0), leaves.share(midautumn, leaves.ahead(15.0f)), 1e-4f);
-    EXPECT_LT(forest.trees()[0].leaves, before - 0.05f);
-    EXPECT_GT(forest.trees()[0].leaves, 0.1f);
+    EXPECT_LT(SimulationParts::trees(forest)[0].leaves, before - 0.05f);
+    EXPECT_GT(SimulationParts::trees(forest)[0].leaves, 0.1f);
 }
 
 TEST(LeafFall, WhatIsLeftSwaysAsATreeWithSoManyLeaves) {
@@ -94,7 +95,7 @@ TEST(LeafFall, WhatIsLeftSwaysAsATreeWithSoManyLeaves) {
         tree.leaves = left / leafShare(description.species[0].appearance, midautumn);
     ForestSimulation thinned(description);
     leavesAfter(thinned, 0.0, 10.0);
-    ASSERT_NEAR(thinned.trees()[0].leaves, left, 1e-5f);
+    ASSERT_NEAR(SimulationParts::trees(thinned)[0].leaves, left, 1e-5f);
     ForestDescription full = wood("silver birch", 28.0f);
     full.damage = false;
     ForestSimulation unshed(full);
@@ -103,9 +104,9 @@ TEST(LeafFall, WhatIsLeftSwaysAsATreeWithSoManyLeaves) {
         each->setWind(westerly(10.0f));
         leavesAfter(*each, 10.05, 60.0);
     }
-    const float lean = thinned.modal()->lean(0).x;
-    EXPECT_NEAR(shed.modal()->lean(0).x, lean, 0.01f * lean);
-    EXPECT_GT(unshed.modal()->lean(0).x, 1.05f * lean);
+    const float lean = SimulationParts::modal(thinned)->lean(0).x;
+    EXPECT_NEAR(SimulationParts::modal(shed)->lean(0).x, lean, 0.01f * lean);
+    EXPECT_GT(SimulationParts::modal(unshed)->lean(0).x, 1.05f * lean);
 }
 
 TEST(LeafFall, NoneWithoutDamageInSummerOrOfAnEvergreen) {
@@ -138,12 +139,12 @@ TEST(LeafFall, ResetCopiesAndTreesPutUpAnewBearThemAgain) {
     const float all = leafShare(description.species[0].appearance, midautumn);
     ForestSimulation forest(description);
     EXPECT_LT(leavesAfter(forest, 0.0, 3.0), all);
-    EXPECT_EQ(forest.restarted()->trees()[0].leaves, all);
+    EXPECT_EQ(SimulationParts::trees(*forest.restarted())[0].leaves, all);
     EXPECT_EQ(forest.describe().trees[0].leaves, 1.0f);
     const TreeId second = forest.idOf(1);
     EXPECT_TRUE(forest.changeTree(second, forest.placementOf(second)).empty());
-    EXPECT_EQ(forest.trees()[1].leaves, all);
+    EXPECT_EQ(SimulationParts::trees(forest)[1].leaves, all);
     forest.reset();
-    EXPECT_EQ(forest.trees()[0].leaves, all);
+    EXPECT_EQ(SimulationParts::trees(forest)[0].leaves, all);
     EXPECT_LT(leavesAfter(forest, 0.0, 3.0), all);
 }

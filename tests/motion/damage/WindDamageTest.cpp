@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
@@ -54,8 +55,8 @@ struct Top {
     glm::vec3 rest, now;
 };
 Top tipOf(const ForestSimulation& forest, std::size_t slot) {
-    const PlacedTree& tree = forest.trees()[slot];
-    const std::vector<BranchUnit>& units = forest.forest().modelOf(tree).skeleton.units;
+    const PlacedTree& tree = SimulationParts::trees(forest)[slot];
+    const std::vector<BranchUnit>& units = SimulationParts::forest(forest).modelOf(tree).skeleton.units;
     std::size_t top = 0;
     for (std::size_t i = 0; i < units.size(); ++i)
         if (units[i].level == 0)
@@ -101,7 +102,7 @@ TEST(WindDamage, BringsDownWhatAStormPullsAtTooHard) {
         EXPECT_LT(top.z, 6.0f) << slot;
         EXPECT_NEAR(glm::length(top), glm::length(tipOf(forest, slot).rest), 0.01f) << "straight again";
         EXPECT_GT(glm::dot(glm::normalize(glm::vec2(top)), glm::vec2(0.6f, 0.8f)), 0.98f) << "downwind";
-        EXPECT_EQ(forest.modal()->lean(slot), glm::vec2(0.0f));
+        EXPECT_EQ(SimulationParts::modal(forest)->lean(slot), glm::vec2(0.0f));
     }
     EXPECT_EQ(down.size(), 20u);
     EXPECT_TRUE(forest.damage().empty());
@@ -143,10 +144,10 @@ TEST(WindDamage, AWeakStemSnapsAboveItsStumpAndTheStumpStands) {
         EXPECT_EQ(damage.kind, DamageKind::Snapped);
         EXPECT_GT(damage.unit, 0u);
         const std::size_t slot = slotOfTree(damage.tree);
-        const PlacedTree& tree = forest.trees()[slot];
+        const PlacedTree& tree = SimulationParts::trees(forest)[slot];
         const TreeMotion motion = forest.motion(slot);
         const glm::vec3 stump =
-            tree.scale.axes * forest.forest().modelOf(tree).skeleton.units[damage.unit].base;
+            tree.scale.axes * SimulationParts::forest(forest).modelOf(tree).skeleton.units[damage.unit].base;
         EXPECT_GE(stump.z, 1.3f);
         EXPECT_LT(glm::distance(motion.poses[damage.unit].apply(stump), stump), 0.02f);
         EXPECT_LT(topOf(forest, slot).z, 4.0f);
@@ -173,8 +174,8 @@ TEST(WindDamage, BoughsAreTornOffAndHangThreeATree) {
         EXPECT_LE(++boughs[damage.tree], 3);
         EXPECT_GT(damage.moment, damage.limit);
         const std::size_t slot = slotOfTree(damage.tree);
-        const PlacedTree& tree = forest.trees()[slot];
-        const BranchUnit& bough = forest.forest().modelOf(tree).skeleton.units[damage.unit];
+        const PlacedTree& tree = SimulationParts::trees(forest)[slot];
+        const BranchUnit& bough = SimulationParts::forest(forest).modelOf(tree).skeleton.units[damage.unit];
         EXPECT_EQ(bough.level, 1);
         const TreeMotion motion = forest.motion(slot);
         const UnitPose& pose = motion.poses[damage.unit];
@@ -202,7 +203,7 @@ TEST(WindDamage, WhatIsPutUpAnewStands) {
     EXPECT_TRUE(blown(forest, 40.0, 41.0).empty());
     EXPECT_EQ(blown(forest, 41.0, 80.0).size(), 2u) << "and falls again";
     forest.reset();
-    for (std::size_t slot = 0; slot < forest.trees().size(); ++slot)
+    for (std::size_t slot = 0; slot < SimulationParts::trees(forest).size(); ++slot)
         EXPECT_TRUE(forest.stands(forest.idOf(slot)));
 }
 
@@ -246,7 +247,7 @@ TEST(WindDamage, AHurricaneLeavesThemStandingOrLyingAndTheLogAddsUp) {
     for (const TreeDamage& damage : blown(forest, 0.0, 60.0))
         ++told[damage.tree];
     std::size_t down = 0;
-    for (std::size_t slot = 0; slot < forest.trees().size(); ++slot) {
+    for (std::size_t slot = 0; slot < SimulationParts::trees(forest).size(); ++slot) {
         const TreeId tree = forest.idOf(slot);
         down += !forest.stands(tree);
         EXPECT_EQ(told.count(tree), forest.stands(tree) ? 0u : 1u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/model/TreeSize.h>
+#include <osgTreeWind/model/MeasureTree.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>

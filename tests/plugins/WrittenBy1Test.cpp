@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Scenes and a world that 1.0 wrote, which must load for ever (tests/data/written-by-1.0/README.md).
+#include <tests/Folders.h>
+#include <tests/MessageCollector.h>
+#include <tests/plugins/PluginPath.h>
+
+#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/nodes/Forest.h>
+
+#include <osgDB/ReadFile>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+/// Everything loads without a word from OSG.
+class WrittenBy1 : public ::testing::Test {
+protected:
+    WrittenBy1() : _former(osg::getNotifyHandler()) {
+        usePluginsOfThisBuild();
+        osg::setNotifyHandler(_messages);
+    }
+    ~WrittenBy1() override {
+        osg::setNotifyHandler(_former);
+        EXPECT_EQ(_messages->take(), "");
+    }
+
+    static osg::ref_ptr<Forest> forestOf(const std::string& name) {
+        const osg::ref_ptr<osg::Node> node =
+            osgDB::readRefNodeFile(OSGTREEWIND_TEST_DATA "/written-by-1.0/" + name);
+        return dynamic_cast<Forest*>(node.get());
+    }
+
+private:
+    osg::ref_ptr<MessageCollector> _messages = new MessageCollector;
+    osg::ref_ptr<osg::NotifyHandler> _former;
+};
+
+TEST_F(WrittenBy1, scenesOfAForest) {
+    for (const char* name : {"forest.osgt", "forest.osgb"}) {
+        const osg::ref_ptr<Forest> forest = forestOf(name);
+        ASSERT_TRUE(forest) << name;
+        EXPECT_EQ(forest->getName(), "forest.treewind");
+        EXPECT_EQ(forest->getNumTrees(), 40u);
+        EXPECT_EQ(forest->getDescription().species.size(), 3u);
+        EXPECT_EQ(forest->getWind()->velocity(WindPlace(0.0f, 0.0f, 10.0f), 15.0),
+                  glm::vec3(9.0f, 3.5f, 0.0f));
+    }
+}
+
+TEST_F(WrittenBy1, scenesOfTheThesis) {
+    for (const char* name : {"thesis.osgt", "thesis.osgb"}) {
+        const osg::ref_ptr<Forest> forest = forestOf(name);
+        ASSERT_TRUE(forest) << name;
+        EXPECT_EQ(forest->getNumTrees(), 1u);
+        EXPECT_EQ(forest->getDescription().law, MotionLaw::Thesis);
+        EXPECT_NE(forest->getBranchwise(), nullptr);
+        EXPECT_NE(forest->branch(TreeId(0), 121), nullptr);
+        EXPECT_EQ(forest->branch(TreeId(0), 122), nullptr);
+    }
+}
+
+TEST_F(WrittenBy1, tilesOfAWorldComeByTheIdsOfTheirTrees) {
+    const osg::ref_ptr<Forest> world = forestOf("world/world.treewind");
+    ASSERT_TRUE(world);
+    EXPECT_EQ(world->getNumTrees(), 0u);
+    EXPECT_NE(world->findTree("7"), noTree);
+    EXPECT_EQ(world->getNumTrees(), 5u) << "all of tile 1_0";
+    EXPECT_NE(world->findTree("1_1/3"), noTree);
+    EXPECT_EQ(world->getNumTrees(), 9u);
+}
