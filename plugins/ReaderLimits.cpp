@@ -10,10 +10,13 @@
 
 namespace osgTreeWind {
 
-void limitReader(const std::string& path, std::size_t memory, unsigned seconds) {
-    std::error_code unknown;
-    const auto found = std::filesystem::file_size(path, unknown);
-    const rlim_t bytes = unknown ? 0 : found;
+unsigned limitReader(const std::vector<std::string>& files, std::size_t memory, unsigned seconds) {
+    rlim_t bytes = 0;
+    for (const std::string& file : files) {
+        std::error_code unknown;
+        const auto found = std::filesystem::file_size(file, unknown);
+        bytes += unknown ? 0 : found;
+    }
     rlim_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages; // what this program itself takes
     const rlim_t most = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + memory + 256 * bytes;
@@ -24,7 +27,9 @@ void limitReader(const std::string& path, std::size_t memory, unsigned seconds) 
     sigfillset(&all);
     sigprocmask(SIG_UNBLOCK, &all, nullptr);
     signal(SIGALRM, SIG_DFL);
-    alarm(seconds + static_cast<unsigned>(bytes >> 20));
+    const unsigned allowed = seconds + static_cast<unsigned>(bytes >> 20);
+    alarm(allowed);
+    return allowed;
 }
 
 } // namespace osgTreeWind

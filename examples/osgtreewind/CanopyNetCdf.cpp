@@ -46,7 +46,7 @@ std::optional<Crs> mapOf(const CanopyHead& head) {
 glm::dvec2 degreesOf(glm::dvec2 place, const std::optional<Crs>& map) {
     if (!map)
         return glm::dvec2(0.0);
-    const Result<CrsWay> way = CrsWay::between(*map, Crs::degrees().value());
+    const Result<CrsWay> way = CrsWay::between(*map, Crs::degrees());
     return way && way.value().go(place) ? place : glm::dvec2(0.0);
 }
 
@@ -114,7 +114,8 @@ private:
 
     int sayMap(const Crs& map) {
         const int crs = _file.coordinates("crs", {});
-        const GridMapping mapping = gridMappingOf(map);
+        const Result<GridMapping> described = gridMappingOf(map);
+        const GridMapping mapping = described ? described.value() : GridMapping();
         _file.say(crs, "long_name", std::string("coordinate reference system"));
         if (!mapping.name.empty())
             _file.say(crs, "grid_mapping_name", mapping.name);

@@ -4,6 +4,7 @@
 #include "TreeList.h"
 
 #include <osgTreeWind/forest/ShapeFamilies.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/places/Crs.h>

@@ -4,6 +4,8 @@
 #include "Command.h"
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <iostream>

@@ -10,6 +10,7 @@
 #include <osgTreeWind/drawing/impostors/TreeLooks.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 #include <osgTreeWind/species/GrowthLaws.h>

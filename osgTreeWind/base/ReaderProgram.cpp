@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/ReaderProgram.h>
+#include <osgTreeWind/base/ReaderProcess.h>
 
 #include <osgTreeWind/base/Problem.h>
 
@@ -14,6 +14,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,31 +43,32 @@ std::string placeOf(const ReaderProgram& reader) {
     return program;
 }
 
-/// A program that runs, and the end of the pipe into which it writes.
-struct Running {
-    pid_t process = -1;
-    int output = -1;
-};
-
-/// Starts it without the descriptors and the screen of this process. @return errno.
-int start(std::vector<std::string> command, Running& running) {
+/// Starts a program whose standard input and output are one end of a socket, without the other descriptors
+/// and the screen of this process. @return errno.
+int start(const std::string& program, const std::vector<std::string>& command, pid_t& process,
+          int& descriptor) {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0)
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         return errno;
-    running.output = ends[0];
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+    std::vector<std::string> words = {program};
+    words.insert(words.end(), command.begin(), command.end());
     std::vector<char*> argv;
-    for (std::string& argument : command)
-        argv.push_back(argument.data());
+    for (std::string& word : words)
+        argv.push_back(word.data());
     argv.push_back(nullptr);
-    const int error = posix_spawn(&running.process, argv[0], &actions, nullptr, argv.data(), environ);
+    const int error = posix_spawn(&process, argv[0], &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
+    ::close(ends[1]);
+    if (error == 0)
+        descriptor = ends[0];
+    else
+        ::close(ends[0]);
     return error;
 }
 
@@ -88,25 +90,43 @@ std::string endOf(pid_t process) {
 
 } // namespace
 
+ReaderProcess::ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& command)
+    : _reader(reader) {
+    const std::string program = placeOf(reader);
+    if (const int error = start(program, command, _process, _descriptor); error != 0)
+        _startProblem = std::string(reader.format) + " needs " + reader.library + ", and the program " +
+                        program + ": " + std::generic_category().message(error);
+}
+
+ReaderProcess::~ReaderProcess() {
+    close();
+}
+
+void ReaderProcess::close() {
+    if (_descriptor < 0)
+        return;
+    ::close(_descriptor); // whoever still writes is ended by that, and whoever waits for a question
+    _descriptor = -1;
+    _end = endOf(_process);
+}
+
+std::string ReaderProcess::problem() {
+    close();
+    return _startProblem.empty() ? _end : _startProblem;
+}
+
 std::optional<Diagnostic> runReader(const ReaderProgram& reader, const std::string& path,
                                     const std::vector<std::string>& wanted,
                                     const std::function<bool(int)>& receive) {
-    const std::string program = placeOf(reader);
-    Running running;
-    std::vector<std::string> command = {program, path};
+    std::vector<std::string> command = {path};
     command.insert(command.end(), wanted.begin(), wanted.end());
-    const int error = start(std::move(command), running);
-    const bool received = error == 0 && receive(running.output);
-    if (running.output >= 0)
-        close(running.output); // whoever still writes is ended by that
-    if (error != 0)
-        return fileProblem(path, std::string(reader.format) + " needs " + reader.library +
-                                     ", and the program " + program + ": " +
-                                     std::generic_category().message(error));
-    const std::string end = endOf(running.process);
-    if (received)
+    ReaderProcess process(reader, command);
+    const bool started = process.descriptor() >= 0;
+    if (started && receive(process.descriptor()))
         return {};
-    return fileProblem(path, "the " + std::string(reader.format) + " file is damaged: " + end);
+    return fileProblem(path, started ? "the " + std::string(reader.format) +
+                                           " file is damaged: " + process.problem()
+                                     : process.problem());
 }
 
 } // namespace osgTreeWind

@@ -3,9 +3,20 @@
 
 #include <cerrno>
 
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace osgTreeWind {
+
+namespace {
+
+/// Without SIGPIPE, which would end a host whose reader has ended.
+ssize_t put(int descriptor, const void* bytes, std::size_t size) {
+    const ssize_t sent = ::send(descriptor, bytes, size, MSG_NOSIGNAL);
+    return sent < 0 && errno == ENOTSOCK ? ::write(descriptor, bytes, size) : sent;
+}
+
+} // namespace
 
 bool Wire::pass(std::string& text) {
     std::vector<char> letters(text.begin(), text.end());
@@ -21,7 +32,7 @@ bool Wire::pass(Diagnostic& problem) {
 bool Wire::passBytes(void* bytes, std::size_t size) {
     auto* at = static_cast<char*>(bytes);
     while (size > 0) {
-        const ssize_t passed = _sends ? ::write(_descriptor, at, size) : ::read(_descriptor, at, size);
+        const ssize_t passed = _sends ? put(_descriptor, at, size) : ::read(_descriptor, at, size);
         if (passed < 0 && errno == EINTR)
             continue;
         if (passed <= 0)

@@ -23,13 +23,34 @@ public:
     /// Reads what send() wrote: nothing where it ends too early or makes no sense.
     template <typename T>
     static std::optional<Result<T>> receive(int descriptor, bool (*pass)(Wire&, T&));
-
+    /// The same of a value that pass() takes.
     template <typename T>
-    bool pass(T& value); ///< A number, or a struct of numbers.
+    static bool send(int descriptor, Result<T>& result) {
+        return send<T>(descriptor, result, [](Wire& wire, T& value) { return wire.pass(value); });
+    }
+    template <typename T>
+    static std::optional<Result<T>> receive(int descriptor) {
+        return receive<T>(descriptor, [](Wire& wire, T& value) { return wire.pass(value); });
+    }
+
+    /// One that sends values, for those who send one after another.
+    static Wire sender(int descriptor) { return Wire(descriptor, true); }
+    static Wire receiver(int descriptor) { return Wire(descriptor, false); }
+
+    /// A number, a struct of numbers, or a struct for which there is a bool passMembers(Wire&, T&).
+    template <typename T>
+    bool pass(T& value);
     template <typename T>
     bool pass(std::vector<T>& values);
+    template <typename T>
+    bool pass(std::optional<T>& value);
     bool pass(std::string& text);
     bool pass(Diagnostic& problem);
+    /// Several, one after another.
+    template <typename First, typename Second, typename... More>
+    bool pass(First& first, Second& second, More&... more) {
+        return pass(first) && pass(second, more...);
+    }
 
 private:
     static constexpr std::size_t mostBytes = std::size_t(1) << 34;  // of one vector
@@ -67,8 +88,20 @@ std::optional<Result<T>> Wire::receive(int descriptor, bool (*pass)(Wire&, T&)) 
 
 template <typename T>
 bool Wire::pass(T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    return passBytes(&value, sizeof value);
+    if constexpr (std::is_trivially_copyable_v<T>)
+        return passBytes(&value, sizeof value);
+    else
+        return passMembers(*this, value);
+}
+
+template <typename T>
+bool Wire::pass(std::optional<T>& value) {
+    unsigned char is = value.has_value();
+    if (!pass(is) || is > 1)
+        return false;
+    if (is == 1 && !_sends)
+        value.emplace();
+    return is == 0 || pass(*value);
 }
 
 template <typename T>

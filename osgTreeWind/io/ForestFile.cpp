@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/places/MapProgram.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -34,6 +35,7 @@ void sortByPlace(Diagnostics& problems, const std::string& document) {
 } // namespace
 
 void readDocument(std::istream& input, const ForestFileOptions& options, ForestReading& reading) {
+    const auto maps = MapProgram::shared();
     reading.log.file = options.file;
     reading.log.settings = options.settings;
     reading.mostTrees = options.mostTrees;

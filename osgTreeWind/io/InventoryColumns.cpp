@@ -119,6 +119,15 @@ void InventoryColumns::readUnits(TableReader& units) {
         units.readChoice<double>(measure->key, measure->unit, lengthUnits());
 }
 
+std::vector<std::size_t> InventoryColumns::all() const {
+    std::vector<std::size_t> columns = species;
+    for (const auto& column : {x.column, y.column, z.column, height.column, trunkDiameter.column,
+                               circumference.column, crownWidth.column, id})
+        if (column)
+            columns.push_back(*column);
+    return columns;
+}
+
 bool InventoryColumns::areDegrees(const TreeRows& rows) const {
     const auto isCalled = [&](const Measure& measure, const std::vector<std::string>& names) {
         return measure.column &&

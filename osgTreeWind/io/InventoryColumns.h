@@ -30,6 +30,8 @@ public:
     bool complete() const { return _complete; }
     /// Whether places are those of `x` and `y`, not of the rows themselves.
     bool hasXY() const { return x.column.has_value(); }
+    /// All columns that are read.
+    std::vector<std::size_t> all() const;
     /// Whether `x` and `y` are called longitude and latitude.
     bool areDegrees(const TreeRows& rows) const;
 

@@ -4,7 +4,7 @@
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
-#include <osgTreeWind/io/InventoryCrs.h>
+#include <osgTreeWind/io/InventoryPlaces.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
@@ -69,10 +69,10 @@ public:
             _table.problem("columns", "expected a species column, or default_species beside columns");
             _complete = false;
         }
-        const auto way = wayOfInventory(_table, _rows.get(), _columns, _reading);
-        if (!way || !_complete || !_columns.complete())
+        auto places = InventoryPlaces::find(_table, _rows.get(), _columns, _reading);
+        if (!places || !_complete || !_columns.complete())
             return;
-        _way = *way;
+        _places = std::move(*places);
         readRows(seed);
         noteSkipped();
         noteUnmatched();
@@ -94,7 +94,7 @@ private:
 
     void readRows(std::uint32_t seed) {
         Random random(seed);
-        _rows->rewind();
+        _places.rewind(*_rows, _columns);
         Result<bool> found = _rows->next();
         for (; found && found.value(); found = _rows->next()) {
             if (!_reading.roomFor(1, _table, "file"))
@@ -119,7 +119,7 @@ private:
     void readRow(Random& random) {
         ++_row;
         TreePlacement tree;
-        const VectorPlace place = taken(placeOfRow(*_rows, _columns, _way));
+        const VectorPlace place = taken(_places.of(*_rows, _columns, _row - 1));
         tree.position = place.position;
         tree.size.height = size(_columns.height);
         tree.size.trunkDiameter = size(_columns.trunkDiameter);
@@ -268,7 +268,7 @@ private:
     ForestReading& _reading;
     std::unique_ptr<TreeRows> _rows;
     InventoryColumns _columns;
-    CrsWay _way;
+    InventoryPlaces _places;
     bool _complete = true;
     bool _openGrown = false, _skip = false;
     float _leaves = 1.0f;

@@ -26,7 +26,7 @@ public:
     /// @param text as readText() gives it, in which readCsvRows() found nothing wrong and that head.
     CsvRows(CsvTable head, std::string text, char delimiter)
         : _head(std::move(head)), _text(std::move(text)), _delimiter(delimiter) {
-        rewind();
+        rewind({}, {});
     }
 
     const std::string& file() const override { return _head.file; }
@@ -34,7 +34,7 @@ public:
     const std::vector<std::string>& columns() const override { return _head.columns; }
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
-    void rewind() override {
+    void rewind(const CrsWay&, const std::vector<std::size_t>&) override {
         _reader.emplace(_text, _head.file, _delimiter);
         static_cast<void>(_reader->next()); // the header, which was read before
     }
@@ -42,7 +42,7 @@ public:
     bool has(std::size_t column) const override { return !text(column).empty(); }
     std::string text(std::size_t column) const override { return _reader->row().cells[column]; }
     Result<double> number(std::size_t column) const override { return _head.number(_reader->row(), column); }
-    Result<VectorPlace> place(const CrsWay&) const override { return VectorPlace(); }
+    Result<VectorPlace> place() const override { return VectorPlace(); }
     Diagnostic problem(const std::string& column, const std::string& message) const override {
         return {_head.file, _reader->row().line, 0, column, message};
     }
@@ -70,7 +70,12 @@ public:
     const std::vector<std::string>& columns() const override { return _file.columns(); }
     const std::optional<Crs>& crs() const override { return _file.crs(); }
     bool hasPlaces() const override { return _file.hasGeometry(); }
-    void rewind() override { _file.rewind(); }
+    void rewind(const CrsWay& way, const std::vector<std::size_t>& columns) override {
+        std::vector<std::size_t> all = columns;
+        if (_natural && !all.empty())
+            all.push_back(*_natural);
+        _file.rewind(way, all);
+    }
     Result<bool> next() override {
         for (;;) {
             Result<bool> found = _file.next();
@@ -89,8 +94,8 @@ public:
             return *number;
         return problem(columns()[column], expectedFound("a number", text(column)));
     }
-    Result<VectorPlace> place(const CrsWay& way) const override {
-        auto place = _file.place(way);
+    Result<VectorPlace> place() const override {
+        auto place = _file.place();
         return place ? place : problem("", place.problems().front().message);
     }
     Diagnostic problem(const std::string& column, const std::string& message) const override {

@@ -26,8 +26,10 @@ public:
     /// Whether rows have a place without any column.
     virtual bool hasPlaces() const = 0;
 
-    /// Makes the first row the next one.
-    virtual void rewind() = 0;
+    /// Makes the first row the next one. @param way that places of rows go which have them without any
+    /// column.
+    /// @param columns that are read; the others are empty. Empty: all.
+    virtual void rewind(const CrsWay& way, const std::vector<std::size_t>& columns) = 0;
     /// Goes on to the next row; false: there is none.
     virtual Result<bool> next() = 0;
 
@@ -35,7 +37,8 @@ public:
     virtual bool has(std::size_t column) const = 0;
     virtual std::string text(std::size_t column) const = 0;
     virtual Result<double> number(std::size_t column) const = 0;
-    virtual Result<VectorPlace> place(const CrsWay& way) const = 0;
+    /// Where the way brings it, of one that has a place without any column.
+    virtual Result<VectorPlace> place() const = 0;
     /// What is wrong with it. @param column its name; may be empty.
     virtual Diagnostic problem(const std::string& column, const std::string& message) const = 0;
 };

@@ -26,6 +26,6 @@ struct PointTable {
 };
 
 /// Writes it as a GeoPackage, where nothing is yet. @return what is wrong; empty: nothing.
-Diagnostics writeGeoPackage(const PointTable& table, const std::string& path);
+Diagnostics writeGeoPackage(PointTable table, const std::string& path);
 
 } // namespace osgTreeWind

@@ -10,11 +10,15 @@
 
 namespace osgTreeWind {
 
+class MapProgram;
+
 /// Heights in cells of a raster, through GDAL: whatever it reads, a VRT of tiles, turned or on degrees. In
 /// metres, whatever unit, scale and offset the file has. Read at once; a value.
 class Raster {
 public:
     static Result<Raster> open(const std::string& path);
+    /// The same by a program that reads several.
+    static Result<Raster> open(const std::string& path, MapProgram& program);
 
     const std::string& path() const { return _path; }
     /// What its places are in, where it says so.
@@ -29,8 +33,6 @@ public:
     std::optional<double> height(const glm::dvec2& place) const;
 
 private:
-    struct Reading;
-
     std::string _path;
     std::optional<Crs> _crs;
     int _columns = 0, _rows = 0;

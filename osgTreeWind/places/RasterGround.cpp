@@ -2,6 +2,7 @@
 #include <osgTreeWind/places/RasterGround.h>
 
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/places/MapProgram.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,37 +23,30 @@ Result<std::shared_ptr<const RasterGround>> RasterGround::open(const Source& sou
             return given.problems();
         ground->_given = given.value();
     }
+    const auto systems = MapProgram::shared();
+    MapProgram program(source.files);
     for (const std::string& file : source.files)
-        if (Diagnostics problems = ground->add(file); !problems.empty())
+        if (Diagnostics problems = ground->add(file, program); !problems.empty())
             return problems;
     return std::shared_ptr<const RasterGround>(ground);
 }
 
-Diagnostics RasterGround::add(const std::string& file) {
-    auto raster = Raster::open(file);
+Diagnostics RasterGround::add(const std::string& file, MapProgram& program) {
+    auto raster = Raster::open(file, program);
     if (!raster)
         return raster.problems();
-    const std::optional<Crs>& crs = _given ? _given : raster.value().crs();
+    const std::optional<Crs> crs = _given ? _given : raster.value().crs();
     const auto problem = [&](const std::string& message) { return Diagnostics{fileProblem(file, message)}; };
     if (!crs && _map)
         return problem("it has no coordinate reference system; expected ground.crs to say of what it is");
-    Tile tile;
-    if (crs) {
-        if (!_map && !_tiles.empty())
+    if (crs && !_map) {
+        if (!_tiles.empty())
             return problem("expected no coordinate reference system, as the file before it has none");
-        if (!_map)
-            if (Diagnostics problems = chooseMap(raster.value(), *crs); !problems.empty())
-                return problems;
-        const auto fromMap = CrsWay::between(*_map, *crs), toMap = CrsWay::between(*crs, *_map);
-        if (!fromMap || !toMap)
-            return problem((fromMap ? toMap : fromMap).problems().front().message);
-        tile.fromMap = fromMap.value();
-        tile.toMap = toMap.value();
-        tile.isDegrees = crs->isDegrees();
+        if (Diagnostics problems = chooseMap(raster.value(), *crs); !problems.empty())
+            return problems;
     }
-    tile.raster = std::move(raster.value());
-    _tiles.push_back(std::move(tile));
-    return cover(_tiles.back());
+    _tiles.push_back({std::move(raster.value()), crs && crs->isDegrees()});
+    return lay(_tiles.back(), crs);
 }
 
 Diagnostics RasterGround::chooseMap(const Raster& raster, const Crs& crs) {
@@ -68,43 +62,57 @@ Diagnostics RasterGround::chooseMap(const Raster& raster, const Crs& crs) {
     return {};
 }
 
-/// Grows the area over a tile: over points along its outline, as a map bends them.
-Diagnostics RasterGround::cover(const Tile& tile) {
+/// Finds where a tile lies on the map, and grows the area over it: over points along its outline, as a map
+/// bends them.
+Diagnostics RasterGround::lay(Tile& tile, const std::optional<Crs>& crs) {
+    const auto problem = [&](const std::string& message) {
+        return Diagnostics{fileProblem(tile.raster.path(), message)};
+    };
+    const auto toMap = crs ? CrsWay::between(*crs, *_map) : CrsWay();
+    if (!toMap)
+        return problem(toMap.problems().front().message);
     constexpr int steps = 32;
-    const glm::dvec2 size(tile.raster.columns(), tile.raster.rows());
-    bool isSomewhere = false;
+    const glm::dvec2 size(tile.raster.columns(), tile.raster.rows()), middle = 0.5 * size;
+    std::vector<glm::dvec2> places = {tile.raster.placeOf(middle),
+                                      tile.raster.placeOf(middle + glm::dvec2(1, 0)),
+                                      tile.raster.placeOf(middle + glm::dvec2(0, 1))};
+    const std::size_t outline = places.size();
     for (int i = 0; i <= steps; ++i)
         for (int side = 0; side < 4; ++side) {
             const double along = static_cast<double>(i) / steps, across = side & 1;
-            glm::dvec2 place = tile.raster.placeOf(
-                size * (side & 2 ? glm::dvec2(along, across) : glm::dvec2(across, along)));
-            if (!tile.toMap.go(place))
-                continue;
-            isSomewhere = true;
-            _area.low = glm::min(_area.low, place);
-            _area.high = glm::max(_area.high, place);
+            places.push_back(tile.raster.placeOf(
+                size * (side & 2 ? glm::dvec2(along, across) : glm::dvec2(across, along))));
         }
-    const auto placeOnMap = [&](const glm::dvec2& cell) {
-        glm::dvec2 place = tile.raster.placeOf(cell);
-        return tile.toMap.go(place) ? place : glm::dvec2(1e300);
-    };
-    const glm::dvec2 middle = 0.5 * size, here = placeOnMap(middle);
-    for (const glm::dvec2& step : {glm::dvec2(1, 0), glm::dvec2(0, 1)})
-        _area.cell = std::min(_area.cell, glm::distance(here, placeOnMap(middle + step)));
-    if (isSomewhere && _area.cell > 0.0)
+    toMap.value().go(places);
+    GroundArea area{glm::dvec2(1e300), glm::dvec2(-1e300), 1e300};
+    for (std::size_t i = outline; i < places.size(); ++i)
+        if (!std::isnan(places[i].x)) {
+            area.low = glm::min(area.low, places[i]);
+            area.high = glm::max(area.high, places[i]);
+        }
+    for (const int side : {1, 2})
+        if (const double cell = glm::distance(places[0], places[side]); cell < area.cell)
+            area.cell = cell;
+    if (!(area.low.x <= area.high.x) || !(area.cell > 0.0))
+        return problem("its places are not on the map of the forest, " +
+                       (_map ? _map->name() : "which is in metres"));
+    _area.low = glm::min(_area.low, area.low);
+    _area.high = glm::max(_area.high, area.high);
+    _area.cell = std::min(_area.cell, area.cell);
+    if (toMap.value().staysHere())
         return {};
-    return {fileProblem(tile.raster.path(), "its places are not on the map of the forest, " +
-                                                (_map ? _map->name() : "which is in metres"))};
+    auto way = CrsMesh::smooth(*_map, *crs, area.low, area.high);
+    if (!way)
+        return problem(way.problems().front().message);
+    tile.way = std::move(way.value());
+    return {};
 }
 
 std::optional<double> RasterGround::height(const glm::dvec2& place) const {
     for (const Tile& tile : _tiles) {
-        glm::dvec2 there = place;
-        if (tile.fromMap.transformation()) {
-            const std::lock_guard lock(_mutex);
-            if (!tile.fromMap.go(there))
-                continue;
-        }
+        if (tile.way && !tile.way->covers(place))
+            continue;
+        const glm::dvec2 there = tile.way ? tile.way->there(place) : place;
         for (const double turn : {0.0, 360.0, -360.0}) { // longitudes from -180 or from 0
             if (const auto height = tile.raster.height(there + glm::dvec2(turn, 0.0)))
                 return height;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/places/CrsWay.h>
+#include <osgTreeWind/places/CrsMesh.h>
 #include <osgTreeWind/places/Ground.h>
 #include <osgTreeWind/places/Raster.h>
-
-#include <mutex>
 
 namespace osgTreeWind {
 
@@ -33,17 +31,16 @@ private:
     struct Tile {
         Raster raster;
         bool isDegrees = false;
-        CrsWay fromMap, toMap;
+        std::optional<CrsMesh> way{}; ///< From the map; nothing: it lies on the map.
     };
-    Diagnostics add(const std::string& file);
+    Diagnostics add(const std::string& file, MapProgram& program);
     Diagnostics chooseMap(const Raster& raster, const Crs& crs);
-    Diagnostics cover(const Tile& tile);
+    Diagnostics lay(Tile& tile, const std::optional<Crs>& crs);
 
     Source _source;
     std::optional<Crs> _map, _given;
     std::vector<Tile> _tiles;
     GroundArea _area;
-    mutable std::mutex _mutex; ///< Of the ways.
 };
 
 } // namespace osgTreeWind

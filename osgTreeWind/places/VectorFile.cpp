@@ -1,127 +1,89 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/places/VectorFile.h>
 
-#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/places/CityJson.h>
-#include <osgTreeWind/places/FeatureShape.h>
-#include <osgTreeWind/places/GdalErrors.h>
-#include <osgTreeWind/places/OpenOptions.h>
-
-#include <gdal.h>
-#include <ogr_api.h>
-#include <ogr_srs_api.h>
+#include <osgTreeWind/places/MapProgram.h>
 
 #include <algorithm>
 #include <filesystem>
 
 namespace osgTreeWind {
 
-namespace {
-
-/// Formats of files that stand on a disk by themselves. CSV has a reader of its own.
-const char* const formats[] = {"GeoJSON",        "GeoJSONSeq", "TopoJSON", "ESRIJSON", "GPKG", "SQLite",
-                               "FlatGeobuf",     "GML",        "LIBKML",   "KML",      "GPX",  "MapInfo File",
-                               "ESRI Shapefile", "OSM",        "XLSX",     "ODS",      nullptr};
-
-/// Whether files of a format are called so (".shp"). Tables parted by tabs are called ".tab", too.
-bool isOfFormat(const std::string& extension) {
-    if (extension.size() < 2 || extension == ".tab")
-        return false;
-    for (const char* const* format = formats; *format; ++format) {
-        const GDALDriverH driver = GDALGetDriverByName(*format);
-        const char* known = driver ? GDALGetMetadataItem(driver, GDAL_DMD_EXTENSIONS, nullptr) : nullptr;
-        if (known &&
-            (' ' + std::string(known) + ' ').find(' ' + extension.substr(1) + ' ') != std::string::npos)
-            return true;
-    }
-    return false;
-}
-
-/// The layer of an OpenStreetMap file in which trees are.
-const std::string nodes = "points";
-
-std::string nameOf(OGRLayerH layer) {
-    return OGR_L_GetName(layer);
-}
-
-} // namespace
+using Task = MapQuestion::Task;
 
 struct VectorFile::Reading {
     std::string path;
-    std::string format;         ///< GDAL's name of it.
-    std::shared_ptr<void> data; ///< GDALDatasetH.
-    OGRLayerH layer = nullptr;  ///< Of `data`.
-    std::unique_ptr<void, decltype(&OGR_F_Destroy)> feature{nullptr, &OGR_F_Destroy};
-    std::vector<std::string> columns, warnings;
-    std::optional<Crs> crs;
+    MapProgram program;
+    FeatureFileHead head{};
+    FeatureLayer layer{};
+    std::optional<Crs> crs{};
+    CrsWay way{};
+    std::vector<std::size_t> columns{}; ///< That are asked for,
+    std::vector<std::size_t> slots{};   ///< and where each column of the layer is among them.
+    FeatureBatch batch{};
+    std::size_t index = 0;  ///< One past the feature, in the batch.
+    bool isAsked = false;   ///< Whether the next batch is on its way.
+    Diagnostics problems{}; ///< Of the program: none can be read any more.
 
-    int count() const { return GDALDatasetGetLayerCount(data.get()); }
-    OGRLayerH at(int index) const { return GDALDatasetGetLayer(data.get(), index); }
-    /// "layer "trees"", where there is something to tell apart.
-    std::string where() const { return count() > 1 ? "layer " + inQuotes(nameOf(layer)) : std::string(); }
-    Diagnostic problem(const std::string& message) const {
-        const std::string place = layer ? where() : std::string();
-        return fileProblem(path, place.empty() ? message : place + ": " + message);
-    }
+    explicit Reading(const std::string& file) : path(file), program({file}) {}
 
-    void choose(OGRLayerH chosen);
+    void ask();
+    bool take();
+    void stop();
+    const FeatureBatch::Column* column(std::size_t column) const;
 };
 
-void VectorFile::Reading::choose(OGRLayerH chosen) {
-    layer = chosen;
-    columns.clear();
-    crs.reset();
-    const OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer);
-    for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i)
-        columns.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i)));
-    if (const OGRSpatialReferenceH reference = OGR_L_GetSpatialRef(layer);
-        reference && !OSRIsLocal(reference))
-        crs = Crs(OSRClone(reference));
+/// The program reads on while the features before are used.
+void VectorFile::Reading::ask() {
+    program.send({Task::NextFeatures});
+    isAsked = true;
+}
+
+/// Takes the batch that was asked for. False where it does not come.
+bool VectorFile::Reading::take() {
+    auto received = program.get<FeatureBatch>();
+    isAsked = false;
+    index = 0;
+    if (!received) {
+        problems = received.problems();
+        batch = {};
+        return false;
+    }
+    batch = std::move(received.value());
+    return true;
+}
+
+/// Null for one that was not asked for.
+const FeatureBatch::Column* VectorFile::Reading::column(std::size_t column) const {
+    return slots[column] < batch.columns.size() ? &batch.columns[slots[column]] : nullptr;
+}
+
+/// Takes what is on its way, so that the program hears the next question.
+void VectorFile::Reading::stop() {
+    if (isAsked)
+        take();
 }
 
 VectorFile::VectorFile() = default;
 VectorFile::VectorFile(std::unique_ptr<Reading> reading) : _reading(std::move(reading)) {}
 VectorFile::VectorFile(VectorFile&&) noexcept = default;
 VectorFile& VectorFile::operator=(VectorFile&&) noexcept = default;
-VectorFile::~VectorFile() {
-    const GdalErrors unheard;
-    _reading.reset();
-}
+VectorFile::~VectorFile() = default;
 
 bool VectorFile::knows(const std::string& path) {
-    const std::string extension = lower(std::filesystem::path(path).extension().string());
-    if (extension == ".csv")
+    if (lower(std::filesystem::path(path).extension().string()) == ".csv")
         return false;
-    registerGdal();
-    const GdalErrors unheard;
-    return isOfFormat(extension) || GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr) ||
-           isCityJson(path);
+    const auto known = MapProgram({path}).ask<bool>({Task::KnowFeatures, {path}});
+    return known && known.value();
 }
 
 Result<VectorFile> VectorFile::open(const std::string& path) {
-    registerGdal();
-    const GdalErrors errors;
-    auto reading = std::make_unique<Reading>();
-    reading->path = path;
-    if (isCityJson(path)) {
-        auto city = readCityJson(path);
-        if (!city)
-            return city.problems();
-        reading->data = city.value();
-        reading->format = "CityJSON";
-    } else {
-        const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr);
-        reading->format = driver ? GDALGetDriverShortName(driver) : "";
-        const OpenOptions options(reading->format);
-        if (void* data = GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                    formats, options.list(), nullptr))
-            reading->data.reset(data, [](void* opened) { GDALClose(opened); });
-    }
-    if (!reading->data || !errors.text().empty())
-        return fileProblem(path, "cannot be read: " + errors.textOr("GDAL knows no such format"));
-    reading->warnings = errors.warnings();
+    auto reading = std::make_unique<Reading>(path);
+    auto head = reading->program.ask<FeatureFileHead>({Task::OpenFeatures, {path}});
+    if (!head)
+        return head.problems();
+    reading->head = std::move(head.value());
     return VectorFile(std::move(reading));
 }
 
@@ -130,47 +92,36 @@ const std::string& VectorFile::path() const {
 }
 
 const std::string& VectorFile::format() const {
-    return _reading->format;
+    return _reading->head.format;
 }
 
 std::vector<std::string> VectorFile::layers() const {
-    std::vector<std::string> names;
-    for (int i = 0; i < _reading->count(); ++i)
-        names.push_back(nameOf(_reading->at(i)));
-    return names;
+    return _reading->head.layers;
 }
 
 Diagnostics VectorFile::chooseLayer(const std::string& layer) {
-    const GdalErrors errors;
-    const std::vector<std::string> names = layers();
-    const bool isOsm = _reading->format == "OSM";
-    const std::string& wanted = layer.empty() && isOsm ? nodes : layer;
-    const auto found = std::find(names.begin(), names.end(), wanted);
-    const auto problem = [&](const std::string& message) {
-        return Diagnostics{fileProblem(_reading->path, message + joined(names))};
-    };
-    if (names.empty())
-        return problem("no layers in it");
-    if (wanted.empty() && names.size() > 1)
-        return problem("expected layer to name one of its layers: ");
-    if (!wanted.empty() && found == names.end())
-        return problem("no layer " + inQuotes(wanted) + "; it has: ");
-    _reading->choose(_reading->at(wanted.empty() ? 0 : static_cast<int>(found - names.begin())));
-    if (isOsm) // the others need not be put together
-        GDALDatasetExecuteSQL(_reading->data.get(), ("SET interest_layers = " + wanted).c_str(), nullptr,
-                              nullptr);
+    _reading->stop();
+    auto chosen = _reading->program.ask<FeatureLayer>({Task::ChooseLayer, {layer}});
+    if (!chosen)
+        return chosen.problems();
+    _reading->layer = std::move(chosen.value());
+    _reading->crs.reset();
+    if (const auto& facts = _reading->layer.crs)
+        _reading->crs = Crs(*facts);
+    rewind();
     return {};
 }
 
 Diagnostics VectorFile::filter(const std::string& condition) {
-    const GdalErrors errors;
-    if (OGR_L_SetAttributeFilter(_reading->layer, condition.c_str()) != OGRERR_NONE || !errors.text().empty())
-        return {_reading->problem("the filter cannot be used: " + errors.textOr("not SQL"))};
-    return {};
+    _reading->stop();
+    const auto filtered = _reading->program.ask<MapDone>({Task::FilterFeatures, {condition}});
+    if (filtered)
+        rewind(_reading->way, _reading->columns);
+    return filtered.problems();
 }
 
 const std::vector<std::string>& VectorFile::columns() const {
-    return _reading->columns;
+    return _reading->layer.columns;
 }
 
 const std::optional<Crs>& VectorFile::crs() const {
@@ -178,52 +129,85 @@ const std::optional<Crs>& VectorFile::crs() const {
 }
 
 bool VectorFile::hasGeometry() const {
-    return OGR_L_GetGeomType(_reading->layer) != wkbNone;
+    return _reading->layer.hasGeometry;
 }
 
 const std::vector<std::string>& VectorFile::warnings() const {
-    return _reading->warnings;
+    return _reading->head.warnings;
 }
 
-void VectorFile::rewind() {
-    const GdalErrors unheard;
-    OGR_L_ResetReading(_reading->layer);
+void VectorFile::rewind(const CrsWay& way, std::vector<std::size_t> columns) {
+    Reading& reading = *_reading;
+    reading.stop();
+    reading.way = way;
+    reading.columns = std::move(columns);
+    reading.slots.resize(reading.layer.columns.size());
+    for (std::size_t i = 0; i < reading.slots.size(); ++i) {
+        const auto found = std::find(reading.columns.begin(), reading.columns.end(), i);
+        reading.slots[i] =
+            reading.columns.empty() ? i : static_cast<std::size_t>(found - reading.columns.begin());
+    }
+    reading.batch = {};
+    reading.index = 0;
+    const auto done = reading.program.ask<MapDone>(
+        {Task::RewindFeatures, {way.from().text(), way.to().text()}, {}, reading.columns});
+    if (done)
+        reading.ask();
+    else
+        reading.problems = done.problems();
 }
 
 Result<bool> VectorFile::next() {
-    const GdalErrors errors;
-    _reading->feature.reset(); // first: a layer may lend the same memory again
-    _reading->feature.reset(OGR_L_GetNextFeature(_reading->layer));
-    if (!errors.text().empty())
-        return _reading->problem("cannot be read on: " + errors.text());
-    return static_cast<bool>(_reading->feature);
+    Reading& reading = *_reading;
+    while (reading.index >= reading.batch.ids.size()) {
+        if (!reading.problems.empty())
+            return reading.problems;
+        if (!reading.batch.problem.empty())
+            return fileProblem(reading.path, reading.batch.problem);
+        if (!reading.isAsked)
+            return false;
+        if (reading.take() && !reading.batch.isLast)
+            reading.ask();
+    }
+    ++reading.index;
+    return true;
 }
 
 std::string VectorFile::feature() const {
-    const std::string layer = _reading->where();
+    const std::string& layer = _reading->layer.where;
     return layer + (layer.empty() ? "" : ", ") + "feature " +
-           std::to_string(OGR_F_GetFID(_reading->feature.get()));
+           std::to_string(_reading->batch.ids[_reading->index - 1]);
 }
 
 bool VectorFile::has(std::size_t column) const {
-    return OGR_F_IsFieldSetAndNotNull(_reading->feature.get(), static_cast<int>(column));
+    const FeatureBatch::Column* all = _reading->column(column);
+    return all && all->kinds[_reading->index - 1] != FeatureBatch::Missing;
 }
 
 std::string VectorFile::text(std::size_t column) const {
-    return has(column) ? OGR_F_GetFieldAsString(_reading->feature.get(), static_cast<int>(column)) : "";
+    const FeatureBatch::Column* all = _reading->column(column);
+    if (!all)
+        return {};
+    const std::size_t i = _reading->index - 1, begin = i == 0 ? 0 : all->ends[i - 1];
+    return all->texts.substr(begin, all->ends[i] - begin);
 }
 
 std::optional<double> VectorFile::number(std::size_t column) const {
-    const OGRFeatureH feature = _reading->feature.get();
-    const int index = static_cast<int>(column);
-    const OGRFieldType type = OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, index));
-    if (!has(column) || (type != OFTReal && type != OFTInteger && type != OFTInteger64))
+    const FeatureBatch::Column* all = _reading->column(column);
+    if (!all || all->kinds[_reading->index - 1] != FeatureBatch::Number)
         return std::nullopt;
-    return OGR_F_GetFieldAsDouble(feature, index);
+    return all->numbers[_reading->index - 1];
 }
 
-Result<VectorPlace> VectorFile::place(const CrsWay& way) const {
-    return placeOf(OGR_F_GetGeometryRef(_reading->feature.get()), way);
+Result<VectorPlace> VectorFile::place() const {
+    const std::size_t index = _reading->index - 1;
+    const auto& placeless = _reading->batch.placeless;
+    const auto found = std::lower_bound(
+        placeless.begin(), placeless.end(), index,
+        [](const FeatureBatch::Placeless& one, std::size_t other) { return one.index < other; });
+    if (found != placeless.end() && found->index == index)
+        return keyProblem("", found->message);
+    return _reading->batch.places[index];
 }
 
 } // namespace osgTreeWind

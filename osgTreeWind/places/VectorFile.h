@@ -21,8 +21,8 @@ struct VectorPlace {
 };
 
 /// The features of one layer of a file, one after the other, through GDAL: GeoJSON, GeoPackage, FlatGeobuf,
-/// shapefiles, GML, KML, MapInfo, OpenStreetMap, spreadsheets, and CityJSON. Nothing is ever printed. Used by
-/// one thread at a time; files are read at once.
+/// shapefiles, GML, KML, MapInfo, OpenStreetMap, spreadsheets, and CityJSON. Used by one thread at a time. A
+/// program of its own reads the file while this lives.
 class VectorFile {
 public:
     /// Whether a file is one of these, by its content or extension.
@@ -51,7 +51,8 @@ public:
     const std::vector<std::string>& warnings() const;
 
     /// Makes the first feature the next one.
-    void rewind();
+    /// @param way that its places go. @param columns that are read; the others are empty. Empty: all.
+    void rewind(const CrsWay& way = {}, std::vector<std::size_t> columns = {});
     /// Goes on to the next feature; false: there is none.
     Result<bool> next();
 
@@ -63,7 +64,8 @@ public:
     std::string text(std::size_t column) const;
     /// A number that is one in the file, too.
     std::optional<double> number(std::size_t column) const;
-    Result<VectorPlace> place(const CrsWay& way) const;
+    /// Where the way brings it.
+    Result<VectorPlace> place() const;
 
 private:
     struct Reading;

@@ -64,12 +64,12 @@ double firstCentre(const EsriHeader& header, const std::string& axis) {
 
 } // namespace
 
-Result<WindCells> readEsriGrid(std::string_view text, const std::string& file) {
+Result<MapCells> readEsriGrid(std::string_view text, const std::string& file) {
     TextTokens tokens(text, file);
     const EsriHeader header = readHeader(tokens, text);
     if (!tokens.good())
         return tokens.problem();
-    WindCells grid;
+    MapCells grid;
     grid.cells = {header.of("ncols"), header.of("nrows")};
     grid.cellSize = header.of("cellsize");
     grid.south = {firstCentre(header, "x"), firstCentre(header, "y")};

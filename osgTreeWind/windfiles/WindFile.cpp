@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Problem.h>
 
 #include <osgTreeWind/places/CrsMesh.h>
+#include <osgTreeWind/places/MapProgram.h>
 #include <osgTreeWind/places/WholeTurns.h>
 #include <osgTreeWind/wind/MappedWind.h>
 #include <osgTreeWind/wind/RetimedWind.h>
@@ -252,6 +253,7 @@ Diagnostics check(const WindFileOptions& options) {
 } // namespace
 
 Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& options) {
+    const auto maps = MapProgram::shared();
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
     return fileOf(readSettled(path, options), path, options);
@@ -259,6 +261,7 @@ Result<WindFile> readWindFile(const std::string& path, const WindFileOptions& op
 
 Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std::vector<double>& times,
                                const WindFileOptions& options) {
+    const auto maps = MapProgram::shared();
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
     const auto read = [&](const std::string& file) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/places/MapCells.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindRequest.h>
 
@@ -21,24 +22,13 @@ Result<WindContent> readWindContent(const std::string& path, const WindRequest& 
 /// The value of a cell without data.
 constexpr float noData = std::numeric_limits<float>::quiet_NaN();
 
-/// Speeds, or directions, in square cells of a map.
-struct WindCells {
-    glm::ivec2 cells{0};
-    glm::dvec2 south{0.0}; ///< Centre of the south-western cell.
-    double cellSize = 1.0;
-    std::vector<float> values; ///< South row first; `noData` where there are none.
-    std::string crs;           ///< As WindSummary::crs.
-    std::string unit;          ///< As the file says it; empty: it does not.
-};
 /// An ESRI ASCII grid: numbers from the north-western cell on, east fastest.
-Result<WindCells> readEsriGrid(std::string_view text, const std::string& file);
+Result<MapCells> readEsriGrid(std::string_view text, const std::string& file);
 /// Speed and direction-from on the same cells as one wind.
-Result<WindContent> windOfCells(const WindCells& speed, const WindCells& direction, const std::string& file);
+Result<WindContent> windOfCells(const MapCells& speed, const MapCells& direction, const std::string& file);
 /// Both files of a pair NAME_vel and NAME_ang, either given; the map is that of a .prj beside each.
 Result<WindContent> readEsriPair(const std::string& path);
-/// A GeoTIFF of one band, north up.
-Result<WindCells> readTiff(const std::string& path);
-/// The same pair as GeoTIFF.
+/// The same pair as GeoTIFF, read by the program osgtreewind-map.
 Result<WindContent> readTiffPair(const std::string& path);
 
 /// Legacy VTK, ASCII or BINARY, versions 2 to 5.1: STRUCTURED_POINTS, or RECTILINEAR_GRID or STRUCTURED_GRID

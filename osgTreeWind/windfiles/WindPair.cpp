@@ -22,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// An ESRI ASCII grid, with what a .prj beside it says of its map.
-Result<WindCells> readAscii(const std::string& path) {
+Result<MapCells> readAscii(const std::string& path) {
     const Result<std::string> text = readBytes(path);
     if (!text)
         return text.problems();
-    Result<WindCells> cells = readEsriGrid(text.value(), path);
+    Result<MapCells> cells = readEsriGrid(text.value(), path);
     const std::string beside = fs::path(path).replace_extension(".prj").string();
     if (const Result<std::string> map = readBytes(beside); cells && map) {
         const Result<Crs> crs = Crs::parse(map.value());
@@ -38,7 +38,7 @@ Result<WindCells> readAscii(const std::string& path) {
 }
 
 /// What both files of a pair have to say alike; empty where they do.
-std::string difference(const WindCells& speed, const WindCells& direction) {
+std::string difference(const MapCells& speed, const MapCells& direction) {
     const glm::dvec2 apart = glm::abs(speed.south - direction.south);
     const double tolerance = 1e-3 * speed.cellSize;
     if (speed.cells != direction.cells || std::max(apart.x, apart.y) > tolerance ||
@@ -50,7 +50,7 @@ std::string difference(const WindCells& speed, const WindCells& direction) {
 
 } // namespace
 
-Result<WindContent> windOfCells(const WindCells& speed, const WindCells& direction, const std::string& file) {
+Result<WindContent> windOfCells(const MapCells& speed, const MapCells& direction, const std::string& file) {
     if (const std::string problem = difference(speed, direction); !problem.empty())
         return fileProblem(file, problem);
     WindContent content;
@@ -82,7 +82,7 @@ Result<WindContent> windOfCells(const WindCells& speed, const WindCells& directi
 
 /// Both files of a pair, either given.
 Result<WindContent> readPair(const std::string& path, const char* format,
-                             Result<WindCells> (*readCells)(const std::string&)) {
+                             Result<MapCells> (*readCells)(const std::string&)) {
     const fs::path given(path);
     const std::string stem = given.stem().string(), extension = given.extension().string();
     const std::string end = stem.size() > 4 ? stem.substr(stem.size() - 4) : "";
@@ -90,12 +90,12 @@ Result<WindContent> readPair(const std::string& path, const char* format,
         return fileProblem(path, "expected the name to end in _vel" + extension + " or _ang" + extension +
                                      ", a pair of speed and direction");
     const std::string begin = (given.parent_path() / stem.substr(0, stem.size() - 4)).string();
-    WindCells cells[2];
+    MapCells cells[2];
     const char* const ends[] = {"_vel", "_ang"};
     for (int i = 0; i < 2; ++i) {
         std::string each = begin;
         each += ends[i] + extension;
-        Result<WindCells> read = readCells(each);
+        Result<MapCells> read = readCells(each);
         if (!read)
             return read.problems();
         cells[i] = std::move(read.value());
@@ -111,7 +111,7 @@ Result<WindContent> readEsriPair(const std::string& path) {
 }
 
 Result<WindContent> readTiffPair(const std::string& path) {
-    return readPair(path, "GeoTIFF speed and direction", readTiff);
+    return readPair(path, "GeoTIFF speed and direction", readGeoTiffCells);
 }
 
 } // namespace osgTreeWind

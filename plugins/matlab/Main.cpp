@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     path = argv[1];
-    limitReader(path, std::size_t(1) << 26, 10);
+    limitReader({path}, std::size_t(1) << 26, 10);
     try {
         answer(readTreeQsmMat(MatFile(path, fail), path));
     } catch (const std::bad_alloc&) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/GribNumbers.h>
 
+#include <plugins/map/GdalCrs.h>
+#include <plugins/map/GdalErrors.h>
 #include <plugins/weather/GribChoice.h>
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/places/GdalErrors.h>
 
 #include <cpl_conv.h>
 #include <gdal.h>
@@ -47,7 +48,8 @@ constexpr const char* otherPacking =
 std::string projText(const Crs& crs) {
     const GdalErrors errors;
     char* text = nullptr;
-    const OGRErr error = OSRExportToProj4(crs.reference(), &text);
+    const Result<GdalCrs> known = GdalCrs::parse(crs.text());
+    const OGRErr error = known ? OSRExportToProj4(known.value().reference(), &text) : OGRERR_FAILURE;
     std::string name = error == OGRERR_NONE && text && *text ? text : crs.name();
     CPLFree(text);
     return name;
@@ -115,8 +117,9 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
                           std::all_of(at.begin(), at.end(), [](double each) { return std::isfinite(each); });
     if (!isPlaced || at[1] == 0.0 || at[5] == 0.0 || at[2] != 0.0 || at[4] != 0.0)
         return problem(field, "GDAL cannot place its grid, " + field.grid.kind + _warning);
-    GribPlace place{Crs(OSRClone(reference)), {}, axisOf(at[0], at[1], columns), axisOf(at[3], at[5], rows)};
-    OSRSetAxisMappingStrategy(place.crs.reference(), OAMS_TRADITIONAL_GIS_ORDER);
+    const GdalCrs crs(OSRClone(reference));
+    OSRSetAxisMappingStrategy(crs.reference(), OAMS_TRADITIONAL_GIS_ORDER);
+    GribPlace place{crs.crs(), {}, axisOf(at[0], at[1], columns), axisOf(at[3], at[5], rows)};
     place.name = projText(place.crs);
     if (place.crs.isDegrees())
         place.x.period = 360.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/NetCdfFile.h>
 
+#include <plugins/map/GdalCrs.h>
+
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
@@ -110,7 +112,7 @@ std::optional<Crs> NetCdfArray::crs() const {
     OSRSetAxisMappingStrategy(reference, OAMS_TRADITIONAL_GIS_ORDER);
     if (OSRIsProjected(reference) && std::abs(OSRGetLinearUnits(reference, nullptr) - 1.0) > 1e-9)
         OSRSetLinearUnitsAndUpdateParameters(reference, "metre", 1.0);
-    return Crs(reference);
+    return GdalCrs(reference).crs();
 }
 
 bool NetCdfArray::is32BitFloat() const {

@@ -2,7 +2,8 @@
 #include <plugins/weather/NetCdfPlace.h>
 
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/places/GdalErrors.h>
+#include <plugins/map/GdalCrs.h>
+#include <plugins/map/GdalErrors.h>
 
 #include <cpl_conv.h>
 #include <ogr_spatialref.h>
@@ -67,7 +68,7 @@ std::optional<Crs> rotatedOf(const NetCdfFile& file, const NetCdfArray& wind) {
             mapping->number("north_pole_grid_longitude").value_or(0.0)) != OGRERR_NONE)
         return std::nullopt;
     reference->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return Crs(OGRSpatialReference::ToHandle(reference.release()));
+    return GdalCrs(OGRSpatialReference::ToHandle(reference.release())).crs();
 }
 
 std::optional<Crs> degreesOf(NetCdfFile& file, const NetCdfArray& wind, const NetCdfDimension& x) {
@@ -82,12 +83,7 @@ std::optional<Crs> degreesOf(NetCdfFile& file, const NetCdfArray& wind, const Ne
         file.fail(wind.name, "expected a grid_mapping of a rotated pole, as its dimension " + x.name +
                                  " counts longitudes of one, found " +
                                  expectedFound("", wind.text("grid_mapping")).substr(17));
-    if (stated)
-        return stated;
-    const Result<Crs> degrees = Crs::degrees();
-    if (!degrees)
-        file.fail(wind.name, degrees.problems().front().message);
-    return degrees ? std::optional<Crs>(degrees.value()) : std::nullopt;
+    return stated ? stated : Crs::degrees();
 }
 
 } // namespace
@@ -141,18 +137,22 @@ std::optional<Crs> mapOf(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints
 
 std::string nameOf(const Crs& crs) {
     const GdalErrors errors;
-    const char* known = OSRGetName(crs.reference());
+    const Result<GdalCrs> reference = GdalCrs::parse(crs.text());
+    if (!reference)
+        return crs.name();
+    const char* known = OSRGetName(reference.value().reference());
     std::string name = known ? known : "";
     if (!name.empty() && name != "unnamed" && name != "unknown" && name != "undefined")
         return name;
     char* text = nullptr;
-    name = OSRExportToProj4(crs.reference(), &text) == OGRERR_NONE && text ? text : "";
+    name = OSRExportToProj4(reference.value().reference(), &text) == OGRERR_NONE && text ? text : "";
     CPLFree(text);
     return name.empty() ? crs.name() : name;
 }
 
 bool isRotated(const Crs& crs) {
-    return OSRIsDerivedGeographic(crs.reference()) != 0;
+    const Result<GdalCrs> reference = GdalCrs::parse(crs.text());
+    return reference && OSRIsDerivedGeographic(reference.value().reference()) != 0;
 }
 
 } // namespace osgTreeWind

@@ -97,8 +97,7 @@ std::vector<float> overCells(NetCdfFile& file, const char* name, const Sizes& n,
 
 /// The place by XLAT and XLONG; empty where they are not on the map, or not as far apart as the cells.
 std::optional<Place> placeOn(const Crs& map, NetCdfFile& file, const Sizes& n, const glm::dvec2& cell) {
-    const Result<Crs> degrees = Crs::degrees();
-    const auto way = degrees ? CrsWay::between(degrees.value(), map) : degrees.problems();
+    const auto way = CrsWay::between(Crs::degrees(), map);
     // Of two opposite corners, which are the first and the last of four numbers.
     const std::vector<std::size_t> rows = {0, n.y - 1}, columns = {0, n.x - 1};
     const std::vector<float> longitudes = overCells(file, "XLONG", n, rows, columns),

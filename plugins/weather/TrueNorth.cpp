@@ -2,7 +2,7 @@
 #include <plugins/weather/TrueNorth.h>
 
 #include <osgTreeWind/places/CrsWay.h>
-#include <osgTreeWind/places/GdalErrors.h>
+#include <plugins/map/GdalErrors.h>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -38,10 +38,8 @@ bool go(const CrsWay& way, std::vector<glm::dvec2>& places) {
 } // namespace
 
 std::vector<glm::dvec2> trueNorth(const Crs& map, std::vector<glm::dvec2> points) {
-    const Result<Crs> globe = Crs::degrees();
-    if (!globe)
-        return {};
-    const auto there = CrsWay::between(map, globe.value()), back = CrsWay::between(globe.value(), map);
+    const Crs globe = Crs::degrees();
+    const auto there = CrsWay::between(map, globe), back = CrsWay::between(globe, map);
     std::vector<glm::dvec2> places = points;
     if (!there || !back || !go(there.value(), places))
         return {};

@@ -4,7 +4,7 @@
 using namespace osgTreeWind;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const Result<WindCells> grid = readEsriGrid(viewOf(data, size), "fuzz");
+    const Result<MapCells> grid = readEsriGrid(viewOf(data, size), "fuzz");
     if (grid)
         expectWhole(windOfCells(grid.value(), grid.value(), "fuzz"));
     return 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/species/LeafCoverage.h>

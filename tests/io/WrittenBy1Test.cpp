@@ -23,7 +23,7 @@ namespace {
 const std::string folder = OSGTREEWIND_TEST_DATA "/written-by-1.0/";
 
 /// A forest that reads without a problem or a note.
-ForestDescription forestOf(const std::string& name) {
+ForestDescription writtenForest(const std::string& name) {
     const Result<ForestDescription> forest = readForestFile(folder + name);
     EXPECT_TRUE(forest) << linesOf(forest.problems());
     EXPECT_EQ(forest.value().notes, std::vector<std::string>()) << name;
@@ -120,13 +120,13 @@ void expectTheTreesOfEverything(const ForestDescription& forest) {
 } // namespace
 
 TEST(WrittenBy1, forestOfEverything) {
-    const ForestDescription forest = forestOf("everything.treewind");
+    const ForestDescription forest = writtenForest("everything.treewind");
     expectEverything(forest);
     expectTheTreesOfEverything(forest);
 }
 
 TEST(WrittenBy1, windOnAGrid) {
-    const ForestDescription forest = forestOf("grid.treewind");
+    const ForestDescription forest = writtenForest("grid.treewind");
     EXPECT_EQ(forest.law, MotionLaw::Damped);
     EXPECT_EQ(forest.gain, 2.0f);
     ASSERT_EQ(forest.trees.size(), 2u);
@@ -137,7 +137,7 @@ TEST(WrittenBy1, windOnAGrid) {
 }
 
 TEST(WrittenBy1, windInTheArrayOfTheThesis) {
-    const ForestDescription forest = forestOf("array.treewind");
+    const ForestDescription forest = writtenForest("array.treewind");
     EXPECT_EQ(forest.law, MotionLaw::ThesisSmooth);
     ASSERT_EQ(forest.trees.size(), 1u);
     EXPECT_EQ(forest.trees[0].leaves, 0.25f);
@@ -146,7 +146,7 @@ TEST(WrittenBy1, windInTheArrayOfTheThesis) {
 }
 
 TEST(WrittenBy1, recordOfWind) {
-    const ForestDescription forest = forestOf("forest.treewind");
+    const ForestDescription forest = writtenForest("forest.treewind");
     EXPECT_EQ(forest.law, MotionLaw::Modal);
     EXPECT_EQ(forest.trees.size(), 40u);
     EXPECT_EQ(forest.species.size(), 3u);
@@ -154,7 +154,7 @@ TEST(WrittenBy1, recordOfWind) {
 }
 
 TEST(WrittenBy1, treeOfTheThesis) {
-    const ForestDescription forest = forestOf("thesis.treewind");
+    const ForestDescription forest = writtenForest("thesis.treewind");
     EXPECT_EQ(forest.law, MotionLaw::Thesis);
     ASSERT_EQ(forest.trees.size(), 1u);
     const ForestSimulation simulation(forest);
@@ -163,15 +163,15 @@ TEST(WrittenBy1, treeOfTheThesis) {
 }
 
 TEST(WrittenBy1, examples) {
-    EXPECT_EQ(forestOf("examples/explosion.treewind").trees.size(), 144u);
-    EXPECT_EQ(forestOf("examples/forest.treewind").trees.size(), 40u);
-    EXPECT_EQ(forestOf("examples/helicopter.treewind").trees.size(), 60u);
-    EXPECT_EQ(forestOf("examples/lorry.treewind").trees.size(), 48u);
-    EXPECT_EQ(forestOf("examples/thesis.treewind").trees.size(), 1u);
+    EXPECT_EQ(writtenForest("examples/explosion.treewind").trees.size(), 144u);
+    EXPECT_EQ(writtenForest("examples/forest.treewind").trees.size(), 40u);
+    EXPECT_EQ(writtenForest("examples/helicopter.treewind").trees.size(), 60u);
+    EXPECT_EQ(writtenForest("examples/lorry.treewind").trees.size(), 48u);
+    EXPECT_EQ(writtenForest("examples/thesis.treewind").trees.size(), 1u);
 }
 
 TEST(WrittenBy1, tiledWorld) {
-    ForestDescription world = forestOf("world/world.treewind");
+    ForestDescription world = writtenForest("world/world.treewind");
     expectEverything(world);
     ASSERT_TRUE(world.tiles);
     EXPECT_EQ(world.tiles->columns, 3u);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/model/ModelTestCases.h>
 
+#include <osgTreeWind/model/CrownOutline.h>
 #include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/RecursiveTree.h>
 

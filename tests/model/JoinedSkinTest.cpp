@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/model/GrownTree.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
 

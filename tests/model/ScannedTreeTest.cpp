@@ -3,6 +3,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/ScanAxes.h>
 #include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/model/TreeModel.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/model/ModelTestCases.h>
 
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
 

@@ -2,6 +2,8 @@
 #include <tests/TestData.h>
 #include <tests/model/ModelTestCases.h>
 
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <fstream>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/species/GrowthLaws.h>

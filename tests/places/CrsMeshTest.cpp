@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/places/CrsMesh.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
@@ -42,12 +43,34 @@ TEST(CrsMesh, IsWithinCentimetresOfProj) {
     EXPECT_GT(farthest, 0.0);
 }
 
+TEST(CrsMesh, SmoothIsWithinAMicrometreOfProj) {
+    for (const auto& [low, high] : {std::pair(glm::dvec2(300000, 5050000), glm::dvec2(500000, 5150000)),
+                                    {glm::dvec2(450000, 5100000), glm::dvec2(450700, 5100200)}}) {
+        const Crs utm = Crs::parse("EPSG:32611").value(), model = Crs::parse(lambert).value();
+        const auto mesh = CrsMesh::smooth(utm, model, low, high);
+        ASSERT_TRUE(mesh);
+        const CrsWay way = CrsWay::between(utm, model).value();
+        std::vector<glm::dvec2> places;
+        for (double x = 0.0; x <= 1.0; x += 0.017)
+            for (double y = 0.0; y <= 1.0; y += 0.013)
+                places.push_back(glm::mix(low, high, glm::dvec2(x, y)));
+        std::vector<glm::dvec2> exact = places;
+        way.go(exact);
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            farthest = std::max(farthest, glm::distance(exact[i], mesh.value().there(places[i])));
+        EXPECT_LT(farthest, 1e-6);
+        EXPECT_TRUE(mesh.value().covers(high));
+        EXPECT_FALSE(mesh.value().covers(high + 2000.0));
+    }
+}
+
 TEST(CrsMesh, NorthIsTurnedByTheConvergence) {
     const double converges = glm::degrees(std::atan(
         std::tan(glm::radians(1.0)) * std::sin(glm::radians(46.0)))); // world.md: 0.719 at 116 W, 46 N
     EXPECT_NEAR(converges, 0.719, 5e-4);
     glm::dvec2 place(-116.0, 46.0);
-    const Crs degrees = Crs::degrees().value(), utm = Crs::parse("EPSG:32611").value();
+    const Crs degrees = Crs::degrees(), utm = Crs::parse("EPSG:32611").value();
     ASSERT_TRUE(CrsWay::between(degrees, utm).value().go(place));
     const CrsMesh mesh = meshOver("EPSG:32611", "EPSG:4326", place - 20000.0, place + 20000.0);
     EXPECT_NEAR(bearing(mesh.north(place)), -converges, 1e-3)

@@ -45,7 +45,7 @@ const Known maps[] = {
 
 TEST(GridMapping, SaysAMapInTheWordsOfCf) {
     for (const Known& known : maps) {
-        const GridMapping mapping = gridMappingOf(Crs::parse(known.crs).value());
+        const GridMapping mapping = gridMappingOf(Crs::parse(known.crs).value()).value();
         EXPECT_EQ(mapping.name, known.name);
         const std::map<std::string, std::vector<double>> said(mapping.numbers.begin(), mapping.numbers.end());
         for (const auto& [name, values] : known.numbers) {
@@ -61,7 +61,7 @@ TEST(GridMapping, SaysAMapInTheWordsOfCf) {
 
 /// A projection without words here has its WKT, which says all.
 TEST(GridMapping, LeavesOutWhatItHasNoWordsFor) {
-    const GridMapping mapping = gridMappingOf(Crs::parse("EPSG:28992").value());
+    const GridMapping mapping = gridMappingOf(Crs::parse("EPSG:28992").value()).value();
     EXPECT_EQ(mapping.name, "");
     EXPECT_TRUE(mapping.numbers.empty());
     EXPECT_NE(mapping.wkt.find("Amersfoort"), std::string::npos);

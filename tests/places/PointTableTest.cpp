@@ -28,7 +28,7 @@ TEST(PointTable, IsAMapThatReadsBack) {
     EXPECT_EQ(read.text(0), "a \"b\", c");
     EXPECT_EQ(read.number(1), 12.5);
     EXPECT_FALSE(read.has(2));
-    EXPECT_EQ(read.place({}).value().position, glm::dvec3(430000.25, 4500000.5, 7.0));
+    EXPECT_EQ(read.place().value().position, glm::dvec3(430000.25, 4500000.5, 7.0));
     EXPECT_FALSE(read.next().value());
 }
 

@@ -23,7 +23,7 @@ std::string all(VectorFile& file) {
     std::string text;
     auto found = file.next();
     for (; found && found.value(); found = file.next()) {
-        const auto place = file.place({});
+        const auto place = file.place();
         text += file.feature();
         if (place)
             text += " (" + std::to_string(place.value().position.x) + ", " +
@@ -87,7 +87,7 @@ TEST(VectorFile, FormatsAreKnownByContentOrExtension) {
         EXPECT_EQ(file.text(static_cast<std::size_t>(kind - file.columns().begin())), "oak") << name;
         if (!file.hasGeometry())
             continue;
-        const auto place = file.place({});
+        const auto place = file.place();
         ASSERT_TRUE(place) << name << place.problems().front().text();
         EXPECT_NEAR(place.value().position.x, 9.5, 1e-6) << name;
         EXPECT_NEAR(place.value().position.y, 50.25, 1e-6) << name;
@@ -137,12 +137,12 @@ TEST(VectorFile, AnOutlineIsItsMiddleAndWidth) {
                     R"({"type": "MultiPolygon", "coordinates": [[[[0,0],[9,0],[9,3],[0,3],[0,0]],[[4,1],[5,1],[5,2],[4,2],[4,1]]]]})"),
             "urn:ogc:def:crs:EPSG::25832")));
     ASSERT_TRUE(file.next().value());
-    VectorPlace place = file.place({}).value();
+    VectorPlace place = file.place().value();
     EXPECT_NEAR(place.position.x, 10.0 + 5.0 / 3.0, 1e-9);
     EXPECT_NEAR(place.position.y, 20.0 + 5.0 / 3.0, 1e-9);
     EXPECT_EQ(place.width, 4.0);
     ASSERT_TRUE(file.next().value());
-    place = file.place({}).value();
+    place = file.place().value();
     EXPECT_NEAR(place.position.x, 4.5, 1e-9);
     EXPECT_EQ(place.width, 6.0);
 }

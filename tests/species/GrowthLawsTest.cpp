@@ -2,6 +2,8 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/TreeModel.h>
 
 #include <tests/TestData.h>
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Files that say nothing clear: one error each, with the array and what was expected of it.
+#include <tests/FullTests.h>
 #include <tests/windfiles/NetCdfWriting.h>
+
+#include <osgTreeWind/base/Span.h>
 
 namespace osgTreeWind {
 
@@ -131,7 +134,8 @@ const Broken files[] = {
 TEST(NetCdfBroken, OneClearErrorEach) {
     const TemporaryFolder folder;
     const std::string path = folder.path() + "/broken.nc";
-    for (const int mode : {NC_64BIT_OFFSET, NC_NETCDF4})
+    const int modes[] = {NC_NETCDF4, NC_64BIT_OFFSET};
+    for (const int mode : Span(modes, static_cast<std::size_t>(casesToRun(2, 1))))
         for (const Broken& broken : files) {
             {
                 NetCdfWriter file(path, mode);

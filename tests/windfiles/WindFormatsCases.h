@@ -23,7 +23,7 @@ inline const std::vector<FormatCase>& formatCases() {
         return readToa5(bytes, file, {});
     };
     const auto esri = [](std::string_view bytes, const std::string& file) -> Result<WindContent> {
-        const Result<WindCells> grid = readEsriGrid(bytes, file);
+        const Result<MapCells> grid = readEsriGrid(bytes, file);
         if (!grid)
             return grid.problems();
         return windOfCells(grid.value(), grid.value(), file);

@@ -3,7 +3,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>

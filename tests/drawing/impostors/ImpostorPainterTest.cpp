@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <gtest/gtest.h>

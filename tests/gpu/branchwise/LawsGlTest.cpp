@@ -5,6 +5,7 @@
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
 #include <osgTreeWind/gpu/branchwise/AngleReadback.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/branchwise/DampedBranches.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/places/FeatureShape.h>
+#include <plugins/map/FeatureShape.h>
+
+#include <plugins/map/GdalErrors.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/places/GdalErrors.h>
 
 #include <ogr_api.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/places/CrsWay.h>
 #include <osgTreeWind/places/VectorFile.h>
 
 namespace osgTreeWind {

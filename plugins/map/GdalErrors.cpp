@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/places/GdalErrors.h>
+#include <plugins/map/GdalErrors.h>
 
 #include <osgTreeWind/base/MessageText.h>
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <plugins/map/GeoTiff.h>
+
+#include <plugins/map/GdalCrs.h>
+#include <plugins/map/GdalErrors.h>
+
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/places/Crs.h>
-#include <osgTreeWind/places/GdalErrors.h>
-#include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <cpl_string.h>
 #include <gdal.h>
@@ -55,7 +57,7 @@ std::string problemOf(const std::string& path, GDALDatasetH data, const double (
 }
 
 /// Row by row from the south; false where they cannot be read.
-bool readRows(GDALRasterBandH band, WindCells& cells) {
+bool readRows(GDALRasterBandH band, MapCells& cells) {
     const auto columns = static_cast<std::size_t>(cells.cells.x);
     cells.values.resize(columns * static_cast<std::size_t>(cells.cells.y));
     std::vector<unsigned char> valid(columns);
@@ -76,7 +78,7 @@ bool readRows(GDALRasterBandH band, WindCells& cells) {
 
 } // namespace
 
-Result<WindCells> readTiff(const std::string& path) {
+Result<MapCells> readTiffCells(const std::string& path) {
     registerGdal();
     const GdalErrors errors;
     const char* const drivers[] = {"GTiff", nullptr};
@@ -92,13 +94,13 @@ Result<WindCells> readTiff(const std::string& path) {
     if (const std::string problem = problemOf(path, data.get(), toPlace); !problem.empty())
         return fileProblem(path, problem);
     const GDALRasterBandH band = GDALGetRasterBand(data.get(), 1);
-    WindCells cells;
+    MapCells cells;
     cells.cells = {GDALGetRasterXSize(data.get()), GDALGetRasterYSize(data.get())};
     cells.cellSize = toPlace[1];
     cells.south = {toPlace[0] + 0.5 * toPlace[1], toPlace[3] + (cells.cells.y - 0.5) * toPlace[5]};
     if (const OGRSpatialReferenceH reference = GDALGetSpatialRef(data.get());
         reference && !OSRIsLocal(reference))
-        cells.crs = Crs(OSRClone(reference)).text();
+        cells.crs = GdalCrs(OSRClone(reference)).crs().text();
     cells.unit = unitOf(data.get(), band);
     if (!readRows(band, cells) || !errors.text().empty())
         return fileProblem(path, "cannot be read on: " + errors.textOr("it ends early"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/places/OpenOptions.h>
+#include <plugins/map/OpenOptions.h>
 
 #include <cpl_conv.h>
 #include <cpl_string.h>

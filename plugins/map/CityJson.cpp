@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/places/CityJson.h>
+#include <plugins/map/CityJson.h>
+
+#include <plugins/map/GdalCrs.h>
+#include <plugins/map/GdalErrors.h>
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/places/Crs.h>
-#include <osgTreeWind/places/GdalErrors.h>
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -53,7 +54,7 @@ public:
 
     Result<std::shared_ptr<void>> read() {
         std::string system = _root.GetString("metadata/referenceSystem");
-        Result<Crs> crs = system.empty() ? Crs() : Crs::parse(system);
+        const Result<GdalCrs> crs = system.empty() ? GdalCrs() : GdalCrs::parse(system);
         if (!crs)
             return fileProblem(_path, crs.problems().front().message);
         std::shared_ptr<void> data(

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Wire.h>
+#include <osgTreeWind/places/Crs.h>
+#include <osgTreeWind/places/GridMapping.h>
+#include <osgTreeWind/places/MapCells.h>
+#include <osgTreeWind/places/PointTable.h>
+#include <osgTreeWind/places/VectorFile.h>
+
+#include <array>
+#include <cstdint>
+
+/// What passes between the library and osgtreewind-map, which are of the same build. Not part of the
+/// interface.
+namespace osgTreeWind {
+
+/// One question; each has one answer, but for a raster, whose rows follow its head.
+struct MapQuestion {
+    enum class Task : unsigned char {
+        ParseCrs,       ///< A text: Crs::Facts.
+        CompareCrs,     ///< Two texts: whether places of both mean the same.
+        FindWay,        ///< From a text to another: whether there is anything to do.
+        BringPlaces,    ///< From a text to another: the places there, NaN for one that has none.
+        DescribeMap,    ///< A text: GridMapping.
+        ReadRaster,     ///< A file: RasterHead, then rows.
+        ReadCells,      ///< A GeoTIFF: MapCells.
+        KnowFeatures,   ///< A file: whether it has features.
+        OpenFeatures,   ///< A file: FeatureFileHead. The tasks below are about it.
+        ChooseLayer,    ///< A name: FeatureLayer.
+        FilterFeatures, ///< A condition.
+        RewindFeatures, ///< Places from a text to another, and which columns: all where none is named.
+        NextFeatures,   ///< FeatureBatch.
+        WriteTable      ///< A file; the PointTable follows.
+    };
+    Task task = Task::ParseCrs;
+    std::vector<std::string> texts{};
+    std::vector<glm::dvec2> places{};
+    std::vector<std::size_t> columns{};
+};
+
+/// A task that has nothing to say but that it is done.
+struct MapDone {};
+
+struct RasterHead {
+    std::optional<Crs::Facts> crs;
+    int columns = 0, rows = 0;
+    std::array<double, 6> toPlace{}, toCell{}; ///< GDAL's geotransform, and its inverse.
+};
+
+struct FeatureFileHead {
+    std::string format;
+    std::vector<std::string> layers, warnings;
+};
+
+struct FeatureLayer {
+    std::string where; ///< As messages begin; empty where there is only one.
+    std::vector<std::string> columns;
+    std::optional<Crs::Facts> crs;
+    bool hasGeometry = false;
+};
+
+/// Features one after another; of each the columns that were asked for.
+struct FeatureBatch {
+    enum : unsigned char { Missing, Text, Number };
+    struct Column {
+        std::vector<unsigned char> kinds;
+        std::vector<double> numbers;
+        std::string texts;                 ///< One behind the other,
+        std::vector<std::uint32_t> ends{}; ///< and where each ends.
+    };
+    /// Why the feature of this index has no place.
+    struct Placeless {
+        std::size_t index = 0;
+        std::string message;
+    };
+    std::vector<std::int64_t> ids;
+    std::vector<VectorPlace> places;
+    std::vector<Placeless> placeless; ///< In order.
+    std::vector<Column> columns;
+    std::string problem; ///< What comes after them; empty: more features, or nothing.
+    bool isLast = false;
+};
+
+bool passMembers(Wire& wire, MapQuestion& question);
+bool passMembers(Wire& wire, Crs::Facts& facts);
+bool passMembers(Wire& wire, GridMapping& mapping);
+bool passMembers(Wire& wire, GridMapping::Numbers& numbers);
+bool passMembers(Wire& wire, MapCells& cells);
+bool passMembers(Wire& wire, RasterHead& head);
+bool passMembers(Wire& wire, FeatureFileHead& head);
+bool passMembers(Wire& wire, FeatureLayer& layer);
+bool passMembers(Wire& wire, FeatureBatch& batch);
+bool passMembers(Wire& wire, FeatureBatch::Column& column);
+bool passMembers(Wire& wire, FeatureBatch::Placeless& placeless);
+bool passMembers(Wire& wire, PointTable& table);
+bool passMembers(Wire& wire, PointTable::Row& row);
+
+} // namespace osgTreeWind

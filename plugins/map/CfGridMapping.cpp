@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/map/CfGridMapping.h>
+
+#include <plugins/map/GdalErrors.h>
+
+#include <cpl_conv.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// A number of a projection: as GDAL calls it and as CF does.
+struct Number {
+    const char *here, *there;
+};
+
+struct Projection {
+    const char *here, *there;
+    std::array<Number, 6> numbers;
+};
+
+constexpr Number easting{SRS_PP_FALSE_EASTING, "false_easting"},
+    northing{SRS_PP_FALSE_NORTHING, "false_northing"},
+    latitude{SRS_PP_LATITUDE_OF_ORIGIN, "latitude_of_projection_origin"}, none{nullptr, nullptr};
+
+constexpr Projection projections[] = {
+    {SRS_PT_TRANSVERSE_MERCATOR,
+     "transverse_mercator",
+     {{latitude,
+       {SRS_PP_CENTRAL_MERIDIAN, "longitude_of_central_meridian"},
+       {SRS_PP_SCALE_FACTOR, "scale_factor_at_central_meridian"},
+       easting,
+       northing,
+       none}}},
+    {SRS_PT_LAMBERT_CONFORMAL_CONIC_2SP,
+     "lambert_conformal_conic",
+     {{{SRS_PP_STANDARD_PARALLEL_1, "standard_parallel"},
+       {SRS_PP_STANDARD_PARALLEL_2, "standard_parallel"},
+       {SRS_PP_CENTRAL_MERIDIAN, "longitude_of_central_meridian"},
+       latitude,
+       easting,
+       northing}}},
+    {SRS_PT_LAMBERT_AZIMUTHAL_EQUAL_AREA,
+     "lambert_azimuthal_equal_area",
+     {{{SRS_PP_LATITUDE_OF_CENTER, "latitude_of_projection_origin"},
+       {SRS_PP_LONGITUDE_OF_CENTER, "longitude_of_projection_origin"},
+       easting,
+       northing,
+       none,
+       none}}},
+};
+
+} // namespace
+
+GridMapping cfGridMapping(const GdalCrs& map) {
+    const GdalErrors errors;
+    GridMapping mapping;
+    char* written = nullptr;
+    const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+    OSRExportToWktEx(map.reference(), &written, options);
+    mapping.wkt = written ? written : "";
+    CPLFree(written);
+
+    const char* const stated = OSRGetAttrValue(map.reference(), "PROJECTION", 0);
+    const std::string projection = stated ? stated : "";
+    const auto* const known = std::find_if(std::begin(projections), std::end(projections),
+                                           [&](const Projection& p) { return projection == p.here; });
+    if (known == std::end(projections))
+        return mapping;
+    mapping.name = known->there;
+    mapping.numbers = {{"semi_major_axis", {OSRGetSemiMajor(map.reference(), nullptr)}},
+                       {"inverse_flattening", {OSRGetInvFlattening(map.reference(), nullptr)}},
+                       {"longitude_of_prime_meridian", {OSRGetPrimeMeridian(map.reference(), nullptr)}}};
+    for (const Number& number : known->numbers) {
+        if (!number.here)
+            continue;
+        if (mapping.numbers.back().first != number.there)
+            mapping.numbers.push_back({number.there, {}});
+        mapping.numbers.back().second.push_back(
+            OSRGetNormProjParm(map.reference(), number.here, 0.0, nullptr));
+    }
+    return mapping;
+}
+
+} // namespace osgTreeWind

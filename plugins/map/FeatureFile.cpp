@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/map/FeatureFile.h>
+
+#include <plugins/map/CityJson.h>
+#include <plugins/map/FeatureShape.h>
+#include <plugins/map/GdalCrs.h>
+#include <plugins/map/GdalErrors.h>
+#include <plugins/map/OpenOptions.h>
+
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
+
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// Formats of files that stand on a disk by themselves. CSV has a reader of its own.
+const char* const formats[] = {"GeoJSON",        "GeoJSONSeq", "TopoJSON", "ESRIJSON", "GPKG", "SQLite",
+                               "FlatGeobuf",     "GML",        "LIBKML",   "KML",      "GPX",  "MapInfo File",
+                               "ESRI Shapefile", "OSM",        "XLSX",     "ODS",      nullptr};
+
+/// Whether files of a format are called so (".shp"). Tables parted by tabs are called ".tab", too.
+bool isOfFormat(const std::string& extension) {
+    if (extension.size() < 2 || extension == ".tab")
+        return false;
+    for (const char* const* format = formats; *format; ++format) {
+        const GDALDriverH driver = GDALGetDriverByName(*format);
+        const char* known = driver ? GDALGetMetadataItem(driver, GDAL_DMD_EXTENSIONS, nullptr) : nullptr;
+        if (known &&
+            (' ' + std::string(known) + ' ').find(' ' + extension.substr(1) + ' ') != std::string::npos)
+            return true;
+    }
+    return false;
+}
+
+/// The layer of an OpenStreetMap file in which trees are.
+const std::string nodes = "points";
+
+std::string nameOf(OGRLayerH layer) {
+    return OGR_L_GetName(layer);
+}
+
+} // namespace
+
+int FeatureFile::count() const {
+    return GDALDatasetGetLayerCount(_data.get());
+}
+
+OGRLayerH FeatureFile::at(int index) const {
+    return GDALDatasetGetLayer(_data.get(), index);
+}
+
+/// "layer "trees"", where there is something to tell apart.
+std::string FeatureFile::where() const {
+    return _layer && count() > 1 ? "layer " + inQuotes(nameOf(_layer)) : std::string();
+}
+
+std::string FeatureFile::described(const std::string& message) const {
+    const std::string place = where();
+    return place.empty() ? message : place + ": " + message;
+}
+
+bool FeatureFile::knows(const std::string& path) {
+    registerGdal();
+    const GdalErrors unheard;
+    return isOfFormat(lower(std::filesystem::path(path).extension().string())) ||
+           GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr) || isCityJson(path);
+}
+
+Result<FeatureFile> FeatureFile::open(const std::string& path) {
+    registerGdal();
+    const GdalErrors errors;
+    FeatureFile file;
+    file._path = path;
+    if (isCityJson(path)) {
+        auto city = readCityJson(path);
+        if (!city)
+            return city.problems();
+        file._data = city.value();
+        file._head.format = "CityJSON";
+    } else {
+        const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr);
+        file._head.format = driver ? GDALGetDriverShortName(driver) : "";
+        const OpenOptions options(file._head.format);
+        if (void* data = GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                    formats, options.list(), nullptr))
+            file._data.reset(data, [](void* opened) { GDALClose(opened); });
+    }
+    if (!file._data || !errors.text().empty())
+        return fileProblem(path, "cannot be read: " + errors.textOr("GDAL knows no such format"));
+    file._head.warnings = errors.warnings();
+    for (int i = 0; i < file.count(); ++i)
+        file._head.layers.push_back(nameOf(file.at(i)));
+    return file;
+}
+
+Result<FeatureLayer> FeatureFile::chooseLayer(const std::string& layer) {
+    const GdalErrors errors;
+    const std::vector<std::string>& names = _head.layers;
+    const bool isOsm = _head.format == "OSM";
+    const std::string& wanted = layer.empty() && isOsm ? nodes : layer;
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    const auto problem = [&](const std::string& message) {
+        return fileProblem(_path, message + joined(names));
+    };
+    if (names.empty())
+        return problem("no layers in it");
+    if (wanted.empty() && names.size() > 1)
+        return problem("expected layer to name one of its layers: ");
+    if (!wanted.empty() && found == names.end())
+        return problem("no layer " + inQuotes(wanted) + "; it has: ");
+    _layer = at(wanted.empty() ? 0 : static_cast<int>(found - names.begin()));
+    if (isOsm) // the others need not be put together
+        GDALDatasetExecuteSQL(_data.get(), ("SET interest_layers = " + wanted).c_str(), nullptr, nullptr);
+    FeatureLayer chosen;
+    chosen.where = where();
+    const OGRFeatureDefnH definition = OGR_L_GetLayerDefn(_layer);
+    for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i)
+        chosen.columns.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i)));
+    if (const OGRSpatialReferenceH reference = OGR_L_GetSpatialRef(_layer);
+        reference && !OSRIsLocal(reference))
+        chosen.crs = GdalCrs(OSRClone(reference)).crs().facts();
+    chosen.hasGeometry = OGR_L_GetGeomType(_layer) != wkbNone;
+    return chosen;
+}
+
+Result<MapDone> FeatureFile::filter(const std::string& condition) {
+    const GdalErrors errors;
+    if (OGR_L_SetAttributeFilter(_layer, condition.c_str()) != OGRERR_NONE || !errors.text().empty())
+        return fileProblem(_path, described("the filter cannot be used: " + errors.textOr("not SQL")));
+    return MapDone();
+}
+
+Result<MapDone> FeatureFile::rewind(CrsWay way, std::vector<std::size_t> columns) {
+    const GdalErrors unheard;
+    OGR_L_ResetReading(_layer);
+    _way = std::move(way);
+    _columns = std::move(columns);
+    const int count = OGR_FD_GetFieldCount(OGR_L_GetLayerDefn(_layer));
+    if (_columns.empty())
+        for (int i = 0; i < count; ++i)
+            _columns.push_back(static_cast<std::size_t>(i));
+    return MapDone();
+}
+
+FeatureBatch FeatureFile::next() {
+    constexpr std::size_t most = 4096;
+    const GdalErrors errors;
+    FeatureBatch batch;
+    batch.columns.resize(_columns.size());
+    while (batch.ids.size() < most) {
+        const std::unique_ptr<void, decltype(&OGR_F_Destroy)> feature(OGR_L_GetNextFeature(_layer),
+                                                                      &OGR_F_Destroy);
+        if (!errors.text().empty())
+            batch.problem = described("cannot be read on: " + errors.text());
+        batch.isLast = !feature || !batch.problem.empty();
+        if (batch.isLast)
+            break;
+        add(feature.get(), batch);
+    }
+    return batch;
+}
+
+void FeatureFile::add(OGRFeatureH feature, FeatureBatch& batch) const {
+    batch.ids.push_back(OGR_F_GetFID(feature));
+    const Result<VectorPlace> place = placeOf(OGR_F_GetGeometryRef(feature), _way);
+    if (!place)
+        batch.placeless.push_back({batch.ids.size() - 1, place.problems().front().message});
+    batch.places.push_back(place ? place.value() : VectorPlace());
+    for (std::size_t i = 0; i < _columns.size(); ++i) {
+        const int index = static_cast<int>(_columns[i]);
+        FeatureBatch::Column& column = batch.columns[i];
+        unsigned char kind = FeatureBatch::Missing;
+        double number = 0.0;
+        if (OGR_F_IsFieldSetAndNotNull(feature, index)) {
+            const OGRFieldType type = OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, index));
+            const bool isNumber = type == OFTReal || type == OFTInteger || type == OFTInteger64;
+            kind = isNumber ? FeatureBatch::Number : FeatureBatch::Text;
+            number = isNumber ? OGR_F_GetFieldAsDouble(feature, index) : 0.0;
+            column.texts += OGR_F_GetFieldAsString(feature, index);
+        }
+        column.kinds.push_back(kind);
+        column.numbers.push_back(number);
+        column.ends.push_back(static_cast<std::uint32_t>(column.texts.size()));
+    }
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/places/Crs.h>
+
+#include <memory>
+
+namespace osgTreeWind {
+
+/// A coordinate reference system as GDAL holds it.
+class GdalCrs {
+public:
+    /// As Crs::parse().
+    static Result<GdalCrs> parse(const std::string& text);
+
+    GdalCrs() = default;
+    /// @param reference an OGRSpatialReferenceH, which becomes its own; its order of axes counts, and nothing
+    /// that it says of heights.
+    explicit GdalCrs(void* reference);
+
+    /// What is known of it.
+    Crs crs() const;
+    void* reference() const { return _reference.get(); }
+
+private:
+    std::string name() const;
+    std::string text() const;
+    std::string problemOfMap() const;
+
+    std::shared_ptr<void> _reference;
+};
+
+} // namespace osgTreeWind

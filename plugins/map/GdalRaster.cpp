@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/map/GdalRaster.h>
+
+#include <plugins/map/GdalCrs.h>
+
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Range.h>
+#include <osgTreeWind/base/Text.h>
+
+#include <gdal.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double mostCells = 4e8;
+
+/// Formats that are read by libraries which break on damaged files.
+bool isFragile(const std::string& format) {
+    const std::string name = lower(format);
+    return name.rfind("hdf", 0) == 0 || name.rfind("netcdf", 0) == 0 || name == "bag" || name == "gmt" ||
+           name == "kea" || name == "grib";
+}
+
+/// All others, for GDAL.
+std::vector<const char*> soundFormats() {
+    std::vector<const char*> formats;
+    for (int i = 0; i < GDALGetDriverCount(); ++i)
+        if (const char* const name = GDALGetDriverShortName(GDALGetDriver(i)); !isFragile(name))
+            formats.push_back(name);
+    formats.push_back(nullptr);
+    return formats;
+}
+
+/// Why GDAL does not open a file.
+std::string problemOfFormat(const std::string& path, const GdalErrors& errors) {
+    const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+    if (driver && isFragile(GDALGetDriverShortName(driver)))
+        return std::string("expected another format than ") + GDALGetDriverShortName(driver) +
+               ", which a damaged file may break; gdal_translate makes a GeoTIFF of it";
+    return "cannot be read: " + errors.textOr("GDAL knows no such format");
+}
+
+constexpr Range heightRange = within(-12000, 30000); // metres: what is none stands out
+
+/// Metres; nothing for a unit that is not known.
+std::optional<double> unitOfHeights(GDALRasterBandH band, OGRSpatialReferenceH reference) {
+    const std::string name = lower(GDALGetRasterUnitType(band));
+    const auto isOneOf = [&](std::initializer_list<const char*> names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (name.empty())
+        return reference && OSRIsCompound(reference)
+                   ? OSRGetTargetLinearUnits(reference, "COMPD_CS|VERT_CS", nullptr)
+                   : 1.0;
+    if (isOneOf({"m", "metre", "metres", "meter", "meters"}))
+        return 1.0;
+    if (isOneOf({"ft", "foot", "feet", "international foot", "ift"}))
+        return 0.3048;
+    if (isOneOf({"us-ft", "us survey foot", "us survey feet", "foot_us", "ftus", "us_survey_foot"}))
+        return 1200.0 / 3937.0;
+    if (isOneOf({"cm", "centimetre", "centimetres", "centimeter", "centimeters"}))
+        return 0.01;
+    return std::nullopt;
+}
+
+} // namespace
+
+GdalRaster::GdalRaster(const std::string& path)
+    : _path(path), _data(nullptr, [](void* opened) {
+          if (opened)
+              GDALClose(opened);
+      }) {
+    registerGdal();
+    _data.reset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                           soundFormats().data(), nullptr, nullptr));
+}
+
+Diagnostic GdalRaster::problem(const std::string& message) const {
+    return fileProblem(_path, message);
+}
+
+Result<RasterHead> GdalRaster::head() {
+    if (!_data || !_errors.text().empty())
+        return problem(problemOfFormat(_path, _errors));
+    RasterHead head;
+    head.columns = _columns = GDALGetRasterXSize(_data.get());
+    head.rows = _rows = GDALGetRasterYSize(_data.get());
+    if (const std::string bands = problemOfBands(); !bands.empty())
+        return problem(bands);
+    if (static_cast<double>(_columns) * _rows > mostCells)
+        return problem("expected at most " + numberText(mostCells) + " cells, found " +
+                       std::to_string(_columns) + " x " + std::to_string(_rows) +
+                       "; gdal_translate -projwin cuts a part out");
+    std::array<double, 6>& toPlace = head.toPlace;
+    if (GDALGetGeoTransform(_data.get(), toPlace.data()) != CE_None)
+        return problem("it does not say where it lies: expected a geotransform");
+    if (!std::all_of(toPlace.begin(), toPlace.end(), [](double x) { return std::isfinite(x); }) ||
+        !GDALInvGeoTransform(toPlace.data(), head.toCell.data()))
+        return problem("its cells have no extent");
+    const OGRSpatialReferenceH reference = GDALGetSpatialRef(_data.get());
+    const auto unit = unitOfHeights(_band, reference);
+    if (!unit)
+        return problem("expected heights in metres or feet, found the unit " +
+                       inQuotes(GDALGetRasterUnitType(_band)));
+    if (reference && !OSRIsLocal(reference))
+        head.crs = GdalCrs(OSRClone(reference)).crs().facts();
+    _scale = GDALGetRasterScale(_band, nullptr) * *unit;
+    _offset = GDALGetRasterOffset(_band, nullptr) * *unit;
+    _hasHoles = !(GDALGetMaskFlags(_band) & GMF_ALL_VALID);
+    return head;
+}
+
+std::string GdalRaster::problemOfBands() {
+    int bands = 0;
+    for (int i = GDALGetRasterCount(_data.get()); i > 0; --i)
+        if (const GDALRasterBandH each = GDALGetRasterBand(_data.get(), i);
+            GDALGetRasterColorInterpretation(each) != GCI_AlphaBand) {
+            _band = each;
+            ++bands;
+        }
+    if (bands != 1)
+        return "expected one band of heights, found " + std::to_string(bands);
+    if (GDALGetRasterColorInterpretation(_band) == GCI_PaletteIndex)
+        return "expected heights, found colours of a palette";
+    if (GDALDataTypeIsComplex(GDALGetRasterDataType(_band)))
+        return "expected heights, found complex numbers";
+    return {};
+}
+
+/// Rows of whole blocks, as they lie in the file.
+void GdalRaster::read(const std::function<bool(Result<std::vector<float>>)>& take) {
+    constexpr int fewestRows = 64;
+    int blockWidth = 0, blockHeight = 0;
+    GDALGetBlockSize(_band, &blockWidth, &blockHeight);
+    blockHeight = std::max(blockHeight, 1);
+    const int most = blockHeight * std::max(1, fewestRows / blockHeight);
+    for (int first = 0; first < _rows; first += most) {
+        Result<std::vector<float>> some = rows(first, std::min(most, _rows - first));
+        const bool isGood = some.ok();
+        if (!take(std::move(some)) || !isGood)
+            return;
+    }
+}
+
+Result<std::vector<float>> GdalRaster::rows(int first, int count) {
+    const std::size_t cells = static_cast<std::size_t>(_columns) * static_cast<std::size_t>(count);
+    std::vector<float> heights(cells);
+    std::vector<unsigned char> valid;
+    bool isRead = GDALRasterIO(_band, GF_Read, 0, first, _columns, count, heights.data(), _columns, count,
+                               GDT_Float32, 0, 0) == CE_None;
+    if (_hasHoles) {
+        valid.resize(cells);
+        isRead = isRead && GDALRasterIO(GDALGetMaskBand(_band), GF_Read, 0, first, _columns, count,
+                                        valid.data(), _columns, count, GDT_Byte, 0, 0) == CE_None;
+    }
+    if (!isRead || !_errors.text().empty())
+        return problem("cannot be read on: " + _errors.textOr("it ends early"));
+    if (const std::string odd = inMetres(heights, first, valid); !odd.empty())
+        return problem(odd);
+    return heights;
+}
+
+/// Makes metres of what was read. @param valid 0: a hole; empty: there are none.
+std::string GdalRaster::inMetres(std::vector<float>& heights, int firstRow,
+                                 const std::vector<unsigned char>& valid) const {
+    const auto columns = static_cast<std::size_t>(_columns);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const double height = _scale * static_cast<double>(heights[i]) + _offset;
+        const bool isHole = std::isnan(height) || (!valid.empty() && valid[i] == 0);
+        if (!isHole && !heightRange.contains(height))
+            return "expected heights " + heightRange.text() + " metres, found " + numberText(height) +
+                   " in column " + std::to_string(i % columns) + ", row " +
+                   std::to_string(static_cast<std::size_t>(firstRow) + i / columns) +
+                   "; where that means that there is none, it has to be the file's nodata";
+        heights[i] = isHole ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(height);
+    }
+    return {};
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <plugins/map/GdalErrors.h>
+
+#include <osgTreeWind/places/MapMessages.h>
+
+#include <functional>
+#include <memory>
+
+namespace osgTreeWind {
+
+/// Heights of a raster while they are read: what Raster asks for.
+class GdalRaster {
+public:
+    explicit GdalRaster(const std::string& path);
+
+    Result<RasterHead> head();
+    /// After a good head(): metres, some rows after others, NaN for a hole. Ends with a problem, or when
+    /// `take` is false or has all rows.
+    void read(const std::function<bool(Result<std::vector<float>>)>& take);
+
+private:
+    Diagnostic problem(const std::string& message) const;
+    std::string problemOfBands();
+    Result<std::vector<float>> rows(int first, int count);
+    std::string inMetres(std::vector<float>& heights, int firstRow,
+                         const std::vector<unsigned char>& valid) const;
+
+    const std::string _path;
+    const GdalErrors _errors; ///< From now on.
+    std::unique_ptr<void, void (*)(void*)> _data;
+    void* _band = nullptr; ///< GDALRasterBandH of the heights.
+    int _columns = 0, _rows = 0;
+    double _scale = 1.0, _offset = 0.0;
+    bool _hasHoles = false;
+};
+
+} // namespace osgTreeWind
