@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/Folders.h>
+#include <tests/FullTests.h>
 #include <tests/io/RandomForest.h>
 #include <tests/io/TemporaryFolder.h>
 
@@ -150,8 +151,8 @@ ForestDescription smallForest() {
 } // namespace
 
 TEST(WriteForest, DescriptionsMadeInCodeReadBackTheSame) {
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-        const ForestDescription forest = RandomForest(seed).description();
+    for (int seed = 0; seed < casesToRun(2000, 300); ++seed) {
+        const ForestDescription forest = RandomForest(static_cast<std::uint64_t>(seed)).description();
         const std::string document = written(forest);
         ASSERT_EQ(differenceOf(read(document), forest), "") << "seed " << seed << '\n' << document;
         ASSERT_FALSE(HasFailure()) << "seed " << seed;
@@ -159,8 +160,8 @@ TEST(WriteForest, DescriptionsMadeInCodeReadBackTheSame) {
 }
 
 TEST(WriteForest, DocumentsReadBackTheSameWhenWritten) {
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-        const std::string document = RandomForest(seed).document();
+    for (int seed = 0; seed < casesToRun(2000, 300); ++seed) {
+        const std::string document = RandomForest(static_cast<std::uint64_t>(seed)).document();
         const ForestDescription forest = read(document);
         ASSERT_FALSE(HasFailure()) << "seed " << seed << '\n' << document;
         ASSERT_EQ(differenceOf(read(written(forest)), forest), "") << "seed " << seed << '\n' << document;

@@ -64,7 +64,8 @@ inline osgTreeWind::ForestDescription oneTree(const osgTreeWind::Species& specie
 /// Of all units of all trees (TreeMotion::states).
 inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec4> states;
-    for (std::size_t tree = 0; tree < SimulationParts::trees(forest.getSimulation()).size(); ++tree)
+    for (std::size_t tree = 0; tree < osgTreeWind::SimulationParts::trees(forest.getSimulation()).size();
+         ++tree)
         for (const glm::vec4& state : forest.getSimulation().motion(tree).states)
             states.push_back(state);
     return states;
@@ -73,7 +74,8 @@ inline std::vector<glm::vec4> statesOf(const osgTreeWind::Forest& forest) {
 /// Of all units of all trees (TreeMotion::winds).
 inline std::vector<glm::vec3> windsOf(const osgTreeWind::Forest& forest) {
     std::vector<glm::vec3> winds;
-    for (std::size_t tree = 0; tree < SimulationParts::trees(forest.getSimulation()).size(); ++tree)
+    for (std::size_t tree = 0; tree < osgTreeWind::SimulationParts::trees(forest.getSimulation()).size();
+         ++tree)
         for (const glm::vec3& wind : forest.getSimulation().motion(tree).winds)
             winds.push_back(wind);
     return winds;
