@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/FullTests.h>
 #include <tests/tool/Tool.h>
 
 #include <gtest/gtest.h>
@@ -124,7 +125,7 @@ TEST(Tile, IsDoneWhollyOrNotAtAll) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> moment(0.0, taken.count());
     int unfinished = 0;
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < casesToRun(50, 15); ++i) {
         const pid_t child = fork();
         if (child == 0) {
             if (!freopen("/dev/null", "w", stdout))
