@@ -105,7 +105,7 @@ ReaderProcess::~ReaderProcess() {
 void ReaderProcess::close() {
     if (_descriptor < 0)
         return;
-    ::close(_descriptor); // whoever still writes is ended by that, and whoever waits for a question
+    ::close(_descriptor); // ends a program that still writes, or waits for a question
     _descriptor = -1;
     _end = endOf(_process);
 }

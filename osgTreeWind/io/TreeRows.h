@@ -28,7 +28,7 @@ public:
 
     /// Makes the first row the next one. @param way that places of rows go which have them without any
     /// column.
-    /// @param columns that are read; the others are empty. Empty: all.
+    /// @param columns to read, all if it is empty; the others have no values.
     virtual void rewind(const CrsWay& way, const std::vector<std::size_t>& columns) = 0;
     /// Goes on to the next row; false: there is none.
     virtual Result<bool> next() = 0;

@@ -21,7 +21,7 @@ struct MapQuestion {
         ParseCrs,       ///< A text: Crs::Facts.
         CompareCrs,     ///< Two texts: whether places of both mean the same.
         FindWay,        ///< From a text to another: whether there is anything to do.
-        BringPlaces,    ///< From a text to another: the places there, NaN for one that has none.
+        BringPlaces,    ///< From one system to another: the places there, NaN where there is none.
         DescribeMap,    ///< A text: GridMapping.
         ReadRaster,     ///< A file: RasterHead, then rows.
         ReadCells,      ///< A GeoTIFF: MapCells.

@@ -51,7 +51,7 @@ public:
     const std::vector<std::string>& warnings() const;
 
     /// Makes the first feature the next one.
-    /// @param way that its places go. @param columns that are read; the others are empty. Empty: all.
+    /// @param way that its places go. @param columns to read, all if it is empty; the others have no values.
     void rewind(const CrsWay& way = {}, std::vector<std::size_t> columns = {});
     /// Goes on to the next feature; false: there is none.
     Result<bool> next();

@@ -29,12 +29,14 @@ bool Crs::isSame(const Crs& other) const {
 
 Result<CrsWay> CrsWay::between(const Crs& from, const Crs& to) {
     CrsWay way;
-    if (from.isSame(to))
+    if (from.text() == to.text())
         return way;
     const auto start = GdalCrs::parse(from.text()), end = GdalCrs::parse(to.text());
     if (!start || !end)
         return (start ? end : start).problems();
     const GdalErrors errors;
+    if (OSRIsSame(start.value().reference(), end.value().reference()))
+        return way;
     way._held.reset(OCTNewCoordinateTransformation(start.value().reference(), end.value().reference()),
                     [](void* made) {
                         if (made)

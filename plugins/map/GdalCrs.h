@@ -18,7 +18,7 @@ public:
     /// that it says of heights.
     explicit GdalCrs(void* reference);
 
-    /// What is known of it.
+    /// The same as a value without GDAL.
     Crs crs() const;
     void* reference() const { return _reference.get(); }
 

@@ -169,7 +169,7 @@ Result<std::vector<float>> GdalRaster::rows(int first, int count) {
     return heights;
 }
 
-/// Makes metres of what was read. @param valid 0: a hole; empty: there are none.
+/// Converts heights to metres. @param valid 0 in a hole; empty if the raster has no holes.
 std::string GdalRaster::inMetres(std::vector<float>& heights, int firstRow,
                                  const std::vector<unsigned char>& valid) const {
     const auto columns = static_cast<std::size_t>(_columns);

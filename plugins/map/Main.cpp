@@ -26,7 +26,7 @@ namespace {
 
 using Task = MapQuestion::Task;
 
-/// Answers questions, for as long as somebody takes the answers.
+/// Answers the questions of the library.
 class MapAnswers {
 public:
     explicit MapAnswers(int descriptor) : _descriptor(descriptor) {}
