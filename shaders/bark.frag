@@ -12,5 +12,5 @@ in vec3 barkLight;
 void main() {
     float inside = gl_FrontFacing ? 1.0 : 0.4;
     vec3 albedo = inside * barkAlbedo(coordOnBark(barkCoord), barkRadius);
-    paintSurface(encoded(albedo * barkLight), albedo, 1.0);
+    paintSurface(encoded(albedo * barkLight), albedo);
 }

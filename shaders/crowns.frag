@@ -47,7 +47,7 @@ void main() {
     bool there = float(hash & 0xffffu) < 65536.0 * covered && r < 1.0;
     float seen = there ? solid : 0.0;
     seen = mix(seen, min(covered * roundShare * radius * radius, 1.0) * solid, smoothstep(0.5, 1.2, pixel));
-    if (seen <= evenNoise())
+    if (seen <= fract(evenNoise() + crownGrid.z)) // its own, so that layers add up
         discard;
 
     float own = float(hash >> 16) / 65536.0;
@@ -59,5 +59,5 @@ void main() {
     sun *= within * (0.5 + crownSunThrough + 0.5 * dot(crownSunWay, normal));
 #endif
     vec3 albedo = crownColor.rgb * treeTint(own);
-    paintSurface(sceneColor(albedo * max(shadowed(light, sun, crownEye), 0.0), crownEye), albedo, 1.0);
+    paintSurface(sceneColor(albedo * max(shadowed(light, sun, crownEye), 0.0), crownEye), albedo);
 }

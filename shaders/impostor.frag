@@ -1,10 +1,14 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// One of the four nearest pictures for each pixel, of one of two mipmaps, as often as it is near, and each pixel as often
-// as it is covered: nothing is blended, so that the order in which trees are drawn does not matter.
+// One of the four nearest pictures for each pixel, of one of two mipmaps, as often as it is near, and each pixel, under
+// multisampling each sample, as often as it is covered: nothing is blended, so that the order in which trees are drawn does not matter.
 
-#pragma import_defines(FADING)
+#pragma import_defines(COVERAGE, FADING)
+#ifdef COVERAGE
+#extension GL_ARB_sample_shading : enable
+#endif
 
+#include "coverage.glsl"
 #include "dither.glsl"
 #include "scene.glsl"
 #include "surface.glsl"
@@ -15,7 +19,7 @@ uniform vec4 impostorSize;
 uniform vec3 leafTint; // of the season, over the colour that was painted
 
 flat in vec4 pictureViews;
-flat in vec3 pictureParts;
+flat in vec4 pictureParts;
 flat in vec3 barkLight;
 flat in vec3 leafLightMore;
 flat in mat3 lightByNormal;
@@ -42,7 +46,7 @@ void main() {
         discard;
 #endif
 
-    float chance = evenNoise();
+    float chance = fract(evenNoise() + pictureParts.w); // its own, so that layers of trees add up
     float column = drawn(chance, pictureParts.x) ? pictureViews.y : pictureViews.x;
     float row = drawn(chance, pictureParts.y) ? pictureViews.w : pictureViews.z;
     vec2 coord = (vec2(column, row) + pictureCoord) / impostorSize.zw;
@@ -50,8 +54,7 @@ void main() {
     float lod = clamp(0.5 * log2(max(dot(dx, dx), dot(dy, dy))), 0.0, coarsest);
     lod = floor(lod + fract(64.0 * chance)); // one of both, as often as it is near: half of the texels
     vec4 color = textureLod(impostorColors, coord, lod);
-    if (color.a <= chance)
-        discard;
+    cover(color.a, chance);
 
     vec4 lobe = textureLod(impostorNormals, coord, lod) / color.a;
     vec3 way = 4.0 * lobe.xyz - 2.0;
@@ -62,5 +65,5 @@ void main() {
 #endif
     vec3 tint = mix(vec3(1.0), leafTint, lobe.a);
     vec3 albedo = tint * color.rgb / color.a;
-    paintSurface(sceneColor(albedo * max(shadowed(light, sun, pictureEye), 0.0), pictureEye), albedo, 1.0);
+    paintSurface(sceneColor(albedo * max(shadowed(light, sun, pictureEye), 0.0), pictureEye), albedo);
 }

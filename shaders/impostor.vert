@@ -17,7 +17,7 @@ uniform vec2 impostorExtents[8]; // lowest and highest on the pictures of an ele
 uniform float leanPower;         // of the height that a lean follows
 
 flat out vec4 pictureViews; // columns and rows of the nearest pictures
-flat out vec3 pictureParts; // share of the second column, of the second row; fade
+flat out vec4 pictureParts; // share of the second column, of the second row; fade; own number
 flat out vec3 barkLight;    // linearLight(), of normals in the tree's frame
 flat out vec3 leafLightMore;
 flat out mat3 lightByNormal;
@@ -66,7 +66,7 @@ void main() {
     float low = min(floor(row), rows - 1.0);
     vec2 columns = mod(vec2(floor(column), floor(column) + 1.0), impostorSize.z);
     pictureViews = vec4(columns, low, low + 1.0);
-    pictureParts = vec3(fract(column), row - low, treeState.z);
+    pictureParts = vec4(fract(column), row - low, treeState.zw);
 
     // What lies on a circle about the trunk goes up and down the picture as a sine of the elevation.
     vec2 weights = sin(quarter / rows * vec2(low + 1.0 - row, row - low)) / sin(quarter / rows);

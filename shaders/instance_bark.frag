@@ -21,5 +21,5 @@ void main() {
 #endif
     float inside = gl_FrontFacing ? 1.0 : 0.4;
     vec3 albedo = inside * barkAlbedo(coordOnBark(barkCoord), barkRadius);
-    paintSurface(sceneColor(albedo * shadowed(barkLight, sunLight, scenePosition), scenePosition), albedo, 1.0);
+    paintSurface(sceneColor(albedo * shadowed(barkLight, sunLight, scenePosition), scenePosition), albedo);
 }

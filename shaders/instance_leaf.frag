@@ -1,7 +1,10 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
-#pragma import_defines(FADING)
+#pragma import_defines(COVERAGE, FADING)
+#ifdef COVERAGE
+#extension GL_ARB_sample_shading : enable
+#endif
 
 #include "dither.glsl"
 #include "leaf_texture.glsl"
@@ -15,12 +18,10 @@ flat in float treeFade;
 flat in float leafBorne;
 
 void main() {
-    vec4 leaf = leafTexel(leafCoord);
-    float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
 #ifdef FADING
     if (dithered(treeFade))
         discard;
 #endif
-    vec3 albedo = leafAlbedo(leaf, leafBorne);
-    paintSurface(sceneColor(albedo * shadowed(leafLight, sunLight, scenePosition), scenePosition), albedo, coverage);
+    vec3 albedo = leafAlbedo(leafTexel(leafCoord, leafBorne), leafBorne);
+    paintSurface(sceneColor(albedo * shadowed(leafLight, sunLight, scenePosition), scenePosition), albedo);
 }

@@ -10,8 +10,6 @@ in vec3 leafLight;
 flat in float leafBorne;
 
 void main() {
-    vec4 leaf = leafTexel(leafCoord);
-    float coverage = leafCoverage(leafAlpha(leaf, leafBorne));
-    vec3 albedo = leafAlbedo(leaf, leafBorne);
-    paintSurface(encoded(albedo * leafLight), albedo, coverage);
+    vec3 albedo = leafAlbedo(leafTexel(leafCoord, leafBorne), leafBorne);
+    paintSurface(encoded(albedo * leafLight), albedo);
 }

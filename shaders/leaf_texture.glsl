@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a texel of a leaf texture means (osgTreeWind/drawing/looks/LeafTexels.h).
 
-// COVERAGE: alpha is what of a pixel is covered, under multisampling (osgTreeWind/drawing/looks/SceneShading.h).
+// COVERAGE: of a pixel those samples are drawn that a leaf covers, under multisampling (osgTreeWind/drawing/looks/SceneShading.h).
+// It differs from card to card, so that layers of leaves add up.
 #pragma import_defines(COVERAGE)
 
 #include "law/tint.glsl"
@@ -11,9 +12,9 @@ uniform sampler2D leafTexture; // brightness, hue, alpha of bare twigs, alpha of
 uniform vec3 leafColor;
 uniform vec3 twigColor;
 
-/// @param borne 1; 0: bare twigs.
-vec3 leafAlbedo(vec4 texel, float borne) {
-    return mix(twigColor, texelTint(texel.r, texel.g) * leafColor, borne);
+/// @param texel brightness and hue. @param borne 1; 0: bare twigs.
+vec3 leafAlbedo(vec2 texel, float borne) {
+    return mix(twigColor, texelTint(texel.x, texel.y) * leafColor, borne);
 }
 float leafAlpha(vec4 texel, float borne) {
     return mix(texel.b, texel.a, borne);
@@ -33,31 +34,34 @@ float leafThreshold(uint noise, ivec2 part) {
     return 0.25 * (float((p.x ^ p.y) << 1 | p.y) + float(noise >> 8) / 16777216.0);
 }
 
-/// The texel of a place, whose alpha is there or not; under COVERAGE the mean of four in its pixel.
-vec4 leafTexel(vec2 coord) {
+/// The brightness and hue of a leaf or twig at a place; discards what neither covers.
+/// @param borne as of leafAlpha().
+vec2 leafTexel(vec2 coord, float borne) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec2 texels = fwidth(coord) * vec2(textureSize(leafTexture, 0));
     float sharper = 1.0 / clamp(max(texels.x, texels.y), 0.01, 1.0); // close by edges are of a pixel, not of a texel
 #ifdef COVERAGE
     uint noise = leafNoise(uvec2(pixel));
     vec2 across = 0.25 * dFdx(coord), along = 0.25 * dFdy(coord);
-    vec4 sum = vec4(0.0);
+    vec3 sum = vec3(0.0);
+    int covered = 0;
     for (int i = 0; i < 4; ++i) {
         ivec2 part = ivec2(i & 1, i >> 1);
         vec2 off = 2.0 * vec2(part) - 1.0;
         vec4 texel = texture(leafTexture, coord + off.x * across + off.y * along, -1.0);
-        sum += vec4(texel.rg, step(leafThreshold(noise, part), sharper * (texel.ba - 0.5) + 0.5));
+        if (leafThreshold(noise, part) <= sharper * (leafAlpha(texel, borne) - 0.5) + 0.5) {
+            sum += vec3(texel.rg, 1.0);
+            covered |= 0x11111111 << i; // of more than four samples each fourth
+        }
     }
-    return 0.25 * sum;
+    if (covered == 0)
+        discard;
+    gl_SampleMask[0] = covered;
+    return sum.rg / sum.b;
 #else
     vec4 texel = texture(leafTexture, coord);
-    return vec4(texel.rg, step(leafThreshold(leafNoise(uvec2(pixel >> 1)), pixel & 1), sharper * (texel.ba - 0.5) + 0.5));
-#endif
-}
-
-/// Alpha to write for one of leafAlpha(); what is not drawn is discarded.
-float leafCoverage(float alpha) {
-    if (alpha <= 0.0)
+    if (leafThreshold(leafNoise(uvec2(pixel >> 1)), pixel & 1) > sharper * (leafAlpha(texel, borne) - 0.5) + 0.5)
         discard;
-    return alpha;
+    return texel.rg;
+#endif
 }

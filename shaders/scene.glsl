@@ -49,9 +49,11 @@ float sunLeft(vec3 eyePosition) {
            osgShadow_ambientBias.y * shadow2DProj(osgShadow_shadowTexture, shadowPlace(SHADOW_MAP, eye)).r;
 #endif
 #ifdef SHADOW_MAPS
-    left = shadow2DProj(shadowTexture0, shadowPlace(SHADOW_MAP_UNIT0, eye)).r;
+    vec4 place0 = shadowPlace(SHADOW_MAP_UNIT0, eye);
+    left = shadow2DProj(shadowTexture0, place0).r;
 #if SHADOW_MAPS > 1
-    left *= shadow2DProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye)).r;
+    if (any(greaterThan(abs(2.0 * place0.xyz - place0.w), vec3(place0.w)))) // the first one does not reach as far
+        left = shadow2DProj(shadowTexture1, shadowPlace(SHADOW_MAP_UNIT1, eye)).r;
 #endif
 #endif
     return left;

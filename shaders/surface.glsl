@@ -15,9 +15,9 @@ void placeSurface(vec4 eye, vec3 normal, float tree) {
 #else
 
 /// The last that is done to a pixel.
-/// color: as it is seen, lit, in fog and encoded. albedo: linear, without light. coverage: alpha.
-void paintSurface(vec3 color, vec3 albedo, float coverage) {
-    gl_FragColor = vec4(color, coverage);
+/// color: as it is seen, lit, in fog and encoded. albedo: linear, without light.
+void paintSurface(vec3 color, vec3 albedo) {
+    gl_FragColor = vec4(color, 1.0);
 }
 
 #endif

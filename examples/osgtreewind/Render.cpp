@@ -2,11 +2,11 @@
 #include "Command.h"
 #include "DefaultView.h"
 #include "FeetGround.h"
+#include "LightOptions.h"
 #include "Offscreen.h"
 #include "OffscreenViewer.h"
 #include "Progress.h"
 #include "Setting.h"
-#include "SunOption.h"
 #include "VideoWriter.h"
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
@@ -27,7 +27,8 @@ using namespace osgTreeWind;
 
 struct RenderOptions {
     std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(), pose, tiers,
-                      view = "eye", shadows = "soft";
+                      view = "eye";
+    Shadows shadows = Shadows::Soft;
     int frames = 1, samples = 4, width = 0, height = 0;
     double fps = 30.0, start = 0.0, fov = 40.0;
     std::vector<double> eye, center;
@@ -35,10 +36,6 @@ struct RenderOptions {
     TileBox tiles;
     osg::Vec3 sun = Daylight::usualSun;
 };
-
-Shadows shadowsOf(const std::string& name) {
-    return name == "on" ? Shadows::On : name == "off" ? Shadows::Off : Shadows::Soft;
-}
 
 int samplesAcross(const RenderOptions& options) {
     return static_cast<int>(std::lround(std::sqrt(options.samples)));
@@ -169,7 +166,7 @@ ExitCode render(const RenderOptions& options) {
     const Lens lens{options.fov, static_cast<double>(options.width) / options.height};
     const ForestView view = viewOf(options, *forest, lens);
     osg::ref_ptr<osg::Group> scene =
-        createSetting(*forest, {shadowsOf(options.shadows), Daylight(options.sun), view.eye});
+        createSetting(*forest, {options.shadows, Daylight(options.sun), view.eye});
 
     OffscreenViewer drawing(options.width, options.height, samplesAcross(options));
     if (!drawing.valid())
@@ -232,25 +229,14 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     addViewOptions(*command, *options);
     addSeasonOption(*command, options->season);
     addTilesOption(*command, options->tiles);
-    command->add_option_function<std::string>(
-        "--sun", [options](const std::string& text) { options->sun = parseSun(text); },
-        "Where the sun stands: AZIMUTH,ELEVATION in degrees, clockwise from north (+y), or when and where "
-        "the\n"
-        "day is: TIME@LATITUDE,LONGITUDE as in 2026-07-01T18:00Z@52.5,13.4; half way up in the south-east "
-        "when\n"
-        "not given");
+    addSunOption(*command, options->sun);
     command
         ->add_option("--samples", options->samples,
                      "Samples a pixel, each with all that is drawn, for smooth edges: 1, 4, 9 or 16")
         ->check(CLI::IsMember({1, 4, 9, 16}))
         ->capture_default_str();
     addBackendOption(*command, options->backend);
-    command
-        ->add_option("--shadows", options->shadows,
-                     "on: of osgShadow, on ground and trees; soft: silhouettes on the ground, which lean "
-                     "with the trees")
-        ->check(CLI::IsMember({"on", "soft", "off"}))
-        ->capture_default_str();
+    addShadowsOption(*command, options->shadows);
     command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")
         ->check(CLI::IsMember({"on", "off"}));
     command

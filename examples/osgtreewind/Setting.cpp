@@ -4,7 +4,10 @@
 #include "Ground.h"
 #include "GroundShadows.h"
 #include "Sky.h"
+#include "SunShadows.h"
 #include "Tufts.h"
+
+#include <osgTreeWind/forest/ForestDescription.h>
 
 #include <osg/BlendFunc>
 #include <osg/ColorMask>
@@ -12,14 +15,10 @@
 #include <osg/Fog>
 #include <osg/LightModel>
 #include <osg/LightSource>
-#include <osgShadow/ShadowMap>
-#include <osgShadow/ShadowedScene>
 
 namespace {
 
 using osgTreeWind::Forest;
-
-constexpr unsigned castsShadow = 0x1, shadowUnit = 7;
 
 osg::ref_ptr<osg::LightSource> createSun(const Daylight& day) {
     osg::ref_ptr<osg::LightSource> sun = new osg::LightSource;
@@ -29,25 +28,12 @@ osg::ref_ptr<osg::LightSource> createSun(const Daylight& day) {
     return sun;
 }
 
-/// The sky's light is the scene's own ambient, as osgShadow::ShadowMap sets that of the sun to black.
 void lightBySky(osg::StateSet& state, const Daylight& day) {
     osg::ref_ptr<osg::LightModel> model = new osg::LightModel;
     model->setAmbientIntensity(osg::Vec4(day.sky + day.around, 1.0f));
     state.setAttribute(model);
     setSkyUniforms(state, day);
     setGroundLight(state, day);
-}
-
-/// A group whose forest casts the shadows of `sun`, on the forest too.
-osg::ref_ptr<osg::Group> createShadowedGroup(osg::Light* sun) {
-    osg::ref_ptr<osgShadow::ShadowMap> shadows = new osgShadow::ShadowMap;
-    shadows->setLight(sun);
-    shadows->setTextureUnit(shadowUnit);
-    shadows->setTextureSize(osg::Vec2s(4096, 4096));
-    shadows->setAmbientBias(osg::Vec2(0.0f, 1.0f));
-    osg::ref_ptr<osgShadow::ShadowedScene> scene = new osgShadow::ShadowedScene(shadows);
-    scene->setCastsShadowTraversalMask(castsShadow);
-    return scene;
 }
 
 /// What is drawn in a render bin.
@@ -74,8 +60,10 @@ osg::ref_ptr<osg::Group> shaded(int bin, osg::Node* things) {
 osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& options) {
     const Daylight& day = options.day;
     osg::ref_ptr<osg::LightSource> sun = createSun(day);
-    osg::ref_ptr<osg::Group> setting = options.shadows == Shadows::On
-                                           ? createShadowedGroup(sun->getLight())
+    const bool isOfTiles = forest.getDescription().tiles.has_value(); // whose trees come and go
+    const Shadows shadows = options.shadows == Shadows::Soft && isOfTiles ? Shadows::On : options.shadows;
+    osg::ref_ptr<osg::Group> setting = shadows == Shadows::On
+                                           ? osg::ref_ptr<osg::Group>(new SunShadows(&forest, day.toSun))
                                            : osg::ref_ptr<osg::Group>(new osg::Group);
     // The picture is opaque, whatever is blended into it.
     osg::StateSet* state = setting->getOrCreateStateSet();
@@ -88,10 +76,9 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
     state->setAttributeAndModes(haze);
 
     osg::ref_ptr<osg::Group> around = new osg::Group, lawn = new osg::Group;
-    around->setNodeMask(~castsShadow);
     around->getOrCreateStateSet()->setDefine("FOG_MODE", "2");
-    if (options.shadows == Shadows::On) {
-        around->getStateSet()->setDefine("SHADOW_MAP", std::to_string(shadowUnit));
+    if (shadows == Shadows::On) {
+        SunShadows::setDefines(*around->getStateSet());
         around->getStateSet()->setDefine("SHADOW_CLEARANCE", "0.0");
     }
     const osg::ref_ptr<osg::Node> ground = createGround(forest);
@@ -102,7 +89,7 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
         lawn->addChild(tufts);
         around->addChild(inBin(-2, tufts)); // the shadows lie on the ground
     }
-    if (options.shadows == Shadows::Soft) {
+    if (shadows == Shadows::Soft) {
         around->addChild(inBin(-3, createGroundShadows(forest, day.toSun, *setting)));
         around->addChild(shaded(-1, lawn));
     }

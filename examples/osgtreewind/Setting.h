@@ -12,7 +12,7 @@
 enum class Shadows {
     Off,
     Soft, ///< A silhouette of each tree on the ground (GroundShadows.h), which leans with it.
-    On,   ///< Those of osgShadow, which move with the trees and fall on them too.
+    On,   ///< Shadow maps (SunShadows.h): they move with the trees and fall on them too.
 };
 
 struct SettingOptions {

@@ -3,9 +3,9 @@
 #include "Command.h"
 #include "DefaultView.h"
 #include "FeetGround.h"
+#include "LightOptions.h"
 #include "Offscreen.h"
 #include "Setting.h"
-#include "SunOption.h"
 
 #include <osgTreeWind/controls/ForestHandler.h>
 #include <osgTreeWind/controls/StatisticsLines.h>
@@ -14,7 +14,9 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
+#include <osg/DisplaySettings>
 #include <osg/Quat>
+#include <osg/os_utils>
 #include <osgGA/FirstPersonManipulator>
 #include <osgGA/FlightManipulator>
 #include <osgGA/KeySwitchMatrixManipulator>
@@ -36,13 +38,14 @@ struct ViewOptions {
     int frames = 0, width = 0, height = 0;
     std::optional<float> season;
     osg::Vec3 sun = Daylight::usualSun;
+    Shadows shadows = Shadows::Soft;
 };
 
 /// A forest, all that is around it, and what its handler shows.
 class Stage {
 public:
-    Stage(Forest* forest, ForestHandler* handler, const ForestView& view, const osg::Vec3& sun)
-        : _forest(forest), _root(new osg::Group), _view(view), _sun(sun) {
+    Stage(Forest* forest, ForestHandler* handler, const ForestView& view, const ViewOptions& options)
+        : _forest(forest), _root(new osg::Group), _view(view), _sun(options.sun), _shadows(options.shadows) {
         _root->addChild(handler->getOverlay());
         light();
     }
@@ -63,8 +66,7 @@ public:
 private:
     void light() {
         _root->removeChild(_setting);
-        const bool trees = !_forest->getDescription().tiles; // those of tiles come and go
-        _setting = createSetting(*_forest, {trees ? Shadows::Soft : Shadows::Off, Daylight(_sun), _view.eye});
+        _setting = createSetting(*_forest, {_shadows, Daylight(_sun), _view.eye});
         _root->insertChild(0, _setting);
     }
 
@@ -72,6 +74,7 @@ private:
     osg::ref_ptr<osg::Group> _root, _setting;
     ForestView _view;
     osg::Vec3 _sun;
+    Shadows _shadows;
 };
 
 /// The keys that are this program's and not the forest's.
@@ -184,10 +187,13 @@ ExitCode show(const ViewOptions& options) {
     const Lens lens{40.0, static_cast<double>(options.width) / options.height};
     const ForestView view = firstView(*forest, lens, options.sun);
     osg::ref_ptr<ForestHandler> handler = new ForestHandler(forest);
-    Stage stage(forest, handler, view, options.sun);
+    Stage stage(forest, handler, view, options);
     const osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> ways = waysToLook(view);
 
     const osg::ref_ptr<ClipRecorder> recorder = new ClipRecorder;
+    osg::DisplaySettings::instance()->setMinimumNumAlphaBits(8); // the setting's shadows lie there
+    if (std::string samples; !osg::getEnvVar("OSG_MULTI_SAMPLES", samples))
+        osg::DisplaySettings::instance()->setNumMultiSamples(4);
     osgViewer::Viewer viewer;
     viewer.setUpViewInWindow(60, 60, options.width, options.height);
     viewer.setLightingMode(osg::View::NO_LIGHT);
@@ -229,9 +235,8 @@ void addViewCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--save", options->save,
                         "Where the key w writes the forest as it is; by default FILE.edited.treewind, here");
     addSeasonOption(*command, options->season);
-    command->add_option_function<std::string>(
-        "--sun", [options](const std::string& text) { options->sun = parseSun(text); },
-        "Where the sun stands at first, as of render");
+    addSunOption(*command, options->sun);
+    addShadowsOption(*command, options->shadows);
     command->footer("In the window: h shows the keys of the forest; s statistics, f full screen, c writes a "
                     "picture,\n1, 2 and 3 are ways to look around, walk and fly, escape ends it.\n"
                     "Example: osgtreewind view forest.treewind");

@@ -50,6 +50,9 @@ struct ForestDescription {
     /// What world coordinates are of: a map in metres, in any words that PROJ knows ("EPSG:25832"). Empty:
     /// none.
     std::string crs;
+    /// The map that a host's scene is in, likewise; empty: none. A reader of models puts the forest where it
+    /// stands there (placeOnHostMap()).
+    std::string hostCrs;
     GroundPtr ground; ///< Null: none. Trees stand where they are put (StandOnGround.h puts them on it).
     MotionLaw law = MotionLaw::Modal; ///< How they move.
     /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].

@@ -60,6 +60,11 @@ const Fields& fieldsOfFile() {
          at<&ForestDescription::crs>,
          {},
          "coordinate reference system of the world: a map in metres, as PROJ calls it (`\"EPSG:25832\"`)"},
+        {"host_crs",
+         at<&ForestDescription::hostCrs>,
+         {},
+         "map of the scene that reads the file as a model, likewise: the forest then stands at its place "
+         "there"},
     };
     return fields;
 }

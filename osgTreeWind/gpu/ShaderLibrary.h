@@ -19,6 +19,12 @@ constexpr unsigned treePlaceLocation = 12, treeSizeLocation = 13, treeStateLocat
 /// host sets with OVERRIDE above a forest leaves them alone. One that is set below replaces them.
 constexpr auto ownProgram = osg::StateAttribute::ON | osg::StateAttribute::PROTECTED;
 
+/// Neither side is left out: by default OSG's shadow cameras draw back faces alone, and override what is not
+/// PROTECTED.
+inline void drawBothSides(osg::StateSet& state) {
+    state.setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+}
+
 /// Whether programs of ours run in the context that is current: `#version 330 compatibility` does not in a
 /// core profile. The first time it says no it says so, by an OSG_WARN, and why.
 bool canRunPrograms(const osg::State& state);

@@ -2,6 +2,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
@@ -259,6 +260,9 @@ void readRoot(TableReader& root, ForestReading& reading) {
         if (const std::string problem = problemOfMemory(reading.forest, false); !problem.empty())
             root.problem("", problem);
     readOrigin(root, reading);
+    if (!reading.forest.hostCrs.empty())
+        if (const auto place = placeOnHostMap(reading.forest); !place)
+            root.problem("host_crs", place.problems().front().message);
     root.table("wind", [&](TableReader& table) { readWind(table, reading); });
 }
 

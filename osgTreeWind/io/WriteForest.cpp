@@ -25,6 +25,8 @@ public:
     explicit Refusals(const ForestDescription& forest) : _problems(check(forest)) {
         if (!isToml(forest.crs))
             add("crs", "expected UTF-8");
+        if (!isToml(forest.hostCrs))
+            add("host_crs", "expected UTF-8");
         if (forest.species.empty())
             add("species", "expected at least one");
         for (std::size_t i = 0; i < forest.species.size(); ++i)

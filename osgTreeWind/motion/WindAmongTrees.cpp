@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/WindAmongTrees.h>
 
-#include <osgTreeWind/wind/WindWithSources.h>
-
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -67,17 +65,19 @@ WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest&
     }
     if (given == _given)
         return _met;
-    // What moves the air beside the wind does so among the trees as above them.
-    const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(given);
-    const WindFieldPtr& open = sourced ? sourced->wind() : given;
-    const auto among =
-        open ? std::make_shared<CanopyWind>(open, *_canopy, static_cast<float>(canopy.reference), canopy.seed)
-             : nullptr;
-    if (among && !(_company && near(among->meanWind(), _company->meanWind())))
-        _company = among;
-    _met = among;
-    if (sourced)
-        _met = std::make_shared<WindWithSources>(_met, sourced->sources());
+    const auto continueDown = [&](const WindFieldPtr& open) -> WindFieldPtr {
+        if (!open)
+            return nullptr;
+        const auto among =
+            std::make_shared<CanopyWind>(open, *_canopy, static_cast<float>(canopy.reference), canopy.seed);
+        if (!(_company && near(among->meanWind(), _company->meanWind())))
+            _company = among;
+        return among;
+    };
+    // Sources move the air among the trees as above them.
+    _met = given->changedBesideSources(continueDown);
+    if (!_met)
+        _met = continueDown(given);
     _given = given;
     return _met;
 }

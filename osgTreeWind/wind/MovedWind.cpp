@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {
@@ -35,16 +34,20 @@ MovedWind::MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld, Up up)
         _frameToWorld = moved->_frameToWorld * _frameToWorld;
         _turnBack = _turnBack * moved->_turnBack;
     }
+    _rise = _up == Up::OfTheWorld ? _frameToWorld[2].z : glm::length(glm::dvec3(_frameToWorld[2]));
 }
+
+MovedWind::MovedWind(const MovedWind& moved, WindFieldPtr ofFrame)
+    : _world(std::move(ofFrame)), _frameToWorld(glm::inverse(moved._frameToWorld)),
+      _turnBack(glm::transpose(moved._turnBack)), _up(moved._up),
+      _rise(moved._rise != 0.0 ? 1.0 / moved._rise : 0.0) {}
 
 WindPlace MovedWind::inWorld(const WindPlace& place) const {
     const glm::dvec3 at(place.position);
     const glm::dvec3 position(_frameToWorld * glm::dvec4(at, 1.0));
-    const glm::dvec3 rise(_frameToWorld[2] * static_cast<double>(place.height)); // from the foot
     WindPlace moved = place;
     moved.position = glm::vec3(position);
-    moved.height =
-        static_cast<float>(_up == Up::OfTheWorld ? rise.z : std::copysign(glm::length(rise), place.height));
+    moved.height = static_cast<float>(_rise * static_cast<double>(place.height));
     return moved;
 }
 
@@ -60,6 +63,14 @@ void MovedWind::sample(const WindPlace* places, std::size_t count, double time, 
 
 WindFieldPtr MovedWind::withoutGusts() const {
     WindFieldPtr world = _world->withoutGusts();
+    return world ? std::make_shared<MovedWind>(std::move(world), _frameToWorld, _up) : nullptr;
+}
+
+WindFieldPtr MovedWind::changedBesideSources(const Change& change) const {
+    WindFieldPtr world = _world->changedBesideSources([&](const WindFieldPtr& open) -> WindFieldPtr {
+        const WindFieldPtr changed = change(std::make_shared<MovedWind>(open, _frameToWorld, _up));
+        return changed ? WindFieldPtr(new MovedWind(*this, changed)) : nullptr;
+    });
     return world ? std::make_shared<MovedWind>(std::move(world), _frameToWorld, _up) : nullptr;
 }
 

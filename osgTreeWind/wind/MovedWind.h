@@ -22,14 +22,18 @@ public:
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
     WindFieldPtr withoutGusts() const override;
+    WindFieldPtr changedBesideSources(const Change& change) const override;
 
 private:
+    /// A wind of a frame as it is met in the world: the inverse of `moved`.
+    MovedWind(const MovedWind& moved, WindFieldPtr ofFrame);
     WindPlace inWorld(const WindPlace& place) const;
 
     WindFieldPtr _world;
     glm::dmat4 _frameToWorld;
     glm::dmat3 _turnBack; ///< Of velocities, from the world to the frame.
     Up _up;
+    double _rise; ///< Heights in the world for one in the frame.
 };
 
 } // namespace osgTreeWind

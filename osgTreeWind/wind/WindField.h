@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 namespace osgTreeWind {
@@ -53,6 +54,11 @@ public:
 
     /// The same wind without turbulence that is made up and not known; null where it makes up none.
     virtual std::shared_ptr<const WindField> withoutGusts() const { return nullptr; }
+
+    /// Makes another wind of one; null is calm.
+    using Change = std::function<std::shared_ptr<const WindField>(const std::shared_ptr<const WindField>&)>;
+    /// The same wind with a change of what blows beside its sources (WindWithSources); null where it has none.
+    virtual std::shared_ptr<const WindField> changedBesideSources(const Change&) const { return nullptr; }
 };
 
 using WindFieldPtr = std::shared_ptr<const WindField>;

@@ -56,4 +56,8 @@ WindFieldPtr WindWithSources::withoutGusts() const {
     return isGusty ? std::make_shared<WindWithSources>(mean ? mean : _wind, std::move(steady)) : nullptr;
 }
 
+WindFieldPtr WindWithSources::changedBesideSources(const Change& change) const {
+    return std::make_shared<WindWithSources>(change(_wind), _sources);
+}
+
 } // namespace osgTreeWind

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 #include <plugins/treewind/StatisticsOfViewer.h>
+
+#include <osg/MatrixTransform>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
@@ -106,13 +109,35 @@ private:
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
         node.value()->setEventCallback(new StatisticsOfViewer);
         node.value()->setName(osgDB::getSimpleFileName(where.file));
-        return node.value().get();
+        return onHostMap(*node.value());
+    }
+
+    /// The forest, below a transform where it says which map the host's scene is in.
+    static ReadResult onHostMap(Forest& forest) {
+        if (forest.getDescription().hostCrs.empty())
+            return &forest;
+        const Result<glm::dmat4> place = placeOnHostMap(forest.getDescription());
+        if (!place)
+            return ReadResult(linesOf(place.problems()));
+        osg::ref_ptr<osg::MatrixTransform> transform =
+            new osg::MatrixTransform(osg::Matrixd(&place.value()[0][0]));
+        transform->setName(forest.getName());
+        transform->addChild(&forest);
+        return transform.get();
+    }
+
+    /// The forest of what onHostMap() gave.
+    static const osg::Node& withoutPlace(const osg::Node& node) {
+        const osg::Group* const group = node.asTransform();
+        const auto forest =
+            group && group->getNumChildren() == 1 ? dynamic_cast<const Forest*>(group->getChild(0)) : nullptr;
+        return forest && !forest->getDescription().hostCrs.empty() ? *forest : node;
     }
 
     /// A Forest with nothing else below it.
     template <typename Writer>
     static WriteResult write(const osg::Node& node, const Writer& writer) {
-        const auto forest = dynamic_cast<const Forest*>(&node);
+        const auto forest = dynamic_cast<const Forest*>(&withoutPlace(node));
         if (!forest)
             return WriteResult(std::string("a .treewind file holds a Forest, not a ") + node.className());
         for (unsigned i = 0; i < forest->getNumChildren(); ++i)

@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
+#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <osg/CoordinateSystemNode>
 #include <osg/MatrixTransform>
@@ -116,4 +117,30 @@ TEST(WindFrameTest, aCopyHasTheWindInTheSameFrame) {
     const osg::ref_ptr<Forest> copy = new Forest(*forest);
     EXPECT_EQ(copy->getWindFrame(), WindFrame::Geocentric);
     EXPECT_EQ(copy->getSimulation().describe().windFrame, WindFrame::Geocentric);
+}
+
+TEST(WindFrameTest, aCanopyTakesNothingFromSourcesWhereverTheForestIs) {
+    const auto leansUnderAJet = [](const osg::Matrixd& place) {
+        const osg::Vec3d mouth = osg::Vec3d(-6.0, 0.0, 4.0) * place,
+                         way = osg::Matrixd::transform3x3(osg::X_AXIS, place);
+        WindSource jet;
+        jet.kind = WindSource::Kind::Jet;
+        jet.position = {mouth.x(), mouth.y(), mouth.z()};
+        jet.radius = 2.0;
+        jet.speed = 30.0;
+        jet.turbulence = 0.0;
+        jet.toward = osg::RadiansToDegrees(std::atan2(way.x(), way.y()));
+        ForestDescription description = smallForest(3);
+        description.wind = nullptr;
+        description.windCanopy.source = CanopySource::Given;
+        const osg::ref_ptr<Forest> forest = new Forest(description);
+        forest->setWind(std::make_shared<WindWithSources>(
+            std::make_shared<UniformWind>(glm::vec3(0.0f, 0.0f, 0.0f)), std::vector<WindSource>{jet}));
+        return leansAt(place, *forest);
+    };
+    const std::vector<glm::vec2> expected = leansUnderAJet(osg::Matrixd());
+    expectAlike(leansUnderAJet(osg::Matrixd::translate(500.0, 0.0, 0.0)), expected, "500 m to the east");
+    expectAlike(leansUnderAJet(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS) *
+                               osg::Matrixd::translate(40.0, 90.0, 0.0)),
+                expected, "turned");
 }

@@ -189,3 +189,46 @@ TEST_F(ReaderWriterTreewindTest, refusesByNameWhatItCannotWrite) {
     EXPECT_EQ(plugin()->writeNode(*forest, std::string("a.obj"), nullptr).status(),
               osgDB::ReaderWriter::WriteResult::FILE_NOT_HANDLED);
 }
+
+TEST_F(ReaderWriterTreewindTest, aForestStandsAtItsPlaceOnTheMapOfItsHost) {
+    const auto placeOf = [](const std::string& host) {
+        std::istringstream input(
+            "version = 1\ncrs = \"EPSG:25832\"\norigin = [500000.0, 5500000.0, 100.0]\n" + host +
+            "[[tree]]\nposition = [500010.0, 5500020.0, 100.0]\n");
+        const osg::ref_ptr<osg::Node> node = plugin()->readNode(input, nullptr).takeNode();
+        EXPECT_TRUE(node);
+        const osg::Transform* transform = node ? node->asTransform() : nullptr;
+        return transform ? transform->asMatrixTransform()->getMatrix() : osg::Matrixd();
+    };
+    EXPECT_TRUE(placeOf("").isIdentity());
+    EXPECT_EQ(placeOf("host_crs = \"EPSG:25832\"\n"), osg::Matrixd::translate(500000.0, 5500000.0, 100.0));
+    // PROJ 9.1 (cs2cs): EPSG:25832 to EPSG:25833 of the origin, and of the place 1 km to the east of it.
+    const osg::Matrixd next = placeOf("host_crs = \"EPSG:25833\"\n");
+    EXPECT_LT((next.getTrans() - osg::Vec3d(67034.9403, 5517306.7404, 100.0)).length(), 0.001);
+    EXPECT_LT((osg::Vec3d(1000.0, 0.0, 0.0) * next - osg::Vec3d(68034.0389, 5517226.7087, 100.0)).length(),
+              0.05);
+    EXPECT_EQ(next(2, 2), 1.0) << "heights stay";
+}
+
+TEST_F(ReaderWriterTreewindTest, aMapOfTheHostThatIsNoneIsAnErrorWithItsLine) {
+    const auto problemOf = [](const std::string& text) {
+        std::istringstream input("version = 1\n" + text + "[[tree]]\nposition = [1.0, 2.0]\n");
+        return plugin()->readNode(input, nullptr).message();
+    };
+    EXPECT_EQ(problemOf("host_crs = \"EPSG:25833\"\n"),
+              "2: host_crs: expected the forest's own crs beside it");
+    EXPECT_NE(problemOf("crs = \"EPSG:25832\"\nhost_crs = \"EPSG:4326\"\n").find("3: host_crs: "),
+              std::string::npos);
+    EXPECT_NE(problemOf("crs = \"EPSG:25832\"\nhost_crs = \"nowhere\"\n").find("3: host_crs: "),
+              std::string::npos);
+}
+
+TEST_F(ReaderWriterTreewindTest, aForestOnTheMapOfItsHostIsWrittenWithoutItsTransform) {
+    std::istringstream input(
+        "version = 1\ncrs = \"EPSG:25832\"\nhost_crs = \"EPSG:25833\"\norigin = [500000.0, 5500000.0, "
+        "0.0]\n[[tree]]\nposition = [500010.0, 5500020.0, 0.0]\n");
+    const osg::ref_ptr<osg::Node> node = plugin()->readNode(input, nullptr).takeNode();
+    std::ostringstream output;
+    EXPECT_TRUE(plugin()->writeNode(*node, output, nullptr).success());
+    EXPECT_NE(output.str().find("host_crs = \"EPSG:25833\""), std::string::npos) << output.str();
+}

@@ -15,8 +15,8 @@ void placeSurface(vec4 eye, vec3 normal, float tree) {
 
 in vec3 hostNormal;
 
-void paintSurface(vec3 color, vec3 albedo, float coverage) {
-    gl_FragData[0] = vec4(albedo, coverage);
+void paintSurface(vec3 color, vec3 albedo) {
+    gl_FragData[0] = vec4(albedo, 1.0);
     gl_FragData[1] = vec4(normalize(hostNormal), 1.0);
 }
 

@@ -18,8 +18,8 @@ void placeSurface(vec4 eye, vec3 normal, float tree) {
 
 in float hostDistance;
 
-void paintSurface(vec3 color, vec3 albedo, float coverage) {
-    gl_FragColor = vec4(color, coverage);
+void paintSurface(vec3 color, vec3 albedo) {
+    gl_FragColor = vec4(color, 1.0);
     gl_FragDepth = log2(1.0 + hostDistance) / log2(1.0 + farthest);
 }
 

@@ -15,9 +15,7 @@ void placeSurface(vec4 eye, vec3 normal, float tree) {
 
 flat in float hostTree;
 
-void paintSurface(vec3 color, vec3 albedo, float coverage) {
-    if (coverage < 0.5)
-        discard;
+void paintSurface(vec3 color, vec3 albedo) {
     uint id = 1u + uint(hostTree * 16777214.0); // 0 is where no tree is
     gl_FragColor = vec4(vec3(id >> 16, id >> 8 & 255u, id & 255u) / 255.0, 1.0);
 }

@@ -74,7 +74,7 @@ FarCrowns::FarCrowns(const CrownSheet& sheet, const ForestDescription& world)
     setName("far crowns");
     osg::StateSet* state = getOrCreateStateSet();
     state->setAttributeAndModes(createProgram("crowns", "crowns"), ownProgram);
-    state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    drawBothSides(*state);
     state->addUniform(_colors);
     state->addUniform(new osg::Uniform("tierColor", osg::Vec3(0.5f, 0.05f, 1.0f)));
     const ForestTiles& tiles = *world.tiles;

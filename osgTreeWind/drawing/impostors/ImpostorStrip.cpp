@@ -49,7 +49,7 @@ osg::ref_ptr<osg::StateSet> stateSet(const ImpostorPictures& pictures, osg::Prog
     }
     state->addUniform(extents);
     state->addUniform(new osg::Uniform("leafTint", osg::Vec3(1.0f, 1.0f, 1.0f)));
-    state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    drawBothSides(*state);
     return state;
 }
 

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/looks/SceneShading.h>
 
 #include <osg/Fog>
+#include <osg/GLExtensions>
 #include <osg/Multisample>
 #include <osg/Uniform>
 
@@ -75,7 +76,7 @@ std::string fogMode(const osg::Fog* fog) {
 
 } // namespace
 
-void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, bool multisampled) {
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, bool samples) {
     const Above above(place);
     osg::StateSet::DefineList defines;
     const auto define = [&](const char* name, const std::string& value) {
@@ -94,7 +95,8 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, boo
         define("FOG_MODE", fogMode(above.fog()));
     if (isOn(above.mode(GL_FRAMEBUFFER_SRGB)))
         define("LINEAR_COLORS", "1");
-    if (multisampled)
+    const auto multisample = above.mode(GL_MULTISAMPLE_ARB);
+    if (samples && (multisample == osg::StateAttribute::INHERIT || isOn(multisample)))
         define("COVERAGE", "1");
     const std::string shadowMap = above.number("osgShadow_shadowTexture");
     if (!shadowMap.empty())
@@ -109,7 +111,9 @@ void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, boo
     state.setDefineList(defines);
 }
 
-bool isMultisampled(const osg::Camera& camera) {
+bool choosesSamples(const osg::Camera& camera, const osg::State& state) {
+    if (!osg::isGLExtensionOrVersionSupported(state.getContextID(), "GL_ARB_sample_shading", 4.0f))
+        return false;
     if (camera.getRenderTargetImplementation() == osg::Camera::FRAME_BUFFER_OBJECT) {
         const auto& attachments = camera.getBufferAttachmentMap();
         return std::any_of(attachments.begin(), attachments.end(),
@@ -118,11 +122,6 @@ bool isMultisampled(const osg::Camera& camera) {
     GLint buffers = 0;
     glGetIntegerv(GL_SAMPLE_BUFFERS_ARB, &buffers);
     return buffers > 0;
-}
-
-void setCoverageModes(osg::StateSet& state) {
-    state.setMode(GL_SAMPLE_ALPHA_TO_COVERAGE_ARB, osg::StateAttribute::ON);
-    state.setMode(GL_SAMPLE_ALPHA_TO_ONE_ARB, osg::StateAttribute::ON); // only coverage is meant
 }
 
 } // namespace osgTreeWind

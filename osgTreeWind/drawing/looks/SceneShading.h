@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osg/Camera>
+#include <osg/State>
 #include <osg/StateSet>
 
 #include <osgUtil/StateGraph>
@@ -15,13 +16,11 @@ namespace osgTreeWind {
 ///
 /// Known once a cull is over: ViewDependentShadowMap fills in its state last.
 /// @param state to take the defines of shaders/light.glsl and shaders/scene.glsl, and no others.
-/// @param multisampled whether alpha becomes coverage: isMultisampled().
-void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, bool multisampled = false);
+/// @param samples whether fragments choose their samples: choosesSamples().
+void setSceneDefines(osg::StateSet& state, const osgUtil::StateGraph* place, bool samples);
 
-/// Whether what a camera draws into has several samples a pixel. Call it while its frame is drawn.
-bool isMultisampled(const osg::Camera& camera);
-
-/// Lets alpha be coverage for setSceneDefines() to use; nothing changes where there is one sample a pixel.
-void setCoverageModes(osg::StateSet& state);
+/// Whether what a camera draws into has several samples a pixel, and a fragment can choose those that it
+/// covers (GL_ARB_sample_shading). Call it while the camera's frame is drawn.
+bool choosesSamples(const osg::Camera& camera, const osg::State& state);
 
 } // namespace osgTreeWind

@@ -4,7 +4,6 @@
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
-#include <osgTreeWind/drawing/looks/SceneShading.h>
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
@@ -115,7 +114,7 @@ void TreeTextures::showBark(osg::StateSet& state, osg::Program* program, const A
     state.addUniform(new osg::Uniform("barkTexture", 0));
     state.addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
     state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
-    state.setMode(GL_CULL_FACE, osg::StateAttribute::OFF); // joints are open tubes
+    drawBothSides(state); // joints are open tubes
 }
 
 void TreeTextures::showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
@@ -123,9 +122,7 @@ void TreeTextures::showLeaves(osg::StateSet& state, osg::Program* program, const
     state.setTextureAttribute(0, leaves(appearance));
     state.addUniform(new osg::Uniform("leafTexture", 0));
     state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
-    // Shadow cameras would leave out half of them.
-    state.setMode(GL_CULL_FACE, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
-    setCoverageModes(state);
+    drawBothSides(state);
 }
 
 } // namespace osgTreeWind

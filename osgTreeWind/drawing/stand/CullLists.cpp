@@ -67,7 +67,7 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
     if (!canRunPrograms(*renderInfo.getState()))
         return;
     osg::ref_ptr<osg::Camera> camera;
-    setSceneDefines(*_shading, _place, _camera.lock(camera) && isMultisampled(*camera));
+    setSceneDefines(*_shading, _place, _camera.lock(camera) && choosesSamples(*camera, *renderInfo.getState()));
     for (std::size_t i = 0; i < _used; ++i)
         if (const InstanceList& trees = *_lists[i].trees; trees.page)
             trees.passes->prepare(*renderInfo.getState(), *trees.page);

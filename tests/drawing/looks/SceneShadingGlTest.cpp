@@ -4,6 +4,8 @@
 #include <tests/nodes/ForestFixtures.h>
 #include <tests/nodes/Pictures.h>
 
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+
 #include <osg/Fog>
 #include <osg/LightModel>
 #include <osg/LightSource>
@@ -62,7 +64,7 @@ protected:
     }
     /// From the south, `distance` metres away, the tree as large each time.
     osg::ref_ptr<osg::Image> picture(double distance = 20.0, int pixels = pictureSize, int samples = 0,
-                                     double half = 3.0) {
+                                     double half = 3.0, float lodScale = 1.0f) {
         reopen(pixels, pixels, samples);
         viewer().setSceneData(scene);
         viewer().setLightingMode(osg::View::NO_LIGHT);
@@ -71,12 +73,15 @@ protected:
                                                 1.0, 500.0);
         camera.setViewMatrixAsLookAt(osg::Vec3d(0, -distance, 2.5), osg::Vec3d(0, 0, 2.5),
                                      osg::Vec3d(0, 0, 1));
+        camera.setLODScale(lodScale);
+        camera.setClearColor(background);
         frame(0.0);
         return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
     }
 
     osg::ref_ptr<osg::Group> scene;
     osg::ref_ptr<Forest> forest;
+    osg::Vec4 background{0, 0, 0, 1};
 };
 
 const osg::Vec4 sun(0.3f, -1.0f, 0.6f, 0.0f), white(0.4f, 0.4f, 0.4f, 1.0f);
@@ -133,24 +138,79 @@ TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
     EXPECT_GT(difference(*turned, *picture()).mean, 2.0);
 }
 
+namespace {
+
+/// The means of n x n pixels, as a window's resolve has them: of the bytes.
+osg::ref_ptr<osg::Image> resolved(const osg::Image& fine, int n) {
+    osg::ref_ptr<osg::Image> mean = new osg::Image;
+    mean->allocateImage(fine.s() / n, fine.t() / n, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < mean->t(); ++y)
+        for (int x = 0; x < mean->s(); ++x)
+            for (int c = 0; c < 4; ++c) {
+                int sum = 0;
+                for (int i = 0; i < n * n; ++i)
+                    sum += fine.data(n * x + i % n, n * y + i / n)[c];
+                mean->data(x, y)[c] = static_cast<unsigned char>((sum + n * n / 2) / (n * n));
+            }
+    return mean;
+}
+
+} // namespace
+
 TEST_F(SceneShadingGlTest, underMultisamplingEdgesOfLeavesAreSmooth) {
     scene->getStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     scene->getStateSet()->removeDefine("LINEAR_COLORS");
-    osg::ref_ptr<osg::Image> fine = picture(20.0, 4 * pictureSize, 0, 1.0),
-                             plain = picture(20.0, pictureSize, 0, 1.0),
-                             multisampled = picture(20.0, pictureSize, 4, 1.0);
-    osg::ref_ptr<osg::Image> mean = new osg::Image(*plain, osg::CopyOp::DEEP_COPY_ALL);
-    for (int y = 0; y < pictureSize; ++y)
-        for (int x = 0; x < pictureSize; ++x)
-            for (int c = 0; c < 3; ++c) {
-                int sum = 0;
-                for (int i = 0; i < 16; ++i)
-                    sum += fine->data(4 * x + i % 4, 4 * y + i / 4)[c];
-                mean->data(x, y)[c] = static_cast<unsigned char>(sum / 16);
-            }
+    const auto picture = [this](int pixels, int samples) {
+        return this->picture(20.0, pixels, samples, 1.0);
+    };
+    osg::ref_ptr<osg::Image> mean = resolved(*picture(4 * pictureSize, 0), 4),
+                             plain = picture(pictureSize, 0), multisampled = picture(pictureSize, 4);
     EXPECT_LT(difference(*multisampled, *mean).mean, 0.95 * difference(*plain, *mean).mean);
     for (int i = 3; i < 4 * pictureSize * pictureSize; i += 4)
         ASSERT_EQ(multisampled->data()[i], plain->data()[i]) << "alpha is written as ever";
+}
+
+TEST_F(SceneShadingGlTest, underMultisamplingCrownsAreAsDenseAsUnderSupersampling) {
+    light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
+    scene->getStateSet()->removeDefine("LINEAR_COLORS");
+    scene->getStateSet()->setMode(GL_LIGHT0, osg::StateAttribute::ON);
+    ForestDescription wood;
+    for (const char* name : {"silver birch", "Norway spruce", "oak"})
+        wood.species.push_back(*findSpecies(name));
+    for (int i = 0; i < 6; ++i) { // in two rows
+        TreePlacement tree;
+        tree.species = static_cast<std::size_t>(i % 3);
+        tree.position = {9.0 * (i % 3 - 1) + (i < 3 ? 0.0 : 4.5), i < 3 ? 0.0 : 8.0, -6.0};
+        tree.size.height = 13.0f;
+        tree.seed = static_cast<std::uint32_t>(i);
+        wood.trees.push_back(tree);
+    }
+    scene->removeChild(forest);
+    scene->addChild(new Forest(wood));
+    background.set(1, 1, 1, 1);              // shows through gaps
+    for (const double half : {13.5, 30.0}) { // trees, and pictures of them
+        const int pixels = half < 20.0 ? 384 : 340; // 185 or 74 a tree
+        osg::ref_ptr<osg::Image> fine = resolved(*picture(60.0, 2 * pixels, 0, half, 2.0), 2),
+                                 multisampled = picture(60.0, pixels, 4, half);
+        for (int crown = 0; crown < 3; ++crown) {
+            const auto place = [&](double metres) {
+                return static_cast<int>((metres / half + 1.0) * pixels / 2.0);
+            };
+            const auto meanOf = [&](const osg::Image& image) {
+                osg::Vec3d sum;
+                int count = 0;
+                for (int y = place(-5.0); y < place(4.0); ++y)
+                    for (int x = place(9.0 * crown - 12.0); x < place(9.0 * crown - 6.0); ++x, ++count)
+                        sum += osg::Vec3d(image.data(x, y)[0], image.data(x, y)[1], image.data(x, y)[2]);
+                return sum / count;
+            };
+            const osg::Vec3d expected = meanOf(*fine), found = meanOf(*multisampled);
+            EXPECT_LT(expected.y(), 200.0) << "a crown";
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(found[c], expected[c], 3.0)
+                    << wood.species[crown].name << ' ' << half << ' ' << c;
+        }
+    }
 }
 
 TEST_F(SceneShadingGlTest, modesAboveOverrideAndAreProtectedAsInOsg) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SunOption.h"
+#include "LightOptions.h"
 
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
@@ -11,6 +11,7 @@
 #include <osg/Vec3d>
 
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace {
@@ -41,8 +42,6 @@ std::optional<glm::dvec2> parsePosition(const std::string& text) {
     return glm::dvec2(sun.azimuth, sun.elevation);
 }
 
-} // namespace
-
 osg::Vec3 parseSun(const std::string& text) {
     const auto sun = parsePosition(text);
     if (!sun)
@@ -57,4 +56,28 @@ osg::Vec3 parseSun(const std::string& text) {
     const double azimuth = osg::DegreesToRadians(sun->x), elevation = osg::DegreesToRadians(sun->y);
     return osg::Vec3(osg::Vec3d(std::sin(azimuth) * std::cos(elevation),
                                 std::cos(azimuth) * std::cos(elevation), std::sin(elevation)));
+}
+
+} // namespace
+
+void addSunOption(CLI::App& command, osg::Vec3& toSun) {
+    command.add_option_function<std::string>(
+        "--sun", [&toSun](const std::string& text) { toSun = parseSun(text); },
+        "Where the sun stands: AZIMUTH,ELEVATION in degrees, clockwise from north (+y), or when and where "
+        "the\n"
+        "day is: TIME@LATITUDE,LONGITUDE as in 2026-07-01T18:00Z@52.5,13.4; half way up in the south-east "
+        "when\n"
+        "not given");
+}
+
+void addShadowsOption(CLI::App& command, Shadows& shadows) {
+    static const std::map<std::string, Shadows> names{
+        {"on", Shadows::On}, {"soft", Shadows::Soft}, {"off", Shadows::Off}};
+    command
+        .add_option_function<std::string>(
+            "--shadows", [&shadows](const std::string& name) { shadows = names.at(name); },
+            "on: on ground and trees, and they move with the trees; soft: silhouettes on the ground, which\n"
+            "lean with the trees (a world has `on` in their place)")
+        ->check(CLI::IsMember({"on", "soft", "off"}))
+        ->default_str("soft");
 }
