@@ -22,6 +22,7 @@
 uniform vec4 flutterLimits;
 uniform vec3 flutterPhases;
 uniform vec3 leafUnderside; // what it reflects over what the upper side does
+uniform float leafBrightness; // of the tier: as bright as the tree in full
 
 out vec2 leafCoord;
 out vec3 leafLight;
@@ -58,6 +59,7 @@ void main() {
     bool fromBelow = dot(eyeDirection(pose, blade), eyePosition.xyz) > 0.0;
     vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : turnedOver(pose.wind, gust));
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is that of both sides
+    own *= leafBrightness;
     leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
     sunLight *= own;
     leafCoord = gl_MultiTexCoord0.xy;

@@ -216,10 +216,10 @@ TEST_F(ReaderWriterTreewindTest, aMapOfTheHostThatIsNoneIsAnErrorWithItsLine) {
         return plugin()->readNode(input, nullptr).message();
     };
     EXPECT_EQ(problemOf("host_crs = \"EPSG:25833\"\n"),
-              "2: host_crs: expected the forest's own crs beside it");
-    EXPECT_NE(problemOf("crs = \"EPSG:25832\"\nhost_crs = \"EPSG:4326\"\n").find("3: host_crs: "),
+              ":2:12: host_crs: expected the forest's own crs beside it");
+    EXPECT_NE(problemOf("crs = \"EPSG:25832\"\nhost_crs = \"EPSG:4326\"\n").find(":3:12: host_crs: "),
               std::string::npos);
-    EXPECT_NE(problemOf("crs = \"EPSG:25832\"\nhost_crs = \"nowhere\"\n").find("3: host_crs: "),
+    EXPECT_NE(problemOf("crs = \"EPSG:25832\"\nhost_crs = \"nowhere\"\n").find(":3:12: host_crs: "),
               std::string::npos);
 }
 

@@ -2,7 +2,9 @@
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
 
 #include <osgTreeWind/drawing/impostors/ImpostorAtlas.h>
+#include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
+#include <osgTreeWind/drawing/impostors/TreeView.h>
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/model/CrownShade.h>
@@ -21,34 +23,11 @@
 namespace osgTreeWind {
 namespace {
 
-/// A quad of a leaf cluster, and what shaders/instance_leaf.vert makes of it.
-struct LeafPiece {
-    glm::vec3 corner, across, along; ///< Metres, tree frame.
-    glm::vec3 color;
-    LightLobe light;
-    bool borne;  ///< Or bare twigs.
-    int variant; ///< Of its spray.
-};
-
 /// A stretch of a branch.
 struct BarkPiece {
     glm::vec3 start, end;
     float radius;
     CrownShade::Light light;
-};
-
-struct View {
-    glm::vec3 right, up, toEye;
-
-    View(float azimuth, float elevation) {
-        const glm::vec3 level{glm::cos(azimuth), glm::sin(azimuth), 0.0f}, vertical{0.0f, 0.0f, 1.0f};
-        right = {-level.y, level.x, 0.0f};
-        up = vertical * glm::cos(elevation) - level * glm::sin(elevation);
-        toEye = level * glm::cos(elevation) + vertical * glm::sin(elevation);
-    }
-    glm::vec3 operator()(const glm::vec3& p) const {
-        return {glm::dot(p, right), glm::dot(p, up), glm::dot(p, toEye)};
-    }
 };
 
 ImpostorSettings clamped(ImpostorSettings s) {
@@ -57,34 +36,6 @@ ImpostorSettings clamped(ImpostorSettings s) {
     s.pixels = 1 << static_cast<int>(std::log2(glm::clamp(s.pixels, 32, 512)));
     s.samples = glm::clamp(s.samples, 1, 4);
     return s;
-}
-
-std::vector<LeafPiece> leafPieces(const TreeModel& model, const CrownShade& crown,
-                                  const Appearance& appearance, float share) {
-    std::vector<LeafPiece> pieces;
-    std::size_t cluster = 0;
-    for (const LeafCluster& leaf : model.leaves) {
-        const std::size_t own = cluster++;
-        const auto index = static_cast<float>(own);
-        const bool borne = isBorne(own, share);
-        const glm::vec3 outward = crown.outward(leaf.anchor);
-        const CrownShade::Light light = crown.at(leaf.anchor);
-        const glm::vec3 color =
-            borne ? Laws().clusterTint(0.0f, index) * appearance.leaves : appearance.twigs();
-        for (std::size_t i = 0; i < model.leafMesh.size(); i += 4) {
-            const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
-            const glm::vec3 corner = model.leafMesh[i].corner,
-                            blade = leaf.orientation * model.leafMesh[i].normal;
-            const float side = glm::sign(glm::dot(blade, outward));
-            const auto [variant, mirrored] = LeafAtlas::choose(own, i / 4);
-            const glm::vec3 across = turned(model.leafMesh[i + 1].corner - corner);
-            pieces.push_back({leaf.anchor + turned(corner) + (mirrored ? across : glm::vec3(0.0f)),
-                              mirrored ? -across : across, turned(model.leafMesh[i + 3].corner - corner),
-                              color, LightLobe(light, glm::normalize(outward + 0.5f * side * blade), true),
-                              borne, variant});
-        }
-    }
-    return pieces;
 }
 
 std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& crown) {
@@ -113,10 +64,13 @@ class Painter {
 public:
     Painter(const TreeModel& model, const Appearance& appearance, const ImpostorSettings& settings)
         : _settings(settings), _crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm)),
-          _leaves(leafPieces(model, _crown, appearance, settings.leaves)),
+          _leaves(leafPieces(thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::full()), model.leafMesh,
+                             _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
-          _twigColor(appearance.twigs()), _stencils(stencilsOf(*leafImage(appearance))),
+          _twigColor(appearance.twigs()), _stencils(LeafStencils::ofAtlas(*leafImage(appearance))),
           _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
+        for (const LeafPiece& leaf : _leaves)
+            _lobes.emplace_back(leaf.light, leaf.normal, true);
         _solid.fill(1);
         measure();
     }
@@ -136,14 +90,8 @@ public:
     }
 
 private:
-    static std::vector<LeafStencils> stencilsOf(const osg::Image& texture) {
-        std::vector<LeafStencils> stencils;
-        for (int i = 0; i < LeafAtlas::sprays; ++i)
-            stencils.emplace_back(texture, LeafAtlas::spray(i));
-        return stencils;
-    }
     const LeafStencils& stencilsOf(const LeafPiece& piece) const {
-        return _stencils[static_cast<std::size_t>(piece.variant)];
+        return _stencils[piece.stencils];
     }
 
     float elevation(int row) const {
@@ -186,9 +134,9 @@ private:
     }
 
     void draw(int row, int column) {
-        const View view(glm::two_pi<float>() * static_cast<float>(column) /
-                            static_cast<float>(_settings.azimuths),
-                        elevation(row));
+        const TreeView view(glm::two_pi<float>() * static_cast<float>(column) /
+                                static_cast<float>(_settings.azimuths),
+                            elevation(row));
         const glm::vec2 extent = _pictures.extents[static_cast<std::size_t>(row)];
         const float inner = static_cast<float>(_raster.size()) * (1.0f - 2.0f * ImpostorPictures::margin);
         const glm::vec3 scale{0.5f * inner / _pictures.halfWidth, inner / (extent.y - extent.x), 1.0f};
@@ -260,7 +208,7 @@ private:
             const LeafStencils::Level& level = stencilsOf(leaf).level(_levels[sample.item]);
             const glm::vec3 tint =
                 leaf.borne ? level.tints[static_cast<std::size_t>(sample.cell)] : glm::vec3(1.0f);
-            sum.add(tint * leaf.color, leaf.light, 1.0f);
+            sum.add(tint * leaf.color, _lobes[sample.item], 1.0f);
             return;
         }
         const std::size_t piece = sample.item - _leaves.size();
@@ -280,6 +228,7 @@ private:
     ImpostorSettings _settings;
     CrownShade _crown;
     std::vector<LeafPiece> _leaves;
+    std::vector<LightLobe> _lobes; ///< Of the leaves.
     std::vector<BarkPiece> _bark;
     glm::vec3 _barkColor, _twigColor;
     std::vector<LeafStencils> _stencils; ///< By variant.

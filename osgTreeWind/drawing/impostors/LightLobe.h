@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/model/CrownShade.h>
+#include <osgTreeWind/drawing/impostors/MeanLight.h>
 
 namespace osgTreeWind {
 
@@ -14,7 +14,7 @@ struct LightLobe {
     float strength = 1.0f;
     glm::vec3 way{0.0f}; ///< The normal where nothing stands in the way.
 
-    /// The line nearest to what falls on a piece from the six axes.
+    /// The line nearest to what falls on a piece from the six axes, as strong as that is on a usual day.
     LightLobe(const CrownShade::Light& light, const glm::vec3& normal, bool leaf) {
         const float base = leaf ? 0.5f : 0.25f;
         const glm::vec3 from = light.above * (base + 0.5f * normal),
@@ -23,6 +23,8 @@ struct LightLobe {
         strength = glm::max((sums.x + sums.y + sums.z) / (6.0f * base), 0.01f);
         way = (from - opposite) / strength;
         way *= glm::min(1.0f, longest / glm::max(glm::length(way), longest));
+        strength = glm::max(MeanLight::on(light, normal, leaf) / glm::max(MeanLight::ofLobe(base, way), 0.1f),
+                            0.01f);
     }
 };
 

@@ -60,4 +60,18 @@ std::size_t LeafStencils::levelOf(float share) const {
     return static_cast<std::size_t>(level > 0.0f ? std::min(level, last) : 0.0f);
 }
 
+std::vector<LeafStencils> LeafStencils::ofAtlas(const osg::Image& texture) {
+    std::vector<LeafStencils> stencils;
+    for (int i = 0; i < LeafAtlas::sprays; ++i)
+        stencils.emplace_back(texture, LeafAtlas::spray(i));
+    for (const auto& [growth, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
+        stencils.emplace_back(texture, LeafAtlas::bough(growth, variant));
+    return stencils;
+}
+
+std::size_t LeafStencils::indexOf(int bough, int variant) {
+    const int index = bough < 2 ? variant : LeafAtlas::sprays + (bough == 2 ? variant % 2 : bough - 1);
+    return static_cast<std::size_t>(index);
+}
+
 } // namespace osgTreeWind

@@ -21,6 +21,10 @@ public:
 
     /// @param texture as of makeLeafAtlas(). @param cell of it.
     LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& cell);
+    /// Of all sprays and boughs of a texture.
+    static std::vector<LeafStencils> ofAtlas(const osg::Image& texture);
+    /// Among them. @param bough as of TreeDetail. @param variant of LeafAtlas::choose().
+    static std::size_t indexOf(int bough, int variant);
 
     /// @param share of the cell's width that a pixel of the picture takes.
     std::size_t levelOf(float share) const;

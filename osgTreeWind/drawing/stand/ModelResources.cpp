@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/ModelResources.h>
 
+#include <osgTreeWind/drawing/impostors/LeafPieces.h>
+#include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/PosePage.h>
 #include <osgTreeWind/model/TreeDetail.h>
@@ -15,18 +17,26 @@ ModelResources::ModelResources(const TreeModel& model, std::size_t species, cons
     : _species(species) {
     const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
+    const std::vector<LeafStencils> stencils = LeafStencils::ofAtlas(*leafImage(appearance));
+    float inFull = 0.0f; // light on its leaves
     for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
         const TreeDetail detail = TreeDetail::reduced(tier);
         _bark[tier] = makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), crown);
         if (tier == static_cast<int>(Tier::Sprays))
             _leaves[tier] = _leaves[static_cast<int>(Tier::Full)];
-        else if (!model.leaves.empty()) {
+        float brightness = 1.0f;
+        if (tier != static_cast<int>(Tier::Sprays) && !model.leaves.empty()) {
             const ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, detail);
             _leaves[tier] =
                 LeafOrders::make(*makeLeafGeometry(thinned, model.leafMesh, crown), thinned, model.leafMesh);
+            const float seen = seenLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
+                                             stencils, appearance, model.skeleton.height());
+            inFull = whole ? seen : inFull;
+            brightness = seen > 0.0f ? inFull / seen : 1.0f;
         }
         _states[tier] = new osg::StateSet;
+        _states[tier]->addUniform(new osg::Uniform("leafBrightness", brightness));
         _states[tier]->addUniform(new osg::Uniform("unitRows", layout.rows));
         _states[tier]->addUniform(new osg::Uniform("tierColor", tierColor(static_cast<Tier>(tier))));
     }

@@ -396,5 +396,23 @@ TEST_P(ShadowsGlTest, ofTreesMoveOnTheGroundWithTheWind) {
     EXPECT_GT(difference(*first, *later).outliers, 0.01) << "it stands still";
 }
 
+TEST_P(ShadowsGlTest, ofPicturesOfTreesFallOnTheGround) {
+    osg::ref_ptr<osg::Group> scene = shadowedScene();
+    ForestDescription description = oneTree(smallSpecies(), 0.0f);
+    description.drawing.full = 6000.0f;
+    description.drawing.reduced = 5000.0f;
+    description.drawing.impostor = 4000.0f; // pixels: a picture at any distance
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    scene->addChild(forest);
+    scene->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, -0.5f), 40.0f, 40.0f, 1.0f)));
+    look(scene, osg::Vec3d(-4.5, 0, 30), osg::Vec3d(-4.5, 0, 0), osg::Vec3d(0, 1, 0), 2.0); // beside the tree
+    forest->setNodeMask(0);
+    osg::ref_ptr<osg::Image> bare = run(0, 1);
+    forest->setNodeMask(~0u);
+    osg::ref_ptr<osg::Image> shaded = run(2, 3);
+    EXPECT_GT(difference(*bare, *shaded).outliers, 0.02);
+    EXPECT_LT(meanColour(*shaded).y(), meanColour(*bare).y());
+}
+
 INSTANTIATE_TEST_SUITE_P(Techniques, ShadowsGlTest, ::testing::Values(Map, ViewDependent, TwoViewDependent),
                          NamesInOrder({"ShadowMap", "ViewDependent", "TwoViewDependent"}));

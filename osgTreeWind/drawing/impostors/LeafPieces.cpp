@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/impostors/LeafPieces.h>
+
+#include <osgTreeWind/drawing/impostors/TreeView.h>
+#include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/species/LeafCoverage.h>
+
+#include <glm/common.hpp>
+
+namespace osgTreeWind {
+namespace {
+
+float luminance(const glm::vec3& color) {
+    return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+} // namespace
+
+std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
+                                  const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
+                                  const CrownShade& crown, const Appearance& appearance, float share) {
+    std::vector<LeafPiece> pieces;
+    pieces.reserve(leaves.clusters.size() * static_cast<std::size_t>(leaves.quads()));
+    for (std::size_t i = 0; i < leaves.clusters.size(); ++i) {
+        const LeafCluster& leaf = leaves.clusters[i];
+        const std::size_t own = leaves.indices[i];
+        const bool borne = isBorne(own, share);
+        const auto first = static_cast<std::size_t>(leaves.firstQuad(i));
+        const glm::vec3 outward = crown.outward(leaf.anchor),
+                        middle = middleOf(mesh, leaves.firstQuad(i), leaves.quads());
+        const CrownShade::Light light = crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle));
+        const glm::vec3 color = borne ? Laws().clusterTint(0.0f, static_cast<float>(own)) * appearance.leaves
+                                      : appearance.twigs();
+        for (std::size_t quad = first; quad < first + static_cast<std::size_t>(leaves.quads()); ++quad) {
+            const auto turned = [&](const glm::vec3& v) { return leaf.size * (leaf.orientation * v); };
+            const glm::vec3 corner = mesh[4 * quad].corner, blade = leaf.orientation * mesh[4 * quad].normal;
+            const float side = glm::sign(glm::dot(blade, outward));
+            const auto [variant, mirrored] = LeafAtlas::choose(own, leaves.bough > 1 ? 0 : quad);
+            const glm::vec3 across = turned(mesh[4 * quad + 1].corner - corner);
+            pieces.push_back({leaf.anchor + turned(corner) + (mirrored ? across : glm::vec3(0.0f)),
+                              mirrored ? -across : across, turned(mesh[4 * quad + 3].corner - corner), color,
+                              light, blade, glm::normalize(outward + 0.5f * side * blade), borne,
+                              LeafStencils::indexOf(leaves.bough, variant)});
+        }
+    }
+    return pieces;
+}
+
+float seenLeafLight(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils,
+                    const Appearance& appearance, float height) {
+    constexpr int samples = 96, views = 3;
+    const float scale = static_cast<float>(samples) / height;
+    std::vector<std::size_t> levels(pieces.size());
+    TreeRaster raster(samples);
+    float sum = 0.0f;
+    int count = 0;
+    for (int i = 0; i < views; ++i) {
+        const TreeView view(6.2831853f * static_cast<float>(i) / views, 0.15f);
+        const auto placed = [&](const glm::vec3& v) { return glm::vec3(scale * v.x, scale * v.y, v.z); };
+        raster.clear();
+        std::uint32_t item = 0;
+        for (const LeafPiece& piece : pieces) {
+            const glm::vec3 across = placed(view(piece.across)), along = placed(view(piece.along));
+            const float area = glm::abs(across.x * along.y - across.y * along.x);
+            const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
+                                          glm::max(glm::abs(along.x), glm::abs(along.y)));
+            const LeafStencils& own = stencils[piece.stencils];
+            levels[item] = own.levelOf(widest / glm::max(area, 1e-9f));
+            const LeafStencils::Level& level = own.level(levels[item]);
+            raster.draw({placed(view(piece.corner)) + glm::vec3(0.5f * samples, 0.0f, 0.0f), across, along},
+                        piece.borne ? level.leaves : level.twigs, item++);
+        }
+        for (int y = 0; y < samples; ++y)
+            for (int x = 0; x < samples; ++x)
+                if (const TreeRaster::Sample& sample = raster.sample(x, y);
+                    sample.item != TreeRaster::nothing) {
+                    const LeafPiece& piece = pieces[sample.item];
+                    const float side = glm::dot(piece.blade, view.toEye) < 0.0f ? appearance.underside : 1.0f;
+                    sum += side *
+                           luminance(stencils[piece.stencils]
+                                         .level(levels[sample.item])
+                                         .tints[static_cast<std::size_t>(sample.cell)]) *
+                           MeanLight::on(piece.light, piece.normal, true);
+                    ++count;
+                }
+    }
+    return count > 0 ? sum / static_cast<float>(count) : 0.0f;
+}
+
+} // namespace osgTreeWind
