@@ -33,8 +33,8 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, StandResource
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true); // else nobody asks it to compile them
-    for (const TreeModel& model : SimulationParts::models(*_simulation))
-        _passes.push_back(new PosePass(model.skeleton, _resources.programs));
+    for (const auto& model : SimulationParts::models(*_simulation))
+        _passes.push_back(new PosePass(model->skeleton, _resources.programs));
     for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
         if (SimulationParts::trees(*_simulation)[tree].alive)
             treeChanged(tree);

@@ -85,7 +85,7 @@ AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states, A
     state.setDataVariance(osg::Object::DYNAMIC);
     computeOnly(state);
     state.setTextureAttribute(0, _states.texture(), firmly);
-    state.setAttributeAndModes(createProgram("texels", shader), osg::StateAttribute::ON | firmly);
+    state.setAttributeAndModes(sharedProgram("texels", shader), osg::StateAttribute::ON | firmly);
     state.addUniform(new osg::Uniform("previousAngles", 0));
 }
 
