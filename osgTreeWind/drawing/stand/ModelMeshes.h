@@ -17,7 +17,7 @@ struct ModelMeshes : osg::Referenced {
     ModelMeshes(const TreeModel& model, LeafForm leaves);
 
     osg::ref_ptr<osg::Geometry> bark[branchTiers];
-    LeafOrders::Geometries leaves[branchTiers];    ///< Null in a tree without leaves.
+    LeafOrders::Geometries leaves[branchTiers];      ///< Null in a tree without leaves.
     osg::ref_ptr<osg::StateSet> states[branchTiers]; ///< Where shaders find poses.
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/ModelResources.h>
 
-#include <osgTreeWind/gpu/SharedObjects.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/gpu/SharedObjects.h>
 #include <osgTreeWind/species/SpeciesFields.h>
 
 #include <algorithm>
