@@ -60,6 +60,8 @@ const Fields& fieldsOfFile() {
          at<&ForestDescription::crs>,
          {},
          "coordinate reference system of the world: a map in metres, as PROJ calls it (`\"EPSG:25832\"`)"},
+        {"step", at<&ForestDescription::step>, frameSteps,
+         "how long a frame lasts, whatever time the viewer gives; 0: the viewer's time counts", "s"},
     };
     return fields;
 }

@@ -2,6 +2,7 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
 
 #include <osg/GLExtensions>
@@ -12,7 +13,6 @@
 
 #include <array>
 #include <fstream>
-#include <iterator>
 #include <mutex>
 #include <sstream>
 #include <vector>
@@ -28,7 +28,10 @@ std::string fileText(const std::string& name, Source source) {
         source == FilesFirst ? osgDB::findFileInPath(name, osgDB::getDataFilePathList()) : std::string();
     if (!path.empty()) {
         std::ifstream file(path);
-        return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        const Result<std::string> text = readText(file, path);
+        if (text)
+            return text.value();
+        OSG_WARN << "osgTreeWind: " << text.problems().front().text() << std::endl;
     }
     for (const EmbeddedText& shader : embeddedTexts())
         if (shader.name == "shaders/" + name)

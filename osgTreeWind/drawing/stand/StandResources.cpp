@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/StandResources.h>
 
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
@@ -34,7 +35,7 @@ StandResources::StandResources(const ForestSimulation& simulation)
     state->addUniform(new osg::Uniform("posePulls", static_cast<int>(PosePass::pullsUnit)));
     if (models.empty()) // nor threads
         return;
-    simulation.executor()(models.size(), [&](std::size_t model) {
+    runJobs(simulation.executor(), models.size(), [&](std::size_t model) {
         const std::size_t species = SimulationParts::forest(simulation).speciesOfModel(model);
         models[model] = new ModelResources(*SimulationParts::models(simulation)[model], species,
                                            simulation.description().species[species].appearance);
@@ -80,7 +81,7 @@ void StandResources::paintImpostors(const ForestSimulation& simulation, const Pi
     if (missing.size() == 1)
         paint(0);
     else if (!missing.empty())
-        simulation.executor()(missing.size(), paint);
+        runJobs(simulation.executor(), missing.size(), paint);
 }
 
 std::vector<osg::Object*> StandResources::glObjects() const {
