@@ -220,11 +220,11 @@ osg::ref_ptr<osgAnimation::Skeleton> skeletonOf(const Skeleton& wood, const Tree
 } // namespace
 
 osg::ref_ptr<osg::Group> createRiggedTrees(const PlacedForest& forest, bool hardware) {
-    const TreeModel& model = forest.models().front();
+    const TreeModel& model = *forest.models().front();
     const TreeScale scale = forest.trees.front().scale;
     const auto recording = std::make_shared<const Recording>(forest);
     const RestGeometry bark = restBark(model, scale), leaves = restLeaves(model, scale);
-    SpeciesLooks looks = SpeciesStyles().looks(forest.description().species.front());
+    SpeciesLooks looks = makeSpeciesLooks(forest.description().species.front());
     const std::size_t bones = model.skeleton.units.size();
     looks.bark->setAttributeAndModes(rigProgram("bark", hardware, bones));
     looks.leaves->setAttributeAndModes(rigProgram("leaf", hardware, bones));

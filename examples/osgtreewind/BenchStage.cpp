@@ -87,7 +87,7 @@ constexpr TreeLodRanges alwaysFull{always, always};
 osg::ref_ptr<osg::Group> stillTrees(const BenchStage& stage, const PlacedForest& forest,
                                     const std::shared_ptr<const TreeModel>& model) {
     osg::ref_ptr<TreeBuffers> buffers = new TreeBuffers(model);
-    const TreeStyle style = TreeStyles().style(forest.description().species.front().appearance);
+    const TreeStyle style = makeTreeStyle(forest.description().species.front().appearance);
     const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
     osg::ref_ptr<osg::Geometry> lines;
     if (lined)
@@ -147,7 +147,7 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     const ForestDescription description = benchForest(stage, trees);
     const PlacedForest placed(description);
     BenchScene scene;
-    scene.model = std::make_shared<const TreeModel>(placed.models().front());
+    scene.model = placed.models().front();
     scene.still = stillTrees(stage, placed, scene.model);
     if (stage.way == BenchStage::HARDWARE_RIG || stage.way == BenchStage::SOFTWARE_RIG) {
         scene.moving = createRiggedTrees(placed, stage.way == BenchStage::HARDWARE_RIG);

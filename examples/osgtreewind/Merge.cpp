@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/WholeFile.h>
 
 #include <algorithm>
@@ -32,15 +33,17 @@ public:
     /// All of a part. @return what keeps it from being one of them; empty where nothing does.
     Diagnostics add(const std::string& file) {
         std::ifstream input(file, std::ios::binary);
-        const std::string text{std::istreambuf_iterator<char>(input), {}};
         if (!input)
             return {fileProblem(file, "cannot be opened for reading")};
+        const Result<std::string> text = readText(input, file);
+        if (!text)
+            return text.problems();
         Diagnostics problems;
         const auto take = [&](const CsvTable& table, CsvTable::Row& row) {
             if (problems.empty() && fits(table, problems))
                 takeRow(table, row, problems);
         };
-        const Result<CsvTable> read = readCsvRows(text, file, ',', take);
+        const Result<CsvTable> read = readCsvRows(text.value(), file, ',', take);
         if (!read)
             return read.problems();
         if (problems.empty())

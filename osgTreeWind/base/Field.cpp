@@ -122,6 +122,33 @@ struct Same {
     }
 };
 
+/// Appends a member.
+struct Append {
+    std::string& bytes;
+
+    template <typename T>
+    void operator()(const T* value) const {
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes.append(reinterpret_cast<const char*>(value), sizeof(T));
+    }
+    void operator()(const std::optional<bool>* value) const {
+        bytes += *value ? static_cast<char>(**value) : '\2';
+    }
+    void operator()(const std::string* text) const { bytes.append(*text) += '\0'; }
+    template <typename T>
+    void operator()(const std::vector<T>* values) const {
+        const std::size_t count = values->size();
+        (*this)(&count);
+        for (const T& value : *values)
+            (*this)(&value);
+    }
+    void operator()(const WordMember& word) const {
+        const int value = word.get(word.object);
+        (*this)(&value);
+    }
+    void operator()(const PartMember& part) const { addFieldBytes(*part.fields, part.object, bytes); }
+};
+
 } // namespace
 
 std::vector<std::pair<std::string, int>> inOrder(const std::vector<std::string>& words) {
@@ -164,6 +191,11 @@ void checkFields(const Fields& fields, const void* owner, const std::string& pat
         const Member member = field.of(owner);
         std::visit(Check{field, rangeOf(field, member), path, problems}, member);
     }
+}
+
+void addFieldBytes(const Fields& fields, const void* owner, std::string& bytes) {
+    for (const Field& field : fields)
+        std::visit(Append{bytes}, field.of(owner));
 }
 
 bool sameField(const Field& field, const void* a, const void* b) {

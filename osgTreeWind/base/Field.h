@@ -104,6 +104,13 @@ void checkFields(const Struct& value, const std::string& path, Diagnostics& prob
     checkFields(fieldsOf<Struct>(), &value, path, problems);
 }
 
+/// Appends all that a struct says, to the bit: what tells it from others of its kind.
+void addFieldBytes(const Fields& fields, const void* owner, std::string& bytes);
+template <typename Struct>
+void addFieldBytes(const Struct& value, std::string& bytes) {
+    addFieldBytes(fieldsOf<Struct>(), &value, bytes);
+}
+
 /// Whether two structs say the same of one field, to the bit.
 bool sameField(const Field& field, const void* a, const void* b);
 

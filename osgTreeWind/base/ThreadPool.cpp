@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/ThreadPool.h>
 
+#include <osgTreeWind/base/Guarded.h>
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -75,8 +77,11 @@ struct ThreadPool::State {
 
 ThreadPool::ThreadPool(unsigned threads) : _state(new State) {
     const unsigned wanted = threads > 0 ? threads : wantedThreads();
-    for (unsigned i = 1; i < wanted; ++i)
-        _state->threads.emplace_back([state = _state.get()] { state->help(); });
+    _state->threads.reserve(wanted - 1);
+    bool comes = true; // else the system has no more of them
+    for (unsigned i = 1; i < wanted && comes; ++i)
+        runCatching([&] { _state->threads.emplace_back([state = _state.get()] { state->help(); }); },
+                    [&] { comes = false; });
 }
 
 ThreadPool::~ThreadPool() {

@@ -21,7 +21,8 @@ public:
     unsigned threadCount() const;
 
     /// As Executor. Any number of threads may call it at once, and so may jobs: a caller works on its own
-    /// jobs only, and waits for none but those that another thread has begun. Jobs must not throw.
+    /// jobs only, and waits for none but those that another thread has begun. Jobs must not throw: runJobs()
+    /// keeps their exceptions.
     void run(std::size_t count, const std::function<void(std::size_t)>& job);
 
     /// The pool of the process, which starts at the first call; it serves all forests that no host lends

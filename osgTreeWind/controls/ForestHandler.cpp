@@ -12,6 +12,7 @@
 #include <osgTreeWind/drawing/stand/StandParts.h>
 #include <osgTreeWind/drawing/stand/TreeHit.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 
@@ -110,18 +111,18 @@ class ForestHandler::State {
 public:
     explicit State(Forest* forest) : controls(forest) {}
 
-    bool press(int key);
-    void pick(const Event& event, osg::View& view);
-    void refresh(double now, osg::View& view);
+    bool handle(const Event& event, osg::View& view);
 
+    EntryGuard guard;
     ForestControls controls;
     TextPanel panel;
     std::optional<WatchedTree> watched;
-    const ForestSimulation* watchedIn = nullptr;
     unsigned unit = 0;
-    float pushedX = 0.0f, pushedY = 0.0f;
 
 private:
+    bool press(int key);
+    void pick(const Event& event, osg::View& view);
+    void refresh(double now, osg::View& view);
     void putSource();
     void showWind(Forest& forest, osg::View& view);
     std::string statusText(Forest& forest) const;
@@ -134,6 +135,8 @@ private:
     std::optional<osg::Vec3d> _sourceFoot;    ///< Of the tree it is put to, in the wind's frame.
     double _sourceHeight = 0.0;
     double _time = 0.0; ///< Of the simulation.
+    const ForestSimulation* _watchedIn = nullptr;
+    float _pushedX = 0.0f, _pushedY = 0.0f;
 };
 
 bool ForestHandler::State::press(int key) {
@@ -174,7 +177,7 @@ void ForestHandler::State::putSource() {
 void ForestHandler::State::pick(const Event& event, osg::View& view) {
     constexpr float still = 3.0f; // pixels
     Forest* forest = controls.forest();
-    if (std::abs(event.getX() - pushedX) > still || std::abs(event.getY() - pushedY) > still)
+    if (std::abs(event.getX() - _pushedX) > still || std::abs(event.getY() - _pushedY) > still)
         return; // the camera was moved
     osg::ref_ptr<osgUtil::LineSegmentIntersector> line = new osgUtil::LineSegmentIntersector(
         osgUtil::Intersector::PROJECTION, event.getXnormalized(), event.getYnormalized());
@@ -186,8 +189,8 @@ void ForestHandler::State::pick(const Event& event, osg::View& view) {
         const auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get());
         if (!tree || std::find(hit.nodePath.begin(), hit.nodePath.end(), forest) == hit.nodePath.end())
             continue;
-        watchedIn = &forest->getSimulation();
-        watched.emplace(*watchedIn, tree->getTree());
+        _watchedIn = &forest->getSimulation();
+        watched.emplace(*_watchedIn, tree->getTree());
         unit = tree->getUnit(hit.primitiveIndex);
         return;
     }
@@ -233,7 +236,7 @@ void ForestHandler::State::refresh(double now, osg::View& view) {
         panel.setSize(static_cast<int>(viewport->width()), static_cast<int>(viewport->height()));
     showWind(forest, view);
     _time = view.getFrameStamp()->getSimulationTime();
-    if (watchedIn != &forest.getSimulation())
+    if (_watchedIn != &forest.getSimulation())
         watched.reset(); // other trees are there
     ++_frames;
     if (_shownAt >= 0.0 && now - _shownAt < patience)
@@ -243,6 +246,27 @@ void ForestHandler::State::refresh(double now, osg::View& view) {
     panel.show(_withText ? statusText(forest) : "", _withHelp ? helpText() : "");
     _shownAt = now;
     _frames = 0;
+}
+
+/// @return whether nobody else is to handle it.
+bool ForestHandler::State::handle(const Event& event, osg::View& view) {
+    switch (event.getEventType()) {
+    case Event::FRAME:
+        refresh(event.getTime(), view);
+        return false;
+    case Event::KEYDOWN:
+        return press(event.getKey());
+    case Event::PUSH:
+        _pushedX = event.getX();
+        _pushedY = event.getY();
+        return false;
+    case Event::RELEASE:
+        if (event.getButton() == Event::LEFT_MOUSE_BUTTON)
+            pick(event, view);
+        return false;
+    default:
+        return false;
+    }
 }
 
 ForestHandler::ForestHandler(Forest* forest) : _state(std::make_unique<State>(forest)) {}
@@ -267,25 +291,11 @@ unsigned ForestHandler::getUnit() const {
 
 bool ForestHandler::handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionAdapter& action) {
     osg::View* view = action.asView();
-    if (event.getHandled() || !view || !_state->controls.forest())
-        return false;
-    switch (event.getEventType()) {
-    case Event::FRAME:
-        _state->refresh(event.getTime(), *view);
-        return false;
-    case Event::KEYDOWN:
-        return _state->press(event.getKey());
-    case Event::PUSH:
-        _state->pushedX = event.getX();
-        _state->pushedY = event.getY();
-        return false;
-    case Event::RELEASE:
-        if (event.getButton() == Event::LEFT_MOUSE_BUTTON)
-            _state->pick(event, *view);
-        return false;
-    default:
-        return false;
-    }
+    bool handled = false;
+    if (!event.getHandled() && view && _state->controls.forest())
+        _state->guard.run("a key, a click or the panel has no effect",
+                          [&] { handled = _state->handle(event, *view); });
+    return handled;
 }
 
 void ForestHandler::getUsage(osg::ApplicationUsage& usage) const {

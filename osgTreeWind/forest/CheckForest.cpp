@@ -65,6 +65,8 @@ Diagnostics check(const ForestDescription& forest) {
         if (const auto crs = Crs::parseMap(forest.crs); !crs)
             problems.push_back(crs.problems().front());
     checkFields(forest, "motion", problems);
+    if (!frameSteps.contains(forest.step))
+        add(problems, "step", "expected a finite number " + frameSteps.text());
     if (forest.damage && forest.law != MotionLaw::Modal)
         add(problems, "motion.damage", "expected false under any law but \"modal\"");
     if (forest.noiseExponent && !noiseExponents.contains(static_cast<double>(*forest.noiseExponent)))

@@ -28,7 +28,7 @@ double FeetOnGround::trunkRadius(const TreePlacement& tree) {
     const auto [found, isNew] = _natural.try_emplace({index, tree.seed % family.shapes});
     TreeSize& natural = found->second;
     if (isNew)
-        natural = measureTree(makeTreeModel(family.tree, found->first.second));
+        natural = measureTree(*sharedTreeModel(family.tree, found->first.second));
     const float scale = tree.size.height > 0.0f ? tree.size.height / natural.height : 1.0f;
     return 0.5 * static_cast<double>(natural.trunkDiameter * scale);
 }

@@ -66,7 +66,10 @@ struct ForestDescription {
     WindFrame windFrame = WindFrame::Forest; ///< Whose axes the wind is given in.
     WindCanopy windCanopy;                   ///< Of whatever wind the forest is given.
     float season = midsummer;                ///< Of the year (Season.h).
-    DrawingOptions drawing;                  ///< How they are drawn.
+    /// How long a frame of a viewer lasts, seconds, whatever time the viewer gives, [0, 60]; 0: its time
+    /// counts.
+    double step = 0.0;
+    DrawingOptions drawing; ///< How they are drawn.
 
     bool crsChosen = false;         ///< `crs` is what an inventory asked for, the file does not say it.
     std::vector<std::string> notes; ///< What a person should know about how the input was taken.

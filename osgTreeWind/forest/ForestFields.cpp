@@ -65,6 +65,8 @@ const Fields& fieldsOfFile() {
          {},
          "map of the scene that reads the file as a model, likewise: the forest then stands at its place "
          "there"},
+        {"step", at<&ForestDescription::step>, frameSteps,
+         "how long a frame lasts, whatever time the viewer gives; 0: the viewer's time counts", "s"},
     };
     return fields;
 }

@@ -26,6 +26,8 @@ const Fields& fieldsOfFile();
 constexpr Range gains = within(0, 100), noiseExponents = within(0, 3);
 /// Of ForestDescription::season.
 constexpr Range seasons = within(0, 4);
+/// Of ForestDescription::step, seconds.
+constexpr Range frameSteps = within(0, 60);
 constexpr std::size_t mostTrees = 1000000;
 constexpr double farthestTree = 100000.0; ///< From the origin, metres: floats still resolve 8 mm.
 

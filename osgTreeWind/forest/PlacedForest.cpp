@@ -23,16 +23,16 @@ bool same(const TreeSize& a, const TreeSize& b) {
 PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed)
     : _families(std::make_shared<const ShapeFamilies>(given)) {
     const std::vector<TreePlacement> placements = std::exchange(given.trees, {});
-    std::vector<TreeModel> models;
+    SharedModels models;
     for (const ShapeFamilies::Family& family : _families->all()) {
         _firstModels.push_back(static_cast<std::uint32_t>(models.size()));
         for (std::uint32_t shape = 0; shape < family.shapes; ++shape)
-            models.push_back(makeTreeModel(family.tree, shape));
+            models.push_back(sharedTreeModel(family.tree, shape));
     }
     if (given.tiles)
         _struck = given.tiles->removed;
     _description = std::make_shared<const ForestDescription>(std::move(given));
-    _models = std::make_shared<const std::vector<TreeModel>>(std::move(models));
+    _models = std::make_shared<const SharedModels>(std::move(models));
     setSeason(description().season);
 
     trees.reserve(placements.size());

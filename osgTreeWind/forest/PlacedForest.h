@@ -14,6 +14,9 @@ namespace osgTreeWind {
 
 class ShapeFamilies;
 
+/// Shapes by index; none is null.
+using SharedModels = std::vector<std::shared_ptr<const TreeModel>>;
+
 /// A tree where it stands.
 struct PlacedTree {
     std::uint32_t model = 0;   ///< Index into PlacedForest::models().
@@ -48,10 +51,10 @@ struct PlacedForest {
 
     /// As given, but without its trees, and with its first season.
     const ForestDescription& description() const { return *_description; }
-    const std::vector<TreeModel>& models() const { return *_models; } ///< Shapes, shared by trees.
+    const SharedModels& models() const { return *_models; } ///< Shapes, shared by trees and forests.
 
     /// Its shape.
-    const TreeModel& modelOf(const PlacedTree& tree) const { return models()[tree.model]; }
+    const TreeModel& modelOf(const PlacedTree& tree) const { return *models()[tree.model]; }
     /// Its species.
     const Species& speciesOf(const PlacedTree& tree) const { return description().species[tree.species]; }
     /// Of which species a model is a shape.
@@ -93,7 +96,7 @@ struct PlacedForest {
 
 private:
     std::shared_ptr<const ForestDescription> _description;
-    std::shared_ptr<const std::vector<TreeModel>> _models;
+    std::shared_ptr<const SharedModels> _models;
     std::shared_ptr<const ShapeFamilies> _families;
     std::vector<std::uint32_t> _firstModels; ///< Per family.
     float _season = midsummer;

@@ -54,7 +54,7 @@ int roomFor(int rows) {
 } // namespace
 
 PosePrograms::PosePrograms()
-    : turns(createProgram("texels", "unit_turns")), poses(createProgram("texels", "unit_poses")) {}
+    : turns(sharedProgram("texels", "unit_turns")), poses(sharedProgram("texels", "unit_poses")) {}
 
 /// What one context has of a PosePass. Those that share objects have one each, since they share no frame
 /// buffer objects and may draw at once.
@@ -107,12 +107,11 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
     : _programs(programs), _units(static_cast<int>(skeleton.units.size())), _layout(skeleton.units.size()),
       _pageTrees(std::clamp<std::size_t>(static_cast<std::size_t>(DataTexture::mostRows / _layout.rows), 1,
                                          mostPageTrees)) {
+    _unitTexels.reserve(2 * skeleton.units.size());
     for (const BranchUnit& unit : skeleton.units) {
         _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
         _unitTexels.emplace_back(unit.tip, 0.0f);
     }
-    _unitTexels.resize(static_cast<std::size_t>(DataTexture::rowsFor(_unitTexels.size())) *
-                       DataTexture::width);
 }
 
 PosePass::~PosePass() = default;
@@ -286,7 +285,9 @@ void PosePass::upload(osg::State& state, Context& context, const PosePage& page)
         context.units =
             floatTexture("tree units", DataTexture::width, DataTexture::rowsFor(_unitTexels.size()));
         context.units->apply(state);
-        uploadRows(_unitTexels.data(), DataTexture::width, 0, context.units->getTextureHeight());
+        std::vector<glm::vec4> texels = _unitTexels;
+        texels.resize(static_cast<std::size_t>(context.units->getTextureHeight()) * DataTexture::width);
+        uploadRows(texels.data(), DataTexture::width, 0, context.units->getTextureHeight());
     }
     const auto trees = static_cast<int>(page.requests.size());
     constexpr auto requestWidth = static_cast<int>(PoseRequest::texels);

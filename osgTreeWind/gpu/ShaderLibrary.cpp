@@ -2,6 +2,8 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
+#include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/gpu/SharedObjects.h>
 
 #include <osg/GLExtensions>
 #include <osg/Notify>
@@ -9,8 +11,8 @@
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
+#include <array>
 #include <fstream>
-#include <iterator>
 #include <mutex>
 #include <sstream>
 #include <vector>
@@ -26,7 +28,10 @@ std::string fileText(const std::string& name, Source source) {
         source == FilesFirst ? osgDB::findFileInPath(name, osgDB::getDataFilePathList()) : std::string();
     if (!path.empty()) {
         std::ifstream file(path);
-        return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        const Result<std::string> text = readText(file, path);
+        if (text)
+            return text.value();
+        OSG_WARN << "osgTreeWind: " << text.problems().front().text() << std::endl;
     }
     for (const EmbeddedText& shader : embeddedTexts())
         if (shader.name == "shaders/" + name)
@@ -51,13 +56,19 @@ std::string expanded(const std::string& name, Source source, int depth = 0) {
     return text;
 }
 
+/// Of a shader.
+struct Text {
+    explicit Text(const std::string& shader) : name(shader), text(expanded(shader, FilesFirst)) {}
+    std::string name, text;
+};
+
 /// A program that goes back to the embedded shaders when files put in their place do not work.
 class OverridableProgram : public osg::Program {
 public:
-    void add(osg::Shader::Type type, const std::string& name) {
-        osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, expanded(name, FilesFirst));
-        shader->setName(name);
-        _overridden = _overridden || shader->getShaderSource() != expanded(name, EmbeddedOnly);
+    void add(osg::Shader::Type type, const Text& given) {
+        osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, given.text);
+        shader->setName(given.name);
+        _overridden = _overridden || given.text != expanded(given.name, EmbeddedOnly);
         addShader(shader);
         _shaders.push_back(shader);
     }
@@ -109,15 +120,19 @@ bool canRunPrograms(const osg::State& state) {
     return false;
 }
 
-osg::ref_ptr<osg::Program> createProgram(const std::string& vertex, const std::string& fragment) {
-    osg::ref_ptr<OverridableProgram> program = new OverridableProgram;
-    program->setName("osgTreeWind " + fragment);
-    program->addBindAttribLocation("treePlace", treePlaceLocation);
-    program->addBindAttribLocation("treeSize", treeSizeLocation);
-    program->addBindAttribLocation("treeState", treeStateLocation);
-    program->add(osg::Shader::VERTEX, vertex + ".vert");
-    program->add(osg::Shader::FRAGMENT, fragment + ".frag");
-    return program;
+osg::ref_ptr<osg::Program> sharedProgram(const std::string& vertex, const std::string& fragment) {
+    static SharedObjects<std::array<std::string, 4>, osg::Program> programs;
+    const Text vertexText(vertex + ".vert"), fragmentText(fragment + ".frag");
+    return programs.get({vertexText.name, vertexText.text, fragmentText.name, fragmentText.text}, [&] {
+        osg::ref_ptr<OverridableProgram> program = new OverridableProgram;
+        program->setName("osgTreeWind " + fragment);
+        program->addBindAttribLocation("treePlace", treePlaceLocation);
+        program->addBindAttribLocation("treeSize", treeSizeLocation);
+        program->addBindAttribLocation("treeState", treeStateLocation);
+        program->add(osg::Shader::VERTEX, vertexText);
+        program->add(osg::Shader::FRAGMENT, fragmentText);
+        return osg::ref_ptr<osg::Program>(program);
+    });
 }
 
 } // namespace osgTreeWind

@@ -29,9 +29,10 @@ inline void drawBothSides(osg::StateSet& state) {
 /// core profile. The first time it says no it says so, by an OSG_WARN, and why.
 bool canRunPrograms(const osg::State& state);
 
-/// A program of the shaders `vertex`.vert and `fragment`.frag. Where a file of OSG_FILE_PATH keeps it from
+/// A program of the shaders `vertex`.vert and `fragment`.frag: the same one for all who hold it, for as long
+/// as their texts are the same; any thread. Where a file of OSG_FILE_PATH keeps it from
 /// compiling or linking, OSG prints the driver's log, and the embedded texts take over after one OSG_WARN.
 /// It leaves a context alone where canRunPrograms() says no.
-osg::ref_ptr<osg::Program> createProgram(const std::string& vertex, const std::string& fragment);
+osg::ref_ptr<osg::Program> sharedProgram(const std::string& vertex, const std::string& fragment);
 
 } // namespace osgTreeWind

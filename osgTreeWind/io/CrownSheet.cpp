@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestFields.h>
 
 #include <glm/common.hpp>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 
 namespace osgTreeWind {
@@ -69,7 +69,9 @@ std::string CrownSums::text(const std::vector<Species>& species) const {
 }
 
 Result<CrownSheet> readCrownSheet(std::istream& input, const std::string& file) {
-    const std::string text{std::istreambuf_iterator<char>(input), {}};
+    const Result<std::string> text = readText(input, file);
+    if (!text)
+        return text.problems();
     const std::vector<std::string> expected(sheetColumnNames.begin(), sheetColumnNames.end());
     CrownSheet sheet;
     std::map<std::string, std::size_t> species;
@@ -97,7 +99,7 @@ Result<CrownSheet> readCrownSheet(std::istream& input, const std::string& file) 
                                static_cast<float>(numbers[SheetColumn::Height]),
                                static_cast<float>(numbers[SheetColumn::Width]), known->second});
     };
-    const Result<CsvTable> table = readCsvRows(text, file, ',', take);
+    const Result<CsvTable> table = readCsvRows(text.value(), file, ',', take);
     if (!table)
         return table.problems();
     if (table.value().columns != expected)

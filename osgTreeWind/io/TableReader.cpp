@@ -35,14 +35,16 @@ std::string describe(const toml::node& node) {
     return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
 }
 
-/// In the document, or in a setting.
-Diagnostic problemAt(const toml::source_region& place, const std::string& key, const std::string& message) {
-    return {place.path ? *place.path : "", static_cast<int>(place.begin.line),
+/// In the document, or in a setting, whose nodes have a path.
+Diagnostic problemAt(const toml::source_region& place, const ReadLog& log, const std::string& key,
+                     const std::string& message) {
+    return {place.path ? *place.path : log.file, static_cast<int>(place.begin.line),
             static_cast<int>(place.begin.column), key, message};
 }
 
-Diagnostic problemOf(const toml::parse_error& error) {
-    return problemAt(error.source(), "", "not valid TOML: " + printable(std::string(error.description())));
+Diagnostic problemOf(const toml::parse_error& error, const ReadLog& log) {
+    return problemAt(error.source(), log, "",
+                     "not valid TOML: " + printable(std::string(error.description())));
 }
 
 /// "KEY=VALUE" as a document.
@@ -68,13 +70,14 @@ void merge(toml::table& document, toml::table& settings) {
 } // namespace
 
 void TableReader::readDocument(const std::string& text, ReadLog& log, const Section& root) {
-    toml::parse_result parsed = toml::parse(text, log.file);
+    // Without a path, for which toml++ 3.3 takes memory where it lets no exception out.
+    toml::parse_result parsed = toml::parse(text);
     if (!parsed)
-        return log.add(problemOf(parsed.error()));
+        return log.add(problemOf(parsed.error(), log));
     for (const std::string& setting : log.settings) {
         toml::parse_result set = parseSetting(setting);
         if (!set)
-            return log.add(problemOf(set.error()));
+            return log.add(problemOf(set.error(), log));
         merge(parsed.table(), set.table());
     }
     TableReader reader(parsed.table(), "", log);
@@ -105,7 +108,7 @@ bool TableReader::hasArray(const std::string& key) const {
 }
 
 void TableReader::problemAt(const toml::node& node, const std::string& key, const std::string& message) {
-    _log.add(osgTreeWind::problemAt(node.source(), dotted(key), message));
+    _log.add(osgTreeWind::problemAt(node.source(), _log, dotted(key), message));
 }
 
 void TableReader::problem(const std::string& key, const std::string& message) {
@@ -363,7 +366,7 @@ void TableReader::reportUnknown() {
         if (_asked.count(name))
             continue;
         const std::string near = nearestName(name, known);
-        _log.add(osgTreeWind::problemAt(key.source(), dotted(printable(name)),
+        _log.add(osgTreeWind::problemAt(key.source(), _log, dotted(printable(name)),
                                         "unknown key; " + (near.empty() ? "known here: " + joined(known)
                                                                         : "did you mean " + near + '?')));
     }

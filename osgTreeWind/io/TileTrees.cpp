@@ -6,6 +6,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/TileFiles.h>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace osgTreeWind {
@@ -157,7 +157,9 @@ TreePlacement readTree(TreeRow& row, std::vector<std::string>& species) {
 } // namespace
 
 Result<TileTrees> readTileTrees(std::istream& input, const std::string& file) {
-    const std::string text{std::istreambuf_iterator<char>(input), {}};
+    const Result<std::string> text = readText(input, file);
+    if (!text)
+        return text.problems();
     const std::vector<std::string> expected(treeColumnNames.begin(), treeColumnNames.end());
     TileTrees list;
     std::optional<Diagnostic> problem;
@@ -168,7 +170,7 @@ Result<TileTrees> readTileTrees(std::istream& input, const std::string& file) {
         list.trees.push_back(readTree(row, list.species));
         problem = row.problem();
     };
-    const Result<CsvTable> table = readCsvRows(text, file, ',', take);
+    const Result<CsvTable> table = readCsvRows(text.value(), file, ',', take);
     if (!table)
         return table.problems();
     if (table.value().columns != expected)

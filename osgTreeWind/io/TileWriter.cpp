@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TileWriter.h>
 
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/TileIds.h>
@@ -66,7 +67,7 @@ bool TileWriter::add(const std::vector<TreePlacement>& trees) {
     for (const auto& [file, text] : ids)
         _failed = _failed || !append(fileOfIds(_tiles, file), text);
     std::atomic<bool> failed = _failed;
-    _executor(byTile.size(), [&](std::size_t tile) {
+    runJobs(_executor, byTile.size(), [&](std::size_t tile) {
         if (!failed && !byTile[tile].empty() && !addToTile(tile, trees, byTile[tile]))
             failed = true;
     });

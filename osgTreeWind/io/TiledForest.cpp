@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TiledForest.h>
 
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/TileFiles.h>
@@ -65,7 +66,7 @@ WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std:
         if (all.tiles[tile].trees > 0 && met++ % every == 0)
             tiles.push_back(tile);
     std::vector<std::vector<StandTree>> stands(tiles.size());
-    executor(tiles.size(), [&](std::size_t i) {
+    runJobs(executor, tiles.size(), [&](std::size_t i) {
         const Result<std::vector<TreePlacement>> trees =
             readTile(shapes.description().species, all, tiles[i]);
         if (!trees)

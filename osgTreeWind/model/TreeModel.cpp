@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/TreeModel.h>
 
+#include <osgTreeWind/base/SharedValues.h>
 #include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/RecursiveTree.h>
+#include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/model/TreeSize.h>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace osgTreeWind {
@@ -41,6 +45,37 @@ void setArea(TreeModel& model, float area) {
             vertex.corner *= std::sqrt(area / now);
 }
 
+SharedConstants<std::string, TreeModel>& sharedModels() {
+    static SharedConstants<std::string, TreeModel> models;
+    return models;
+}
+
+template <typename T>
+void addBytes(const std::vector<T>& values, std::string& bytes) {
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+/// What tells a shape from all others.
+std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
+    std::string key = std::to_string(variant) + ' ';
+    addFieldBytes(parameters.leaves, key);
+    if (parameters.scans) {
+        const Skeleton& scan = (*parameters.scans)[variant % parameters.scans->size()].skeleton;
+        key += scan.joined ? "joined scan " : "scan ";
+        key += std::to_string(scan.ringsPerBranch) + ' ' + std::to_string(scan.units.size()) + ' ';
+        addBytes(std::vector<float>{scan.flare}, key);
+        addBytes(scan.units, key);
+        addBytes(scan.points, key);
+    } else if (parameters.grown) {
+        key += "grown";
+        addFieldBytes(*parameters.grown, key);
+    } else {
+        key += "wood";
+        addFieldBytes(parameters.wood, key);
+    }
+    return key;
+}
+
 } // namespace
 
 TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant) {
@@ -63,6 +98,15 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
         setMesh();
     }
     return model;
+}
+
+std::shared_ptr<const TreeModel> sharedTreeModel(const TreeParameters& parameters, std::uint32_t variant) {
+    return sharedModels().get(keyOf(parameters, variant), [&] {
+        static std::atomic<std::uint64_t> last{0};
+        auto model = std::make_shared<TreeModel>(makeTreeModel(parameters, variant));
+        model->identity = ++last;
+        return model;
+    });
 }
 
 TreeCounts& TreeCounts::operator+=(const TreeCounts& other) {
@@ -90,6 +134,8 @@ TreeCounts countTree(const TreeModel& model) {
 }
 
 TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
+    if (const auto known = sharedModels().find(keyOf(parameters, variant)))
+        return countTree(*known);
     LeafParameters leaves = clamped(parameters.leaves);
     leaves.seed += variant;
     TreeCounts counts;

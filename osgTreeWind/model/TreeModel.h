@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace osgTreeWind {
@@ -20,10 +21,13 @@ struct TreeModel {
     std::vector<LeafCluster> leaves;                         ///< Where leaves hang.
     std::array<LeafVertex, verticesPerLeafCluster> leafMesh; ///< One cluster of them, shared.
     TreeExtents extents; ///< makeTreeExtents() of the above without `hanging`: measureTree(), fitTree().
+    std::uint64_t identity = 0; ///< Number that only one sharedTreeModel() ever has; 0 in any other model.
 };
 
 /// Grows skeleton, skin and leaves. All seeds of `parameters` are offset by `variant`.
 TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
+/// The same model for all in the process that hold it at a time. Any thread.
+std::shared_ptr<const TreeModel> sharedTreeModel(const TreeParameters& parameters, std::uint32_t variant = 0);
 
 /// What a tree is made of. Vertices are unique ones; triangles are what is drawn.
 struct TreeCounts {

@@ -108,7 +108,7 @@ std::size_t ForestSimulation::modelCount() const {
 }
 
 const Skeleton& ForestSimulation::skeleton(std::size_t model) const {
-    return _forest->models()[model].skeleton;
+    return _forest->models()[model]->skeleton;
 }
 
 std::size_t ForestSimulation::modelOf(std::size_t slot) const {

@@ -6,17 +6,18 @@
 #include <osgTreeWind/drawing/ground/GroundDrawing.h>
 #include <osgTreeWind/drawing/stand/StandDrawing.h>
 #include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/nodes/Environment.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/GivenWind.h>
 
-#include <osg/ApplicationUsage>
 #include <osg/LOD>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
@@ -34,20 +35,6 @@
 
 namespace osgTreeWind {
 namespace {
-
-osg::ApplicationUsageProxy
-    threadsUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_THREADS <number>",
-                 "Threads that step a large osgTreeWind forest under the law modal; else one for each "
-                 "processor. Numbers do not depend on it.");
-osg::ApplicationUsageProxy
-    instructionsUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE,
-                      "OSGTREEWIND_INSTRUCTIONS <baseline|avx2|avx512>",
-                      "The widest instructions that osgTreeWind forests under the law modal may use; else "
-                      "what the processor has. Numbers do not depend on it.");
-osg::ApplicationUsageProxy memoryUsage(
-    osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_MAX_MEMORY <bytes>",
-    "Memory that an osgTreeWind forest may need, with k, M, G or T for larger units; else what the "
-    "machine has available.");
 
 /// Says once what is going on when it has taken a second.
 class Patience {
@@ -169,26 +156,32 @@ const ForestDescription& Forest::getDescription() const {
 }
 
 Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Executor executor) {
-    if (Diagnostics problems = check(description); !problems.empty())
-        return problems;
-    if (const std::string problem = problemOfRoom(description); !problem.empty())
-        return keyProblem({}, problem);
-    const osg::ref_ptr<Forest> forest = new Forest;
-    forest->setExecutor(std::move(executor));
-    forest->grow(std::move(description));
-    return forest;
+    return guardedResult([&]() -> Result<osg::ref_ptr<Forest>> {
+        if (Diagnostics problems = check(description); !problems.empty())
+            return problems;
+        if (const std::string problem = problemOfRoom(description); !problem.empty())
+            return keyProblem({}, problem);
+        const osg::ref_ptr<Forest> forest = new Forest;
+        forest->setExecutor(std::move(executor));
+        forest->grow(std::move(description));
+        return forest;
+    });
 }
 
 void Forest::setDescription(ForestDescription description) {
-    const std::string problem = problemOfRoom(description);
-    if (!problem.empty()) {
-        OSG_WARN << "osgTreeWind: " << problem << "; the forest is left empty" << std::endl;
-        ForestDescription empty;
-        empty.wind = std::move(description.wind);
-        empty.windFrame = description.windFrame;
-        description = std::move(empty);
-    }
-    grow(std::move(description));
+    ForestDescription empty;
+    empty.wind = description.wind;
+    empty.windFrame = description.windFrame;
+    std::string problem;
+    const std::string exception = runGuarded([&] {
+        problem = problemOfRoom(description);
+        if (problem.empty())
+            grow(std::move(description));
+    });
+    if (problem.empty() && exception.empty())
+        return;
+    OSG_WARN << "osgTreeWind: " << problem << exception << "; the forest is left empty" << std::endl;
+    grow(std::move(empty));
 }
 
 void Forest::grow(ForestDescription description) {
@@ -210,6 +203,9 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_p
     removeChild(_drawing);
     removeChild(_tiles);
     _tiles = nullptr;
+    _stopped = false;
+    _frameStep = frameStepOf(simulation->description());
+    _guard = std::make_unique<EntryGuard>();
     _simulation = std::move(simulation);
     _drawing = drawing;
     insertChild(0, _drawing);
@@ -224,12 +220,14 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_p
 }
 
 Result<TreeId> Forest::addTree(const TreePlacement& placement) {
-    Result<TreeId> tree = _simulation->addTree(placement);
-    if (tree) {
-        ++_treeCount;
-        _drawing->treeChanged(_simulation->slotOf(tree.value()));
-    }
-    return tree;
+    return guardedResult([&] {
+        Result<TreeId> tree = _simulation->addTree(placement);
+        if (tree) {
+            ++_treeCount;
+            _drawing->treeChanged(_simulation->slotOf(tree.value()));
+        }
+        return tree;
+    });
 }
 
 Diagnostics Forest::removeTree(TreeId tree) {
@@ -249,10 +247,12 @@ void Forest::unload(TreeId tree) {
 }
 
 Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
-    Diagnostics problems = _simulation->changeTree(tree, placement);
-    if (problems.empty())
-        _drawing->treeChanged(_simulation->slotOf(tree));
-    return problems;
+    return guardedResult([&] {
+        Diagnostics problems = _simulation->changeTree(tree, placement);
+        if (problems.empty())
+            _drawing->treeChanged(_simulation->slotOf(tree));
+        return problems;
+    });
 }
 
 TreeId Forest::findTree(const std::string& name) {
@@ -314,14 +314,15 @@ osg::Vec3d Forest::getOrigin() const {
 void Forest::traverse(osg::NodeVisitor& visitor) {
     const osg::FrameStamp* stamp = visitor.getFrameStamp();
     const osg::ElapsedTime clock;
-    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && stamp)
-        update(visitor);
+    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && stamp && !_stopped)
+        _stopped = !_guard->run("a forest stands still until its next description", [&] { update(visitor); });
     const bool isCull = visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && stamp;
     if (isCull)
         _culledFrame = stamp->getFrameNumber();
     osg::Group::traverse(visitor);
     if (isCull)
-        reportStatistics(*this, visitor, _stepTime, clock.elapsedTime(), _tiles.get());
+        _guard->run("statistics of a forest are missing",
+                    [&] { reportStatistics(*this, visitor, _stepTime, clock.elapsedTime(), _tiles.get()); });
 }
 
 osg::BoundingSphere Forest::computeBound() const {
@@ -373,7 +374,10 @@ void Forest::update(osg::NodeVisitor& visitor) {
         std::for_each(changes.leaving.begin(), changes.leaving.end(), [&](TreeId tree) { unload(tree); });
         _simulation->runUp(changes.near);
     }
-    _drawing->update(stamp);
+    const osg::ref_ptr<osg::FrameStamp> own = new osg::FrameStamp(stamp);
+    if (_frameStep > 0.0)
+        own->setSimulationTime(_frameStep * stamp.getFrameNumber());
+    _drawing->update(*own);
     const std::vector<TreeDamage> down = _simulation->damage(); // those who are told may change it
     for (const TreeDamage& damage : down)
         _drawing->treeChanged(_simulation->slotOf(damage.tree));

@@ -21,6 +21,7 @@ namespace osgTreeWind {
 
 class BranchTransform;
 class BranchwiseForest;
+class EntryGuard;
 class ForestDrawing;
 class ForestSimulation;
 class GivenWind;
@@ -32,13 +33,12 @@ struct TreeUnit;
 
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 ///
-/// The update traversal moves it on, once per frame number however many views, to the frame stamp's
-/// simulation time; a paused time holds the trees, and one below a Switch that is off rests. Under the law
-/// `modal` trees are instances (StandDrawing); a law of a branch has them drawn the thesis' way
-/// (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of where it
-/// really stands; with two parents, that of the first one. docs/coordinates.md says what its frames are.
-///
-/// Its bounding boxes (osg::ComputeBoundsVisitor) are of trees at rest, its sphere holds them as they sway.
+/// The update traversal moves it on, once per frame number however many views, to the frame stamp's time or
+/// by a fixed step (ForestDescription::step); a paused time holds the trees, and one below a Switch that is
+/// off rests. Under the law `modal` trees are instances (StandDrawing); a law of a branch has them drawn the
+/// thesis' way (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of
+/// where it really stands; with two parents, that of the first one (docs/coordinates.md). Its bounding boxes
+/// (osg::ComputeBoundsVisitor) are of trees at rest, its sphere holds them as they sway.
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
@@ -81,8 +81,7 @@ public:
 
     /// @param placement in the world's frame. @return an id that lasts.
     Result<TreeId> addTree(const TreePlacement& placement);
-    /// @return the problems; empty when it is done.
-    Diagnostics removeTree(TreeId tree);
+    Diagnostics removeTree(TreeId tree); ///< @return the problems; empty when it is done.
     /// Moves it, or makes it one of another size or species, in full sway. @return as removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
     /// By the name it has; noTree for none. One whose tile is not there is read from it, in milliseconds.
@@ -139,11 +138,13 @@ private:
     osg::ref_ptr<osg::Node> _ground;
     osg::ref_ptr<TilePager> _tiles; ///< Null: all trees are there.
     std::size_t _treeCount = 0;
+    std::unique_ptr<EntryGuard> _guard; ///< Of its traversals.
     unsigned _lastFrame = ~0u;
     std::atomic<unsigned> _culledFrame{~0u};
-    osg::Matrix _place;     ///< To the scene's root, in the last update.
-    double _stepTime = 0.0; ///< Of the last update, seconds.
-    bool _twoPlaces = false;
+    osg::Matrix _place;                        ///< To the scene's root, in the last update.
+    double _frameStep = 0.0;                   ///< How long a frame lasts, seconds; 0: as its stamp says.
+    double _stepTime = 0.0;                    ///< Of the last update, seconds.
+    bool _stopped = false, _twoPlaces = false; ///< An update has failed; it stands in two places.
 };
 
 } // namespace osgTreeWind

@@ -76,8 +76,11 @@ void TilePager::showSeason(float season) {
 
 void TilePager::traverse(osg::NodeVisitor& visitor) {
     osg::Group::traverse(visitor);
-    if (visitor.getVisitorType() != osg::NodeVisitor::CULL_VISITOR || !visitor.getFrameStamp())
-        return;
+    if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && visitor.getFrameStamp())
+        _guard.run("tiles of the forest may not come", [&] { askForTiles(visitor); });
+}
+
+void TilePager::askForTiles(osg::NodeVisitor& visitor) {
     const osg::Vec3 local = visitor.getViewPoint();
     const glm::dvec3 eye(local.x(), local.y(), local.z());
     const double range = _tiles.range;

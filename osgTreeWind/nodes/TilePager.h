@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/forest/ForestTiles.h>
 #include <osgTreeWind/forest/TreeId.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 
 #include <osg/FrameStamp>
 #include <osg/Group>
@@ -72,6 +73,7 @@ private:
         bool arrived = false;
     };
 
+    void askForTiles(osg::NodeVisitor& visitor);
     void ask(Slot& slot, const std::string& file, float priority, osg::NodeVisitor& visitor);
     void receiveCrowns(const Forest& forest, double now);
     double distanceTo(std::size_t tile, const glm::dvec3& eye) const;
@@ -83,6 +85,7 @@ private:
     void leave(Slot& slot, const Forest& forest, std::vector<TreeId>& leaving);
     std::optional<std::size_t> tileWith(const std::string& name) const;
 
+    EntryGuard _guard;
     ForestTiles _tiles;
     glm::dvec3 _origin;
     mutable std::mutex _mutex; // guards all below: cull traversals may run at a time

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/nodes/TileReader.h>
 
+#include <osgTreeWind/base/Guarded.h>
 #include <osgTreeWind/nodes/FileOfTiles.h>
 
 #include <osgDB/FileNameUtils>
@@ -37,16 +38,23 @@ private:
     static ReadResult read(std::istream& input, const std::string& file) {
         const std::string extension = osgDB::getLowerCaseFileExtension(file);
         if (extension == "crowns")
-            return resultOf(readCrownSheet(input, file));
+            return resultOf(readCrownSheet, input, file);
         if (extension == "ids")
-            return resultOf(readTileIds(input, file));
-        return resultOf(readTileTrees(input, file));
+            return resultOf(readTileIds, input, file);
+        return resultOf(readTileTrees, input, file);
     }
     template <typename Content>
-    static ReadResult resultOf(Result<Content> content) {
-        if (!content)
-            return ReadResult(content.problems().front().text());
-        return new FileOfTiles<Content>(std::move(content.value()));
+    static ReadResult resultOf(Result<Content> (*reader)(std::istream&, const std::string&),
+                               std::istream& input, const std::string& file) {
+        ReadResult result(ReadResult::ERROR_IN_READING_FILE);
+        const std::string problem = runGuarded([&] {
+            Result<Content> content = reader(input, file);
+            if (content)
+                result = ReadResult(new FileOfTiles<Content>(std::move(content.value())));
+            else
+                result = ReadResult(content.problems().front().text());
+        });
+        return problem.empty() ? result : ReadResult(file + ": " + problem);
     }
 };
 

@@ -4,6 +4,7 @@
 // The windows it asks for become offscreen contexts that nobody sees. They send no events but one: to quit,
 // after OSG_RUN_FRAME_COUNT frames, to programs with a frame loop of their own, where OSG does not look at
 // it.
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/Notify>
@@ -61,6 +62,13 @@ public:
         getScreenSettings(screen, list.front());
     }
     osg::GraphicsContext* createGraphicsContext(osg::GraphicsContext::Traits* traits) override {
+        osg::GraphicsContext* context = nullptr;
+        EntryGuard().run("there is no window", [&] { context = make(traits); });
+        return context;
+    }
+
+private:
+    static osg::GraphicsContext* make(osg::GraphicsContext::Traits* traits) {
         auto made = createOffscreenContext(traits->width, traits->height);
         if (!made) {
             OSG_WARN << "osgTreeWindHeadless: " << made.problems().front().message

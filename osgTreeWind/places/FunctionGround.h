@@ -11,7 +11,7 @@ namespace osgTreeWind {
 class OSGTREEWIND_EXPORT FunctionGround final : public Ground {
 public:
     /// Metres at x and y of the world's frame, NaN where there is no ground. Called from any thread, several
-    /// at once; must not throw.
+    /// at once. Where it throws there is no forest (Forest::create()), or no ground is drawn.
     using Function = std::function<double(double x, double y)>;
 
     /// @param function an empty one is a ground that is nowhere. @param area where it is asked; its `cell` is

@@ -12,7 +12,8 @@ namespace osgTreeWind {
 class OSGTREEWIND_EXPORT FunctionWind final : public WindField {
 public:
     /// Velocity (m/s toward) at a position in the scene (metres; z is not height above the ground) and time
-    /// (s). Called from any thread, several at once; must not throw.
+    /// (s). Called from any thread, several at once. A forest in a wind that throws stands still from then
+    /// on, with a warning.
     using Function = std::function<glm::vec3(const glm::vec3& position, double time)>;
 
     /// @param function an empty one is calm.

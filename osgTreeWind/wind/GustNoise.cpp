@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/GustNoise.h>
 
+#include <osgTreeWind/base/SharedValues.h>
 #include <osgTreeWind/model/Random.h>
 
 #include <glm/common.hpp>
@@ -110,9 +111,21 @@ float held(float x) {
 
 } // namespace
 
-GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch, std::size_t octaves) {
-    Random random(seed);
-    _noise = latticeNoise(random);
+struct GustNoise::Lattice {
+    explicit Lattice(std::uint32_t seed) : random(seed), points(latticeNoise(random)) {}
+
+    Random random;                  ///< After the points.
+    std::vector<NoisePoint> points; ///< Mean 0 and variance 1 in each component.
+
+    static std::shared_ptr<const Lattice> shared(std::uint32_t seed) {
+        static SharedConstants<std::uint32_t, Lattice> lattices;
+        return lattices.get(seed, [&] { return std::make_shared<const Lattice>(seed); });
+    }
+};
+
+GustNoise::GustNoise(std::uint32_t seed, double lengthScale, const glm::dmat3& stretch, std::size_t octaves)
+    : _lattice(Lattice::shared(seed)) {
+    Random random = _lattice->random;
 
     // Variance falls with the cell to the power 2/3. An octave's own length scale is cell / (2
     // smoothVariance).
@@ -160,7 +173,7 @@ void GustNoise::At::sample(const WindPlace* places, std::size_t count, NoisePoin
         const Frame& frame = _frames[i];
         for (int axis = 0; axis < 3; ++axis)
             locate(near, count, frame.toCells[axis], cells.corner[axis], cells.share[axis]);
-        addNoise(_noise._noise.data(), cells, count, frame.amplitude, out);
+        addNoise(_noise._lattice->points.data(), cells, count, frame.amplitude, out);
     }
 }
 

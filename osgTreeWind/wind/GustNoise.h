@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace osgTreeWind {
@@ -48,7 +49,8 @@ private:
     };
 
     std::vector<Octave> _octaves;
-    std::vector<NoisePoint> _noise; ///< Mean 0 and variance 1 in each component.
+    struct Lattice;
+    std::shared_ptr<const Lattice> _lattice; ///< All noises of one seed share it.
 };
 
 /// It, once it has travelled; not longer than that lives.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
@@ -18,6 +19,13 @@ namespace {
 
 using osgTreeWind::BranchwiseForest;
 using osgTreeWind::Forest;
+
+/// Runs an entry of osgDB, which is not to get an exception.
+template <typename Entry>
+bool guarded(const Entry& entry) {
+    const osgTreeWind::EntryGuard guard;
+    return guard.run("a Forest cannot be written or read", entry);
+}
 
 /// The forest as it is now; empty, with a warning, where no document can say it. Without its wind where it is
 /// only that.
@@ -40,35 +48,41 @@ bool checkDocument(const Forest&) {
 }
 
 bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
-    output << output.BEGIN_BRACKET << std::endl;
-    output << output.PROPERTY("Folder");
-    output.writeWrappedString(forest.getDescription().folder);
-    output << std::endl << output.PROPERTY("Source");
-    output.writeWrappedString(documentOf(forest));
-    output << std::endl << output.END_BRACKET << std::endl;
-    return true;
+    return guarded([&] {
+        output << output.BEGIN_BRACKET << std::endl;
+        output << output.PROPERTY("Folder");
+        output.writeWrappedString(forest.getDescription().folder);
+        output << std::endl << output.PROPERTY("Source");
+        output.writeWrappedString(documentOf(forest));
+        output << std::endl << output.END_BRACKET << std::endl;
+    });
+}
+
+/// What it was; an empty forest, with a warning, where its document cannot be read: the rest of the scene is
+/// still good.
+void readForestInto(Forest& forest, const std::string& source, const osgTreeWind::ForestFileOptions& where) {
+    std::istringstream document(source);
+    osgTreeWind::Result<osgTreeWind::ForestDescription> description =
+        osgTreeWind::readForest(document, where);
+    if (description)
+        forest.setDescription(std::move(description.value()));
+    else
+        OSG_WARN << "osgTreeWind: " << description.problems().front().text() << std::endl;
 }
 
 bool readDocument(osgDB::InputStream& input, Forest& forest) {
     osgTreeWind::ForestFileOptions where;
     std::string source;
-    input >> input.BEGIN_BRACKET >> input.PROPERTY("Folder");
-    input.readWrappedString(where.folder);
-    input >> input.PROPERTY("Source");
-    input.readWrappedString(source);
-    input >> input.END_BRACKET;
-
-    if (source.empty())
-        return true; // what it was could not be written
-    std::istringstream document(source);
-    osgTreeWind::Result<osgTreeWind::ForestDescription> description =
-        osgTreeWind::readForest(document, where);
-    if (!description) {
-        OSG_WARN << "osgTreeWind: " << description.problems().front().text() << std::endl;
-        return true; // an empty forest; the rest of the scene is still good
-    }
-    forest.setDescription(std::move(description.value()));
-    return true;
+    const bool isRead = guarded([&] {
+        input >> input.BEGIN_BRACKET >> input.PROPERTY("Folder");
+        input.readWrappedString(where.folder);
+        input >> input.PROPERTY("Source");
+        input.readWrappedString(source);
+        input >> input.END_BRACKET;
+    });
+    if (isRead && !source.empty()) // else what it was could not be written
+        guarded([&] { readForestInto(forest, source, where); });
+    return isRead;
 }
 
 bool checkOtherChildren(const Forest& forest) {
@@ -79,25 +93,27 @@ bool checkOtherChildren(const Forest& forest) {
 }
 
 bool writeOtherChildren(osgDB::OutputStream& output, const Forest& forest) {
-    unsigned count = 0;
-    for (unsigned i = 0; i < forest.getNumChildren(); ++i)
-        count += !forest.isOwnChild(forest.getChild(i));
-    output << count << output.BEGIN_BRACKET << std::endl;
-    for (unsigned i = 0; i < forest.getNumChildren(); ++i)
-        if (!forest.isOwnChild(forest.getChild(i)))
-            output << forest.getChild(i);
-    output << output.END_BRACKET << std::endl;
-    return true;
+    return guarded([&] {
+        unsigned count = 0;
+        for (unsigned i = 0; i < forest.getNumChildren(); ++i)
+            count += !forest.isOwnChild(forest.getChild(i));
+        output << count << output.BEGIN_BRACKET << std::endl;
+        for (unsigned i = 0; i < forest.getNumChildren(); ++i)
+            if (!forest.isOwnChild(forest.getChild(i)))
+                output << forest.getChild(i);
+        output << output.END_BRACKET << std::endl;
+    });
 }
 
 bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
-    unsigned count = 0;
-    input >> count >> input.BEGIN_BRACKET;
-    for (unsigned i = 0; i < count; ++i)
-        if (osg::ref_ptr<osg::Node> child = input.readObjectOfType<osg::Node>())
-            forest.addChild(child);
-    input >> input.END_BRACKET;
-    return true;
+    return guarded([&] {
+        unsigned count = 0;
+        input >> count >> input.BEGIN_BRACKET;
+        for (unsigned i = 0; i < count; ++i)
+            if (osg::ref_ptr<osg::Node> child = input.readObjectOfType<osg::Node>())
+                forest.addChild(child);
+        input >> input.END_BRACKET;
+    });
 }
 
 bool checkBranchwiseDrawing(const Forest& forest) {

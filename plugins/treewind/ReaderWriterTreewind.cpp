@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/Guarded.h>
 #include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -40,25 +41,29 @@ public:
     }
 
     ReadResult readNode(const std::string& file, const Options* options) const override {
-        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
-            return ReadResult::FILE_NOT_HANDLED;
-        const std::string path = osgDB::findDataFile(file, options);
-        if (path.empty())
-            return ReadResult::FILE_NOT_FOUND;
-        std::ifstream input(path, std::ios::binary);
-        if (!input)
-            return ReadResult(path + ": cannot be opened");
-        return read(input,
-                    {path, osgDB::getFilePath(path), ForestFileOptions().mostTrees, settingsOf(options)});
+        return guarded<ReadResult>([&]() -> ReadResult {
+            if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
+                return ReadResult::FILE_NOT_HANDLED;
+            const std::string path = osgDB::findDataFile(file, options);
+            if (path.empty())
+                return ReadResult::FILE_NOT_FOUND;
+            std::ifstream input(path, std::ios::binary);
+            if (!input)
+                return ReadResult(path + ": cannot be opened");
+            return read(input,
+                        {path, osgDB::getFilePath(path), ForestFileOptions().mostTrees, settingsOf(options)});
+        });
     }
 
     /// Relative paths are looked for in the first folder of the options' database paths.
     ReadResult readNode(std::istream& input, const Options* options) const override {
-        ForestFileOptions where;
-        where.settings = settingsOf(options);
-        if (options && !options->getDatabasePathList().empty())
-            where.folder = options->getDatabasePathList().front();
-        return read(input, where);
+        return guarded<ReadResult>([&] {
+            ForestFileOptions where;
+            where.settings = settingsOf(options);
+            if (options && !options->getDatabasePathList().empty())
+                where.folder = options->getDatabasePathList().front();
+            return read(input, where);
+        });
     }
 
     WriteResult writeObject(const osg::Object& object, const std::string& file,
@@ -73,15 +78,28 @@ public:
     }
 
     WriteResult writeNode(const osg::Node& node, const std::string& file, const Options*) const override {
-        if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
-            return WriteResult::FILE_NOT_HANDLED;
-        return write(node, [&](const ForestDescription& forest) { return writeForestFile(forest, file); });
+        return guarded<WriteResult>([&]() -> WriteResult {
+            if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)))
+                return WriteResult::FILE_NOT_HANDLED;
+            return write(node,
+                         [&](const ForestDescription& forest) { return writeForestFile(forest, file); });
+        });
     }
     WriteResult writeNode(const osg::Node& node, std::ostream& output, const Options*) const override {
-        return write(node, [&](const ForestDescription& forest) { return writeForest(forest, output); });
+        return guarded<WriteResult>([&] {
+            return write(node, [&](const ForestDescription& forest) { return writeForest(forest, output); });
+        });
     }
 
 private:
+    /// What an entry answers; an error where it throws.
+    template <typename Answer, typename Entry>
+    static Answer guarded(const Entry& entry) {
+        Answer answer((std::string()));
+        const std::string problem = runGuarded([&] { answer = entry(); });
+        return problem.empty() ? answer : Answer("osgTreeWind: " + problem);
+    }
+
     /// Of the words of an options string those that begin with "treewind.", without it: `-O
     /// "treewind.season=autumn"`.
     static std::vector<std::string> settingsOf(const Options* options) {

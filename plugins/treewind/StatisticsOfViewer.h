@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/controls/StatisticsLines.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 
 #include <osg/NodeCallback>
 #include <osg/ValueObject>
@@ -16,8 +17,10 @@ public:
     void operator()(osg::Node* node, osg::NodeVisitor* visitor) override {
         const auto events = dynamic_cast<osgGA::EventVisitor*>(visitor);
         if (auto* view = events ? dynamic_cast<osgViewer::View*>(events->getActionAdapter()) : nullptr)
-            for (const osg::ref_ptr<osgGA::EventHandler>& handler : view->getEventHandlers())
-                addOnce(dynamic_cast<osgViewer::StatsHandler*>(handler.get()));
+            _guard.run("a viewer's statistics have no lines of forests", [&] {
+                for (const osg::ref_ptr<osgGA::EventHandler>& handler : view->getEventHandlers())
+                    addOnce(dynamic_cast<osgViewer::StatsHandler*>(handler.get()));
+            });
         traverse(node, visitor);
     }
 
@@ -29,4 +32,6 @@ private:
         handler->setUserValue("osgTreeWind lines", true);
         osgTreeWind::addStatisticsLines(*handler);
     }
+
+    osgTreeWind::EntryGuard _guard;
 };

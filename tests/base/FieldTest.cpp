@@ -100,4 +100,22 @@ TEST(Field, TellsWhatIsSaidToTheBit) {
     EXPECT_FALSE(sameField(fieldAt(fieldsOf<Whole>(), "colour"), &other, &usual));
 }
 
+TEST(Field, BytesTellStructsApart) {
+    const auto bytes = [](const Whole& whole) {
+        std::string text;
+        addFieldBytes(whole, text);
+        return text;
+    };
+    EXPECT_EQ(bytes({}), bytes({}));
+    Whole whole;
+    whole.part.share = std::nextafter(whole.part.share, 1.0f);
+    EXPECT_NE(bytes(whole), bytes({}));
+    whole = {};
+    whole.colour = Colour::Red;
+    EXPECT_NE(bytes(whole), bytes({}));
+    whole = {};
+    whole.length = -0.0;
+    EXPECT_NE(bytes(whole), bytes({}));
+}
+
 } // namespace osgTreeWind

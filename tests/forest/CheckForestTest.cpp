@@ -42,6 +42,8 @@ TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
               Texts{"motion.damage: expected false under any law but \"modal\""});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.noiseExponent = 4.0f; }),
               Texts{"motion.noise_exponent: expected a finite number in [0, 3]"});
+    EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.step = -1.0; }),
+              Texts{"step: expected a finite number in [0, 60]"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.season = -1.0f; }),
               Texts{"season: expected a finite number in [0, 4]"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.drawing.budget = NAN; }),

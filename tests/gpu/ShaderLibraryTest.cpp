@@ -62,7 +62,7 @@ TEST(ShaderLibraryTest, anUnknownNameGivesNothingAndAWarning) {
 }
 
 TEST(ShaderLibraryTest, aProgramHasItsTwoShadersAndAName) {
-    osg::ref_ptr<osg::Program> program = createProgram("branchwise/bark", "bark");
+    osg::ref_ptr<osg::Program> program = sharedProgram("branchwise/bark", "bark");
     ASSERT_EQ(program->getNumShaders(), 2u);
     EXPECT_EQ(program->getShader(0)->getType(), osg::Shader::VERTEX);
     EXPECT_EQ(program->getShader(1)->getType(), osg::Shader::FRAGMENT);

@@ -36,6 +36,7 @@ public:
         if (maybe())
             forest.noiseExponent = static_cast<float>(number(noiseExponents));
         forest.season = static_cast<float>(number(seasons));
+        forest.step = number(frameSteps);
         forest.origin = place(maybe() ? 1e7 : 0.0);
         forest.crs = maybe() ? "EPSG:25832" : "";
         for (int i = 0, count = whole(1, 3); i < count; ++i)

@@ -98,6 +98,7 @@ std::string differenceOf(const ForestDescription& a, const ForestDescription& b)
     found.fields("drawing", a.drawing, b.drawing);
     found.compare("noise", a.noiseExponent, b.noiseExponent);
     found.compare("season", a.season, b.season);
+    found.compare("step", a.step, b.step);
     found.compare("crs", a.crs, b.crs);
     found.compare("origin", a.origin, b.origin);
     found.wind(a.wind, b.wind);

@@ -8,6 +8,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <type_traits>
+#include <utility>
+
 namespace osgTreeWind {
 namespace {
 
@@ -120,6 +123,73 @@ TEST(TreeModel, ShootsThatHangChangeNoSizeAndNoArea) {
         for (std::size_t side = 0; side < 5; ++side)
             EXPECT_EQ(hanging.extents.sides[side].leaves, flat.extents.sides[side].leaves) << side;
     }
+}
+
+/// Whether a shared model of other parameters is another one, whichever word of them it is that differs.
+/// @param part of parameters().
+template <typename Part, typename Parameters>
+void expectEachWordCounts(const Parameters& parameters, Part part) {
+    const TreeParameters usual = parameters();
+    const auto model = sharedTreeModel(usual);
+    EXPECT_EQ(sharedTreeModel(usual), model);
+    using Struct = std::remove_reference_t<decltype(part(std::declval<TreeParameters&>()))>;
+    for (std::size_t word = 0; word < sizeof(Struct) / 4; ++word) {
+        TreeParameters other = parameters();
+        reinterpret_cast<unsigned char*>(&part(other))[4 * word] ^= 1u;
+        EXPECT_NE(sharedTreeModel(other), model) << "word " << word;
+    }
+}
+
+TEST(TreeModel, IsSharedByAllThatGrowFromTheSame) {
+    const auto model = sharedTreeModel({}), again = sharedTreeModel({}), variant = sharedTreeModel({}, 1);
+    EXPECT_EQ(model, again);
+    EXPECT_NE(model, variant);
+    EXPECT_NE(model->identity, 0u);
+    EXPECT_NE(model->identity, variant->identity);
+    EXPECT_EQ(makeTreeModel({}).identity, 0u);
+    EXPECT_EQ(model->skeleton.points, makeTreeModel({}).skeleton.points);
+    EXPECT_EQ(values(countTree(TreeParameters())), values(countTree(*model)));
+}
+
+TEST(TreeModel, IsGrownAgainOnceNobodyHoldsIt) {
+    const std::uint64_t before = sharedTreeModel({})->identity;
+    EXPECT_NE(sharedTreeModel({})->identity, before);
+}
+
+TEST(TreeModel, EveryParameterTellsSharedOnesApart) {
+    const auto small = [] {
+        TreeParameters parameters;
+        parameters.wood.levels = 1;
+        return parameters;
+    };
+    expectEachWordCounts<>(
+        small, [](TreeParameters & p) -> auto& { return p.wood; });
+    expectEachWordCounts<>(
+        small, [](TreeParameters & p) -> auto& { return p.leaves; });
+    TreeParameters hanging = small();
+    hanging.leaves.hanging = !hanging.leaves.hanging; // shares its word with `frond`
+    EXPECT_NE(sharedTreeModel(hanging), sharedTreeModel(small()));
+    const auto grown = [&] {
+        TreeParameters parameters = small();
+        parameters.grown.emplace().boughs.count = 2;
+        parameters.grown->branches.count = parameters.grown->twigs.count = 1;
+        return parameters;
+    };
+    expectEachWordCounts<>(
+        grown, [](TreeParameters & p) -> auto& { return *p.grown; });
+}
+
+TEST(TreeModel, ScansAreToldApartByWhatTheyHold) {
+    const auto scanned = [](double height) {
+        TreeParameters parameters;
+        const ScanCylinders pole = {{glm::dvec3(0.0), glm::dvec3(0.0, 0.0, height), 0.1, -1, 0}};
+        parameters.scans = std::make_shared<const std::vector<ScannedTree>>(
+            std::vector<ScannedTree>{makeScannedTree(pole).value()});
+        return parameters;
+    };
+    const auto model = sharedTreeModel(scanned(5.0));
+    EXPECT_EQ(sharedTreeModel(scanned(5.0)), model);
+    EXPECT_NE(sharedTreeModel(scanned(6.0)), model);
 }
 
 } // namespace

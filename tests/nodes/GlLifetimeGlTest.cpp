@@ -52,6 +52,33 @@ TEST_F(GlLifetimeGlTest, buffersAreMadeRoomForBeforeMoreContexts) {
     EXPECT_EQ(difference(*first, image()).mean, 0.0);
 }
 
+TEST_F(GlLifetimeGlTest, theFiftiethOfItsKindIsDrawnAsTheFirst) {
+    std::vector<osg::ref_ptr<Forest>> held;
+    for (int i = 0; i < 50; ++i)
+        held.push_back(new Forest(smallForest(2)));
+    const osg::ref_ptr<osg::Image> first = render(held.front(), width, height, 3);
+    EXPECT_GT(covered(*first), 0.02);
+    EXPECT_EQ(difference(*first, *render(held.back(), width, height, 3)).mean, 0.0);
+}
+
+TEST_F(GlLifetimeGlTest, oneIsReleasedAndOthersThatShareItsPartsAreDrawnOn) {
+    osg::ref_ptr<Forest> kept = new Forest(smallForest(2)), gone = new Forest(smallForest(2));
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    scene->addChild(kept);
+    scene->addChild(gone);
+    osg::ref_ptr<osg::Image> both = render(scene, width, height, 3);
+    scene->removeChild(gone);
+    gone->releaseGLObjects(context().getState());
+    frame(2 / 25.0);
+    EXPECT_EQ(difference(*both, image()).mean, 0.0) << "they stood in one place";
+    gone = nullptr;
+    frame(2 / 25.0);
+    EXPECT_EQ(difference(*both, image()).mean, 0.0);
+    kept->releaseGLObjects();
+    frame(2 / 25.0);
+    EXPECT_EQ(difference(*both, image()).mean, 0.0);
+}
+
 TEST_F(GlLifetimeGlTest, releasingGivesEveryBufferAndTextureBack) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     render(forest, width, height, 1);

@@ -3,12 +3,10 @@
 
 #include <osgTreeWind/drawing/branchwise/BillboardDrawable.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
-#include <osgTreeWind/drawing/impostors/ImpostorStrip.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
-#include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/drawing/stand/ModelResources.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/gpu/DataTexture.h>
-#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 #include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/model/Random.h>
@@ -39,13 +37,8 @@ osg::ref_ptr<osg::Drawable> BranchwiseForest::billboard(const PlacedTree& tree, 
     const Tier tier = impostorTier(tree.leaves);
     Pictures& pictures = _pictures[{tree.model, tier}];
     if (!pictures.strip) {
-        if (!_pictureProgram)
-            _pictureProgram = createProgram("impostor", "impostor");
         const Species& species = _simulation->description().species[tree.species];
-        ImpostorSettings settings;
-        settings.leaves = leavesOn(tier);
-        pictures.strip =
-            new ImpostorStrip(paintImpostor(posed.model(), species.appearance, settings), _pictureProgram);
+        pictures.strip = sharedImpostor(posed.model(), species.appearance, tier);
         pictures.state = new SharedStateSet(*pictures.strip->stateSet());
         pictures.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
     }
@@ -89,15 +82,13 @@ BranchwiseForest::BranchwiseForest() : BranchwiseForest(noTrees()) {}
 BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _simulation(std::move(given)) {
     const ForestSimulation& simulation = *_simulation;
 
-    TreeStyles styles;
     for (const Species& species : simulation.description().species)
-        _styles.push_back(styles.style(species.appearance));
+        _styles.push_back(makeTreeStyle(species.appearance));
     for (std::size_t i = 0; i < SimulationParts::models(simulation).size(); ++i) {
         const Species& species =
             simulation.description().species[SimulationParts::forest(simulation).speciesOfModel(i)];
-        _buffers.push_back(new TreeBuffers(
-            std::shared_ptr<const TreeModel>(_simulation, &SimulationParts::models(simulation)[i]),
-            species.appearance.leafForm));
+        _buffers.push_back(
+            new TreeBuffers(SimulationParts::models(simulation)[i], species.appearance.leafForm));
     }
 
     _stand = new osg::Group;

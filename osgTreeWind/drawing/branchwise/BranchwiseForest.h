@@ -112,9 +112,8 @@ private:
     std::shared_ptr<ForestSimulation> _simulation;
     std::vector<osg::ref_ptr<TreeBuffers>> _buffers;            ///< By model.
     std::map<std::pair<std::size_t, Tier>, Pictures> _pictures; ///< By model and share of leaves.
-    osg::ref_ptr<osg::Program> _pictureProgram;
-    std::vector<TreeStyle> _styles;  ///< By species.
-    osg::ref_ptr<osg::Group> _stand; ///< The trees, and the textures they share.
+    std::vector<TreeStyle> _styles;                             ///< By species.
+    osg::ref_ptr<osg::Group> _stand;                            ///< The trees, and the textures they share.
     std::vector<osg::ref_ptr<TreeNode>> _trees;
     std::unique_ptr<DataTexture> _unitPoses, _leafAngles;
     // No children: in a scene they would keep everything above them from being culled.

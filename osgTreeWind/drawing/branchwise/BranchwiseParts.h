@@ -13,6 +13,10 @@ struct BranchwiseParts {
     static TreeNode* tree(const BranchwiseForest& forest, unsigned index) {
         return forest._trees[index].get();
     }
+    /// Of a model.
+    static const TreeBuffers& buffers(const BranchwiseForest& forest, std::size_t model) {
+        return *forest._buffers[model];
+    }
     /// The passes at work; null with CPU_ANGLES.
     static const AnglePrePass* prePass(const BranchwiseForest& forest) { return forest._prePass.get(); }
 };

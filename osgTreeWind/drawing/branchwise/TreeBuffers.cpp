@@ -2,7 +2,10 @@
 #include <osgTreeWind/drawing/branchwise/TreeBuffers.h>
 
 #include <osgTreeWind/drawing/stand/TreeGeometry.h>
+#include <osgTreeWind/gpu/SharedObjects.h>
 #include <osgTreeWind/species/LeafCoverage.h>
+
+#include <utility>
 
 namespace osgTreeWind {
 namespace {
@@ -18,36 +21,45 @@ std::vector<unsigned> unitsWithoutLeaves(const TreeModel& model) {
     return units;
 }
 
-} // namespace
-
-TreeBuffers::TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafForm)
-    : _model(std::move(model)), _leafCluster(new LeafClusterDrawable(*_model)),
-      _unitSkins(_model->skeleton.units.size()) {
-    const CrownShade crown(_model->leaves, _model->leafMesh, leafCoverage(leafForm));
-    _skin = makeSkinGeometry(_model->skin, crown);
-    _leaves = makeLeafGeometry(_model->leaves, _model->leafMesh, crown);
-    _bareSkin = skinOf(unitsWithoutLeaves(*_model));
-}
-
-osg::ref_ptr<osg::Geometry> TreeBuffers::skinOf(const std::vector<unsigned>& units) const {
-    const BranchSkin& skin = _model->skin;
+/// The bark of some units, over the vertices of the whole.
+osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units, const BranchSkin& skin,
+                                   const osg::Geometry& whole) {
     osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
     for (const unsigned unit : units)
         triangles->insert(triangles->end(), skin.indices.begin() + skin.firstIndices[unit],
                           skin.indices.begin() + skin.firstIndices[unit + 1]);
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(*_skin);
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry(whole);
     geometry->setPrimitiveSet(0, triangles);
     return geometry;
 }
 
+} // namespace
+
+TreeBuffers::Meshes::Meshes(const TreeModel& model, LeafForm leafForm) {
+    const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(leafForm));
+    skin = makeSkinGeometry(model.skin, crown);
+    bareSkin = skinOf(unitsWithoutLeaves(model), model.skin, *skin);
+    leaves = makeLeafGeometry(model.leaves, model.leafMesh, crown);
+}
+
+osg::ref_ptr<TreeBuffers::Meshes> TreeBuffers::sharedMeshes(const TreeModel& model, LeafForm leafForm) {
+    static SharedObjects<std::pair<std::uint64_t, LeafForm>, Meshes> meshes;
+    const auto make = [&] { return osg::ref_ptr<Meshes>(new Meshes(model, leafForm)); };
+    return model.identity == 0 ? make() : meshes.get({model.identity, leafForm}, make);
+}
+
+TreeBuffers::TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafForm)
+    : _model(std::move(model)), _meshes(sharedMeshes(*_model, leafForm)),
+      _leafCluster(new LeafClusterDrawable(*_model)), _unitSkins(_model->skeleton.units.size()) {}
+
 osg::Geometry* TreeBuffers::unitSkin(unsigned unit) {
     if (!_unitSkins[unit])
-        _unitSkins[unit] = skinOf({unit});
+        _unitSkins[unit] = skinOf({unit}, _model->skin, *skin());
     return _unitSkins[unit].get();
 }
 
 std::vector<osg::Geometry*> TreeBuffers::geometries() const {
-    std::vector<osg::Geometry*> all = {_skin, _bareSkin, _leaves, _leafCluster->geometry()};
+    std::vector<osg::Geometry*> all = {skin(), bareSkin(), leaves(), _leafCluster->geometry()};
     for (const osg::ref_ptr<osg::Geometry>& unit : _unitSkins)
         if (unit)
             all.push_back(unit);

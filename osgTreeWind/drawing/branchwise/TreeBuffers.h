@@ -16,10 +16,10 @@ public:
     explicit TreeBuffers(std::shared_ptr<const TreeModel> model, LeafForm leafForm = LeafForm::Blade);
 
     const std::shared_ptr<const TreeModel>& model() const { return _model; }
-    osg::Geometry* skin() const { return _skin.get(); }
-    osg::Geometry* leaves() const { return _leaves.get(); }
+    osg::Geometry* skin() const { return _meshes->skin.get(); }
+    osg::Geometry* leaves() const { return _meshes->leaves.get(); }
     /// The bark of the units that bear no leaves, over the same vertex buffer.
-    osg::Geometry* bareSkin() const { return _bareSkin.get(); }
+    osg::Geometry* bareSkin() const { return _meshes->bareSkin.get(); }
     LeafClusterDrawable* leafCluster() const { return _leafCluster.get(); }
     /// The bark of one branch unit, over the same vertex buffer. Made on the first call; call it from one
     /// thread.
@@ -29,11 +29,17 @@ public:
     void releaseGLObjects(osg::State* state) const;
 
 private:
-    osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units) const;
     std::vector<osg::Geometry*> geometries() const;
 
+    /// The same ones for all forests that hold them.
+    struct Meshes : osg::Referenced {
+        Meshes(const TreeModel& model, LeafForm leafForm);
+        osg::ref_ptr<osg::Geometry> skin, bareSkin, leaves;
+    };
+    static osg::ref_ptr<Meshes> sharedMeshes(const TreeModel& model, LeafForm leafForm);
+
     std::shared_ptr<const TreeModel> _model;
-    osg::ref_ptr<osg::Geometry> _skin, _bareSkin, _leaves;
+    osg::ref_ptr<Meshes> _meshes;
     osg::ref_ptr<LeafClusterDrawable> _leafCluster;
     std::vector<osg::ref_ptr<osg::Geometry>> _unitSkins;
 };

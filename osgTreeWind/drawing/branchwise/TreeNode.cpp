@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/branchwise/LeafDrawable.h>
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/model/MeasureTree.h>
 
 #include <osgUtil/IntersectionVisitor>
@@ -247,7 +248,7 @@ void TreeNode::updatePose(bool moved) {
 
 void TreeNode::traverse(osg::NodeVisitor& visitor) {
     if (_tree && !_lod->getReady() && dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor))
-        bringUpToDate();
+        EntryGuard().run("a tree may not be met", [this] { bringUpToDate(); });
     osg::PositionAttitudeTransform::traverse(visitor);
 }
 

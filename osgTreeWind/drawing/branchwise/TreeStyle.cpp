@@ -7,17 +7,13 @@
 
 namespace osgTreeWind {
 
-TreeStyle TreeStyles::style(const Appearance& appearance) {
-    if (!_barkProgram) {
-        _barkProgram = createProgram("branchwise/bark", "bark");
-        _leafProgram = createProgram("branchwise/leaf", "leaf");
-    }
+TreeStyle makeTreeStyle(const Appearance& appearance) {
     TreeStyle style{new SharedStateSet, nullptr, new SharedStateSet, nullptr, nullptr};
-    _textures.showBark(*style.bark, _barkProgram, appearance);
+    showBark(*style.bark, sharedProgram("branchwise/bark", "bark"), appearance);
     style.branchBark = new SharedStateSet(*style.bark);
     style.branchBark->addUniform(new osg::Uniform("treeFirstUnit", -1));
 
-    _textures.showLeaves(*style.leaves, _leafProgram, appearance);
+    showLeaves(*style.leaves, sharedProgram("branchwise/leaf", "leaf"), appearance);
     style.leaves->addUniform(new osg::Uniform("leafColor", toOsg(appearance.leaves)));
     style.leafCluster = new SharedStateSet(*style.leaves);
     style.leafCluster->addUniform(new osg::Uniform("treeFirstUnit", -1));

@@ -34,14 +34,7 @@ struct TreeStyle {
     void releaseGLObjects(osg::State* state) const;
 };
 
-/// Makes styles that share programs and textures, which are painted when a style first needs them.
-class TreeStyles {
-public:
-    TreeStyle style(const Appearance& appearance);
-
-private:
-    osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
-    TreeTextures _textures;
-};
+/// State sets of their own, with programs and textures that others share.
+TreeStyle makeTreeStyle(const Appearance& appearance);
 
 } // namespace osgTreeWind

@@ -73,7 +73,7 @@ FarCrowns::FarCrowns(const CrownSheet& sheet, const ForestDescription& world)
       _colors(new osg::Uniform(osg::Uniform::FLOAT_VEC4, "crownColors", mostSpecies)) {
     setName("far crowns");
     osg::StateSet* state = getOrCreateStateSet();
-    state->setAttributeAndModes(createProgram("crowns", "crowns"), ownProgram);
+    state->setAttributeAndModes(sharedProgram("crowns", "crowns"), ownProgram);
     drawBothSides(*state);
     state->addUniform(_colors);
     state->addUniform(new osg::Uniform("tierColor", osg::Vec3(0.5f, 0.05f, 1.0f)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/ground/GroundTile.h>
 
+#include <osgTreeWind/gpu/EntryGuard.h>
+
 #include <osg/CullStack>
 #include <osg/NodeVisitor>
 
@@ -69,7 +71,10 @@ bool GroundTile::isFineEnough(osg::NodeVisitor& visitor) const {
 void GroundTile::traverse(osg::NodeVisitor& visitor) {
     const osg::NodeVisitor::VisitorType type = visitor.getVisitorType();
     if (type == osg::NodeVisitor::CULL_VISITOR || type == osg::NodeVisitor::INTERSECTION_VISITOR) {
-        std::call_once(_once, [this] { make(); });
+        std::call_once(_once,
+                       [this] { EntryGuard().run("a part of the ground is left out", [this] { make(); }); });
+        if (!_isMade)
+            return;
         if (isFineEnough(visitor))
             return _mesh->accept(visitor);
     } else if (type != osg::NodeVisitor::NODE_VISITOR || !_isMade) // nothing here asks for updates or events

@@ -17,7 +17,7 @@ class ImpostorStrip : public osg::Referenced {
 public:
     static constexpr int colorUnit = 0, normalUnit = 6; ///< Texture units; shadows use those between.
 
-    /// @param program createProgram("impostor", "impostor"), shared by all models.
+    /// @param program sharedProgram("impostor", "impostor"), shared by all models.
     ImpostorStrip(ImpostorPictures pictures, osg::Program* program);
 
     const ImpostorPictures& pictures() const { return _pictures; }

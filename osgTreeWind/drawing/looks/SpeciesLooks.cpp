@@ -21,16 +21,12 @@ glm::vec3 undersideOverUpper(const Appearance& appearance) {
 
 } // namespace
 
-SpeciesLooks SpeciesStyles::looks(const Species& species) {
+SpeciesLooks makeSpeciesLooks(const Species& species) {
     const Appearance& appearance = species.appearance;
-    if (!_barkProgram) {
-        _barkProgram = createProgram("instance_bark", "instance_bark");
-        _leafProgram = createProgram("instance_leaf", "instance_leaf");
-    }
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet,
                        nullptr,           nullptr,           Reconfiguration(species)};
-    _textures.showBark(*looks.bark, _barkProgram, appearance);
-    _textures.showLeaves(*looks.leaves, _leafProgram, appearance);
+    showBark(*looks.bark, sharedProgram("instance_bark", "instance_bark"), appearance);
+    showLeaves(*looks.leaves, sharedProgram("instance_leaf", "instance_leaf"), appearance);
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));

@@ -21,14 +21,7 @@ struct SpeciesLooks {
 /// On the colour of leaves as they are in summer.
 osg::Vec3 seasonTint(const Appearance& appearance, float season);
 
-/// Makes looks that share programs and textures, which are made when first needed.
-class SpeciesStyles {
-public:
-    SpeciesLooks looks(const Species& species);
-
-private:
-    osg::ref_ptr<osg::Program> _barkProgram, _leafProgram;
-    TreeTextures _textures;
-};
+/// State sets of their own, with programs and textures that others share.
+SpeciesLooks makeSpeciesLooks(const Species& species);
 
 } // namespace osgTreeWind

@@ -7,11 +7,11 @@
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-
-#include <osg/observer_ptr>
+#include <osgTreeWind/gpu/SharedObjects.h>
 
 #include <array>
 #include <mutex>
+#include <string>
 
 namespace osgTreeWind {
 namespace {
@@ -32,29 +32,15 @@ private:
     std::array<osg::ref_ptr<osg::Image>, count> _images;
 };
 
-/// Pictures of files, read once as long as somebody has them.
-class ReadOnce {
-public:
-    template <typename Read>
-    osg::ref_ptr<osg::Image> image(const std::string& path, Read read) {
-        const std::lock_guard<std::mutex> lock(_mutex);
-        osg::ref_ptr<osg::Image> image;
-        if (!_images[path].lock(image))
-            _images[path] = image = read(path);
-        return image;
-    }
-
-private:
-    std::mutex _mutex;
-    std::map<std::string, osg::observer_ptr<osg::Image>> _images;
-};
+using SharedImages = SharedObjects<std::string, osg::Image>; ///< By path.
+using SharedTextures = SharedObjects<const osg::Image*, osg::Texture2D>;
 
 } // namespace
 
 osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
-    static ReadOnce pictures;
-    if (!appearance.leafImage.empty())
-        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.leafImage, readLeafPicture))
+    static SharedImages pictures;
+    if (const std::string& path = appearance.leafImage; !path.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.get(path, [&] { return readLeafPicture(path); }))
             return picture;
     constexpr float sparse = 0.6f; // so that none shows as a whole on a bough
     static PaintedOnce<LeafForm, leafForms> images;
@@ -70,9 +56,9 @@ osg::ref_ptr<osg::Image> leafImage(const Appearance& appearance) {
 }
 
 osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
-    static ReadOnce pictures;
-    if (!appearance.barkImage.empty())
-        if (osg::ref_ptr<osg::Image> picture = pictures.image(appearance.barkImage, readBarkPicture))
+    static SharedImages pictures;
+    if (const std::string& path = appearance.barkImage; !path.empty())
+        if (osg::ref_ptr<osg::Image> picture = pictures.get(path, [&] { return readBarkPicture(path); }))
             return picture;
     static PaintedOnce<BarkForm, static_cast<std::size_t>(BarkForm::Ringed) + 1> images;
     return images.image(appearance.barkForm, paintBark);
@@ -89,37 +75,37 @@ osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image
     return texture;
 }
 
-osg::Texture2D* TreeTextures::leaves(const Appearance& appearance) {
+osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance) {
+    static SharedTextures textures;
     const osg::ref_ptr<osg::Image> image = leafImage(appearance);
-    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
-    if (!texture) {
-        texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
+    return textures.get(image, [&] {
+        osg::ref_ptr<osg::Texture2D> texture = makeTreeTexture("leaves", image, osg::Texture::CLAMP_TO_EDGE);
         texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_NEAREST); // quick
-    }
-    return texture;
+        return texture;
+    });
 }
 
-osg::Texture2D* TreeTextures::bark(const Appearance& appearance) {
+osg::ref_ptr<osg::Texture2D> barkTexture(const Appearance& appearance) {
+    static SharedTextures textures;
     const osg::ref_ptr<osg::Image> image = barkImage(appearance);
-    osg::ref_ptr<osg::Texture2D>& texture = _textures[image];
-    if (!texture)
-        texture = makeTreeTexture("bark", image, osg::Texture::REPEAT,
-                                  appearance.barkImage.empty() ? osg::Texture::REPEAT : osg::Texture::MIRROR);
-    return texture;
+    return textures.get(image, [&] {
+        return makeTreeTexture("bark", image, osg::Texture::REPEAT,
+                               appearance.barkImage.empty() ? osg::Texture::REPEAT : osg::Texture::MIRROR);
+    });
 }
 
-void TreeTextures::showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
+void showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
     state.setAttributeAndModes(program, ownProgram);
-    state.setTextureAttribute(0, bark(appearance));
+    state.setTextureAttribute(0, barkTexture(appearance));
     state.addUniform(new osg::Uniform("barkTexture", 0));
     state.addUniform(new osg::Uniform("barkColor", toOsg(appearance.bark)));
     state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     drawBothSides(state); // joints are open tubes
 }
 
-void TreeTextures::showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
+void showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance) {
     state.setAttributeAndModes(program, ownProgram);
-    state.setTextureAttribute(0, leaves(appearance));
+    state.setTextureAttribute(0, leafTexture(appearance));
     state.addUniform(new osg::Uniform("leafTexture", 0));
     state.addUniform(new osg::Uniform("twigColor", toOsg(appearance.twigs())));
     drawBothSides(state);

@@ -8,8 +8,6 @@
 #include <osg/StateSet>
 #include <osg/Texture2D>
 
-#include <map>
-
 namespace osgTreeWind {
 
 // Images are painted or read when first asked for, by any thread, and shared: they are not to be changed.
@@ -25,19 +23,14 @@ osg::ref_ptr<osg::Texture2D> makeTreeTexture(const char* name, osg::Image* image
                                              osg::Texture::WrapMode along,
                                              osg::Texture::WrapMode around = osg::Texture::CLAMP_TO_EDGE);
 
-/// One texture for each image, for kinds of trees that share it.
-class TreeTextures {
-public:
-    osg::Texture2D* leaves(const Appearance& appearance);
-    osg::Texture2D* bark(const Appearance& appearance);
+/// leafImage() as a texture, the same one for all who hold it. Any thread.
+osg::ref_ptr<osg::Texture2D> leafTexture(const Appearance& appearance);
+/// Likewise barkImage().
+osg::ref_ptr<osg::Texture2D> barkTexture(const Appearance& appearance);
 
-    /// Has bark, or leaves and twigs, drawn by a program, with what the appearance says but the leaves'
-    /// colour.
-    void showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
-    void showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
-
-private:
-    std::map<osg::ref_ptr<osg::Image>, osg::ref_ptr<osg::Texture2D>> _textures;
-};
+/// Has bark drawn by a program, with what the appearance says.
+void showBark(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
+/// The same for leaves and twigs, but for the leaves' colour.
+void showLeaves(osg::StateSet& state, osg::Program* program, const Appearance& appearance);
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/stand/CullLists.h>
 
 #include <osgTreeWind/drawing/looks/SceneShading.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 namespace osgTreeWind {
@@ -67,10 +68,14 @@ void CullLists::draw(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*&) {
     if (!canRunPrograms(*renderInfo.getState()))
         return;
     osg::ref_ptr<osg::Camera> camera;
-    setSceneDefines(*_shading, _place, _camera.lock(camera) && choosesSamples(*camera, *renderInfo.getState()));
-    for (std::size_t i = 0; i < _used; ++i)
-        if (const InstanceList& trees = *_lists[i].trees; trees.page)
-            trees.passes->prepare(*renderInfo.getState(), *trees.page);
+    setSceneDefines(*_shading, _place,
+                    _camera.lock(camera) && choosesSamples(*camera, *renderInfo.getState()));
+    static const EntryGuard guard;
+    guard.run("trees may be missing in pictures", [&] {
+        for (std::size_t i = 0; i < _used; ++i)
+            if (const InstanceList& trees = *_lists[i].trees; trees.page)
+                trees.passes->prepare(*renderInfo.getState(), *trees.page);
+    });
 }
 
 void CullLists::releaseGLObjects(osg::State* state) const {

@@ -2,6 +2,7 @@
 #include <osgTreeWind/drawing/stand/InstancedDraw.h>
 
 #include <osgTreeWind/gpu/DrawTime.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/GLExtensions>
@@ -37,6 +38,21 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     osg::State& state = *renderInfo.getState();
     if (!canRunPrograms(state))
         return;
+    static const EntryGuard guard;
+    guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    for (unsigned i = 0; i < 3; ++i) {
+        gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
+        gl.glDisableVertexAttribArray(treePlaceLocation + i);
+    }
+    state.unbindVertexBufferObject();
+    state.unbindElementBufferObject();
+    if (_isLast)
+        glFlush();
+}
+
+void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
+    osg::State& state = *renderInfo.getState();
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
     state.unbindVertexArrayObject(); // where there is one it would be of the geometry drawn before
     state.setCurrentToGlobalVertexArrayState();
@@ -78,15 +94,6 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
             gl.glDrawArraysInstanced(array->getMode(), array->getFirst(), array->getCount(), count);
         }
     }
-
-    for (unsigned i = 0; i < 3; ++i) {
-        gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
-        gl.glDisableVertexAttribArray(treePlaceLocation + i);
-    }
-    state.unbindVertexBufferObject();
-    state.unbindElementBufferObject();
-    if (_isLast)
-        glFlush();
 }
 
 } // namespace osgTreeWind

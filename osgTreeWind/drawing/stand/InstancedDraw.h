@@ -26,6 +26,8 @@ protected:
     ~InstancedDraw() override = default;
 
 private:
+    void drawTrees(osg::RenderInfo& renderInfo) const;
+
     osg::ref_ptr<osg::Geometry> _geometry;
     osg::ref_ptr<InstanceList> _trees;
     bool _isLast = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/stand/StandResources.h>
 
-#include <osgTreeWind/gpu/ShaderLibrary.h>
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
@@ -26,9 +26,8 @@ void want(const ForestSimulation& simulation, std::size_t model, const LeafFall&
 StandResources::StandResources(const ForestSimulation& simulation)
     : models(SimulationParts::models(simulation).size()), state(new osg::StateSet), fading(new osg::StateSet),
       programs(new PosePrograms) {
-    SpeciesStyles styles;
     for (const Species& species : simulation.description().species)
-        looks.push_back(styles.looks(species));
+        looks.push_back(makeSpeciesLooks(species));
     fading->setDefine("FADING");
     state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
@@ -36,10 +35,9 @@ StandResources::StandResources(const ForestSimulation& simulation)
     state->addUniform(new osg::Uniform("posePulls", static_cast<int>(PosePass::pullsUnit)));
     if (models.empty()) // nor threads
         return;
-    impostorProgram = createProgram("impostor", "impostor");
-    simulation.executor()(models.size(), [&](std::size_t model) {
+    runJobs(simulation.executor(), models.size(), [&](std::size_t model) {
         const std::size_t species = SimulationParts::forest(simulation).speciesOfModel(model);
-        models[model] = new ModelResources(SimulationParts::models(simulation)[model], species,
+        models[model] = new ModelResources(*SimulationParts::models(simulation)[model], species,
                                            simulation.description().species[species].appearance);
     });
     followSeason(simulation);
@@ -77,14 +75,13 @@ void StandResources::paintImpostors(const ForestSimulation& simulation, const Pi
             missing.emplace_back(model, tier);
     const auto paint = [&](std::size_t i) {
         const auto [model, tier] = missing[i];
-        models[model]->paint(tier, SimulationParts::models(simulation)[model],
-                             simulation.description().species[models[model]->species()].appearance,
-                             impostorProgram);
+        models[model]->paint(tier, *SimulationParts::models(simulation)[model],
+                             simulation.description().species[models[model]->species()].appearance);
     };
     if (missing.size() == 1)
         paint(0);
     else if (!missing.empty())
-        simulation.executor()(missing.size(), paint);
+        runJobs(simulation.executor(), missing.size(), paint);
 }
 
 std::vector<osg::Object*> StandResources::glObjects() const {

@@ -27,7 +27,6 @@ struct StandResources {
     std::vector<SpeciesLooks> looks;                  ///< By species.
     osg::ref_ptr<osg::StateSet> state;                ///< Of all trees with branches.
     osg::ref_ptr<osg::StateSet> fading;               ///< Of trees that cross over to another tier.
-    osg::ref_ptr<osg::Program> impostorProgram;
     osg::ref_ptr<PosePrograms> programs;
 
     /// Programs, geometries and state sets: all that OpenGL keeps something of.

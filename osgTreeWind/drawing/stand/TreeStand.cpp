@@ -33,8 +33,8 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, StandResource
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true); // else nobody asks it to compile them
-    for (const TreeModel& model : SimulationParts::models(*_simulation))
-        _passes.push_back(new PosePass(model.skeleton, _resources.programs));
+    for (const auto& model : SimulationParts::models(*_simulation))
+        _passes.push_back(new PosePass(model->skeleton, _resources.programs));
     for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
         if (SimulationParts::trees(*_simulation)[tree].alive)
             treeChanged(tree);
@@ -154,11 +154,15 @@ void TreeStand::accept(osg::NodeVisitor& visitor) {
         return;
     if (auto* cull = visitor.asCullVisitor()) {
         visitor.pushOntoNodePath(this);
-        this->cull(*cull);
+        const osg::ref_ptr<osgUtil::StateGraph> place = cull->getCurrentStateGraph();
+        if (!_guard.run("trees of the forest may be missing in pictures", [&] { this->cull(*cull); }))
+            while (cull->getCurrentStateGraph() != place)
+                cull->popStateSet();
         visitor.popFromNodePath();
     } else if (auto* picking = dynamic_cast<osgUtil::IntersectionVisitor*>(&visitor)) {
         visitor.pushOntoNodePath(this);
-        intersectTrees(*picking, *_simulation, _cells);
+        _guard.run("trees of the forest may not be met",
+                   [&] { intersectTrees(*picking, *_simulation, _cells); });
         visitor.popFromNodePath();
     } else {
         osg::Drawable::accept(visitor);
@@ -214,13 +218,15 @@ std::array<std::size_t, tierCount> TreeStand::listedTrees() const {
 }
 
 void TreeStand::compileGLObjects(osg::RenderInfo& renderInfo) const {
-    for (osg::Object* object : _resources.glObjects())
-        if (const osg::StateSet* state = object->asStateSet())
-            state->compileGLObjects(*renderInfo.getState());
-        else if (const osg::StateAttribute* program = object->asStateAttribute())
-            program->compileGLObjects(*renderInfo.getState());
-        else
-            object->asDrawable()->compileGLObjects(renderInfo);
+    _guard.run("trees of the forest are compiled as they are drawn", [&] {
+        for (osg::Object* object : _resources.glObjects())
+            if (const osg::StateSet* state = object->asStateSet())
+                state->compileGLObjects(*renderInfo.getState());
+            else if (const osg::StateAttribute* program = object->asStateAttribute())
+                program->compileGLObjects(*renderInfo.getState());
+            else
+                object->asDrawable()->compileGLObjects(renderInfo);
+    });
 }
 
 void TreeStand::resizeGLObjectBuffers(unsigned maxSize) {

@@ -6,6 +6,7 @@
 #include <osgTreeWind/drawing/stand/StandResources.h>
 #include <osgTreeWind/drawing/stand/TreeCells.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <array>
@@ -78,6 +79,7 @@ private:
     osg::ref_ptr<CullLists> freeLists(const osgUtil::CullVisitor& visitor);
     float detailOf(osgUtil::CullVisitor& visitor, unsigned frame);
 
+    EntryGuard _guard;
     std::shared_ptr<ForestSimulation> _simulation;
     StandResources _resources;
     std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.

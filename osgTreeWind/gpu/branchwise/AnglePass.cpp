@@ -2,6 +2,7 @@
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
 
 #include <osgTreeWind/gpu/DistinctArrays.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osg/ColorMask>
@@ -32,17 +33,20 @@ public:
     }
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override {
-        osg::Geometry::drawImplementation(renderInfo);
-        osg::State& state = *renderInfo.getState();
-        state.setActiveTextureUnit(0);
-        state.applyTextureAttribute(0, _states);
-        const osg::Image& size = *_states->getImage();
-        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, size.s(), size.t());
-        if (_readback)
-            _readback->read(state, size.s(), size.t());
+        _guard.run("branches may stand still", [&] {
+            osg::Geometry::drawImplementation(renderInfo);
+            osg::State& state = *renderInfo.getState();
+            state.setActiveTextureUnit(0);
+            state.applyTextureAttribute(0, _states);
+            const osg::Image& size = *_states->getImage();
+            glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, size.s(), size.t());
+            if (_readback)
+                _readback->read(state, size.s(), size.t());
+        });
     }
 
 private:
+    EntryGuard _guard;
     osg::ref_ptr<osg::Texture2D> _states;
     osg::ref_ptr<AngleReadback> _readback;
 };
@@ -85,7 +89,7 @@ AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states, A
     state.setDataVariance(osg::Object::DYNAMIC);
     computeOnly(state);
     state.setTextureAttribute(0, _states.texture(), firmly);
-    state.setAttributeAndModes(createProgram("texels", shader), osg::StateAttribute::ON | firmly);
+    state.setAttributeAndModes(sharedProgram("texels", shader), osg::StateAttribute::ON | firmly);
     state.addUniform(new osg::Uniform("previousAngles", 0));
 }
 

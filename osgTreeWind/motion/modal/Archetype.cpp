@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/Archetype.h>
 
+#include <osgTreeWind/base/SharedValues.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
 #include <osgTreeWind/species/GrowthLaws.h>
+#include <osgTreeWind/species/SpeciesFields.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -156,7 +160,8 @@ SwayingTree treeOn(const ArchetypeRung& rung) {
 }
 
 Archetype::Archetype(const SwayingTree& tree)
-    : _tree(tree), _leafArea(leafArea(*tree.model, tree.scale, *tree.species, tree.leaves)),
+    : _scale(tree.scale), _leaves(tree.leaves),
+      _leafArea(leafArea(*tree.model, tree.scale, *tree.species, tree.leaves)),
       _logs(growthOf(tree, _leafArea)) {
     const WoodParameters& wood = tree.species->wood;
     const ModalMaterial material{wood.dampingRatio, wood.streamlining, wood.streamlinedTo,
@@ -173,7 +178,7 @@ Archetype::Archetype(const SwayingTree& tree)
 }
 
 TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
-    const float l = tree.scale.axes.z / _tree.scale.axes.z, r = tree.scale.radius / _tree.scale.radius;
+    const float l = tree.scale.axes.z / _scale.axes.z, r = tree.scale.radius / _scale.radius;
     TreeFactors f;
     f.cosine = std::cos(heading);
     f.sine = std::sin(heading);
@@ -188,10 +193,24 @@ TreeFactors Archetype::factors(const SwayingTree& tree, float heading) const {
     f.logs.roots = std::log(l * l / (r * r));       // and weight over it
     f.logs.leaves = leaves > 0.0f && _leafArea > 0.0f ? logs.leaves - _logs.leaves : 0.0f;
     f.stillDrag = _leafArea > 0.0f ? leaves / _leafArea : 0.0f;
-    f.leafDrag = tree.species->wood.crownDrag > 0.0f && _tree.leaves > 0.0f
-                     ? l * tree.scale.axes.x / _tree.scale.axes.x * tree.leaves / _tree.leaves // its outline
+    f.leafDrag = tree.species->wood.crownDrag > 0.0f && _leaves > 0.0f
+                     ? l * tree.scale.axes.x / _scale.axes.x * tree.leaves / _leaves // its outline
                      : f.stillDrag;
     return f;
+}
+
+std::shared_ptr<const Archetype> sharedArchetype(const SwayingTree& tree) {
+    static SharedConstants<std::pair<std::uint64_t, std::string>, Archetype> archetypes;
+    if (tree.model->identity == 0)
+        return std::make_shared<const Archetype>(tree);
+    const glm::vec3& axes = tree.scale.axes;
+    std::string form;
+    for (const float number : {axes.x, axes.y, axes.z, tree.scale.radius, tree.scale.leaf, tree.leaves})
+        form.append(reinterpret_cast<const char*>(&number), sizeof number);
+    addFieldBytes(tree.species->wood, form);
+    addFieldBytes(tree.species->branch, form);
+    return archetypes.get({tree.model->identity, form},
+                          [&] { return std::make_shared<const Archetype>(tree); });
 }
 
 } // namespace osgTreeWind

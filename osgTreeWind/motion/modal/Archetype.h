@@ -7,6 +7,7 @@
 #include <osgTreeWind/motion/modal/ModalModel.h>
 #include <osgTreeWind/species/Species.h>
 
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -60,14 +61,18 @@ public:
     /// Factors of another tree of the same model and species.
     TreeFactors factors(const SwayingTree& tree, float heading) const;
     /// Scale of the tree it was made from.
-    const TreeScale& scale() const { return _tree.scale; }
+    const TreeScale& scale() const { return _scale; }
 
 private:
-    SwayingTree _tree;
-    float _leafArea = 0.0f;
+    TreeScale _scale;
+    float _leaves, _leafArea;
     SizePowers _logs; ///< Logarithms of what its growth gives it.
     std::vector<ModalModel> _models;
     std::vector<std::size_t> _other[levels];
 };
+
+/// That of a tree: the same one for all in the process who hold it, where the tree's model is shared
+/// (TreeModel::identity). Any thread.
+std::shared_ptr<const Archetype> sharedArchetype(const SwayingTree& tree);
 
 } // namespace osgTreeWind

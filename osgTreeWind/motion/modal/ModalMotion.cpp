@@ -113,7 +113,7 @@ void ModalMotion::setExecutor(Executor executor) {
 /// With their groups, in order.
 void ModalMotion::addArchetypes(const std::vector<SwayingTree>& forms) {
     std::vector<std::shared_ptr<const Archetype>> made(forms.size());
-    _executor(forms.size(), [&](std::size_t i) { made[i] = std::make_shared<const Archetype>(forms[i]); });
+    runJobs(_executor, forms.size(), [&](std::size_t i) { made[i] = sharedArchetype(forms[i]); });
     for (std::shared_ptr<const Archetype>& archetype : made) {
         for (std::size_t level = 0; level < Archetype::levels; ++level) {
             _groups.emplace_back();

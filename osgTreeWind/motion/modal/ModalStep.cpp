@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalGroup.h>
 
+#include <osgTreeWind/base/Batches.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -57,7 +59,7 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
 }
 
 void ModalMotion::advance(const WindField* wind) {
-    _executor((_work.size() + blocksPerJob - 1) / blocksPerJob, [&](std::size_t job) {
+    runJobs(_executor, (_work.size() + blocksPerJob - 1) / blocksPerJob, [&](std::size_t job) {
         const std::size_t first = job * blocksPerJob, end = std::min(_work.size(), first + blocksPerJob);
         thread_local Scratch kept;
         Scratch scratch = std::move(kept);

@@ -91,7 +91,7 @@ protected:
     osg::ref_ptr<ImpostorStrip> shapeOf(const Species& species, const ImpostorSettings& settings = {}) {
         const TreeModel model = makeTreeModel(species.tree);
         return new ImpostorStrip(paintImpostor(model, species.appearance, settings),
-                                 createProgram("impostor", "impostor"));
+                                 sharedProgram("impostor", "impostor"));
     }
 
     osg::ref_ptr<osg::Node> impostor(ImpostorStrip& shape, Instance* instance) {

@@ -61,9 +61,9 @@ TEST(TreePicture, IsReadOnceForAllWhoShowIt) {
     const osg::ref_ptr<osg::Image> one = leafImage(appearance), other = leafImage(appearance);
     EXPECT_EQ(one, other);
     EXPECT_NE(one, leafImage({}));
-    TreeTextures textures;
-    EXPECT_EQ(textures.leaves(appearance), textures.leaves(appearance));
-    EXPECT_NE(textures.leaves(appearance), textures.leaves({}));
+    const osg::ref_ptr<osg::Texture2D> texture = leafTexture(appearance);
+    EXPECT_EQ(texture, leafTexture(appearance));
+    EXPECT_NE(texture, leafTexture({}));
 }
 
 TEST(TreePicture, WhatIsNoneIsSaidAndOurOwnIsShown) {

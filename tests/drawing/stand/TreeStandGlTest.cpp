@@ -254,12 +254,12 @@ TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     ForestDescription description = smallForest(4);
     description.drawing.tiers = false;
     osg::ref_ptr<Forest> forest = new Forest(description), plain = new Forest(description);
-    const std::vector<TreeModel>& models = SimulationParts::models(forest->getSimulation());
+    const SharedModels& models = SimulationParts::models(forest->getSimulation());
     for (std::size_t model = 0; model < models.size(); ++model) {
-        const CrownShade crown(models[model].leaves, models[model].leafMesh, leafCoverage(LeafForm::Blade));
-        forest->getStand()->setGeometry(
-            model, makeSkinGeometry(models[model].skin, crown),
-            makeLeafGeometry(models[model].leaves, models[model].leafMesh, crown));
+        const TreeModel& shape = *models[model];
+        const CrownShade crown(shape.leaves, shape.leafMesh, leafCoverage(LeafForm::Blade));
+        forest->getStand()->setGeometry(model, makeSkinGeometry(shape.skin, crown),
+                                        makeLeafGeometry(shape.leaves, shape.leafMesh, crown));
     }
     EXPECT_EQ(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.0);
     look(forest);

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Hosts that read each of their objects by itself: forests of the same trees share what they are made of.
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <tests/nodes/ForestFixtures.h>
+
+#include <osg/Texture2D>
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+using namespace osgTreeWind;
+
+namespace {
+
+using Forests = std::vector<osg::ref_ptr<Forest>>;
+
+const StandResources& resourcesOf(const Forest& forest) {
+    return StandParts::trees(*forest.getStand())->resources();
+}
+
+/// All that takes time to make or memory to hold.
+std::set<const void*> partsOf(const Forest& forest) {
+    std::set<const void*> parts;
+    for (const auto& model : SimulationParts::models(forest.getSimulation()))
+        parts.insert(model.get());
+    for (std::size_t tree = 0; tree < forest.getNumTrees(); ++tree)
+        parts.insert(&SimulationParts::modal(forest.getSimulation())->archetype(tree));
+    for (osg::Object* object : resourcesOf(forest).glObjects()) {
+        if (osg::StateSet* state = object->asStateSet()) {
+            for (const auto& [key, attribute] : state->getAttributeList())
+                parts.insert(attribute.first.get());
+            for (unsigned unit = 0; unit < state->getTextureAttributeList().size(); ++unit)
+                parts.insert(state->getTextureAttribute(unit, osg::StateAttribute::TEXTURE));
+        } else {
+            parts.insert(object);
+        }
+    }
+    return parts;
+}
+
+Species plainSpecies(const std::string& name) {
+    Species species = smallSpecies();
+    species.name = name;
+    return species;
+}
+
+} // namespace
+
+TEST(SharedForests, haveAllInCommonThatTheyAreMadeOf) {
+    const osg::ref_ptr<Forest> one = new Forest(smallForest(4));
+    const std::set<const void*> parts = partsOf(*one);
+    EXPECT_GE(parts.size(), 40u);
+    Forests held;
+    for (int i = 0; i < 50; ++i) {
+        held.push_back(new Forest(smallForest(4)));
+        ASSERT_EQ(partsOf(*held.back()), parts) << i;
+    }
+}
+
+TEST(SharedForests, doNotHaveInCommonWhatLooksOrSwaysOtherwise) {
+    ForestDescription description = smallForest(2);
+    const osg::ref_ptr<Forest> one = new Forest(description);
+    description.species[0].appearance.bark.r += 0.125f;
+    const osg::ref_ptr<Forest> brown = new Forest(description);
+    EXPECT_EQ(SimulationParts::models(one->getSimulation()), SimulationParts::models(brown->getSimulation()));
+    EXPECT_NE(resourcesOf(*one).models[0]->impostor(Tier::Impostor),
+              resourcesOf(*brown).models[0]->impostor(Tier::Impostor));
+    EXPECT_EQ(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*brown).models[0]->bark(Tier::Full));
+    description.species[0].wood.density *= 2.0f;
+    const osg::ref_ptr<Forest> heavy = new Forest(description);
+    EXPECT_NE(&SimulationParts::modal(one->getSimulation())->archetype(0),
+              &SimulationParts::modal(heavy->getSimulation())->archetype(0));
+}
+
+TEST(SharedForests, areNotTiedToTheNameOfASpecies) {
+    ForestDescription description = smallForest(2);
+    const osg::ref_ptr<Forest> one = new Forest(description);
+    description.species[0] = plainSpecies("other");
+    EXPECT_EQ(partsOf(*one), partsOf(*osg::ref_ptr<Forest>(new Forest(description))));
+}
+
+TEST(SharedForests, keepGeometryOfTheirHostToThemselves) {
+    const osg::ref_ptr<Forest> one = new Forest(smallForest(2)), other = new Forest(smallForest(2));
+    one->getStand()->setGeometry(0, new osg::Geometry, nullptr);
+    EXPECT_NE(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*other).models[0]->bark(Tier::Full));
+    EXPECT_NE(resourcesOf(*other).models[0]->leaves(Tier::Full, 0), nullptr);
+}
+
+TEST(SharedForests, eachHasItsOwnSeason) {
+    const osg::ref_ptr<Forest> one = new Forest(smallForest(2)), other = new Forest(smallForest(2));
+    one->setSeason(2.0f);
+    EXPECT_NE(resourcesOf(*one).looks[0].leaves, resourcesOf(*other).looks[0].leaves);
+    EXPECT_EQ(other->getSeason(), osg::ref_ptr<Forest>(new Forest(smallForest(2)))->getSeason());
+}
+
+TEST(SharedForests, keepNothingWhenTheyAreGone) {
+    std::weak_ptr<const TreeModel> model;
+    osg::observer_ptr<osg::Geometry> bark;
+    {
+        const osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+        model = SimulationParts::models(forest->getSimulation())[0];
+        bark = resourcesOf(*forest).models[0]->bark(Tier::Full);
+    }
+    EXPECT_TRUE(model.expired());
+    EXPECT_FALSE(bark.valid());
+}
+
+TEST(SharedForests, shareUnderALawOfABranchToo) {
+    ForestDescription description = smallForest(2);
+    description.law = MotionLaw::Damped;
+    const osg::ref_ptr<Forest> one = new Forest(description), other = new Forest(description);
+    EXPECT_EQ(SimulationParts::models(one->getSimulation()), SimulationParts::models(other->getSimulation()));
+    EXPECT_EQ(BranchwiseParts::buffers(*one->getBranchwise(), 0).skin(),
+              BranchwiseParts::buffers(*other->getBranchwise(), 0).skin());
+}
+
+TEST(SharedForests, threadsThatLoadAtATimeMakeOneOfEach) {
+    Forests made(8);
+    std::vector<std::thread> threads;
+    for (osg::ref_ptr<Forest>& forest : made)
+        threads.emplace_back([&forest] { forest = new Forest(smallForest(4)); });
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const osg::ref_ptr<Forest>& forest : made)
+        EXPECT_EQ(partsOf(*forest), partsOf(*made.front()));
+}
