@@ -220,7 +220,7 @@ osg::ref_ptr<osgAnimation::Skeleton> skeletonOf(const Skeleton& wood, const Tree
 } // namespace
 
 osg::ref_ptr<osg::Group> createRiggedTrees(const PlacedForest& forest, bool hardware) {
-    const TreeModel& model = forest.models().front();
+    const TreeModel& model = *forest.models().front();
     const TreeScale scale = forest.trees.front().scale;
     const auto recording = std::make_shared<const Recording>(forest);
     const RestGeometry bark = restBark(model, scale), leaves = restLeaves(model, scale);

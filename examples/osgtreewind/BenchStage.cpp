@@ -147,7 +147,7 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     const ForestDescription description = benchForest(stage, trees);
     const PlacedForest placed(description);
     BenchScene scene;
-    scene.model = std::make_shared<const TreeModel>(placed.models().front());
+    scene.model = placed.models().front();
     scene.still = stillTrees(stage, placed, scene.model);
     if (stage.way == BenchStage::HARDWARE_RIG || stage.way == BenchStage::SOFTWARE_RIG) {
         scene.moving = createRiggedTrees(placed, stage.way == BenchStage::HARDWARE_RIG);

@@ -118,7 +118,7 @@ TimedKernel modalPoses(const char* name, const WindFieldPtr& wind) {
 TimedKernel modalStep(InstructionSet set) {
     const PlacedForest forest(referenceTrees(MotionLaw::Modal, 1));
     const auto archetype = std::make_shared<const Archetype>(
-        SwayingTree{&forest.models().front(), &forest.description().species.front(), {}, 1.0f});
+        SwayingTree{forest.models().front().get(), &forest.description().species.front(), {}, 1.0f});
     const ModalModel& model = archetype->model(0);
     const std::size_t floats = treeFloats(model);
     float factors[sizeof(TreeFactors) / sizeof(float)];

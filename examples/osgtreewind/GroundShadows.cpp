@@ -259,7 +259,7 @@ osg::ref_ptr<osg::Geometry> createGroundShadows(const Forest& forest, const osg:
         if (first) {
             const Fall fall{turned(across, -tree.heading), turned(away, -tree.heading),
                             run * tree.scale.axes.z / tree.scale.axes.x};
-            pictures.emplace_back(SimulationParts::models(simulation)[tree.model],
+            pictures.emplace_back(*SimulationParts::models(simulation)[tree.model],
                                   simulation.description().species[tree.species].appearance, tree.leaves,
                                   fall);
         }

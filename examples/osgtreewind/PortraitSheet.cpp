@@ -67,7 +67,7 @@ public:
           _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
         const PlacedTree& tree = SimulationParts::trees(_tree->getSimulation()).front();
         _size = SimulationParts::forest(_tree->getSimulation()).measured(tree);
-        const auto& leaves = SimulationParts::models(_tree->getSimulation()).front().leaves;
+        const auto& leaves = SimulationParts::models(_tree->getSimulation()).front()->leaves;
         for (const LeafCluster& leaf : leaves)
             _leaves +=
                 osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());

@@ -32,7 +32,8 @@ void writeFrame(std::FILE* out, const ForestSimulation& simulation, std::size_t 
     UnitValues values;
     for (std::size_t t = 0; t < count; ++t) {
         const PlacedTree& tree = SimulationParts::trees(simulation)[t];
-        const std::vector<BranchUnit>& units = SimulationParts::models(simulation)[tree.model].skeleton.units;
+        const std::vector<BranchUnit>& units =
+            SimulationParts::models(simulation)[tree.model]->skeleton.units;
         const TreeMotion motion = simulation.motion(t, values);
         const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
         for (std::size_t u = 0; u < units.size(); ++u) {

@@ -28,6 +28,9 @@ constexpr Range gains = within(0, 100), noiseExponents = within(0, 3);
 constexpr Range seasons = within(0, 4);
 constexpr std::size_t mostTrees = 1000000;
 constexpr double farthestTree = 100000.0; ///< From the origin, metres: floats still resolve 8 mm.
+/// Of ForestTiles: metres of `size` and `range`, columns or rows, and `idFiles`.
+constexpr Range tileSizes = within(10, 100000), tilesInARow = within(1, 10000),
+                tileIdFiles = within(0, 100000);
 
 std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing);
 

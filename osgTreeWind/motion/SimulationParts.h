@@ -27,7 +27,7 @@ struct SimulationParts {
         return forest(simulation).trees;
     }
     /// Shapes, shared by trees.
-    static const std::vector<TreeModel>& models(const ForestSimulation& simulation) {
+    static const std::vector<std::shared_ptr<const TreeModel>>& models(const ForestSimulation& simulation) {
         return forest(simulation).models();
     }
     /// Home of ForestSimulation::wind().

@@ -67,7 +67,9 @@ bool readDocument(osgDB::InputStream& input, Forest& forest) {
         OSG_WARN << "osgTreeWind: " << description.problems().front().text() << std::endl;
         return true; // an empty forest; the rest of the scene is still good
     }
-    forest.setDescription(std::move(description.value()));
+    if (const osgTreeWind::Diagnostics problems = forest.setDescription(std::move(description.value()));
+        !problems.empty())
+        OSG_WARN << "osgTreeWind: " << osgTreeWind::linesOf(problems) << std::endl;
     return true;
 }
 

@@ -94,8 +94,8 @@ protected:
         simulation = std::make_unique<ForestSimulation>(std::move(description), options);
         passes.clear();
         const osg::ref_ptr<PosePrograms> programs = new PosePrograms;
-        for (const TreeModel& model : SimulationParts::models(*simulation))
-            passes.push_back(new PosePass(model.skeleton, programs));
+        for (const auto& model : SimulationParts::models(*simulation))
+            passes.push_back(new PosePass(model->skeleton, programs));
         reader = new PoseReader(*simulation, passes);
         reopen(16, 16);
         viewer().setSceneData(reader);

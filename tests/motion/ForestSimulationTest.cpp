@@ -29,7 +29,7 @@ TEST(ForestSimulation, StartsAtRest) {
     ASSERT_EQ(SimulationParts::branches(simulation)->poses().size(), 14u);
     ASSERT_EQ(SimulationParts::branches(simulation)->leaves().states().size(), 24u);
     for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_EQ(tip(simulation, unit), SimulationParts::models(simulation)[0].skeleton.units[unit].tip);
+        EXPECT_EQ(tip(simulation, unit), SimulationParts::models(simulation)[0]->skeleton.units[unit].tip);
 }
 
 TEST(ForestSimulation, SaysWhenEachTreeIsPlaced) {
@@ -67,7 +67,7 @@ TEST(ForestSimulation, JointsStayConnected) {
     ForestSimulation simulation(forest);
     run(simulation, 100);
     const PlacedTree& tree = SimulationParts::trees(simulation)[0];
-    const Skeleton& skeleton = SimulationParts::models(simulation)[tree.model].skeleton;
+    const Skeleton& skeleton = SimulationParts::models(simulation)[tree.model]->skeleton;
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
         const int parent = skeleton.units[i].parent;
         const glm::vec3 joint = tree.scale.axes * skeleton.units[i].base;
@@ -142,7 +142,7 @@ TEST(ForestSimulation, SamplesTheWindAtEachBranchBase) {
     ForestSimulation simulation(forest);
     simulation.advance(0.0);
     simulation.advance(2.0);
-    const auto& units = SimulationParts::models(simulation)[0].skeleton.units;
+    const auto& units = SimulationParts::models(simulation)[0]->skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {
         const glm::vec3 base = glm::vec3(100.25f, -7.5f, 2.0f) + units[i].base;
         EXPECT_LT(glm::length(SimulationParts::branches(simulation)->windPlaces()[i].position - base), 1e-4f);
@@ -259,13 +259,21 @@ TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
     EXPECT_EQ(SimulationParts::trees(simulation)[8].firstUnit, 8u * 14u);
 }
 
-TEST(ForestSimulation, TreesOfNoSpeciesAreLeftOut) {
+TEST(ForestSimulation, ARefusedDescriptionLeavesItEmptyAndStderrSaysWhy) {
     ForestDescription forest = oneTree();
     forest.trees.resize(2);
     forest.trees[0].species = 7;
-    ForestSimulation simulation(forest);
-    EXPECT_EQ(SimulationParts::trees(simulation).size(), 1u);
-    EXPECT_TRUE(simulation.description().trees.empty()) << "they are trees()";
+    testing::internal::CaptureStderr();
+    const ForestSimulation simulation(forest);
+    EXPECT_EQ(
+        testing::internal::GetCapturedStderr(),
+        "osgTreeWind: the forest is left empty: tree[0].species: there is no species 7; the forest has 1, "
+        "from 0 on\n");
+    EXPECT_EQ(simulation.slotCount(), 0u);
+}
+
+TEST(ForestSimulation, DescribesItsTreesApart) {
+    EXPECT_TRUE(ForestSimulation(oneTree()).description().trees.empty());
 }
 
 TEST(ForestSimulation, AnEmptyForestAdvances) {
@@ -369,7 +377,7 @@ TEST(ForestSimulation, UnderModalHasNoStatePerBranchUntilATreeIsAskedFor) {
     run(simulation, 60);
     UnitValues values;
     const TreeMotion once = simulation.motion(0), again = simulation.motion(0, values);
-    ASSERT_EQ(once.poses.size, SimulationParts::models(simulation)[0].skeleton.units.size());
+    ASSERT_EQ(once.poses.size, SimulationParts::models(simulation)[0]->skeleton.units.size());
     for (std::size_t unit = 0; unit < once.poses.size; ++unit) {
         EXPECT_EQ(once.states[unit], again.states[unit]);
         EXPECT_EQ(once.poses[unit].translation, again.poses[unit].translation);
@@ -423,6 +431,6 @@ TEST(ForestSimulation, UnderModalABareTreeStandsMoreStillInTheWind) {
     ForestSimulation bare(forest);
     run(leafy, 600);
     run(bare, 600);
-    const float rest = SimulationParts::models(leafy)[0].skeleton.units[1].tip.x;
+    const float rest = SimulationParts::models(leafy)[0]->skeleton.units[1].tip.x;
     EXPECT_GT(tip(leafy, 1).x - rest, 1.5f * (tip(bare, 1).x - rest));
 }

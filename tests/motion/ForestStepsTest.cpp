@@ -237,7 +237,7 @@ TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
     ForestSimulation slow(forest), fast(forest);
     run(slow, 90, 0.0, 1.0 / 30.0);
     run(fast, 720, 0.0, 1.0 / 240.0);
-    const float lean = tip(fast, 0).x - SimulationParts::models(fast)[0].skeleton.units[0].tip.x;
+    const float lean = tip(fast, 0).x - SimulationParts::models(fast)[0]->skeleton.units[0].tip.x;
     EXPECT_NEAR(tip(slow, 0).x, tip(fast, 0).x, 0.02f * lean);
 }
 

@@ -44,7 +44,7 @@ inline void run(ForestSimulation& simulation, int frames, double start = 0.0, do
 /// Tip of a unit, tree frame.
 inline glm::vec3 tip(const ForestSimulation& simulation, std::size_t unit) {
     const PlacedTree& tree = SimulationParts::trees(simulation)[0];
-    const BranchUnit& branch = SimulationParts::models(simulation)[tree.model].skeleton.units[unit];
+    const BranchUnit& branch = SimulationParts::models(simulation)[tree.model]->skeleton.units[unit];
     return simulation.motion(0).poses[unit].apply(tree.scale.axes * branch.tip);
 }
 

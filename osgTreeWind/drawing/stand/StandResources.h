@@ -18,6 +18,8 @@ namespace osgTreeWind {
 struct StandResources {
     explicit StandResources(const ForestSimulation& simulation);
 
+    /// Makes what species and models lack that were added. In update.
+    void addSpecies(const ForestSimulation& simulation);
     /// Has leaves the colour of the season, and all impostors that its trees need. In update.
     void followSeason(const ForestSimulation& simulation);
     /// The same for one tree.
@@ -34,6 +36,7 @@ struct StandResources {
     std::vector<osg::Object*> glObjects() const;
 
 private:
+    SpeciesStyles _styles;
     using Pictures = std::set<std::pair<std::size_t, Tier>>; ///< By model.
     /// Those of them that are not painted yet.
     void paintImpostors(const ForestSimulation& simulation, const Pictures& wanted);

@@ -150,7 +150,7 @@ TEST_F(TreeStandGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSameFram
                 if (static_cast<unsigned>(vertex.unit + 0.5f) == unit)
                     corners->push_back(toOsg(posedSkinPoint(vertex, placed.scale, UnitPose())));
             }
-            followed->branch(simulation.idOf(tree), unit)->addChild(whiteTriangles(corners));
+            followed->branch(simulation.idOf(tree), unit).value()->addChild(whiteTriangles(corners));
         }
     }
     StandParts::trees(*followed->getStand())->setNodeMask(0);
@@ -254,12 +254,12 @@ TEST_F(TreeStandGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     ForestDescription description = smallForest(4);
     description.drawing.tiers = false;
     osg::ref_ptr<Forest> forest = new Forest(description), plain = new Forest(description);
-    const std::vector<TreeModel>& models = SimulationParts::models(forest->getSimulation());
-    for (std::size_t model = 0; model < models.size(); ++model) {
-        const CrownShade crown(models[model].leaves, models[model].leafMesh, leafCoverage(LeafForm::Blade));
-        forest->getStand()->setGeometry(
-            model, makeSkinGeometry(models[model].skin, crown),
-            makeLeafGeometry(models[model].leaves, models[model].leafMesh, crown));
+    const auto& models = SimulationParts::models(forest->getSimulation());
+    for (std::size_t number = 0; number < models.size(); ++number) {
+        const TreeModel& model = *models[number];
+        const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(LeafForm::Blade));
+        forest->getStand()->setGeometry(number, makeSkinGeometry(model.skin, crown),
+                                        makeLeafGeometry(model.leaves, model.leafMesh, crown));
     }
     EXPECT_EQ(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.0);
     look(forest);
