@@ -33,7 +33,7 @@ bool writeTrees(const ForestDescription& forest, const std::string& path) {
         output << csvCell(tree.name) << ',' << csvCell(forest.species[tree.species].name);
         for (int axis = 0; axis < 3; ++axis)
             output << ',' << numberText(tree.position[axis]);
-        const TreeSize stands = placed.measured(*placed.fitted(tree));
+        const TreeSize stands = placed.measured(placed.fitted(tree));
         std::string given;
         const auto write = [&](const char* name, float size, float standing, bool estimated) {
             output << ',' << cell(size > 0.0f ? size : standing);

@@ -126,11 +126,11 @@ private:
     }
 
     void follow() {
-        BranchTransform* branch = _forest->branch(_handler->getTree(), _handler->getUnit());
+        const Result<BranchTransform*> branch = _forest->branch(_handler->getTree(), _handler->getUnit());
         if (!branch)
             return;
         osg::ref_ptr<osgGA::NodeTrackerManipulator> way = new osgGA::NodeTrackerManipulator;
-        way->setTrackNode(branch);
+        way->setTrackNode(branch.value());
         way->setTrackerMode(osgGA::NodeTrackerManipulator::NODE_CENTER);
         way->setDistance(6.0);
         _ways->addMatrixManipulator('4', "Branch", way);

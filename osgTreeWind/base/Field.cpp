@@ -55,9 +55,9 @@ struct Check {
         if ((std::isfinite(value) && range.contains(value)) ||
             (!problems.empty() && problems.back().key == key()))
             return;
-        const std::string limits = field.range.text();
-        add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits) +
-            ", found " + numberText(isAngle ? static_cast<float>(glm::degrees(value)) : value));
+        const std::string limits = field.range.text(), unit = field.degrees() ? " degrees" : "";
+        add(std::string("expected a ") + kind + " number" + (limits.empty() ? "" : ' ' + limits + unit) +
+            ", found " + numberText(isAngle ? static_cast<float>(glm::degrees(value)) : value) + unit);
     }
 
     void operator()(const int* value) const { number(*value, "whole"); }

@@ -4,11 +4,9 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/controls/FormattedText.h>
 #include <osgTreeWind/controls/SourcesByHand.h>
-#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/forest/CheckForest.h>
-#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
@@ -144,12 +142,8 @@ void ForestControls::grow(const std::function<void(ForestDescription&)>& change)
         return;
     ForestDescription description = _forest->getSimulation().describe();
     change(description);
-    const Diagnostics problems = check(description);
-    _message = !problems.empty() ? problems.front().text() : BranchwiseForest::problemOf(description);
-    if (_message.empty())
-        _message = problemOfMemory(description, true);
-    if (_message.empty())
-        _forest->setDescription(std::move(description));
+    const Diagnostics problems = _forest->setDescription(std::move(description));
+    _message = problems.empty() ? "" : problems.front().text();
 }
 
 void ForestControls::nextLaw() {
@@ -187,6 +181,8 @@ void ForestControls::changePace(double factor) {
 }
 
 double ForestControls::simulationTime(double referenceTime) {
+    if (!(std::abs(referenceTime) <= maxTime))
+        return _time;
     const double passed = _reference ? std::max(referenceTime - *_reference, 0.0) : 0.0;
     _reference = referenceTime;
     _time += _isPaused ? _steps * frameTime : passed * _pace;

@@ -25,13 +25,14 @@ class Forest;
 /// One viewer, which calls it in its event traversal.
 class OSGTREEWIND_EXPORT ForestHandler : public osgGA::GUIEventHandler {
 public:
-    /// Of a forest, which it does not keep; not null.
+    /// Of a forest, which it does not keep; without one, or once that is gone, nothing happens.
     explicit ForestHandler(Forest* forest);
 
     /// The text over the picture.
     osg::Node* getOverlay() const;
     /// The simulation time of a frame, which may pause, or go faster or slower than a host's own: pass it to
-    /// the viewer. A host with a clock of its own does without. @param referenceTime seconds.
+    /// the viewer. A host with a clock of its own does without. @param referenceTime seconds; what is not
+    /// within 1e15 changes nothing.
     double simulationTime(double referenceTime);
 
     /// The tree that was clicked last; noTree: none, or beside all.

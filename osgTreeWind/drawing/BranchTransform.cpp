@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/BranchTransform.h>
 
+#include <osgTreeWind/base/Range.h>
+
+#include <cmath>
 #include <string>
 
 namespace osgTreeWind {
@@ -11,7 +14,11 @@ BranchTransform::BranchTransform() {
 
 BranchTransform::BranchTransform(unsigned unit, const osg::Vec3& base) : BranchTransform() {
     _unit = unit;
-    _base = base;
+    const auto isInRange = [](float number) {
+        return worldCoordinates.contains(static_cast<double>(number));
+    };
+    if (isInRange(base.x()) && isInRange(base.y()) && isInRange(base.z()))
+        _base = base;
     addDescription("branch " + std::to_string(unit)); // keeps osgUtil::Optimizer from removing it while empty
 }
 
@@ -22,6 +29,9 @@ BranchTransform::BranchTransform(const BranchTransform& other, const osg::CopyOp
 }
 
 void BranchTransform::setRotation(const osg::Quat& rotation) {
+    for (int i = 0; i < 4; ++i)
+        if (!std::isfinite(rotation._v[i]))
+            return;
     _rotation = rotation;
     osg::Matrix matrix = osg::Matrix::translate(-_base);
     matrix.postMultRotate(rotation);
@@ -29,7 +39,8 @@ void BranchTransform::setRotation(const osg::Quat& rotation) {
     setMatrix(matrix);
 }
 
-void BranchTransform::setPose(const osg::Matrix& matrix, const osg::Quat& rotation) {
+void BranchTransform::setPose(const osg::Vec3& base, const osg::Matrix& matrix, const osg::Quat& rotation) {
+    _base = base;
     _rotation = rotation;
     setMatrix(matrix);
 }

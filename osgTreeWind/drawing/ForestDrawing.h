@@ -27,6 +27,8 @@ public:
     virtual void update(const osg::FrameStamp& stamp) = 0;
     /// A tree was added, moved, changed or removed. @param slot in ForestSimulation::trees().
     virtual void treeChanged(std::size_t slot) = 0;
+    /// A species was added to the simulation, whose trees may come.
+    virtual void speciesAdded() = 0;
     /// The simulation's season is another one.
     virtual void seasonChanged() = 0;
 

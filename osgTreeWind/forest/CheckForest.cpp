@@ -4,11 +4,16 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/places/Crs.h>
 #include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/wind/WindFields.h>
 
 #include <glm/geometric.hpp>
+
+#include <cmath>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -30,59 +35,119 @@ void checkWhole(const Struct& value, const std::string& path, Diagnostics& probl
             add(problems, path + (conflict.key.empty() ? "" : '.' + conflict.key), conflict.message);
 }
 
-void checkSpecies(const Species& species, const std::string& path, Diagnostics& problems) {
-    if (species.name.empty())
-        add(problems, path + ".name", "missing");
-    checkFields(species, path, problems);
-    checkWhole(species.tree.wood, path + ".tree", problems);
-    if (species.tree.grown)
-        checkWhole(*species.tree.grown, path + ".growth", problems);
-    checkFields(species.tree.leaves, path + ".leaves", problems);
+void checkPlace(const glm::dvec3& place, const std::string& key, Diagnostics& problems) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!worldCoordinates.contains(place[axis]))
+            return add(problems, key,
+                       "expected finite numbers " + worldCoordinates.text() + ", found " +
+                           numberText(place[axis]));
 }
 
-void checkTree(TreePlacement tree, const ForestDescription& forest, const std::string& path,
-               Diagnostics& problems) {
-    if (tree.species >= forest.species.size())
-        add(problems, path + ".species", "no species " + std::to_string(tree.species));
-    for (int axis = 0; axis < 3; ++axis)
-        if (!worldCoordinates.contains(tree.position[axis]))
-            add(problems, path + ".position",
-                "expected a finite number " + worldCoordinates.text() + ", found " +
-                    numberText(tree.position[axis]));
-    if (glm::distance(tree.position, forest.origin) > farthestTree)
-        add(problems, path + ".position", "more than 100 km from the origin");
-    for (float* size : {&tree.size.height, &tree.size.trunkDiameter, &tree.size.crownWidth})
-        if (!(*size > 0.0f))
-            *size = 1.0f; // not given
-    checkFields(tree, path, problems);
+void checkScans(const std::vector<ScannedTree>& scans, const std::string& key, Diagnostics& problems) {
+    if (scans.empty())
+        add(problems, key, "expected at least one");
+    for (std::size_t i = 0; i < scans.size(); ++i)
+        if (const std::string problem = problemOfSkeleton(scans[i].skeleton); !problem.empty())
+            add(problems, key + '[' + std::to_string(i) + ']', problem);
+}
+
+void checkTiles(const ForestTiles& tiles, Diagnostics& problems) {
+    const auto expect = [&](const char* key, double value, const Range& range) {
+        if (!range.contains(value))
+            add(problems, std::string("tiles.") + key,
+                "expected a finite number " + range.text() + ", found " + numberText(value));
+    };
+    expect("size", tiles.size, tileSizes);
+    expect("range", tiles.range, tileSizes);
+    expect("columns", tiles.columns, tilesInARow);
+    expect("rows", tiles.rows(), tilesInARow);
+    expect("id_files", tiles.idFiles, tileIdFiles);
+    checkPlace({tiles.corner, 0.0}, "tiles.corner", problems);
+    if (tiles.columns > 0 && tiles.tiles.size() % tiles.columns != 0)
+        add(problems, "tiles.trees", "expected whole rows");
+    for (const ForestTiles::Tile& tile : tiles.tiles)
+        if (!worldCoordinates.contains(static_cast<double>(tile.low)) ||
+            !worldCoordinates.contains(static_cast<double>(tile.high)))
+            return add(problems, "tiles.low", "expected finite numbers " + worldCoordinates.text());
+}
+
+void checkMotion(const ForestDescription& forest, Diagnostics& problems) {
+    checkFields(forest, "motion", problems);
+    if (forest.damage && forest.law != MotionLaw::Modal)
+        add(problems, "motion.damage", "expected false under any law but \"modal\"");
+    if (forest.tiles && forest.law != MotionLaw::Modal)
+        add(problems, "tiles", "expected the law \"modal\" with it");
+    if (forest.noiseExponent && !noiseExponents.contains(static_cast<double>(*forest.noiseExponent)))
+        add(problems, "motion.noise_exponent", "expected a finite number " + noiseExponents.text());
+}
+
+void checkWind(const ForestDescription& forest, Diagnostics& problems) {
+    checkFields(forest.windCanopy, "wind", problems);
+    if (forest.windFrame < WindFrame::Forest || forest.windFrame > WindFrame::Geocentric)
+        add(problems, "wind.frame",
+            "expected one of its words, found " + std::to_string(static_cast<int>(forest.windFrame)));
+}
+
+/// Moves the problems of a part behind the others, with its path before their keys.
+void addOfPart(Diagnostics&& ofPart, const char* list, std::size_t index, Diagnostics& problems) {
+    for (Diagnostic& problem : ofPart) {
+        problem.key = std::string(list) + '[' + std::to_string(index) + "]." + problem.key;
+        problems.push_back(std::move(problem));
+    }
 }
 
 } // namespace
+
+Diagnostics check(const Species& species) {
+    Diagnostics problems;
+    checkFields(species, "", problems);
+    checkWhole(species.tree.wood, "tree", problems);
+    if (species.tree.grown)
+        checkWhole(*species.tree.grown, "growth", problems);
+    if (species.tree.scans)
+        checkScans(*species.tree.scans, "scan", problems);
+    checkFields(species.tree.leaves, "leaves", problems);
+    return problems;
+}
+
+Diagnostics check(const TreePlacement& tree, const ForestDescription& forest) {
+    Diagnostics problems;
+    if (tree.species >= forest.species.size())
+        add(problems, "species",
+            "there is no species " + std::to_string(tree.species) + "; the forest has " +
+                std::to_string(forest.species.size()) + ", from 0 on");
+    checkPlace(tree.position, "position", problems);
+    if (problems.empty() && !(glm::distance(tree.position, forest.origin) <= farthestTree))
+        add(problems, "position", "expected at most 100 km from the origin");
+    TreePlacement given = tree;
+    for (float* size : {&given.size.height, &given.size.trunkDiameter, &given.size.crownWidth})
+        if (*size <= 0.0f && std::isfinite(*size))
+            *size = 1.0f; // not given
+    checkFields(given, "", problems);
+    return problems;
+}
 
 Diagnostics check(const ForestDescription& forest) {
     Diagnostics problems;
     if (!forest.crs.empty())
         if (const auto crs = Crs::parseMap(forest.crs); !crs)
             problems.push_back(crs.problems().front());
-    checkFields(forest, "motion", problems);
+    checkMotion(forest, problems);
     if (!frameSteps.contains(forest.step))
         add(problems, "step", "expected a finite number " + frameSteps.text());
-    if (forest.damage && forest.law != MotionLaw::Modal)
-        add(problems, "motion.damage", "expected false under any law but \"modal\"");
-    if (forest.noiseExponent && !noiseExponents.contains(static_cast<double>(*forest.noiseExponent)))
-        add(problems, "motion.noise_exponent", "expected a finite number " + noiseExponents.text());
     checkWhole(forest.drawing, "drawing", problems);
+    checkWind(forest, problems);
     if (!seasons.contains(static_cast<double>(forest.season)))
         add(problems, "season", "expected a finite number " + seasons.text());
-    for (int axis = 0; axis < 3; ++axis)
-        if (!Range().contains(forest.origin[axis]))
-            add(problems, "origin", "expected finite numbers");
+    checkPlace(forest.origin, "origin", problems);
+    if (forest.tiles)
+        checkTiles(*forest.tiles, problems);
     if (forest.trees.size() > mostTrees)
         add(problems, "tree", "more than " + std::to_string(mostTrees) + " trees in all");
     for (std::size_t i = 0; i < forest.species.size() && problems.size() < mostProblems; ++i)
-        checkSpecies(forest.species[i], "species[" + std::to_string(i) + ']', problems);
+        addOfPart(check(forest.species[i]), "species", i, problems);
     for (std::size_t i = 0; i < forest.trees.size() && problems.size() < mostProblems; ++i)
-        checkTree(forest.trees[i], forest, "tree[" + std::to_string(i) + ']', problems);
+        addOfPart(check(forest.trees[i], forest), "tree", i, problems);
     if (problems.size() > mostProblems)
         problems.resize(mostProblems);
     return problems;

@@ -27,12 +27,15 @@ enum class MotionLaw {
     Modal,        ///< The whole tree coupled, swaying in a few modes; SI units and seconds.
 };
 
-/// One tree: which species, where, how large.
+/// One tree: which species, where, how large. check() says what is out of range.
 struct TreePlacement {
-    std::size_t species = 0;    ///< Index into ForestDescription::species.
-    glm::dvec3 position{0.0};   ///< Foot of the trunk in world coordinates, metres (x east, y north, z up).
-    float heading = 0.0f;       ///< Turn about the vertical, radians, counter-clockwise from above.
-    TreeSize size;              ///< A crown not given follows the trunk, other sizes follow the model.
+    std::size_t species = 0; ///< Index into ForestDescription::species.
+    /// Foot of the trunk in world coordinates, metres (x east, y north, z up): each within 1e8, and together
+    /// at most 100 km from the origin, where the floats of geometry still resolve 8 mm.
+    glm::dvec3 position{0.0};
+    float heading =
+        0.0f;      ///< Turn about the vertical, radians, counter-clockwise from above; within 1e6 degrees.
+    TreeSize size; ///< A crown not given follows the trunk, other sizes follow the model.
     float leaves = 1.0f;        ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
     std::uint32_t seed = 0;     ///< Picks one of the species' shapes, and the noise streams.
     bool openGrown = false;     ///< Stands by itself: such a crown is wider and deeper than in a forest.
@@ -41,12 +44,13 @@ struct TreePlacement {
     bool tiled = false;         ///< Came with a tile, and goes with it: no file says it.
 };
 
-/// A whole forest as plain values: what a .treewind file says.
+/// A whole forest as plain values: what a .treewind file says. check() says what is out of range.
 struct ForestDescription {
     std::vector<Species> species;     ///< That trees are of, by index.
     std::vector<TreePlacement> trees; ///< In the order that ids go by.
     std::optional<ForestTiles> tiles; ///< More trees, which come and go; under the law `modal`.
-    glm::dvec3 origin{0.0};           ///< World position of the scene's origin; geometry is relative to it.
+    /// World position of the scene's origin, metres, each within 1e8; geometry is relative to it.
+    glm::dvec3 origin{0.0};
     /// What world coordinates are of: a map in metres, in any words that PROJ knows ("EPSG:25832"). Empty:
     /// none.
     std::string crs;

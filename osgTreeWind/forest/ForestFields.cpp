@@ -100,7 +100,7 @@ const Fields& fieldsOf<TreePlacement>() {
          "a forest; that of a built-in species, where `crown_width` is not given, is wider than there"},
         {"leaves", at<&P::leaves>, within(0, 1),
          "share of its leaves that it bears: their mass, drag and damping; else `motion.leaves`"},
-        {"heading", at<&P::heading>, within(-360, 360),
+        {"heading", at<&P::heading>, within(-1e6, 1e6),
          "turn about the vertical, counter-clockwise from above", "degrees"},
         {"seed",
          at<&P::seed>,

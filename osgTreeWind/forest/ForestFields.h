@@ -30,6 +30,9 @@ constexpr Range seasons = within(0, 4);
 constexpr Range frameSteps = within(0, 60);
 constexpr std::size_t mostTrees = 1000000;
 constexpr double farthestTree = 100000.0; ///< From the origin, metres: floats still resolve 8 mm.
+/// Of ForestTiles: metres of `size` and `range`, columns or rows, and `idFiles`.
+constexpr Range tileSizes = within(10, 100000), tilesInARow = within(1, 10000),
+                tileIdFiles = within(0, 100000);
 
 std::vector<FieldConflict> conflictsOf(const DrawingOptions& drawing);
 

@@ -2,7 +2,6 @@
 #include <osgTreeWind/forest/PlacedForest.h>
 
 #include <osgTreeWind/base/RoomFor.h>
-#include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
@@ -23,36 +22,50 @@ bool same(const TreeSize& a, const TreeSize& b) {
 PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed)
     : _families(std::make_shared<const ShapeFamilies>(given)) {
     const std::vector<TreePlacement> placements = std::exchange(given.trees, {});
-    SharedModels models;
-    for (const ShapeFamilies::Family& family : _families->all()) {
-        _firstModels.push_back(static_cast<std::uint32_t>(models.size()));
-        for (std::uint32_t shape = 0; shape < family.shapes; ++shape)
-            models.push_back(sharedTreeModel(family.tree, shape));
-    }
     if (given.tiles)
         _struck = given.tiles->removed;
     _description = std::make_shared<const ForestDescription>(std::move(given));
-    _models = std::make_shared<const SharedModels>(std::move(models));
+    growShapes();
     setSeason(description().season);
 
     trees.reserve(placements.size());
     for (const TreePlacement& placement : placements) {
-        if (std::optional<PlacedTree> tree = fitted(placement)) {
-            tree->firstUnit = static_cast<std::uint32_t>(units);
-            tree->firstLeaf = static_cast<std::uint32_t>(leaves);
-            units += unitsOf(*tree);
-            leaves += leavesOf(*tree);
-            put(trees.size(), *tree, placement.name);
-        }
+        PlacedTree tree = fitted(placement);
+        tree.firstUnit = static_cast<std::uint32_t>(units);
+        tree.firstLeaf = static_cast<std::uint32_t>(leaves);
+        units += unitsOf(tree);
+        leaves += leavesOf(tree);
+        put(trees.size(), tree, placement.name);
         if (placed)
             placed();
     }
 }
 
-std::optional<PlacedTree> PlacedForest::fitted(const TreePlacement& placement,
-                                               const PlacedTree* before) const {
-    if (placement.species >= description().species.size())
-        return {};
+/// Of the species that have none yet.
+void PlacedForest::growShapes() {
+    for (std::size_t i = _firstModels.size(); i < _families->all().size(); ++i) {
+        const ShapeFamilies::Family& family = _families->all()[i];
+        _firstModels.push_back(static_cast<std::uint32_t>(_models.size()));
+        for (std::uint32_t shape = 0; shape < family.shapes; ++shape)
+            _models.push_back(sharedTreeModel(family.tree, shape));
+    }
+    for (std::size_t i = _species.size(); i < description().species.size(); ++i)
+        _species.push_back(std::make_shared<const Species>(description().species[i]));
+}
+
+std::size_t PlacedForest::addSpecies(Species species) {
+    const auto families = std::make_shared<ShapeFamilies>(*_families);
+    families->add(species, true, true);
+    _families = families;
+    _seasonLeaves.push_back(leafShare(species.appearance, _season));
+    const auto described = std::make_shared<ForestDescription>(description());
+    described->species.push_back(std::move(species));
+    _description = described;
+    growShapes();
+    return _species.size() - 1;
+}
+
+PlacedTree PlacedForest::fitted(const TreePlacement& placement, const PlacedTree* before) const {
     PlacedTree tree;
     tree.species = static_cast<std::uint32_t>(placement.species);
     const Species& species = speciesOf(tree);
@@ -100,7 +113,6 @@ ForestDescription PlacedForest::describe() const {
         tree.size = trees[slot].given;
         tree.estimated = trees[slot].estimated;
         tree.openGrown = trees[slot].openGrown;
-        tree.heading = withinTurn(tree.heading);
         now.trees.push_back(std::move(tree));
     }
     return now;

@@ -41,7 +41,7 @@ struct PlacedTree {
 /// A forest at rest: its shapes grown, its trees placed. A copy shares the shapes. Read by many threads while
 /// none writes.
 struct PlacedForest {
-    /// Trees of a species that is not there are left out; `placed`, which may be empty, is called after each.
+    /// @param given for which check() finds nothing. @param placed called after each tree; may be empty.
     explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
 
     std::vector<PlacedTree> trees; ///< By slot: in the order of the description, then as they were added.
@@ -49,14 +49,17 @@ struct PlacedForest {
     std::size_t leaves = 0;        ///< and their leaf clusters.
     TreeNames names;               ///< That trees have, by slot.
 
-    /// As given, but without its trees, and with its first season.
+    /// As given, but without its trees, and with its first season. Stays where it is until addSpecies().
     const ForestDescription& description() const { return *_description; }
-    const SharedModels& models() const { return *_models; } ///< Shapes, shared by trees and forests.
+    /// Shapes, shared by trees and by forests.
+    const SharedModels& models() const { return _models; }
+    /// Grows the shapes of one more species, for which check() finds nothing. @return its index.
+    std::size_t addSpecies(Species species);
 
     /// Its shape.
-    const TreeModel& modelOf(const PlacedTree& tree) const { return *models()[tree.model]; }
-    /// Its species.
-    const Species& speciesOf(const PlacedTree& tree) const { return description().species[tree.species]; }
+    const TreeModel& modelOf(const PlacedTree& tree) const { return *_models[tree.model]; }
+    /// Its species, which stays where it is as long as this or a copy lives.
+    const Species& speciesOf(const PlacedTree& tree) const { return *_species[tree.species]; }
     /// Of which species a model is a shape.
     std::size_t speciesOfModel(std::size_t model) const;
     /// How many it has.
@@ -64,11 +67,10 @@ struct PlacedForest {
     /// How many clusters it has.
     std::size_t leavesOf(const PlacedTree& tree) const { return modelOf(tree).leaves.size(); }
 
-    /// A tree as it would stand; nothing if there is no such species. Of a species whose trees all stood in a
+    /// A tree for which check() finds nothing, as it would stand. Of a species whose trees all stood in a
     /// forest, or all in the open, as the forest was made, it takes their shapes. The scale of `before` is
     /// kept where the placement gives its model and measured sizes.
-    std::optional<PlacedTree> fitted(const TreePlacement& placement,
-                                     const PlacedTree* before = nullptr) const;
+    PlacedTree fitted(const TreePlacement& placement, const PlacedTree* before = nullptr) const;
     /// Its sizes as it stands.
     TreeSize measured(const PlacedTree& tree) const { return measureTree(modelOf(tree), tree.scale); }
     /// What gives that tree again; all of its sizes are given.
@@ -95,8 +97,11 @@ struct PlacedForest {
     TreeId idOf(std::size_t slot) const { return makeTreeId(slot, trees[slot].generation); }
 
 private:
+    void growShapes();
+
     std::shared_ptr<const ForestDescription> _description;
-    std::shared_ptr<const SharedModels> _models;
+    SharedModels _models;
+    std::vector<std::shared_ptr<const Species>> _species; ///< The description's.
     std::shared_ptr<const ShapeFamilies> _families;
     std::vector<std::uint32_t> _firstModels; ///< Per family.
     float _season = midsummer;

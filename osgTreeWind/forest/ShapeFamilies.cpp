@@ -21,19 +21,20 @@ ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
         stand[i][0] |= namedIn(forest.tiles->inForest);
         stand[i][1] |= namedIn(forest.tiles->inOpen);
     }
-    for (std::size_t i = 0; i < stand.size(); ++i) {
-        const Species& species = forest.species[i];
-        const bool open = stand[i][1];
-        bool inForest = stand[i][0] || !open;
-        if (open && inForest)
-            inForest = growsByCompany(species);
-        const auto add = [&](bool openGrown) {
-            _all.push_back({i, openGrown, growthOf(species, openGrown), shapeCount(species)});
-            return _all.size() - 1;
-        };
-        const std::size_t first = add(!inForest);
-        _ofSpecies.emplace_back(first, inForest && open ? add(true) : first);
-    }
+    for (std::size_t i = 0; i < stand.size(); ++i)
+        add(forest.species[i], stand[i][0], stand[i][1]);
+}
+
+void ShapeFamilies::add(const Species& species, bool inForest, bool inOpen) {
+    inForest = inForest || !inOpen;
+    if (inOpen && inForest)
+        inForest = growsByCompany(species);
+    const auto family = [&](bool openGrown) {
+        _all.push_back({_ofSpecies.size(), openGrown, growthOf(species, openGrown), shapeCount(species)});
+        return _all.size() - 1;
+    };
+    const std::size_t first = family(!inForest);
+    _ofSpecies.emplace_back(first, inForest && inOpen ? family(true) : first);
 }
 
 } // namespace osgTreeWind

@@ -16,6 +16,9 @@ class ShapeFamilies {
 public:
     explicit ShapeFamilies(const ForestDescription& forest);
 
+    /// The next species, whose trees stand in a forest, in the open or both.
+    void add(const Species& species, bool inForest, bool inOpen);
+
     struct Family {
         std::size_t species = 0; ///< Index into ForestDescription::species.
         bool openGrown = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/StandOnGround.h>
 
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/FeetOnGround.h>
 
 namespace osgTreeWind {
@@ -8,6 +10,11 @@ namespace osgTreeWind {
 Diagnostics standOnGround(ForestDescription& forest, const std::vector<std::size_t>& trees) {
     if (!forest.ground)
         return {};
+    if (Diagnostics problems = check(forest); !problems.empty())
+        return problems;
+    for (const std::size_t tree : trees)
+        if (tree >= forest.trees.size())
+            return {keyProblem("tree", "there is no tree " + std::to_string(tree))};
     FeetOnGround feet(forest);
     feet.put(forest.trees, trees);
     return feet.problems();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/WholeFile.h>
-#include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TomlEdit.h>
@@ -50,9 +49,7 @@ std::optional<std::string> written(ForestDescription forest) {
 /// Whether a Forest of those that were read has those of now: it rounds their places.
 bool sameTrees(const ForestDescription& read, const ForestDescription& now) {
     const auto same = [&](const TreePlacement& tree, const TreePlacement& other) {
-        TreePlacement rounded = tree;
-        rounded.heading = withinTurn(tree.heading);
-        const auto differs = [&](const Field& field) { return !sameField(field, &rounded, &other); };
+        const auto differs = [&](const Field& field) { return !sameField(field, &tree, &other); };
         const Fields& fields = fieldsOf<TreePlacement>();
         return tree.species == other.species && tree.name == other.name &&
                glm::vec3(tree.position - read.origin) == glm::vec3(other.position - now.origin) &&

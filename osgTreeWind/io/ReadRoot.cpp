@@ -204,7 +204,7 @@ glm::dvec3 defaultOrigin(const TreesInAll& trees) {
 void readOrigin(TableReader& root, ForestReading& reading) {
     ForestDescription& forest = reading.forest;
     std::vector<double> origin;
-    if (root.readNumbers("origin", origin, 3, 3))
+    if (root.readNumbers("origin", origin, 3, 3, worldCoordinates))
         forest.origin = {origin[0], origin[1], origin[2]};
     else if (forest.tiles)
         root.problem("origin", "missing: expected it beside [tiles]");

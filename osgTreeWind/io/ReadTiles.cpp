@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
 
@@ -8,8 +9,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-constexpr Range sizes = within(10, 100000);
 
 using Rows = std::vector<std::vector<double>>;
 
@@ -28,8 +27,7 @@ bool readGrid(TableReader& table, const std::string& key, std::size_t columns, s
 bool readTileGrid(TableReader& table, ForestTiles& tiles) {
     int columns = 0, rows = 0;
     Rows trees, low, high;
-    if (!table.require("columns", columns, within(1, 10000)) ||
-        !table.require("rows", rows, within(1, 10000)))
+    if (!table.require("columns", columns, tilesInARow) || !table.require("rows", rows, tilesInARow))
         return false;
     tiles.columns = static_cast<std::uint32_t>(columns);
     const auto width = static_cast<std::size_t>(columns), length = static_cast<std::size_t>(rows);
@@ -83,8 +81,8 @@ void readTiles(TableReader& table, ForestReading& reading) {
     std::string folder = "tiles";
     table.read("folder", folder);
     tiles.folder = inFolder(reading.forest.folder, folder);
-    table.require("size", tiles.size, sizes);
-    table.require("range", tiles.range, sizes);
+    table.require("size", tiles.size, tileSizes);
+    table.require("range", tiles.range, tileSizes);
     std::vector<double> corner;
     if (table.readNumbers("corner", corner, 2, 2, worldCoordinates))
         tiles.corner = {corner[0], corner[1]};
@@ -93,7 +91,7 @@ void readTiles(TableReader& table, ForestReading& reading) {
     tiles.inForest = readNames(table, reading, "in_forest");
     tiles.inOpen = readNames(table, reading, "in_open");
     int idFiles = 0;
-    if (table.read("id_files", idFiles, within(0, 100000)))
+    if (table.read("id_files", idFiles, tileIdFiles))
         tiles.idFiles = static_cast<std::uint32_t>(idFiles);
     if (std::vector<std::string> removed; table.read("removed", removed))
         tiles.removed.insert(removed.begin(), removed.end());

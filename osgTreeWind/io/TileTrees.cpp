@@ -7,11 +7,8 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/base/WithinTurn.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/TileFiles.h>
-
-#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <array>
@@ -67,7 +64,7 @@ void appendTree(std::string& text, const TreePlacement& tree, const std::string&
     text += csvCell(species);
     for (int axis = 0; axis < 3; ++axis)
         append(text += ',', rounded(tree.position[axis]));
-    append(text += ',', withinTurn(tree.heading));
+    append(text += ',', tree.heading);
     appendSize(text, tree.size.height);
     appendSize(text, tree.size.trunkDiameter);
     appendSize(text, tree.size.crownWidth);
@@ -142,7 +139,7 @@ TreePlacement readTree(TreeRow& row, std::vector<std::string>& species) {
     tree.species = indexOf(species, row.text(SpeciesName));
     tree.position = {row.number(X, worldCoordinates), row.number(Y, worldCoordinates),
                      row.number(Z, worldCoordinates)};
-    tree.heading = number(Heading, within(-glm::two_pi<double>(), glm::two_pi<double>()));
+    tree.heading = number(Heading, memberRange(fieldAt(fieldsOf<TreePlacement>(), "heading")));
     tree.size = {size(Height), size(TrunkDiameter), size(CrownWidth)};
     tree.leaves = row.has(Leaves) ? number(Leaves, treeRange("leaves")) : 1.0f;
     tree.seed = static_cast<std::uint32_t>(row.number(Seed, within(0, 4294967295.0)));

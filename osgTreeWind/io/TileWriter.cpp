@@ -84,8 +84,7 @@ bool TileWriter::addToTile(std::size_t tile, const std::vector<TreePlacement>& a
         entry.low = entry.trees == 0 ? z : std::min(entry.low, z);
         entry.high = entry.trees == 0 ? z : std::max(entry.high, z);
         ++entry.trees;
-        if (const std::optional<PlacedTree> placed = _shapes.fitted(all[index]))
-            _crowns[tile].add(all[index], _shapes.measured(*placed), _tiles);
+        _crowns[tile].add(all[index], _shapes.measured(_shapes.fitted(all[index])), _tiles);
     }
     return append(fileOfTile(_tiles, tile), head + tileRows(all, trees, _shapes.description().species));
 }

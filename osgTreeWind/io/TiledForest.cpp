@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
@@ -71,10 +72,11 @@ WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std:
             readTile(shapes.description().species, all, tiles[i]);
         if (!trees)
             failed = true;
-        for (std::size_t j = 0; trees && j < trees.value().size(); ++j)
-            if (const auto tree = shapes.fitted(trees.value()[j]))
-                stands[i].emplace_back(shapes.modelOf(*tree), tree->scale, shapes.speciesOf(*tree),
-                                       tree->leaves, glm::vec2(tree->position));
+        for (std::size_t j = 0; trees && j < trees.value().size(); ++j) {
+            const PlacedTree tree = shapes.fitted(trees.value()[j]);
+            stands[i].emplace_back(shapes.modelOf(tree), tree.scale, shapes.speciesOf(tree), tree.leaves,
+                                   glm::vec2(tree.position));
+        }
     });
     for (std::size_t i = 1; every == 1 && i < stands.size(); ++i) // no borders between tiles
         std::move(stands[i].begin(), stands[i].end(), std::back_inserter(stands[0]));
@@ -140,6 +142,8 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
 
 Result<ForestTiles> writeTiledForest(const ForestDescription& forest, const std::string& folder,
                                      const TilingOptions& options) {
+    if (Diagnostics problems = check(forest); !problems.empty())
+        return problems;
     ForestDescription world = forest;
     world.trees.clear();
     const auto visit = [&](const Take& take) {

@@ -54,6 +54,8 @@ private:
             add(key, "the name " + inQuotes(name) + " is taken already");
     }
     void ofSpecies(const Species& species, const std::string& path) {
+        if (species.name.empty())
+            add(path + ".name", "missing");
         ofName(species.name, _species, path + ".name", foldedName(species.name));
         for (const std::string& alias : species.aliases)
             ofName(alias, _species, path + ".aliases", foldedName(alias));

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Range.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,6 +15,7 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double shortestCylinder = 1e-6, thickestCylinder = 10.0; // metres
+constexpr std::size_t mostScanUnits = 4096;
 constexpr double lowestScan = 0.1, highestScan = 150.0, widestScan = 200.0;
 
 Diagnostic problem(const ScanCylinder& cylinder, std::string message) {
@@ -100,6 +102,52 @@ std::optional<Diagnostic> problemOfScan(const ScanCylinders& cylinders) {
     if (const auto looped = onLoop(cylinders, static_cast<std::size_t>(root - cylinders.data())))
         return problem(cylinders[*looped], "expected parents that lead to the root, found a loop");
     return problemOfSize(cylinders, *root);
+}
+
+namespace {
+
+bool isWithin(const glm::vec3& point, double most) {
+    return within(-most, most).contains(static_cast<double>(point.x)) &&
+           within(-most, most).contains(static_cast<double>(point.y)) &&
+           within(-most, most).contains(static_cast<double>(point.z));
+}
+
+std::string problemOfUnit(const BranchUnit& unit, int index) {
+    if (unit.parent < (index == 0 ? -1 : 0) || unit.parent >= index)
+        return "expected a parent before it, found " + std::to_string(unit.parent);
+    if (!within(0, index).contains(unit.level))
+        return "expected a level from 0 on, found " + std::to_string(unit.level);
+    if (!isWithin(unit.base, widestScan) || !isWithin(unit.tip, widestScan))
+        return "expected its ends within 200 m";
+    if (!above(0, thickestCylinder).contains(static_cast<double>(unit.baseRadius)) ||
+        !within(0, thickestCylinder).contains(static_cast<double>(unit.tipRadius)))
+        return "expected radii above 0 and of at most 10 m";
+    return above(0, 1).contains(static_cast<double>(unit.attach)) ? "" : "expected attach in (0, 1]";
+}
+
+} // namespace
+
+std::string problemOfSkeleton(const Skeleton& skeleton) {
+    if (!within(2, 64).contains(skeleton.ringsPerBranch))
+        return "expected 2 to 64 rings a branch, found " + std::to_string(skeleton.ringsPerBranch);
+    if (!within(0, 3).contains(static_cast<double>(skeleton.flare)))
+        return "expected a flare in [0, 3], found " + numberText(static_cast<double>(skeleton.flare));
+    if (skeleton.units.empty() || skeleton.units.size() > mostScanUnits)
+        return "expected 1 to " + std::to_string(mostScanUnits) + " units, found " +
+               std::to_string(skeleton.units.size());
+    if (skeleton.points.size() != skeleton.units.size() * static_cast<std::size_t>(skeleton.ringsPerBranch))
+        return "expected a point for each ring of each unit, found " + std::to_string(skeleton.points.size());
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i)
+        if (const std::string problem = problemOfUnit(skeleton.units[i], static_cast<int>(i));
+            !problem.empty())
+            return "unit " + std::to_string(i) + ": " + problem;
+    for (const glm::vec3& point : skeleton.points)
+        if (!isWithin(point, widestScan))
+            return "expected points within 200 m";
+    const double height = static_cast<double>(skeleton.height());
+    return within(0.5 * lowestScan, highestScan).contains(height)
+               ? ""
+               : "expected a height of 0.05 to 150 m, found " + numberText(height);
 }
 
 } // namespace osgTreeWind

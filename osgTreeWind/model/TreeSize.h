@@ -7,11 +7,11 @@
 
 namespace osgTreeWind {
 
-/// What a forester measures, in metres, 0.001 to 1000. A value that is not above 0 means "not given".
+/// What a forester measures, in metres. 0 and less means "not given".
 struct TreeSize {
-    float height = 0.0f;        ///< Ground to the highest point of wood or leaves.
-    float trunkDiameter = 0.0f; ///< At breastHeight().
-    float crownWidth = 0.0f;    ///< Mean of the east-west and north-south extents.
+    float height = 0.0f;        ///< Ground to the highest point of wood or leaves, at most 150.
+    float trunkDiameter = 0.0f; ///< At breastHeight(), at most 20.
+    float crownWidth = 0.0f;    ///< Mean of the east-west and north-south extents, at most 150.
 };
 
 /// Where trunks are measured, of a tree of that height: 1.3 m, or a tenth of the height if that is lower.

@@ -71,8 +71,7 @@ ForestMemory forestMemory(const ForestDescription& description) {
     const ShapeFamilies families(description);
     std::vector<std::uint64_t> trees(families.all().size(), 0);
     for (const TreePlacement& tree : description.trees)
-        if (tree.species < description.species.size())
-            ++trees[families.indexOf(tree)];
+        ++trees[families.indexOf(tree)];
     const bool modal = description.law == MotionLaw::Modal;
     ForestMemory memory;
     for (std::size_t i = 0; i < trees.size(); ++i) {

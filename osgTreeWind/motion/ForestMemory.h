@@ -16,6 +16,7 @@ struct ForestMemory {
     std::uint64_t nodes =
         0; ///< What Forest adds: geometry, textures of poses; under a law of a branch a node a tree.
 };
+/// @param description for which check() finds nothing, as below.
 ForestMemory forestMemory(const ForestDescription& description);
 
 /// Of that, the vertices and indices of a tree's bark and leaves as they are drawn in full.

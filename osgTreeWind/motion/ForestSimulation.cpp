@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ForestSimulation.h>
 
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/WindAmongTrees.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
@@ -12,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <utility>
 
 namespace osgTreeWind {
@@ -52,19 +56,19 @@ Diagnostics noSuchTree() {
     return {keyProblem("tree", "no tree has this id, or it is gone")};
 }
 
-Diagnostics noSuchSpecies(const TreePlacement& placement, const ForestDescription& description) {
-    return {{{},
-             0,
-             0,
-             "species",
-             "there is no species " + std::to_string(placement.species) + "; the forest has " +
-                 std::to_string(description.species.size()) + ", from 0 on"}};
+/// An empty one, and a warning, where it is refused.
+ForestDescription accepted(ForestDescription&& description) {
+    const Diagnostics problems = check(description);
+    if (problems.empty())
+        return std::move(description);
+    std::cerr << "osgTreeWind: the forest is left empty: " + linesOf(problems) + '\n';
+    return {};
 }
 
 } // namespace
 
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options)
-    : ForestSimulation(std::move(description), options, nullptr) {}
+    : ForestSimulation(accepted(std::move(description)), options, nullptr) {}
 
 /// @param wind null: a place of its own, with the description's.
 ForestSimulation::ForestSimulation(ForestDescription description, const SimulationOptions& options,
@@ -135,14 +139,34 @@ float ForestSimulation::season() const {
     return _forest->season();
 }
 
+Result<std::size_t> ForestSimulation::addSpecies(Species species) {
+    if (SimulationParts::branches(*this))
+        return BranchwiseMotion::fixed();
+    if (Diagnostics problems = check(species); !problems.empty())
+        return problems;
+    for (const Species& other : description().species)
+        if (other.name == species.name && !species.name.empty())
+            return keyProblem("name", "the name " + inQuotes(species.name) + " is taken already");
+    ForestDescription alone;
+    alone.species = {species};
+    const ForestMemory memory = forestMemory(alone);
+    if (const std::string problem =
+            problemOfMemory("the shapes of this species", memory.simulation + memory.nodes);
+        !problem.empty())
+        return keyProblem({}, problem);
+    return _forest->addSpecies(std::move(species));
+}
+
 Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
-    const std::optional<PlacedTree> tree = _forest->fitted(placement);
-    if (!tree)
-        return noSuchSpecies(placement, description());
-    const Result<std::size_t> slot = _motion->add(*tree);
+    if (SimulationParts::branches(*this))
+        return BranchwiseMotion::fixed();
+    if (Diagnostics problems = check(placement, description()); !problems.empty())
+        return problems;
+    const PlacedTree tree = _forest->fitted(placement);
+    const Result<std::size_t> slot = _motion->add(tree);
     if (!slot)
         return slot.problems();
-    _forest->put(slot.value(), *tree, placement.name);
+    _forest->put(slot.value(), tree, placement.name);
     treeChanged(slot.value());
     return idOf(slot.value());
 }
@@ -165,17 +189,19 @@ Diagnostics ForestSimulation::unloadTree(TreeId tree) {
 }
 
 Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& placement) {
+    if (SimulationParts::branches(*this))
+        return {BranchwiseMotion::fixed()};
     if (!holds(tree))
         return noSuchTree();
+    if (Diagnostics problems = check(placement, description()); !problems.empty())
+        return problems;
     const std::size_t slot = slotOf(tree);
-    std::optional<PlacedTree> other = _forest->fitted(placement, &_forest->trees[slot]);
-    if (!other)
-        return noSuchSpecies(placement, description());
-    Diagnostics problems = _motion->replace(slot, *other);
+    PlacedTree other = _forest->fitted(placement, &_forest->trees[slot]);
+    Diagnostics problems = _motion->replace(slot, other);
     if (problems.empty()) {
         _forest->strike(slot);
-        other->tiled = false;
-        _forest->put(slot, *other, placement.name);
+        other.tiled = false;
+        _forest->put(slot, other, placement.name);
         treeChanged(slot);
     }
     return problems;
@@ -209,12 +235,15 @@ void ForestSimulation::regrow() {
     _motion->followSeason();
 }
 
-void ForestSimulation::setSeason(float season) {
+Diagnostics ForestSimulation::setSeason(float season) {
+    if (!std::isfinite(season))
+        return {keyProblem("season", "expected a finite number")};
     _forest->setSeason(season);
     if (_damage)
         _damage->shedAgain(*_forest);
     _motion->followSeason();
     _amongTrees->allTreesChanged();
+    return {};
 }
 
 std::optional<TreeId> ForestSimulation::findTree(const std::string& name) const {

@@ -29,21 +29,20 @@ struct TreeDamage;
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
 class OSGTREEWIND_EXPORT ForestSimulation {
 public:
-    /// Grows the shapes and places the trees at rest. Trees of a species that is not there are left out.
+    /// Grows the shapes and places the trees at rest. A description for which check() finds something is
+    /// refused: the simulation is empty, and stderr says why.
     explicit ForestSimulation(ForestDescription description, const SimulationOptions& options = {});
     ~ForestSimulation();
     /// The same trees as they are by now, at rest, in the same wind. Shares what does not change.
     std::shared_ptr<ForestSimulation> restarted() const;
 
-    /// As given, but without its trees, and with its first wind and season, whatever setWind() and
-    /// setSeason() did.
+    /// As given, with species that were added, but without its trees, and with its first wind and season.
     const ForestDescription& description() const;
     /// The forest as it is now: the trees that are alive, with the sizes they were given and names, in the
     /// season and in the wind of now. One made of it has the same trees at rest; its `source` is empty.
     ForestDescription describe() const;
 
-    /// Slots: of trees in the order of the description, then as they were added. Some may be empty.
-    std::size_t slotCount() const;
+    std::size_t slotCount() const;  ///< In the order of the description, then as added; some may be empty.
     std::size_t modelCount() const; ///< Shapes, which trees of a species share.
     /// The wood of a shape at rest, before it is stretched by scaleOf() a tree. @param model unchecked.
     const Skeleton& skeleton(std::size_t model) const;
@@ -52,15 +51,18 @@ public:
     /// How its shape is stretched.
     TreeScale scaleOf(std::size_t slot) const;
 
-    // Trees come and go in a time that does not depend on the forest. It is a problem,
-    // and nothing is changed, under a law of a branch, and where there is no such tree or species.
+    // Trees come and go in a time that does not depend on the forest. It is a problem, and nothing is
+    // changed, under a law of a branch, where there is no such tree, and where check() finds something.
 
+    /// Grows the shapes of a species, of which trees may then be added. The reference that description() gave
+    /// before is no longer valid. @return its index there, or also a name that is taken, and no memory.
+    Result<std::size_t> addSpecies(Species species);
     /// Puts up a tree at rest.
     Result<TreeId> addTree(const TreePlacement& placement);
     /// @return the problems; empty when it is done.
     Diagnostics removeTree(TreeId tree);
-    /// Moves it, or makes it another one, in full sway; one of a tile is a tree of
-    /// the forest's own from then on. @return as removeTree().
+    /// Moves it, or makes it another one, in full sway; one of a tile becomes the forest's own. @return as
+    /// removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
 
     /// Under `modal`, once it was advanced: has trees that it holds sway as if they had stood there for the
@@ -69,9 +71,8 @@ public:
     void runUp(const std::vector<TreeId>& trees);
     static constexpr float runUpTime = 40.0f; ///< Seconds.
 
-    bool holds(TreeId tree) const; ///< Whether it is there.
-    /// Where a tree stands.
-    std::size_t slotOf(TreeId tree) const { return slotOfTree(tree); }
+    bool holds(TreeId tree) const;                                     ///< Whether it is there.
+    std::size_t slotOf(TreeId tree) const { return slotOfTree(tree); } ///< Where it stands.
     /// Of the tree in a slot; the description's have their numbers, 0 and up.
     TreeId idOf(std::size_t slot) const;
     std::optional<TreeId> findTree(const std::string& name) const; ///< None has it: nothing.
@@ -82,8 +83,8 @@ public:
     /// Of the year (Season.h), which all trees follow in full sway: the leaves they bear, at once, and by
     /// them their mass, drag and damping. Under `modal` 256 trees at most, and two new archetypes, do so at
     /// once and in each step that comes, which takes up to 10 ms more: 100,000 trees of five species follow
-    /// within some 700 steps.
-    void setSeason(float season);
+    /// within some 700 steps. @return a problem, and nothing is changed, for what is not finite.
+    Diagnostics setSeason(float season);
     float season() const; ///< Of the year.
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.

@@ -11,7 +11,6 @@
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
-#include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/nodes/Environment.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
@@ -61,10 +60,14 @@ private:
 constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
 constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidden
 
-/// For want of what a forest cannot be; empty where it can.
-std::string problemOfRoom(const ForestDescription& description) {
-    const std::string problem = BranchwiseForest::problemOf(description);
-    return problem.empty() ? problemOfMemory(description, true) : problem;
+/// What keeps a forest from being as described.
+Diagnostics problemsOf(const ForestDescription& description) {
+    if (Diagnostics problems = check(description); !problems.empty())
+        return problems;
+    std::string problem = BranchwiseForest::problemOf(description);
+    if (problem.empty())
+        problem = problemOfMemory(description, true);
+    return problem.empty() ? Diagnostics() : Diagnostics{keyProblem({}, problem)};
 }
 
 std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t slot) {
@@ -104,7 +107,10 @@ Forest::Forest() : Forest(ForestDescription()) {}
 
 Forest::Forest(ForestDescription description) : _wind(std::make_shared<GivenWind>()) {
     setNumChildrenRequiringUpdateTraversal(1);
-    setDescription(std::move(description));
+    if (const Diagnostics problems = setDescription(std::move(description)); !problems.empty()) {
+        OSG_WARN << "osgTreeWind: the forest is left empty: " << linesOf(problems) << std::endl;
+        grow(ForestDescription());
+    }
 }
 
 Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
@@ -123,8 +129,11 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
-void Forest::setWind(WindFieldPtr wind, WindFrame frame) {
+Diagnostics Forest::setWind(WindFieldPtr wind, WindFrame frame) {
+    if (frame < WindFrame::Forest || frame > WindFrame::Geocentric)
+        return {keyProblem("frame", "there is no frame " + std::to_string(static_cast<int>(frame)))};
     _wind->set({std::move(wind), frame});
+    return {};
 }
 
 WindFieldPtr Forest::getWind() const {
@@ -140,11 +149,13 @@ void Forest::setExecutor(Executor executor) {
     _executor = std::move(executor);
 }
 
-void Forest::setSeason(float season) {
-    _simulation->setSeason(season);
+Diagnostics Forest::setSeason(float season) {
+    if (Diagnostics problems = _simulation->setSeason(season); !problems.empty())
+        return problems;
     _drawing->seasonChanged();
     if (_tiles)
         _tiles->showSeason(season);
+    return {};
 }
 
 float Forest::getSeason() const {
@@ -157,10 +168,8 @@ const ForestDescription& Forest::getDescription() const {
 
 Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Executor executor) {
     return guardedResult([&]() -> Result<osg::ref_ptr<Forest>> {
-        if (Diagnostics problems = check(description); !problems.empty())
+        if (Diagnostics problems = problemsOf(description); !problems.empty())
             return problems;
-        if (const std::string problem = problemOfRoom(description); !problem.empty())
-            return keyProblem({}, problem);
         const osg::ref_ptr<Forest> forest = new Forest;
         forest->setExecutor(std::move(executor));
         forest->grow(std::move(description));
@@ -168,20 +177,13 @@ Result<osg::ref_ptr<Forest>> Forest::create(ForestDescription description, Execu
     });
 }
 
-void Forest::setDescription(ForestDescription description) {
-    ForestDescription empty;
-    empty.wind = description.wind;
-    empty.windFrame = description.windFrame;
-    std::string problem;
-    const std::string exception = runGuarded([&] {
-        problem = problemOfRoom(description);
-        if (problem.empty())
+Diagnostics Forest::setDescription(ForestDescription description) {
+    return guardedResult([&]() -> Diagnostics {
+        Diagnostics problems = problemsOf(description);
+        if (problems.empty())
             grow(std::move(description));
+        return problems;
     });
-    if (problem.empty() && exception.empty())
-        return;
-    OSG_WARN << "osgTreeWind: " << problem << exception << "; the forest is left empty" << std::endl;
-    grow(std::move(empty));
 }
 
 void Forest::grow(ForestDescription description) {
@@ -214,9 +216,16 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_p
         insertChild(1, _tiles);
     }
     _ground = groundOf(getDescription(), _drawing->getBound());
-    _treeCount = static_cast<std::size_t>(std::count_if(SimulationParts::trees(*_simulation).begin(),
-                                                        SimulationParts::trees(*_simulation).end(),
-                                                        [](const PlacedTree& tree) { return tree.alive; }));
+    _treeCount = getTrees().size();
+}
+
+Result<std::size_t> Forest::addSpecies(Species species) {
+    return guardedResult([&] {
+        Result<std::size_t> index = _simulation->addSpecies(std::move(species));
+        if (index)
+            _drawing->speciesAdded();
+        return index;
+    });
 }
 
 Result<TreeId> Forest::addTree(const TreePlacement& placement) {
@@ -286,8 +295,13 @@ void Forest::setDamageCallback(DamageCallback callback) {
     _damageCallback = std::move(callback);
 }
 
-BranchTransform* Forest::branch(TreeId tree, unsigned unit) {
-    return _drawing->follow(tree, unit);
+Result<BranchTransform*> Forest::branch(TreeId tree, unsigned unit) {
+    if (BranchTransform* transform = _drawing->follow(tree, unit))
+        return transform;
+    if (!_simulation->holds(tree))
+        return keyProblem("tree", "no tree has this id, or it is gone");
+    return keyProblem("unit", "there is no unit " + std::to_string(unit) + "; the tree has " +
+                                  std::to_string(getUnits(tree).size()) + ", from 0 on");
 }
 
 bool Forest::unfollow(TreeId tree, unsigned unit) {

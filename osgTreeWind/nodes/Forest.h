@@ -28,6 +28,7 @@ class GivenWind;
 class StandDrawing;
 class TilePager;
 struct ForestDescription;
+struct Species;
 struct TreePlacement;
 struct TreeUnit;
 
@@ -42,33 +43,34 @@ struct TreeUnit;
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
-    /// As setDescription().
+    /// As setDescription(). What that refuses leaves the forest empty, and a warning says why.
     explicit Forest(ForestDescription description);
-    /// The same with an answer where it cannot be as asked for: numbers out of range (check()), no memory, no
-    /// room in textures. `executor` is as of setExecutor().
+    /// The same with the problems as an answer. @param executor as of setExecutor().
     static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
     /// children go by `copyop`; branches that are followed are not copied.
     Forest(const Forest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, Forest)
-        /// Replaces all trees, and the wind by that of the description if it has one. Without the memory or
-        /// the room in textures the forest is left empty, with a warning. Not during a traversal.
-        void setDescription(ForestDescription description);
-    /// As given, but without its trees, with the wind and season that it came with.
+        /// Replaces all trees, and the wind by that of the description if it has one. Not during a traversal.
+        /// @return the problems, and nothing is changed: what check() finds, no memory, no room in textures.
+        [[nodiscard]] Diagnostics setDescription(ForestDescription description);
+    /// As given, but without its trees, with the species that were added, and with its first wind and season.
     const ForestDescription& getDescription() const;
 
     /// The wind from the next frame on, and whose axes it is given in; null for calm. Any thread, any time,
     /// also while a description is set, which says both too: whichever of the two comes last counts.
-    void setWind(WindFieldPtr wind, WindFrame frame = WindFrame::Scene);
+    /// @return a problem for a frame that is none.
+    Diagnostics setWind(WindFieldPtr wind, WindFrame frame = WindFrame::Scene);
     WindFieldPtr getWind() const;   ///< Null: calm.
     WindFrame getWindFrame() const; ///< As set.
 
-    /// A host's threads to step it from now on, and to grow descriptions to come (SimulationOptions says
-    /// more); null: those of the process. In update or between frames.
+    /// A host's threads to step it, and to grow descriptions to come (SimulationOptions); null: those of the
+    /// process. In update or between frames.
     void setExecutor(Executor executor);
 
     /// Of the year (species/Season.h): leaves, and how trees sway with them. In update or between frames.
-    void setSeason(float season);
+    /// @return a problem for what is not finite.
+    Diagnostics setSeason(float season);
     float getSeason() const; ///< Of the year.
 
     /// The node's own origin in the world's frame: geometry is relative to it, precise far from the world's.
@@ -76,13 +78,16 @@ public:
     /// The ground, for a host to draw beside the trees; null: none. Another one after setDescription().
     osg::Node* getGround() const { return _ground.get(); }
 
-    // Trees that come and go, in update or between frames, at the same cost in any forest; a problem but
-    // under the law `modal`. What is done to trees of tiles lasts, and writeForest() writes it.
+    // In update or between frames, at the same cost in any forest, under the law `modal` alone. What is
+    // done to trees of tiles lasts. A call that returns problems changes nothing.
 
-    /// @param placement in the world's frame. @return an id that lasts.
+    /// Makes the shapes of a species, for trees to come. The reference that getDescription() gave before is
+    /// no longer valid. @return its index, or what check() finds, a name that is taken, no memory.
+    Result<std::size_t> addSpecies(Species species);
+    /// @param placement in the world's frame. @return an id that lasts, or what check() finds.
     Result<TreeId> addTree(const TreePlacement& placement);
     Diagnostics removeTree(TreeId tree); ///< @return the problems; empty when it is done.
-    /// Moves it, or makes it one of another size or species, in full sway. @return as removeTree().
+    /// Moves it, or makes it one of another size or species, in full sway. @return the problems.
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
     /// By the name it has; noTree for none. One whose tile is not there is read from it, in milliseconds.
     TreeId findTree(const std::string& name);
@@ -95,23 +100,20 @@ public:
     /// nearestUnit() finds one by its place. In update or between frames.
     std::vector<TreeUnit> getUnits(TreeId tree) const;
 
-    /// Called in update for each tree or bough that the wind brings down, where the description asks for
-    /// `damage`. It may add, change and remove trees. Null: nobody is told. Not copied.
+    /// Called in update for each tree or bough that the wind brings down, with `damage` in the description.
+    /// It may add, change and remove trees. Null: nobody is told. Not copied.
     void setDamageCallback(DamageCallback callback);
 
-    /// A transform that goes where a branch goes, in the same video frame; below it is the frame of its tree
-    /// at rest, in metres. The same for the same branch; null where there is none. It stays where it was when
-    /// its tree is removed. In update or between frames.
-    BranchTransform* branch(TreeId tree, unsigned unit);
+    /// A transform that goes where a branch goes, in the same video frame, and always the same one; below it
+    /// is the frame of its tree at rest, in metres. changeTree() moves it to the branch of that number of the
+    /// other tree; it stays where it was when that is gone. In update or between frames.
+    [[nodiscard]] Result<BranchTransform*> branch(TreeId tree, unsigned unit);
     bool unfollow(TreeId tree, unsigned unit); ///< With what hangs on it. @return whether it was followed.
-
-    /// Whether a child is a part of the forest; all others are yours.
-    bool isOwnChild(const osg::Node* child) const;
+    bool isOwnChild(const osg::Node* child) const; ///< A part of the forest; all others are yours.
 
     /// What draws the trees as instances, and state and geometry of your own; null under a law of a branch.
     StandDrawing* getStand() const;
-    /// What draws them branch by branch: a node a tree, its transforms and passes; null under `modal`.
-    BranchwiseForest* getBranchwise() const;
+    BranchwiseForest* getBranchwise() const; ///< What draws them branch by branch; null under `modal`.
 
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }

@@ -30,6 +30,9 @@ public:
 
 using GroundPtr = std::shared_ptr<const Ground>;
 
+/// What a ground says of a place; none also where that is not a finite number within 1e8 m.
+OSGTREEWIND_EXPORT std::optional<double> heightOf(const Ground& ground, const glm::dvec2& place);
+
 /// Height of the foot of a trunk that grows upright on it: the lowest of the trunk's circle. None where there
 /// is no ground in its middle. @param radius metres.
 OSGTREEWIND_EXPORT std::optional<double> footHeight(const Ground& ground, const glm::dvec2& place,

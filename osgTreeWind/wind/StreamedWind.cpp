@@ -58,6 +58,8 @@ Diagnostics StreamedWind::update(const Update& update) {
     next.origin = update.origin.value_or(before->grids.back()->grid().origin);
     for (float& height : next.heights)
         height += static_cast<float>(next.origin.z - _shape.origin.z);
+    if (!update.velocities.data && update.velocities.size > 0)
+        return {keyProblem("velocities", "expected numbers, found a null pointer")};
     next.values.assign(update.velocities.begin(), update.velocities.end());
     const Result<GridPtr> grid = GridWind::create(std::move(next));
     if (!grid)

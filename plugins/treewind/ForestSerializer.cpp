@@ -64,10 +64,10 @@ void readForestInto(Forest& forest, const std::string& source, const osgTreeWind
     std::istringstream document(source);
     osgTreeWind::Result<osgTreeWind::ForestDescription> description =
         osgTreeWind::readForest(document, where);
-    if (description)
-        forest.setDescription(std::move(description.value()));
-    else
-        OSG_WARN << "osgTreeWind: " << description.problems().front().text() << std::endl;
+    const osgTreeWind::Diagnostics problems =
+        description ? forest.setDescription(std::move(description.value())) : description.problems();
+    if (!problems.empty())
+        OSG_WARN << "osgTreeWind: " << linesOf(problems) << std::endl;
 }
 
 bool readDocument(osgDB::InputStream& input, Forest& forest) {

@@ -77,12 +77,13 @@ TEST(Field, ChecksEveryNumberInItsUnit) {
     whole.length = 0.0;
     whole.colour = static_cast<Colour>(7);
     whole.part.share = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(problemsOf(whole), "trees[2].count: expected a whole number in [1, 5], found 0\n"
-                                 "trees[2].angle: expected a finite number in [0, 180], found -90\n"
-                                 "trees[2].length: expected a finite number above 0, found 0\n"
-                                 "trees[2].colour: expected one of its words, found 7\n"
-                                 "trees[2].part.share: expected a finite number in [0, 0.3], found inf\n"
-                                 "trees[2].partShare: expected a finite number in [0, 1], found inf\n");
+    EXPECT_EQ(problemsOf(whole),
+              "trees[2].count: expected a whole number in [1, 5], found 0\n"
+              "trees[2].angle: expected a finite number in [0, 180] degrees, found -90 degrees\n"
+              "trees[2].length: expected a finite number above 0, found 0\n"
+              "trees[2].colour: expected one of its words, found 7\n"
+              "trees[2].part.share: expected a finite number in [0, 0.3], found inf\n"
+              "trees[2].partShare: expected a finite number in [0, 1], found inf\n");
 }
 
 TEST(Field, TellsWhatIsSaidToTheBit) {

@@ -322,7 +322,7 @@ TEST_F(ForestHandlerTest, AForestThatIsGoneIsLeftAlone) {
 }
 
 TEST_F(ForestHandlerTest, AnEmptyForestIsFine) {
-    forest->setDescription({});
+    EXPECT_TRUE(forest->setDescription({}).empty());
     for (const int key : {int(Event::KEY_Up), int('m'), int('a'), int('d'), int('h')})
         press(key);
     EXPECT_TRUE(shows("trees   0"));

@@ -55,14 +55,14 @@ TEST(ShapeFamilies, ATreeInTheOpenKeepsItsCrown) {
 TEST(ShapeFamilies, ATreeThatComesLaterTakesTheShapesThatAreThere) {
     const PlacedForest forest(standing({{0, false}}));
     TreePlacement tree = standing({{0, true}}).trees.front();
-    EXPECT_EQ(forest.fitted(tree)->model, forest.trees[0].model);
-    EXPECT_TRUE(forest.fitted(tree)->openGrown);
+    EXPECT_EQ(forest.fitted(tree).model, forest.trees[0].model);
+    EXPECT_TRUE(forest.fitted(tree).openGrown);
 }
 
 TEST(ShapeFamilies, APlacementGivesTheSameCrownAgain) {
     const PlacedForest forest(standing({{0, true}, {0, false}}));
     for (std::size_t slot = 0; slot < 2; ++slot) {
-        const PlacedTree again = *forest.fitted(forest.placementOf(slot));
+        const PlacedTree again = forest.fitted(forest.placementOf(slot));
         EXPECT_EQ(again.model, forest.trees[slot].model);
         EXPECT_NEAR(again.scale.axes.z, forest.trees[slot].scale.axes.z, 0.02f);
     }

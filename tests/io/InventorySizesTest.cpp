@@ -104,7 +104,7 @@ TEST(InventorySizes, StayEstimatedInAForestAsItIsNow) {
         tree.heading = 1.0f;
         return tree;
     }();
-    placed.put(0, *placed.fitted(turned, &placed.trees[0]), turned.name);
+    placed.put(0, placed.fitted(turned, &placed.trees[0]), turned.name);
     const auto trees = placed.describe().trees;
     EXPECT_TRUE(trees[0].estimated.height && !trees[0].estimated.trunkDiameter);
     EXPECT_EQ(trees[0].heading, 1.0f);

@@ -288,7 +288,7 @@ TEST(TiledForestTest, whatIsWrongWithATileIsSaid) {
         {",1,2,3,0,,,,,7,,,", "1_2.trees:2: species: expected a name, found nothing"},
         {"oak,nan,2,3,0,,,,,7,,,", "1_2.trees:2: x: expected a number"},
         {"oak,1,2,1e9,0,,,,,7,,,", "1_2.trees:2: z: expected a number"},
-        {"oak,1,2,3,7,,,,,7,,,", "1_2.trees:2: heading: expected a number"},
+        {"oak,1,2,3,3e4,,,,,7,,,", "1_2.trees:2: heading: expected a number"},
         {"oak,1,2,3,0,-4,,,,7,,,", "1_2.trees:2: height: expected a number"},
         {"oak,1,2,3,0,,,,2,7,,,", "1_2.trees:2: leaves: expected a number"},
         {"oak,1,2,3,0,,,,,-7,,,", "1_2.trees:2: seed: expected a number"},

@@ -219,17 +219,20 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
     };
     refused("species[0].wood.density: expected a finite number in [1, 10000], found 0",
             [](auto& f) { f.species[0].wood.density = 0; });
-    refused("species[0].growth.boughs.rise: expected a finite number in [-180, 180], found nan", [](auto& f) {
-        f.species[0].tree.grown.emplace().boughs.rise = std::numeric_limits<float>::quiet_NaN();
-    });
+    refused(
+        "species[0].growth.boughs.rise: expected a finite number in [-180, 180] degrees, found nan degrees",
+        [](auto& f) {
+            f.species[0].tree.grown.emplace().boughs.rise = std::numeric_limits<float>::quiet_NaN();
+        });
     refused("species[0].tree.radius: expected at most half the trunk, length * trunk_units",
             [](auto& f) { f.species[0].tree.wood.radius = 5.0f; });
     refused("drawing.impostor: expected impostor below reduced, found 250 and 250",
             [](auto& f) { f.drawing.impostor = 250.0f; });
     refused("crs: expected a projected system in metres, found WGS 84, which is on degrees",
             [](auto& f) { f.crs = "EPSG:4326"; });
-    refused("tree[0].species: no species 3", [](auto& f) { f.trees[0].species = 3; });
-    refused("tree[0].position: more than 100 km from the origin", [](auto& f) { f.origin.x = 2e5; });
+    refused("tree[0].species: there is no species 3; the forest has 1, from 0 on",
+            [](auto& f) { f.trees[0].species = 3; });
+    refused("tree[0].position: expected at most 100 km from the origin", [](auto& f) { f.origin.x = 2e5; });
     refused("tree[1].id: the name \"7\" is taken already", [](auto& f) {
         f.trees[0].name = "7";
         f.trees.push_back(f.trees[0]);
@@ -238,11 +241,13 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
         f.species.push_back(f.species[0]);
         f.species[1].name = "OAK ";
     });
+    refused("species[0].name: missing", [](auto& f) { f.species[0].name.clear(); });
     refused("species[0].name: expected UTF-8", [](auto& f) { f.species[0].name = "\xe9"; });
     refused("species[0].appearance: no file \"/no.png\"",
             [](auto& f) { f.species[0].appearance.barkImage = "/no.png"; });
     refused("species[0].scan: scan 0 was not read from a file", [](auto& f) {
-        f.species[0].tree.scans = std::make_shared<const std::vector<ScannedTree>>(1);
+        const ScannedTree scan = makeScannedTree({{{0, 0, 0}, {0, 0, 5}, 0.1, -1, 0}}).value();
+        f.species[0].tree.scans = std::make_shared<const std::vector<ScannedTree>>(1, scan);
         f.species[0].shapes = 1;
     });
     const char* const noWind =

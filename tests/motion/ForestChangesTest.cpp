@@ -139,7 +139,7 @@ TEST(ForestChanges, OnlyWhatCanBeIsDone) {
     ForestDescription damped = windySaplings(1);
     damped.law = MotionLaw::Damped;
     ForestSimulation branchwise(damped), modal(windySaplings(1));
-    const std::string fixed = "law: trees come, go and change under the law modal only";
+    const std::string fixed = "law: trees and species come, go and change under the law modal only";
     EXPECT_EQ(branchwise.addTree(treeAt(1.0)).problems().front().text(), fixed);
     EXPECT_EQ(branchwise.removeTree(TreeId(0)).front().text(), fixed);
     EXPECT_EQ(branchwise.changeTree(TreeId(0), treeAt(1.0)).front().text(), fixed);
@@ -185,7 +185,7 @@ TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
     const TreeId added = simulation.addTree(inWorld(simulation, treeAt(9.0, 6.0f))).value();
     run(simulation, 50);
     std::shared_ptr<ForestSimulation> again = simulation.restarted();
-    EXPECT_EQ(&SimulationParts::models(*again), &SimulationParts::models(simulation));
+    EXPECT_EQ(SimulationParts::models(*again), SimulationParts::models(simulation));
     EXPECT_EQ(&SimulationParts::modal(*again)->archetype(1),
               &SimulationParts::modal(simulation)->archetype(1));
     EXPECT_TRUE(again->holds(added));
@@ -221,7 +221,7 @@ TEST(ForestChanges, ARestartSharesWhatTakesTimeToMake) {
     for (std::size_t tree = 0; tree < 20; ++tree)
         EXPECT_EQ(&SimulationParts::modal(*again)->archetype(tree),
                   &SimulationParts::modal(simulation)->archetype(tree));
-    EXPECT_EQ(&SimulationParts::models(*again).front(), &SimulationParts::models(simulation).front());
+    EXPECT_EQ(SimulationParts::models(*again), SimulationParts::models(simulation));
 }
 
 TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
@@ -230,6 +230,7 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
     given.gain = 2.0f;
     given.noiseExponent = 1.5f;
     given.drawing.full = 250.0f;
+    given.drawing.reduced = 100.0f;
     given.trees[2].name = "oak 2";
     given.trees[3].name = "oak 3";
     given.source = "version = 1";
@@ -308,4 +309,57 @@ TEST(ForestChanges, ChurnKeepsEveryTreeItsOwn) {
 }
 
 } // namespace
+
+TEST(ForestChanges, ASpeciesComesToAForestThatRuns) {
+    ForestSimulation simulation(windySaplings(2));
+    run(simulation, 10);
+    const auto before = simulation.restarted();
+    Species larch = sapling();
+    larch.name = "larch";
+    larch.wood.elasticModulus *= 4.0f;
+    const Result<std::size_t> index = simulation.addSpecies(larch);
+    ASSERT_TRUE(index) << linesOf(index.problems());
+    EXPECT_EQ(index.value(), simulation.description().species.size() - 1);
+    EXPECT_EQ(simulation.description().species.back().name, "larch");
+    EXPECT_EQ(before->description().species.size(), index.value()) << "a copy stays as it was";
+    TreePlacement place = simulation.placementOf(TreeId(0));
+    place.species = index.value();
+    EXPECT_TRUE(simulation.changeTree(TreeId(0), place).empty());
+    place.position.x += 5.0;
+    const Result<TreeId> added = simulation.addTree(place);
+    ASSERT_TRUE(added) << linesOf(added.problems());
+    run(simulation, 50, 1.0);
+    EXPECT_NE(tip(simulation, 1),
+              SimulationParts::models(simulation)[simulation.modelOf(0)]->skeleton.units[1].tip);
+
+    const ForestDescription now = simulation.describe();
+    EXPECT_EQ(now.species[now.trees.back().species].name, "larch");
+    ForestSimulation first(now); // it is as if it had been there from the start
+    run(first, 20);
+    const auto again = simulation.restarted();
+    run(*again, 20);
+    const Span<UnitPose> one = first.motion(0).poses, other = again->motion(0).poses;
+    ASSERT_EQ(one.size, other.size);
+    for (std::size_t i = 0; i < one.size; ++i)
+        EXPECT_EQ(one[i].translation, other[i].translation) << i;
+}
+
+TEST(ForestChanges, ASpeciesIsRefusedWithTheReason) {
+    ForestSimulation simulation(windySaplings(1));
+    const std::string name = simulation.description().species[0].name;
+    Species other = sapling();
+    other.name = name;
+    EXPECT_EQ(linesOf(simulation.addSpecies(other).problems()),
+              "name: the name \"" + name + "\" is taken already");
+    other.name = "larch";
+    other.tree.wood.levels = -1;
+    EXPECT_EQ(linesOf(simulation.addSpecies(other).problems()),
+              "tree.levels: expected a whole number in [0, 8], found -1");
+    EXPECT_EQ(simulation.description().species.size(),
+              ForestSimulation(windySaplings(1)).description().species.size());
+    ForestSimulation damped(oneTree(MotionLaw::Damped));
+    EXPECT_EQ(linesOf(damped.addSpecies(sapling()).problems()),
+              "law: trees and species come, go and change under the law modal only");
+}
+
 } // namespace osgTreeWind

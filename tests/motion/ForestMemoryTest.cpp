@@ -65,12 +65,6 @@ TEST(ForestMemory, LimitIsThatOfTheProcess) {
 }
 #endif
 
-TEST(ForestMemory, LeavesOutTreesOfASpeciesThatIsNotThere) {
-    ForestDescription forest = forestOf(3);
-    forest.trees.back().species = 7;
-    EXPECT_EQ(forestMemory(forest).simulation, forestMemory(forestOf(2)).simulation);
-}
-
 TEST(ForestMemory, LimitIsThatOfTheEnvironment) {
     for (const auto& [text, bytes] : {std::pair<const char*, std::uint64_t>("12345", 12345),
                                       {"20k", 20000},

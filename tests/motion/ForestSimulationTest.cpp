@@ -259,13 +259,21 @@ TEST(ForestSimulation, ShapesAreSharedByTheTreesOfASpecies) {
     EXPECT_EQ(SimulationParts::trees(simulation)[8].firstUnit, 8u * 14u);
 }
 
-TEST(ForestSimulation, TreesOfNoSpeciesAreLeftOut) {
+TEST(ForestSimulation, ARefusedDescriptionLeavesItEmptyAndStderrSaysWhy) {
     ForestDescription forest = oneTree();
     forest.trees.resize(2);
     forest.trees[0].species = 7;
-    ForestSimulation simulation(forest);
-    EXPECT_EQ(SimulationParts::trees(simulation).size(), 1u);
-    EXPECT_TRUE(simulation.description().trees.empty()) << "they are trees()";
+    testing::internal::CaptureStderr();
+    const ForestSimulation simulation(forest);
+    EXPECT_EQ(
+        testing::internal::GetCapturedStderr(),
+        "osgTreeWind: the forest is left empty: tree[0].species: there is no species 7; the forest has 1, "
+        "from 0 on\n");
+    EXPECT_EQ(simulation.slotCount(), 0u);
+}
+
+TEST(ForestSimulation, DescribesItsTreesApart) {
+    EXPECT_TRUE(ForestSimulation(oneTree()).description().trees.empty());
 }
 
 TEST(ForestSimulation, AnEmptyForestAdvances) {

@@ -59,8 +59,8 @@ TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
     osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
     forest->getStand()->setLeafState(0, own);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
-    EXPECT_EQ(&SimulationParts::models(copy->getSimulation()),
-              &SimulationParts::models(forest->getSimulation()));
+    EXPECT_EQ(SimulationParts::models(copy->getSimulation()),
+              SimulationParts::models(forest->getSimulation()));
     EXPECT_EQ(&SimulationParts::modal(copy->getSimulation())->archetype(0),
               &SimulationParts::modal(forest->getSimulation())->archetype(0));
     const StandResources &one = StandParts::trees(*forest->getStand())->resources(),

@@ -81,9 +81,9 @@ TEST_F(ForestGlTest, belowATransformFarAwayThePictureIsTheSameButForRounding) {
 TEST_F(ForestGlTest, aNewDescriptionShowsInTheNextFrame) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     osg::ref_ptr<osg::Image> one = picture(forest, 3);
-    forest->setDescription(ForestDescription());
+    EXPECT_TRUE(forest->setDescription(ForestDescription()).empty());
     EXPECT_EQ(covered(*later(3, 3)), 0.0);
-    forest->setDescription(smallForest(1));
+    EXPECT_TRUE(forest->setDescription(smallForest(1)).empty());
     EXPECT_LT(difference(*one, *later(4, 5)).mean, 1.0);
 }
 

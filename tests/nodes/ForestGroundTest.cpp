@@ -18,7 +18,7 @@ TEST(ForestGround, IsTheHostsToAdd) {
     const osg::ref_ptr<osg::Node> ground = forest->getGround();
     const osg::ref_ptr<Forest> copy = osg::clone(forest.get());
     EXPECT_TRUE(copy->getGround());
-    forest->setDescription(smallForest(1));
+    EXPECT_TRUE(forest->setDescription(smallForest(1)).empty());
     EXPECT_FALSE(forest->getGround());
 }
 

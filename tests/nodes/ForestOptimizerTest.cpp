@@ -48,7 +48,7 @@ TEST_P(ForestOptimizerTest, leavesBranchesAndWhatHangsOnThem) {
     osg::ref_ptr<osg::MatrixTransform> sensor = new osg::MatrixTransform(osg::Matrix::translate(0, 0, 4));
     sensor->setDataVariance(osg::Object::DYNAMIC);
     sensor->addChild(new osg::ShapeDrawable(new osg::Sphere));
-    forest->branch(TreeId(0), 13)->addChild(sensor);
+    forest->branch(TreeId(0), 13).value()->addChild(sensor);
     const osg::Vec3d before = worldMatrix(*sensor).getTrans();
     osgUtil::Optimizer().optimize(scene, GetParam());
     ASSERT_EQ(sensor->getNumParents(), 1u);
@@ -61,7 +61,7 @@ TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
     osg::ref_ptr<osg::Group> scene = new osg::Group;
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     scene->addChild(forest);
-    osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 13);
+    osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 13).value();
     osgUtil::Optimizer().optimize(scene, GetParam());
     EXPECT_EQ(branch->getNumParents(), 1u);
 }
@@ -86,7 +86,7 @@ TEST_P(ForestOptimizerTest, anEmptyForestTakesADescriptionAfterwards) {
     osg::ref_ptr<Forest> forest = new Forest;
     scene->addChild(forest);
     osgUtil::Optimizer().optimize(scene, GetParam());
-    forest->setDescription(smallForest(3));
+    EXPECT_TRUE(forest->setDescription(smallForest(3)).empty());
     EXPECT_EQ(treesBelow(*forest), 3u);
 }
 
@@ -95,7 +95,7 @@ TEST_P(ForestOptimizerTest, aForestOfOneTreeTakesAnotherDescriptionAfterwards) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(1));
     scene->addChild(forest);
     osgUtil::Optimizer().optimize(scene, GetParam());
-    forest->setDescription(smallForest(3));
+    EXPECT_TRUE(forest->setDescription(smallForest(3)).empty());
     EXPECT_EQ(treesBelow(*scene), 3u);
 }
 

@@ -111,11 +111,11 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
     const osg::ref_ptr<TreeStand> former = StandParts::trees(*forest->getStand());
-    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2);
-    forest->setDescription(smallForest(5));
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2).value();
+    EXPECT_TRUE(forest->setDescription(smallForest(5)).empty());
     EXPECT_EQ(forest->getNumTrees(), 5u);
     EXPECT_EQ(former->getNumParents(), 0u);
-    EXPECT_NE(forest->branch(TreeId(0), 2), branch) << "of a tree that is gone";
+    EXPECT_NE(forest->branch(TreeId(0), 2).value(), branch) << "of a tree that is gone";
     EXPECT_TRUE(forest->containsNode(house));
     unsigned others = 0;
     for (unsigned i = 0; i < forest->getNumChildren(); ++i)
@@ -129,14 +129,15 @@ TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     ForestDescription damped = smallForest(2);
     damped.law = MotionLaw::Damped;
-    forest->setDescription(damped);
+    EXPECT_TRUE(forest->setDescription(damped).empty());
     EXPECT_EQ(forest->getStand(), nullptr);
     ASSERT_NE(forest->getBranchwise(), nullptr);
-    EXPECT_EQ(forest->branch(TreeId(1), 2), BranchwiseParts::tree(*forest->getBranchwise(), 1)->getBranch(2));
+    EXPECT_EQ(forest->branch(TreeId(1), 2).value(),
+              BranchwiseParts::tree(*forest->getBranchwise(), 1)->getBranch(2));
     EXPECT_FALSE(forest->addTree(TreePlacement()).ok()) << "under modal only";
     EXPECT_FALSE(forest->removeTree(TreeId(0)).empty());
     updateFrames(*forest, 1, 5);
-    forest->setDescription(smallForest(3));
+    EXPECT_TRUE(forest->setDescription(smallForest(3)).empty());
     EXPECT_NE(forest->getStand(), nullptr);
     EXPECT_EQ(forest->getBranchwise(), nullptr);
     updateFrames(*forest, 6, 10);
@@ -148,13 +149,13 @@ TEST(ForestTest, theWindOutlivesADescriptionThatHasNone) {
     forest->setWind(streamed);
     ForestDescription windless = smallForest(2);
     windless.wind = nullptr;
-    forest->setDescription(windless);
+    EXPECT_TRUE(forest->setDescription(windless).empty());
     EXPECT_EQ(forest->getWind(), streamed);
     updateFrames(*forest, 1, 1);
     EXPECT_EQ(windsOf(*forest).front(), glm::vec3(-3.0f, 2.0f, 0.0f));
 
     const ForestDescription windy = smallForest(1, 7.0f);
-    forest->setDescription(windy);
+    EXPECT_TRUE(forest->setDescription(windy).empty());
     EXPECT_EQ(forest->getWind(), windy.wind) << "its own wind goes before";
     updateFrames(*forest, 2, 2);
     EXPECT_EQ(windsOf(*forest).front(), glm::vec3(7.0f, 0.0f, 0.0f));
@@ -173,7 +174,7 @@ TEST(ForestTest, anotherThreadMayHandOverTheWindWhileADescriptionIsSet) {
         }
     });
     for (unsigned frame = 1; frame <= 20; ++frame) {
-        forest->setDescription(windless);
+        EXPECT_TRUE(forest->setDescription(windless).empty());
         update(*forest, frame, frame / 25.0);
     }
     running = false;
@@ -196,7 +197,7 @@ TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
     update(*copy, 1, 0.04);
     EXPECT_GT(calls, before);
     before = calls;
-    forest->setDescription(smallForest(3));
+    EXPECT_TRUE(forest->setDescription(smallForest(3)).empty());
     EXPECT_GT(calls, before) << "and grow the next one";
     forest->setExecutor(nullptr);
     before = calls;
@@ -206,22 +207,43 @@ TEST(ForestTest, aHostsThreadsStepItAndItsCopies) {
     EXPECT_GT(calls, before) << "from the start";
 }
 
-TEST(ForestTest, aForestThatDoesNotFitIntoMemoryIsLeftEmptyWithOneWarning) {
+TEST(ForestTest, aRefusedDescriptionChangesNothing) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
+    const WindFieldPtr wind = forest->getWind();
+    ForestDescription stranger = smallForest(2);
+    stranger.trees[1].species = 7;
+    const Diagnostics problems = forest->setDescription(stranger);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems.front().text(), "tree[1].species: there is no species 7; the forest has 1, from 0 on");
+    {
+        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
+        ForestDescription many = smallForest(1);
+        many.trees.resize(1000, many.trees[0]);
+        const Diagnostics tooLarge = forest->setDescription(many);
+        ASSERT_EQ(tooLarge.size(), 1u);
+        EXPECT_EQ(tooLarge.front().text().rfind("1000 trees of these species need about ", 0), 0u)
+            << tooLarge.front().text();
+    }
+    EXPECT_EQ(forest->getNumTrees(), 3u);
+    EXPECT_EQ(forest->getWind(), wind);
+    updateFrames(*forest, 1, 2);
+}
+
+TEST(ForestTest, theConstructorSaysWhatItRefuses) {
+    ForestDescription endless = smallForest(2);
+    endless.trees[1].position.x = NAN;
+    endless.trees[1].leaves = -1.0f;
     osg::ref_ptr<MessageCollector> messages = new MessageCollector;
     const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
     osg::setNotifyHandler(messages);
-    {
-        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "10M");
-        forest->setDescription(smallForest(1000));
-    }
+    osg::ref_ptr<Forest> forest = new Forest(endless);
     osg::setNotifyHandler(former);
-    const std::string said = messages->take();
-    EXPECT_EQ(said.rfind("osgTreeWind: 1000 trees of these species need about ", 0), 0u) << said;
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(
+        messages->take(),
+        "osgTreeWind: the forest is left empty: tree[1].position: expected finite numbers in "
+        "[-100000000, 100000000], found nan\ntree[1].leaves: expected a finite number in [0, 1], found -1\n");
     EXPECT_EQ(forest->getNumTrees(), 0u);
-    updateFrames(*forest, 1, 2);
-    forest->setDescription(smallForest(2));
+    EXPECT_TRUE(forest->setDescription(smallForest(2)).empty());
     EXPECT_EQ(forest->getNumTrees(), 2u) << "and may be filled again";
 }
 
@@ -254,13 +276,6 @@ TEST(ForestTest, staysWhereItIsWithoutAFrameStamp) {
     osgUtil::UpdateVisitor visitor;
     counted.forest->accept(visitor);
     EXPECT_EQ(counted.samples(), 0);
-}
-
-TEST(ForestTest, leavesOutTreesOfASpeciesThatIsNotThere) {
-    ForestDescription description = smallForest(3);
-    description.trees[1].species = 7;
-    osg::ref_ptr<Forest> forest = new Forest(description);
-    EXPECT_EQ(forest->getNumTrees(), 2u);
 }
 
 TEST(ForestTest, treesOfASpeciesShareTheirGeometry) {

@@ -4,6 +4,7 @@
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 
@@ -14,6 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include <set>
+#include <sstream>
 
 using namespace osgTreeWind;
 
@@ -125,11 +127,12 @@ TEST(ForestTreesTest, treesInOtherPlacesSwayOnAsIfNothingHappened) {
 
 TEST(ForestTreesTest, branchesAreFollowedInTheFrameOfTheirTree) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
-    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(2), 11);
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(2), 11).value();
     ASSERT_TRUE(branch);
-    EXPECT_EQ(forest->branch(TreeId(2), 11), branch);
-    EXPECT_EQ(forest->branch(TreeId(2), 1000), nullptr);
-    EXPECT_EQ(forest->branch(TreeId(77), 0), nullptr);
+    EXPECT_EQ(forest->branch(TreeId(2), 11).value(), branch);
+    EXPECT_EQ(linesOf(forest->branch(TreeId(2), 1000).problems()),
+              "unit: there is no unit 1000; the tree has 14, from 0 on");
+    EXPECT_EQ(linesOf(forest->branch(TreeId(77), 0).problems()), "tree: no tree has this id, or it is gone");
     const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[2];
     const BranchUnit& rest =
         SimulationParts::forest(forest->getSimulation()).modelOf(placed).skeleton.units[11];
@@ -150,7 +153,7 @@ TEST(ForestTreesTest, aFollowedBranchStandsWhereTheWholeTreeHasIt) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3, 20.0f));
     std::vector<osg::ref_ptr<BranchTransform>> branches;
     for (unsigned unit = 0; unit < forest->getUnits(TreeId(2)).size(); ++unit)
-        branches.emplace_back(forest->branch(TreeId(2), unit));
+        branches.emplace_back(forest->branch(TreeId(2), unit).value());
     ASSERT_GT(branches.size(), 10u);
     updateFrames(*forest, 1, 30);
     const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[2];
@@ -172,14 +175,14 @@ TEST(ForestTreesTest, aBranchIsLetGoWithWhatHangsOnIt) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
-    const osg::ref_ptr<BranchTransform> first = forest->branch(TreeId(5), 3),
-                                        last = forest->branch(TreeId(5), 9);
+    const osg::ref_ptr<BranchTransform> first = forest->branch(TreeId(5), 3).value(),
+                                        last = forest->branch(TreeId(5), 9).value();
     EXPECT_TRUE(forest->unfollow(TreeId(5), 3));
     EXPECT_EQ(first->getNumParents(), 0u);
     EXPECT_EQ(last->getNumParents(), 1u);
     EXPECT_FALSE(forest->unfollow(TreeId(5), 3)) << "it was already";
     EXPECT_FALSE(forest->unfollow(TreeId(5), 4)) << "nobody asked for it";
-    EXPECT_NE(forest->branch(TreeId(5), 3), first);
+    EXPECT_NE(forest->branch(TreeId(5), 3).value(), first);
     ASSERT_TRUE(forest->removeTree(TreeId(5)).empty());
     EXPECT_TRUE(forest->unfollow(TreeId(5), 3)) << "also of a tree that is gone";
     EXPECT_TRUE(forest->unfollow(TreeId(5), 9));
@@ -205,7 +208,8 @@ TEST(ForestTreesTest, unitsAreWhereTheTreeIs) {
         }
         EXPECT_GE(unit.baseRadius, unit.tipRadius);
         EXPECT_EQ(nearestUnit(units, (unit.base + unit.tip) * 0.5f), i);
-        const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), static_cast<unsigned>(i));
+        const osg::ref_ptr<BranchTransform> branch =
+            forest->branch(TreeId(1), static_cast<unsigned>(i)).value();
         EXPECT_LT((osg::Vec3(unit.restTip * branch->getMatrix()) - unit.tip).length(), 1e-4f);
         EXPECT_EQ(branch->getBase(), unit.restBase);
         moved = std::max(moved, (unit.tip - rest[i].tip).length());
@@ -255,7 +259,7 @@ TEST(ForestTreesTest, boxesAreOfTreesAtRestFromTheFootAndTheSphereHoldsTheirSway
 TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
     updateFrames(*forest, 1, 30);
-    const osg::ref_ptr<BranchTransform> late = forest->branch(TreeId(1), 9);
+    const osg::ref_ptr<BranchTransform> late = forest->branch(TreeId(1), 9).value();
     const osg::Matrix now = late->getMatrix();
     update(*forest, 31, 30 / 25.0); // a pause
     EXPECT_EQ(late->getMatrix(), now);
@@ -263,7 +267,7 @@ TEST(ForestTreesTest, aBranchAskedForInMidSwayStandsInThePoseOfNow) {
 
 TEST(ForestTreesTest, whatHangsOnATreeThatIsRemovedStaysWhereItWas) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2, 20.0f));
-    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), 9);
+    const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(1), 9).value();
     updateFrames(*forest, 1, 30);
     const osg::Matrix last = branch->getMatrix();
     forest->removeTree(TreeId(1));
@@ -271,7 +275,7 @@ TEST(ForestTreesTest, whatHangsOnATreeThatIsRemovedStaysWhereItWas) {
     EXPECT_EQ(forest->getSimulation().slotOf(next), 1u);
     updateFrames(*forest, 31, 60);
     EXPECT_EQ(branch->getMatrix(), last);
-    EXPECT_NE(forest->branch(next, 9), branch);
+    EXPECT_NE(forest->branch(next, 9).value(), branch);
 }
 
 TEST(ForestTreesTest, aBranchOfATreeThatGrowsIntoAnotherGoesOn) {
@@ -279,16 +283,46 @@ TEST(ForestTreesTest, aBranchOfATreeThatGrowsIntoAnotherGoesOn) {
     description.species.push_back(smallSpecies());
     description.species[1].tree.wood.levels = 1; // fewer branches
     osg::ref_ptr<Forest> forest = new Forest(description);
-    const osg::ref_ptr<BranchTransform> first = forest->branch(TreeId(0), 1),
-                                        last = forest->branch(TreeId(0), 13);
+    const osg::ref_ptr<BranchTransform> first = forest->branch(TreeId(0), 1).value(),
+                                        last = forest->branch(TreeId(0), 13).value();
     updateFrames(*forest, 1, 10);
     TreePlacement other = treeAt(5.0);
     other.species = 1;
-    ASSERT_TRUE(forest->changeTree(TreeId(0), other).empty());
     const osg::Matrix held = last->getMatrix(), before = first->getMatrix();
+    ASSERT_TRUE(forest->changeTree(TreeId(0), other).empty());
+    const std::vector<TreeUnit> units = forest->getUnits(TreeId(0));
+    EXPECT_EQ(first->getBase(), units[1].restBase);
+    EXPECT_LT((osg::Vec3(units[1].restTip * first->getMatrix()) - units[1].tip).length(), 1e-4f) << "at once";
     updateFrames(*forest, 11, 20);
     EXPECT_EQ(last->getMatrix(), held);
     EXPECT_NE(first->getMatrix(), before);
+}
+
+TEST(ForestTreesTest, aSpeciesThatIsAddedHasTreesFilesAndCopies) {
+    osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
+    Species larch = smallSpecies();
+    larch.name = "larch";
+    larch.tree.wood.levels = 1;
+    const Result<std::size_t> index = forest->addSpecies(larch);
+    ASSERT_TRUE(index) << linesOf(index.problems());
+    EXPECT_EQ(index.value(), 1u);
+    EXPECT_FALSE(forest->addSpecies(larch)) << "its name is taken";
+    EXPECT_EQ(forest->getDescription().species.back().name, "larch");
+    TreePlacement place = treeAt(20.0);
+    place.species = index.value();
+    const Result<TreeId> tree = forest->addTree(place);
+    ASSERT_TRUE(tree) << linesOf(tree.problems());
+    EXPECT_TRUE(forest->branch(tree.value(), 4)) << "trunk of 2, 3 branches";
+    EXPECT_TRUE(forest->getStand()->setLeafState(index.value(), new osg::StateSet));
+    updateFrames(*forest, 1, 10);
+    osg::ref_ptr<Forest> copy = osg::clone(forest.get());
+    EXPECT_EQ(copy->getDescription().species.size(), 2u);
+    forest = nullptr; // the copy keeps what it needs
+    updateFrames(*copy, 1, 10);
+    EXPECT_EQ(copy->getUnits(copy->getTrees().back()).size(), 5u);
+    std::ostringstream file;
+    EXPECT_TRUE(writeForest(copy->getSimulation().describe(), file).empty());
+    EXPECT_NE(file.str().find("name = \"larch\""), std::string::npos);
 }
 
 TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
@@ -296,7 +330,7 @@ TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
     ASSERT_EQ(StandParts::trees(*forest->getStand())->nearTrees(), 0u);
-    forest->branch(TreeId(5), 0);
+    EXPECT_TRUE(forest->branch(TreeId(5), 0));
     EXPECT_EQ(StandParts::trees(*forest->getStand())->nearTrees(), 1u);
     updateFrames(*forest, 1, 200);
     EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->level(5), ModalMotion::Level::Near);

@@ -115,9 +115,9 @@ protected:
         if (units == 0)
             return;
         const unsigned unit = below(static_cast<unsigned>(units));
-        BranchTransform* branch = forest->branch(tree, unit);
+        const Result<BranchTransform*> branch = forest->branch(tree, unit);
         if (branch && below(3) > 0)
-            branch->addChild(new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(), 0.1f)));
+            branch.value()->addChild(new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(), 0.1f)));
         else
             forest->unfollow(tree, unit);
     }
@@ -148,7 +148,7 @@ protected:
         const auto again = readForest(text);
         ASSERT_TRUE(again) << again.problems().front().text() << text.str();
         ASSERT_EQ(again.value().trees.size(), description.trees.size());
-        forest->setDescription(again.value());
+        EXPECT_TRUE(forest->setDescription(again.value()).empty());
     }
 
     void lookElsewhere() {
@@ -179,7 +179,7 @@ protected:
                 context().getState()->disableAllVertexArrays();
             },
             [&] { put(static_cast<Forest*>(forest->clone(osg::CopyOp::SHALLOW_COPY))); },
-            [&] { forest->setDescription(anyForest()); },
+            [&] { EXPECT_TRUE(forest->setDescription(anyForest()).empty()); },
             [&] { put(new Forest(anyForest())); },
             [&] { readWhatIsWritten(); },
         };

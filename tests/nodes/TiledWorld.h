@@ -64,7 +64,7 @@ public:
     void readFrom(const std::string& url) {
         Result<ForestDescription> world = readForestFile(_folder.path() + "/world.treewind");
         world.value().tiles->folder = url;
-        _forest->setDescription(std::move(world.value()));
+        EXPECT_TRUE(_forest->setDescription(std::move(world.value())).empty());
     }
     const TemporaryFolder& folder() const { return _folder; }
     std::string tile(const std::string& name) const { return _folder.path() + "/tiles/" + name + ".trees"; }

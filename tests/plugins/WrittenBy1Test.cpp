@@ -55,8 +55,8 @@ TEST_F(WrittenBy1, scenesOfTheThesis) {
         EXPECT_EQ(forest->getNumTrees(), 1u);
         EXPECT_EQ(forest->getDescription().law, MotionLaw::Thesis);
         EXPECT_NE(forest->getBranchwise(), nullptr);
-        EXPECT_NE(forest->branch(TreeId(0), 121), nullptr);
-        EXPECT_EQ(forest->branch(TreeId(0), 122), nullptr);
+        EXPECT_TRUE(forest->branch(TreeId(0), 121));
+        EXPECT_FALSE(forest->branch(TreeId(0), 122));
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BillboardDrawable.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
@@ -63,11 +65,10 @@ std::string BranchwiseForest::problemOf(const ForestDescription& description) {
         leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
     }
     std::size_t branchTexels = 0, leafTexels = 0;
-    for (const TreePlacement& tree : description.trees)
-        if (tree.species < description.species.size()) {
-            branchTexels += 3 * units[families.indexOf(tree)]; // branch parameters are the largest
-            leafTexels += leaves[families.indexOf(tree)];
-        }
+    for (const TreePlacement& tree : description.trees) {
+        branchTexels += 3 * units[families.indexOf(tree)]; // branch parameters are the largest
+        leafTexels += leaves[families.indexOf(tree)];
+    }
     if (std::max(branchTexels, leafTexels) <= DataTexture::mostTexels)
         return {};
     const bool branches = branchTexels > leafTexels;
@@ -80,6 +81,11 @@ std::string BranchwiseForest::problemOf(const ForestDescription& description) {
 BranchwiseForest::BranchwiseForest() : BranchwiseForest(noTrees()) {}
 
 BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _simulation(std::move(given)) {
+    if (!_simulation || !SimulationParts::branches(*_simulation)) {
+        OSG_WARN << "osgTreeWind: expected a simulation under a law of a branch; no trees are drawn"
+                 << std::endl;
+        _simulation = noTrees();
+    }
     const ForestSimulation& simulation = *_simulation;
 
     for (const Species& species : simulation.description().species)
@@ -147,7 +153,7 @@ void BranchwiseForest::seasonChanged() {
 }
 
 osg::Node* BranchwiseForest::getTree(unsigned index) const {
-    return _trees[index].get();
+    return index < _trees.size() ? _trees[index].get() : nullptr;
 }
 
 osg::ref_ptr<ForestDrawing> BranchwiseForest::again(std::shared_ptr<ForestSimulation> simulation) const {
@@ -178,10 +184,15 @@ void BranchwiseForest::setLeafDrawing(LeafDrawing drawing) {
         tree->setLeafwise(drawing == LEAF_TRANSFORMS);
 }
 
-void BranchwiseForest::setLodRanges(const TreeLodRanges& ranges) {
+Diagnostics BranchwiseForest::setLodRanges(const TreeLodRanges& ranges) {
+    if (!(ranges.full >= 0.0f))
+        return {keyProblem("full", "expected a number at least 0, found " + numberText(ranges.full))};
+    if (!(ranges.leaves >= 0.0f))
+        return {keyProblem("leaves", "expected a number at least 0, found " + numberText(ranges.leaves))};
     _lodRanges = ranges;
     for (const osg::ref_ptr<TreeNode>& tree : _trees)
         tree->getLod()->setRanges(ranges);
+    return {};
 }
 
 void BranchwiseForest::setAngleSource(AngleSource source) {

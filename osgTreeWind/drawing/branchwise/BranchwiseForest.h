@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Export.h>
+#include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/drawing/ForestDrawing.h>
 #include <osgTreeWind/drawing/branchwise/TreeLodRanges.h>
 
@@ -48,12 +49,12 @@ public:
     };
 
     /// Why a forest of the description has no room in textures, which nothing may rescale; empty where it
-    /// has.
+    /// has. @param description for which check() finds nothing.
     static std::string problemOf(const ForestDescription& description);
 
     /// No trees.
     BranchwiseForest();
-    /// @param simulation its trees, as they stand now; under a law of a branch.
+    /// @param simulation its trees, as they stand now; of null or under the law `modal` none, with a warning.
     explicit BranchwiseForest(std::shared_ptr<ForestSimulation> simulation);
     /// A copy of a part of a scene that is moved by a Forest: of the same trees, which the original moves.
     BranchwiseForest(const BranchwiseForest& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
@@ -72,17 +73,19 @@ public:
     void setLeafDrawing(LeafDrawing drawing);
     LeafDrawing getLeafDrawing() const { return _leafDrawing; } ///< As set.
 
-    /// Of all trees. Not during a traversal.
-    void setLodRanges(const TreeLodRanges& ranges);
+    /// Of all trees. Not during a traversal. @return a problem, and nothing is changed, for what is not a
+    /// number from 0 on; else empty.
+    Diagnostics setLodRanges(const TreeLodRanges& ranges);
     const TreeLodRanges& getLodRanges() const { return _lodRanges; } ///< As set.
 
     unsigned getNumTrees() const { return static_cast<unsigned>(_trees.size()); } ///< As many as were given.
-    osg::Node* getTree(unsigned index) const; ///< What draws one, in their order; unchecked.
+    osg::Node* getTree(unsigned index) const; ///< What draws one, in their order; null: none.
 
     osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const override;
     void takeSettings(const ForestDrawing& former) override;
     void update(const osg::FrameStamp& stamp) override;
     void treeChanged(std::size_t) override {} // never: its trees are those it was made with
+    void speciesAdded() override {}           // nor this
     void seasonChanged() override;
     BranchTransform* follow(TreeId tree, unsigned unit) override;
     bool unfollow(TreeId tree, unsigned unit) override;

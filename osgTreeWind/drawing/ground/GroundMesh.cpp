@@ -21,7 +21,7 @@ public:
                 const double x = std::clamp(corner.x + i * spacing, drawn.low.x, drawn.high.x),
                              y = std::clamp(corner.y + j * spacing, drawn.low.y, drawn.high.y);
                 const double z =
-                    drawn.ground->height({x, y}).value_or(std::numeric_limits<double>::quiet_NaN());
+                    heightOf(*drawn.ground, {x, y}).value_or(std::numeric_limits<double>::quiet_NaN());
                 _points.emplace_back(static_cast<float>(x - drawn.origin.x),
                                      static_cast<float>(y - drawn.origin.y),
                                      static_cast<float>(z - drawn.origin.z));

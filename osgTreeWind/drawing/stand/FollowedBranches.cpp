@@ -20,7 +20,7 @@ BranchTransform* FollowedBranches::follow(const ForestSimulation& simulation, Tr
         return nullptr;
     osg::ref_ptr<BranchTransform>& branch = _branches[tree][unit];
     if (!branch) {
-        branch = new BranchTransform(unit, toOsg(placed.scale.axes * units[unit].base));
+        branch = new BranchTransform(unit, osg::Vec3());
         addChild(branch);
         place(simulation, tree);
     }
@@ -41,6 +41,11 @@ bool FollowedBranches::unfollow(TreeId tree, unsigned unit) {
     return true;
 }
 
+void FollowedBranches::treeChanged(const ForestSimulation& simulation, TreeId tree) {
+    if (simulation.holds(tree) && follows(tree))
+        place(simulation, tree);
+}
+
 void FollowedBranches::update(const ForestSimulation& simulation) {
     for (const auto& [tree, branches] : _branches)
         if (simulation.holds(tree))
@@ -50,14 +55,15 @@ void FollowedBranches::update(const ForestSimulation& simulation) {
 void FollowedBranches::place(const ForestSimulation& simulation, TreeId tree) {
     const std::size_t slot = simulation.slotOf(tree);
     const PlacedTree& placed = SimulationParts::trees(simulation)[slot];
-    const std::size_t units = SimulationParts::forest(simulation).unitsOf(placed);
+    const std::vector<BranchUnit>& units = SimulationParts::forest(simulation).modelOf(placed).skeleton.units;
     const osg::Matrix stand = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
                               osg::Matrix::translate(toOsg(placed.position));
     for (const auto& [unit, branch] : _branches[tree]) {
-        if (unit >= units) // it has become a tree of fewer branches
+        if (unit >= units.size()) // it has become a tree of fewer branches
             continue;
         const UnitMotion motion = simulation.unitMotion(slot, unit);
-        branch->setPose(osg::Matrix::rotate(toOsg(motion.pose.rotation)) *
+        branch->setPose(toOsg(placed.scale.axes * units[unit].base),
+                        osg::Matrix::rotate(toOsg(motion.pose.rotation)) *
                             osg::Matrix::translate(toOsg(motion.pose.translation)) * stand,
                         toOsg(motion.rotation));
     }

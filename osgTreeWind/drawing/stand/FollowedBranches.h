@@ -21,7 +21,9 @@ public:
     /// Takes it away. @return false where none is followed.
     bool unfollow(TreeId tree, unsigned unit);
     bool follows(TreeId tree) const { return _branches.count(tree) > 0; }
-    /// Sets them where their branches are now. Those of trees that are gone stay.
+    /// A tree is another one by now: sets those on it where it has their branches.
+    void treeChanged(const ForestSimulation& simulation, TreeId tree);
+    /// Sets all where their branches are now. Those that are gone, with their tree or without, stay.
     void update(const ForestSimulation& simulation);
 
 protected:

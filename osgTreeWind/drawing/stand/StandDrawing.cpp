@@ -3,15 +3,32 @@
 
 #include <osgTreeWind/drawing/stand/FollowedBranches.h>
 #include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+
+#include <osg/Notify>
 
 #include <utility>
 
 namespace osgTreeWind {
 
+namespace {
+
+std::shared_ptr<ForestSimulation> swaying(const std::shared_ptr<ForestSimulation>& given) {
+    if (given && SimulationParts::modal(*given))
+        return given;
+    OSG_WARN << "osgTreeWind: expected a simulation under the law modal; no trees are drawn" << std::endl;
+    return std::make_shared<ForestSimulation>(ForestDescription());
+}
+
+} // namespace
+
 StandDrawing::StandDrawing() : StandDrawing(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
 StandDrawing::StandDrawing(const std::shared_ptr<ForestSimulation>& simulation)
-    : StandDrawing(simulation, StandResources(*simulation)) {}
+    : _simulation(swaying(simulation)), _trees(new TreeStand(_simulation)), _followed(new FollowedBranches) {
+    addChild(_trees);
+    addChild(_followed);
+}
 
 StandDrawing::StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)
     : _simulation(std::move(simulation)), _trees(new TreeStand(_simulation, resources)),
@@ -50,6 +67,8 @@ bool StandDrawing::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geom
 }
 
 osg::ref_ptr<ForestDrawing> StandDrawing::again(std::shared_ptr<ForestSimulation> simulation) const {
+    if (!simulation || SimulationParts::models(*simulation) != SimulationParts::models(*_simulation))
+        return new StandDrawing(simulation);
     return new StandDrawing(std::move(simulation), _trees->resources());
 }
 
@@ -60,8 +79,15 @@ void StandDrawing::update(const osg::FrameStamp& stamp) {
 }
 
 void StandDrawing::treeChanged(std::size_t slot) {
+    if (slot >= _simulation->slotCount())
+        return;
     _trees->treeChanged(slot);
+    _followed->treeChanged(*_simulation, _simulation->idOf(slot));
     dirtyBound(); // which the drawable's box is no part of
+}
+
+void StandDrawing::speciesAdded() {
+    _trees->speciesAdded();
 }
 
 void StandDrawing::seasonChanged() {

@@ -17,7 +17,7 @@ class OSGTREEWIND_EXPORT StandDrawing : public ForestDrawing {
 public:
     /// No trees.
     StandDrawing();
-    /// Draws the trees of a simulation, which it keeps; not null.
+    /// Draws the trees of a simulation, which it keeps. None, and a warning, for null or a law of a branch.
     explicit StandDrawing(const std::shared_ptr<ForestSimulation>& simulation);
     /// Of the same trees, which the original's forest moves; branches that are followed are not copied.
     StandDrawing(const StandDrawing& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
@@ -40,6 +40,7 @@ public:
     void takeSettings(const ForestDrawing&) override {} // they are of species and models that are gone
     void update(const osg::FrameStamp& stamp) override;
     void treeChanged(std::size_t slot) override;
+    void speciesAdded() override;
     void seasonChanged() override;
     BranchTransform* follow(TreeId tree, unsigned unit) override;
     bool unfollow(TreeId tree, unsigned unit) override;

@@ -24,21 +24,28 @@ void want(const ForestSimulation& simulation, std::size_t model, const LeafFall&
 } // namespace
 
 StandResources::StandResources(const ForestSimulation& simulation)
-    : models(SimulationParts::models(simulation).size()), state(new osg::StateSet), fading(new osg::StateSet),
-      programs(new PosePrograms) {
-    for (const Species& species : simulation.description().species)
-        looks.push_back(makeSpeciesLooks(species));
+    : state(new osg::StateSet), fading(new osg::StateSet), programs(new PosePrograms) {
     fading->setDefine("FADING");
     state->addUniform(new osg::Uniform("leanPower", leanPower));
     state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
     state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
     state->addUniform(new osg::Uniform("posePulls", static_cast<int>(PosePass::pullsUnit)));
-    if (models.empty()) // nor threads
+    addSpecies(simulation);
+}
+
+void StandResources::addSpecies(const ForestSimulation& simulation) {
+    const std::vector<Species>& all = simulation.description().species;
+    for (std::size_t i = looks.size(); i < all.size(); ++i)
+        looks.push_back(makeSpeciesLooks(all[i]));
+    const std::size_t first = models.size();
+    models.resize(SimulationParts::models(simulation).size());
+    if (models.size() == first) // nor threads
         return;
-    runJobs(simulation.executor(), models.size(), [&](std::size_t model) {
+    runJobs(simulation.executor(), models.size() - first, [&](std::size_t i) {
+        const std::size_t model = first + i;
         const std::size_t species = SimulationParts::forest(simulation).speciesOfModel(model);
-        models[model] = new ModelResources(*SimulationParts::models(simulation)[model], species,
-                                           simulation.description().species[species].appearance);
+        models[model] =
+            new ModelResources(*SimulationParts::models(simulation)[model], species, all[species].appearance);
     });
     followSeason(simulation);
 }

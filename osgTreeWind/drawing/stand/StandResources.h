@@ -18,6 +18,8 @@ namespace osgTreeWind {
 struct StandResources {
     explicit StandResources(const ForestSimulation& simulation);
 
+    /// Makes what species and models lack that were added. In update.
+    void addSpecies(const ForestSimulation& simulation);
     /// Has leaves the colour of the season, and all impostors that its trees need. In update.
     void followSeason(const ForestSimulation& simulation);
     /// The same for one tree.

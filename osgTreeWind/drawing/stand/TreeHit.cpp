@@ -12,7 +12,10 @@
 
 namespace osgTreeWind {
 
-TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) : _tree(simulation.idOf(slot)) {
+TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) {
+    if (slot >= simulation.slotCount() || !simulation.holds(simulation.idOf(slot)))
+        return;
+    _tree = simulation.idOf(slot);
     const PlacedTree& tree = SimulationParts::trees(simulation)[slot];
     const TreeModel& model = SimulationParts::forest(simulation).modelOf(tree);
     UnitValues values;

@@ -21,7 +21,7 @@ class ForestSimulation;
 class OSGTREEWIND_EXPORT TreeHit : public osg::Drawable {
 public:
     TreeHit() = default;
-    /// The tree in a slot of a simulation that outlives this.
+    /// The tree in a slot of a simulation; of an empty one no tree.
     TreeHit(const ForestSimulation& simulation, std::size_t slot);
     /// A copy for osg::clone.
     TreeHit(const TreeHit& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);

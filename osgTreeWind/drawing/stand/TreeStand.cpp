@@ -28,13 +28,12 @@ TreeStand::TreeStand(const std::shared_ptr<ForestSimulation>& simulation)
 
 TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, StandResources resources)
     : _simulation(std::move(simulation)), _resources(std::move(resources)),
-      _tiers(_simulation->description().drawing), _flutter(_simulation->description().species.size()) {
+      _tiers(_simulation->description().drawing) {
     setName("trees");
     setDataVariance(DYNAMIC); // osgUtil::Optimizer would flatten transforms above it
     setSupportsDisplayList(false);
     setUseVertexBufferObjects(true); // else nobody asks it to compile them
-    for (const auto& model : SimulationParts::models(*_simulation))
-        _passes.push_back(new PosePass(model->skeleton, _resources.programs));
+    addPasses();
     for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
         if (SimulationParts::trees(*_simulation)[tree].alive)
             treeChanged(tree);
@@ -43,6 +42,18 @@ TreeStand::TreeStand(std::shared_ptr<ForestSimulation> simulation, StandResource
 
 TreeStand::TreeStand(const TreeStand& other, const osg::CopyOp&)
     : TreeStand(other._simulation, other._resources) {}
+
+void TreeStand::addPasses() {
+    const auto& models = SimulationParts::models(*_simulation);
+    for (std::size_t model = _passes.size(); model < models.size(); ++model)
+        _passes.push_back(new PosePass(models[model]->skeleton, _resources.programs));
+    _flutter.resize(_simulation->description().species.size());
+}
+
+void TreeStand::speciesAdded() {
+    _resources.addSpecies(*_simulation);
+    addPasses();
+}
 
 void TreeStand::treeChanged(std::size_t tree) {
     const PlacedTree& placed = SimulationParts::trees(*_simulation)[tree];

@@ -41,6 +41,8 @@ public:
 
     /// A tree was added, moved, changed or removed. In update.
     void treeChanged(std::size_t tree);
+    /// A species was added. In update.
+    void speciesAdded();
     /// The forest's season is another one. In update.
     void seasonChanged();
     /// Has a tree followed closely from now on, whoever sees it; or no more. In update.
@@ -73,6 +75,7 @@ protected:
     ~TreeStand() override = default;
 
 private:
+    void addPasses();
     void updateFlutter(double time);
     void follow(std::uint32_t tree);
     void cull(osgUtil::CullVisitor& visitor);

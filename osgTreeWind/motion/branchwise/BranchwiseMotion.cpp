@@ -31,7 +31,7 @@ std::unique_ptr<Motion> BranchwiseMotion::restarted(const PlacedForest& forest) 
 }
 
 Diagnostic BranchwiseMotion::fixed() {
-    return keyProblem("law", "trees come, go and change under the law modal only");
+    return keyProblem("law", "trees and species come, go and change under the law modal only");
 }
 
 void BranchwiseMotion::followSeason() {

@@ -30,6 +30,8 @@ public:
     void reset() override;
     /// State stays.
     void followSeason() override;
+    /// Says that its trees and species are those that it began with.
+    static Diagnostic fixed();
     Result<std::size_t> add(const PlacedTree&) override { return fixed(); }
     Diagnostics remove(std::size_t) override { return {fixed()}; }
     Diagnostics replace(std::size_t, const PlacedTree&) override { return {fixed()}; }
@@ -61,7 +63,6 @@ public:
     const std::vector<Laws::DampedBranch>& dampedBranches() const { return _dampedBranches; }
 
 private:
-    static Diagnostic fixed();
     bool damped() const { return _forest.description().law == MotionLaw::Damped; }
     void addBranches(const PlacedTree& tree);
     void turn(const PlacedTree& tree, double time);

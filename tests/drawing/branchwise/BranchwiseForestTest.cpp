@@ -42,7 +42,7 @@ TEST(BranchwiseForestTest, whatIsRefusedLeavesTheForestEmptyWithOneWarning) {
     osg::ref_ptr<Forest> forest = new Forest(referenceTrees(20000));
     osg::setNotifyHandler(former);
     const std::string said = messages->take();
-    EXPECT_EQ(said.rfind("osgTreeWind: 20000 trees", 0), 0u) << said;
+    EXPECT_EQ(said.rfind("osgTreeWind: the forest is left empty: 20000 trees", 0), 0u) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
     EXPECT_EQ(forest->getNumTrees(), 0u);
 }

@@ -59,10 +59,10 @@ TEST(TreeNodeTest, aBranchFirstAskedForInMidSwayStandsInThePoseOfNow) {
 TEST(TreeNodeTest, aBranchThatIsLetGoLosesWhatHungOnItAndFollowsNoMore) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies(), 20.0f)));
     TreeNode& tree = *BranchwiseParts::tree(*forest->getBranchwise(), 0);
-    BranchTransform* const branch = forest->branch(TreeId(0), 9);
+    BranchTransform* const branch = forest->branch(TreeId(0), 9).value();
     const unsigned own = branch->getNumChildren();
     branch->addChild(new osg::Group);
-    ASSERT_EQ(forest->branch(TreeId(0), 2), tree.getBranch(2)) << "one that carries others stays";
+    ASSERT_EQ(forest->branch(TreeId(0), 2).value(), tree.getBranch(2)) << "one that carries others stays";
     EXPECT_TRUE(forest->unfollow(TreeId(0), 9));
     EXPECT_EQ(branch->getNumChildren(), own);
     EXPECT_FALSE(forest->unfollow(TreeId(0), 9));

@@ -165,6 +165,35 @@ TEST_F(ChangingStandGlTest, cullAllocatesNothingForATree) {
 }
 #endif
 
+TEST_F(ChangingStandGlTest, aSpeciesThatIsAddedLooksAsIfItHadAlwaysBeenThere) {
+    ForestDescription description = squareForest(16, 2.0);
+    description.drawing.full = 20.0f;
+    description.drawing.reduced = 12.0f;
+    description.drawing.impostor = 8.0f;
+    Species red = smallSpecies();
+    red.name = "red";
+    red.tree.wood.childrenPerBranch = 2;
+    red.appearance.leaves = {0.5f, 0.02f, 0.02f};
+    ForestDescription both = description;
+    both.species.push_back(red);
+    for (std::size_t i = 0; i < 16; i += 3)
+        both.trees[i].species = 1;
+    const osg::Vec3 eyes[] = {{16, -12, 4}, {16, -60, 8}};
+    for (const osg::Vec3& eye : eyes) {
+        osg::ref_ptr<Forest> forest = new Forest(description);
+        show(forest, eye, osg::Vec3(16, 10, 2));
+        osg::ref_ptr<osg::Image> before = later(0, 0);
+        const Result<std::size_t> index = forest->addSpecies(red);
+        ASSERT_TRUE(index) << linesOf(index.problems());
+        for (const std::size_t i : {0, 3, 6, 9, 12, 15})
+            ASSERT_TRUE(forest->changeTree(TreeId(i), both.trees[i]).empty());
+        osg::ref_ptr<osg::Image> after = later(1, 1);
+        EXPECT_GT(difference(*before, *after).mean, 0.1);
+        show(new Forest(both), eye, osg::Vec3(16, 10, 2));
+        EXPECT_LT(difference(*after, *later(0, 1)).mean, 0.05);
+    }
+}
+
 TEST_F(ChangingStandGlTest, vertexArrayObjectsShowTheSamePictures) {
     osg::ref_ptr<osg::DisplaySettings> settings = osg::DisplaySettings::instance();
     ForestDescription description = squareForest(16, 2.0);

@@ -15,7 +15,8 @@ ForestDescription doomed(float pixels) {
     description.species[0].wood.anchorage = 0.05f;
     description.trees[0].size.height = 10.0f;
     description.wind = std::make_shared<UniformWind>(glm::vec3(20.0f, 0.0f, 0.0f));
-    description.drawing.full = description.drawing.reduced = 1.5f * pixels;
+    description.drawing.full = 1.6f * pixels;
+    description.drawing.reduced = 1.5f * pixels;
     description.drawing.impostor = pixels;
     description.drawing.blend = 0.0f;
     description.damage = true;

@@ -21,7 +21,8 @@ ForestDescription birches(float impostorBelow, float season) {
         return glm::vec3(time > 2.0 && time < 4.0 ? 30.0f : 0.0f, 0.0f, 0.0f);
     });
     description.season = season;
-    description.drawing.full = description.drawing.reduced = 1.5f * impostorBelow;
+    description.drawing.full = 1.6f * impostorBelow;
+    description.drawing.reduced = 1.5f * impostorBelow;
     description.drawing.impostor = impostorBelow;
     description.drawing.blend = 0.0f;
     description.damage = true;

@@ -150,7 +150,7 @@ TEST_F(TreeStandGlTest, thingsOnBranchesAreWhereTheBranchesAreDrawnInTheSameFram
                 if (static_cast<unsigned>(vertex.unit + 0.5f) == unit)
                     corners->push_back(toOsg(posedSkinPoint(vertex, placed.scale, UnitPose())));
             }
-            followed->branch(simulation.idOf(tree), unit)->addChild(whiteTriangles(corners));
+            followed->branch(simulation.idOf(tree), unit).value()->addChild(whiteTriangles(corners));
         }
     }
     StandParts::trees(*followed->getStand())->setNodeMask(0);

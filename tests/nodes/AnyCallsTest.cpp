@@ -1,0 +1,606 @@
+// SPDX-License-Identifier: MIT
+#include <tests/AnyValues.h>
+#include <tests/EnvironmentVariable.h>
+#include <tests/Folders.h>
+#include <tests/FullTests.h>
+#include <tests/MessageCollector.h>
+#include <tests/nodes/ForestFixtures.h>
+
+#include <osgTreeWind/controls/ForestHandler.h>
+#include <osgTreeWind/drawing/stand/TreeHit.h>
+#include <osgTreeWind/forest/CheckForest.h>
+#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/StandOnGround.h>
+#include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/nodes/TreeUnit.h>
+#include <osgTreeWind/places/FunctionGround.h>
+#include <osgTreeWind/species/SpeciesFields.h>
+#include <osgTreeWind/wind/FunctionWind.h>
+#include <osgTreeWind/wind/StreamedWind.h>
+#include <osgTreeWind/wind/WindDirection.h>
+#include <osgTreeWind/wind/WindFields.h>
+
+#include <osg/ComputeBoundsVisitor>
+#include <osgGA/GUIActionAdapter>
+#include <osgViewer/View>
+
+#include <fstream>
+#include <functional>
+#include <map>
+#include <set>
+
+using namespace osgTreeWind;
+
+namespace {
+
+class NoNumbers : public WindField {
+public:
+    explicit NoNumbers(AnyValues& any) : _velocity(any.vector<float>()) {}
+    glm::vec3 velocity(const WindPlace&, double) const override { return _velocity; }
+
+private:
+    glm::vec3 _velocity;
+};
+
+/// A host that calls whatever there is with whatever it has.
+class AnyCalls {
+public:
+    explicit AnyCalls(unsigned seed) : any(seed), _forest(new Forest(smallForest(3))) {
+        _view->setSceneData(_forest);
+        _view->getCamera()->setViewport(0, 0, 640, 480);
+        _view->setFrameStamp(new osg::FrameStamp);
+    }
+
+    void call() {
+        const auto& all = calls();
+        auto chosen = all.begin();
+        std::advance(chosen, any.below(all.size()));
+        const std::vector<Call>& ofHeader = chosen->second;
+        _header = chosen->first;
+        (this->*ofHeader[any.below(ofHeader.size())])();
+        expectSound();
+    }
+
+    using Call = void (AnyCalls::*)();
+    /// By the public header that declares what they call.
+    static const std::map<std::string, std::vector<Call>>& calls() {
+        using C = AnyCalls;
+        static const std::map<std::string, std::vector<Call>> all = {
+            {"nodes/Forest.h",
+             {&C::describe, &C::create, &C::setWind, &C::setSeason, &C::addSpecies, &C::addTree, &C::addTree,
+              &C::changeTree, &C::changeTree, &C::removeTree, &C::findTree, &C::ask, &C::follow, &C::lend,
+              &C::listen, &C::update, &C::update}},
+            {"nodes/TreeUnit.h", {&C::findUnit}},
+            {"motion/ForestSimulation.h", {&C::simulate, &C::advance}},
+            {"motion/SimulationOptions.h", {&C::simulate}},
+            {"forest/StandOnGround.h", {&C::standOnItsGround}},
+            {"forest/CheckForest.h", {&C::create}},
+            {"places/Ground.h", {&C::askGround}},
+            {"places/FunctionGround.h", {&C::askGround}},
+            {"drawing/BranchTransform.h", {&C::turnBranch}},
+            {"drawing/ForestDrawing.h", {&C::useDrawing}},
+            {"drawing/stand/StandDrawing.h", {&C::useStand}},
+            {"drawing/stand/TreeHit.h", {&C::hit}},
+            {"drawing/branchwise/BranchwiseForest.h", {&C::useBranchwise}},
+            {"drawing/branchwise/TreeLodRanges.h", {&C::useBranchwise}},
+            {"controls/ForestHandler.h", {&C::handle}},
+            {"model/ScannedTree.h", {&C::joinScan}},
+            {"species/Season.h", {&C::setSeason}},
+            {"wind/UniformWind.h", {&C::setUniformWind}},
+            {"wind/FunctionWind.h", {&C::setFunctionWind}},
+            {"wind/GustWind.h", {&C::setGusts}},
+            {"wind/LogProfile.h", {&C::setGusts, &C::setSeries}},
+            {"wind/GridWind.h", {&C::setGrid, &C::setThesisGrid}},
+            {"wind/StreamedWind.h", {&C::stream}},
+            {"wind/TimeSeriesWind.h", {&C::setSeries}},
+            {"wind/RetimedWind.h", {&C::retime}},
+            {"wind/WindDirection.h", {&C::readDirection}},
+            {"wind/WindWithSources.h", {&C::addSources}},
+        };
+        return all;
+    }
+
+    int refused = 0, accepted = 0;
+
+private:
+    void expect(const Diagnostics& problems) {
+        for (const Diagnostic& problem : problems)
+            EXPECT_FALSE(problem.message.empty()) << _header;
+        ++(problems.empty() ? accepted : refused);
+    }
+    template <typename T>
+    bool expect(const Result<T>& result) {
+        expect(result.problems());
+        return result.ok();
+    }
+    /// A call that is refused changes nothing.
+    void expectChange(const Diagnostics& problems, const ForestDescription& before) {
+        expect(problems);
+        if (problems.empty())
+            return;
+        const ForestDescription now = _forest->getSimulation().describe();
+        EXPECT_EQ(now.species.size(), before.species.size()) << linesOf(problems);
+        EXPECT_EQ(now.wind, before.wind) << linesOf(problems);
+        EXPECT_EQ(now.season, before.season) << linesOf(problems);
+        ASSERT_EQ(now.trees.size(), before.trees.size()) << linesOf(problems);
+        for (std::size_t i = 0; i < now.trees.size(); ++i)
+            for (const Field& field : fieldsOf<TreePlacement>())
+                EXPECT_TRUE(sameField(field, &now.trees[i], &before.trees[i])) << linesOf(problems);
+    }
+    void expectSound() {
+        const osg::BoundingSphere& sphere = _forest->getBound();
+        ASSERT_TRUE(!sphere.valid() ||
+                    (std::isfinite(sphere.radius()) && std::isfinite(sphere.center().length())))
+            << _header;
+        osg::ComputeBoundsVisitor bounds;
+        _forest->accept(bounds);
+        const osg::BoundingBox& box = bounds.getBoundingBox();
+        ASSERT_TRUE(!box.valid() || std::isfinite(box.radius())) << _header;
+        if (_simulation)
+            expectFinite(*_simulation);
+        expectFinite(_forest->getSimulation());
+    }
+    void expectFinite(const ForestSimulation& simulation) {
+        if (simulation.slotCount() == 0)
+            return;
+        UnitValues values;
+        for (const UnitPose& pose : simulation.motion(any.below(simulation.slotCount()), values).poses)
+            for (int i = 0; i < 3; ++i)
+                ASSERT_TRUE(std::isfinite(pose.apply(glm::vec3(1.0f))[i])) << _header;
+    }
+
+    TreeId tree() {
+        const std::vector<TreeId> trees = _forest->getTrees();
+        return trees.empty() || any.oneIn(4) ? TreeId(any.oneIn(2) ? any.below(5) : ~any.below(5))
+                                             : trees[any.below(trees.size())];
+    }
+    unsigned unit() { return any.oneIn(3) ? any.count() : static_cast<unsigned>(any.below(16)); }
+    TreePlacement placement() {
+        TreePlacement place = smallForest(4).trees[any.below(4)];
+        const std::size_t species = _forest->getDescription().species.size();
+        place.species = any.oneIn(6) ? any.count() : any.below(std::max<std::size_t>(1, species));
+        if (any.oneIn(3))
+            place.position[static_cast<int>(any.below(3))] = any.number<double>();
+        if (any.oneIn(2))
+            any.spoil(place);
+        return place;
+    }
+    Species species() {
+        Species kind = smallSpecies();
+        kind.name = any.oneIn(5) ? any.text() : "kind " + std::to_string(_kinds++);
+        const auto maybe = [&](auto& part) {
+            if (any.oneIn(6))
+                any.spoil(part);
+        };
+        maybe(kind);
+        maybe(kind.tree.wood);
+        maybe(kind.tree.leaves);
+        if (any.oneIn(4)) {
+            GrownTreeParameters& grown = kind.tree.grown.emplace();
+            grown.boughs.count = 4;
+            grown.branches.count = grown.twigs.count = 1;
+            maybe(grown);
+        }
+        if (any.oneIn(6))
+            kind.tree.scans = scans();
+        return kind;
+    }
+    std::shared_ptr<const std::vector<ScannedTree>> scans() {
+        std::vector<ScannedTree> all(any.below(3));
+        for (ScannedTree& scan : all)
+            if (Result<ScannedTree> joined = makeScannedTree({{{0, 0, 0}, {0, 0, 5}, 0.1, -1, 0}});
+                joined && any.oneIn(2)) {
+                scan = joined.value();
+                BranchUnit& trunk = scan.skeleton.units.front();
+                if (any.oneIn(2))
+                    trunk.parent = any.whole();
+                if (any.oneIn(2))
+                    trunk.tip[static_cast<int>(any.below(3))] = any.number<float>();
+                if (any.oneIn(2))
+                    scan.skeleton.ringsPerBranch = any.whole();
+            }
+        return std::make_shared<const std::vector<ScannedTree>>(std::move(all));
+    }
+    ForestTiles tiles() {
+        ForestTiles some;
+        some.size = any.oneIn(2) ? 100.0 : any.number<double>();
+        some.range = any.oneIn(2) ? 100.0 : any.number<double>();
+        some.corner.x = any.oneIn(2) ? 0.0 : any.number<double>();
+        some.columns = any.oneIn(2) ? 1 : any.count();
+        some.tiles.resize(any.below(4));
+        for (ForestTiles::Tile& tile : some.tiles)
+            tile.high = any.oneIn(2) ? 10.0f : any.number<float>();
+        return some;
+    }
+    GroundPtr ground() {
+        if (any.oneIn(4))
+            return std::make_shared<FunctionGround>(nullptr);
+        GroundArea area;
+        area.cell = any.oneIn(2) ? 10.0 : any.number<double>();
+        area.low.x = any.oneIn(2) ? -100.0 : any.number<double>();
+        area.high = {any.oneIn(2) ? 100.0 : any.number<double>(), 100.0};
+        const double height = any.number<double>();
+        return std::make_shared<FunctionGround>([height](double, double) { return height; }, area);
+    }
+    ForestDescription description() {
+        ForestDescription forest = smallForest(static_cast<int>(any.below(4)));
+        if (any.oneIn(3))
+            forest.species = {species()};
+        if (any.oneIn(8))
+            forest.species.clear();
+        if (any.oneIn(3) && !forest.trees.empty())
+            forest.trees.back() = placement();
+        if (any.oneIn(4))
+            forest.origin = any.vector<double>();
+        if (any.oneIn(3))
+            any.spoil(forest);
+        if (any.oneIn(4))
+            any.spoil(forest.drawing);
+        if (any.oneIn(4))
+            any.spoil(forest.windCanopy);
+        if (any.oneIn(6))
+            forest.noiseExponent = any.number<float>();
+        if (any.oneIn(6))
+            forest.season = any.number<float>();
+        if (any.oneIn(8))
+            forest.windFrame = static_cast<WindFrame>(any.whole());
+        if (any.oneIn(8))
+            forest.tiles = tiles();
+        if (any.oneIn(4))
+            forest.ground = ground();
+        return forest;
+    }
+
+    // Forest
+    void describe() {
+        const ForestDescription before = _forest->getSimulation().describe();
+        expectChange(_forest->setDescription(description()), before);
+    }
+    void create() {
+        const ForestDescription given = description();
+        if (const Result<osg::ref_ptr<Forest>> made = Forest::create(given); expect(made)) {
+            EXPECT_TRUE(check(given).empty());
+            _forest = made.value();
+            _view->setSceneData(_forest);
+        }
+        osg::ref_ptr<Forest> built = new Forest(given);
+        EXPECT_LE(built->getNumTrees(), given.trees.size());
+    }
+    void setWind() {
+        const ForestDescription before = _forest->getSimulation().describe();
+        const WindFieldPtr wind = any.oneIn(3) ? nullptr : std::make_shared<NoNumbers>(any);
+        expectChange(
+            _forest->setWind(wind, static_cast<WindFrame>(any.oneIn(2) ? any.whole() : int(any.below(3)))),
+            before);
+    }
+    void setSeason() {
+        const ForestDescription before = _forest->getSimulation().describe();
+        expectChange(_forest->setSeason(any.number<float>()), before);
+        EXPECT_TRUE(std::isfinite(withinYear(any.number<float>())));
+        EXPECT_TRUE(std::isfinite(leafShare(Appearance(), any.number<float>())));
+    }
+    void addSpecies() {
+        const ForestDescription before = _forest->getSimulation().describe();
+        expectChange(_forest->addSpecies(species()).problems(), before);
+    }
+    void addTree() {
+        const ForestDescription before = _forest->getSimulation().describe();
+        expectChange(_forest->addTree(placement()).problems(), before);
+    }
+    void changeTree() {
+        const ForestDescription before = _forest->getSimulation().describe();
+        expectChange(_forest->changeTree(tree(), placement()), before);
+    }
+    void removeTree() {
+        const ForestDescription before = _forest->getSimulation().describe();
+        expectChange(_forest->removeTree(tree()), before);
+    }
+    void findTree() { EXPECT_EQ(_forest->findTree(any.text() + "?"), noTree); }
+    void ask() {
+        _forest->getPlacement(tree());
+        _forest->getUnits(tree());
+        EXPECT_FALSE(_forest->isOwnChild(nullptr));
+    }
+    void follow() {
+        const TreeId id = tree();
+        const unsigned at = unit();
+        if (const Result<BranchTransform*> branch = _forest->branch(id, at); expect(branch))
+            branch.value()->addChild(new osg::Group);
+        if (any.oneIn(2))
+            _forest->unfollow(any.oneIn(2) ? id : tree(), any.oneIn(2) ? at : unit());
+    }
+    void lend() { _forest->setExecutor(any.oneIn(2) ? Executor() : Executor(runInTurn)); }
+    void listen() {
+        if (any.oneIn(2))
+            _forest->setDamageCallback(nullptr);
+        else
+            _forest->setDamageCallback(
+                [this](const TreeDamage& damage) { _forest->removeTree(damage.tree); });
+    }
+    double nextTime() { return ++_frame / 25.0; }
+    void update() {
+        const double time = nextTime();
+        ::update(*_forest, _frame, any.oneIn(4) ? any.number<double>() : time);
+    }
+    void findUnit() {
+        std::vector<TreeUnit> units(any.below(3));
+        for (TreeUnit& each : units)
+            each.tip.x() = any.number<float>();
+        EXPECT_EQ(nearestUnit(units, osg::Vec3(any.number<float>(), 0.0f, 0.0f)).has_value(), !units.empty());
+    }
+
+    // Simulation and ground
+    void simulate() {
+        SimulationOptions options;
+        options.leaves = any.oneIn(2);
+        options.distant = any.oneIn(2);
+        _simulation = std::make_unique<ForestSimulation>(description(), options);
+    }
+    void advance() {
+        if (!_simulation)
+            return;
+        _simulation->advance(any.oneIn(2) ? any.number<double>() : nextTime());
+        _simulation->runUp({TreeId(0), noTree, tree()});
+        expect(_simulation->setSeason(any.number<float>()));
+        expect(_simulation->addSpecies(species()));
+        expect(_simulation->addTree(placement()));
+        expect(_simulation->changeTree(tree(), placement()));
+        expect(_simulation->removeTree(tree()));
+        _simulation->setWind(any.oneIn(2) ? nullptr : std::make_shared<NoNumbers>(any));
+        _simulation->setExecutor(nullptr);
+        _simulation->motion(any.count());
+        if (any.oneIn(3))
+            _simulation->reset();
+    }
+    void standOnItsGround() {
+        ForestDescription forest = description();
+        expect(standOnGround(forest, {any.below(3), any.count()}));
+    }
+    void askGround() {
+        const GroundPtr asked = ground();
+        const std::optional<double> foot =
+            footHeight(*asked, {any.number<double>(), any.number<double>()}, any.number<double>());
+        EXPECT_TRUE(!foot || std::isfinite(*foot));
+    }
+
+    void joinScan() {
+        ScanCylinders cylinders = {{{0, 0, 0}, {0, 0, 3}, 0.1, -1, 0}, {{0, 0, 3}, {1, 0, 5}, 0.05, 0, 0}};
+        ScanCylinder& one = cylinders[any.below(2)];
+        (any.oneIn(2) ? one.start : one.end)[static_cast<int>(any.below(3))] = any.number<double>();
+        if (any.oneIn(2))
+            one.parent = any.whole();
+        if (any.oneIn(2))
+            one.radius = any.number<double>();
+        if (any.oneIn(4))
+            cylinders.clear();
+        expect(makeScannedTree(cylinders, {any.whole(), any.count(), any.number<double>()}));
+    }
+
+    // Drawing
+    void turnBranch() {
+        if (const Result<BranchTransform*> branch = _forest->branch(tree(), unit()))
+            branch.value()->setRotation(
+                osg::Quat(any.number<double>(), any.number<double>(), any.number<double>(), 1.0));
+        osg::ref_ptr<BranchTransform> own =
+            new BranchTransform(any.count(), osg::Vec3(any.number<float>(), any.number<float>(), 1.0f));
+        own->setRotation(osg::Quat(any.number<double>(), osg::X_AXIS));
+        EXPECT_FALSE(own->getMatrix().isNaN());
+    }
+    void useDrawing() {
+        ForestDrawing* drawing = _forest->getStand();
+        if (!drawing)
+            drawing = _forest->getBranchwise();
+        drawing->treeChanged(any.oneIn(2) ? any.below(5) : any.count());
+        drawing->unfollow(tree(), unit());
+        EXPECT_TRUE(drawing->again(nullptr));
+        const auto other = std::make_shared<ForestSimulation>(description());
+        EXPECT_TRUE(drawing->again(other));
+        drawing->takeSettings(*osg::ref_ptr<ForestDrawing>(drawing->again(other)));
+    }
+    void useStand() {
+        osg::ref_ptr<StandDrawing> own = new StandDrawing(std::shared_ptr<ForestSimulation>());
+        StandDrawing* stand = _forest->getStand() ? _forest->getStand() : own.get();
+        stand->setBarkState(any.count(), any.oneIn(2) ? nullptr : new osg::StateSet);
+        stand->setLeafState(any.below(2), any.oneIn(2) ? nullptr : new osg::StateSet);
+        stand->setGeometry(any.oneIn(2) ? any.below(3) : any.count(),
+                           any.oneIn(2) ? nullptr : new osg::Geometry, nullptr);
+    }
+    void hit() {
+        const osg::ref_ptr<TreeHit> met =
+            new TreeHit(_forest->getSimulation(), any.oneIn(2) ? any.below(5) : any.count());
+        met->getUnit(any.count());
+        met->isLeaf(any.count());
+    }
+    void useBranchwise() {
+        osg::ref_ptr<BranchwiseForest> own = new BranchwiseForest(std::shared_ptr<ForestSimulation>());
+        BranchwiseForest* trees = _forest->getBranchwise() ? _forest->getBranchwise() : own.get();
+        expect(trees->setLodRanges({any.number<float>(), any.number<float>()}));
+        trees->setAngleSource(any.oneIn(2) ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
+        trees->setBranchDrawing(any.oneIn(2) ? BranchwiseForest::TREE_DRAWING
+                                             : BranchwiseForest::BRANCH_DRAWING);
+        trees->setLeafDrawing(any.oneIn(2) ? BranchwiseForest::TREE_LEAVES
+                                           : BranchwiseForest::LEAF_TRANSFORMS);
+        trees->getTree(any.count());
+    }
+    void handle() {
+        osg::ref_ptr<ForestHandler> handler = new ForestHandler(any.oneIn(4) ? nullptr : _forest.get());
+        handler->simulationTime(any.number<double>());
+        EXPECT_TRUE(std::isfinite(handler->simulationTime(any.number<double>())));
+        for (int i = 0; i < 5; ++i) {
+            osg::ref_ptr<osgGA::GUIEventAdapter> event = new osgGA::GUIEventAdapter;
+            const osgGA::GUIEventAdapter::EventType types[] = {
+                osgGA::GUIEventAdapter::KEYDOWN, osgGA::GUIEventAdapter::FRAME, osgGA::GUIEventAdapter::PUSH,
+                osgGA::GUIEventAdapter::RELEASE};
+            event->setEventType(types[any.below(4)]);
+            event->setKey(any.oneIn(4) ? any.whole() : static_cast<int>(any.below(128)));
+            event->setButton(osgGA::GUIEventAdapter::LEFT_MOUSE_BUTTON);
+            event->setTime(any.number<double>());
+            event->setX(any.number<float>());
+            event->setY(any.number<float>());
+            handler->handle(*event, *_view);
+        }
+        _forest->removeChildren(1, 0);
+    }
+
+    // Winds
+    void blow(const WindFieldPtr& wind) {
+        ASSERT_TRUE(wind) << _header;
+        for (int i = 0; i < 3; ++i) {
+            const float x = i == 0 ? 1.0f : 1000.0f;
+            const glm::vec3 v = wind->velocity(WindPlace(x, 2.0f, 10.0f), i == 2 ? 1e9 : 0.5);
+            ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) << _header;
+        }
+        wind->velocity(WindPlace(any.vector<float>(), any.number<float>()), any.number<double>());
+        expect(_forest->setWind(wind));
+        const double time = nextTime();
+        ::update(*_forest, _frame, time);
+    }
+    void setUniformWind() { blow(std::make_shared<UniformWind>(any.vector<float>())); }
+    void setFunctionWind() {
+        const glm::vec3 v = any.vector<float>();
+        blow(any.oneIn(4) ? std::make_shared<FunctionWind>(nullptr)
+                          : std::make_shared<FunctionWind>([v](const glm::vec3&, double) { return v; }));
+    }
+    LogProfile profile() {
+        return {any.oneIn(2) ? 10.0 : any.number<double>(), any.oneIn(2) ? 0.1 : any.number<double>()};
+    }
+    void setGusts() {
+        GustWind::Parameters parameters;
+        any.spoil(parameters);
+        if (any.oneIn(3))
+            parameters.mean[static_cast<int>(any.below(3))] = any.number<float>();
+        if (any.oneIn(3))
+            parameters.profile = profile();
+        if (const auto wind = GustWind::create(parameters); expect(wind))
+            blow(wind.value());
+    }
+    GridWind::Grid grid() {
+        GridWind::Grid all;
+        all.points = {2, 2, 1};
+        all.values.assign(12, 1.0f);
+        if (any.oneIn(3))
+            any.spoil(all);
+        if (any.oneIn(3))
+            all.heights = {any.number<float>()};
+        return all;
+    }
+    void setGrid() {
+        if (const auto wind = GridWind::create(grid()); expect(wind))
+            blow(wind.value());
+    }
+    void setThesisGrid() {
+        std::vector<float> values(12, 1.0f);
+        if (any.oneIn(2))
+            values[any.below(12)] = any.number<float>();
+        const auto wind = GridWind::fromForestWind(any.oneIn(2) ? 2 : any.whole(),
+                                                   any.oneIn(2) ? 2 : any.whole(), std::move(values),
+                                                   any.oneIn(2) ? glm::dvec3(0.0) : any.vector<double>());
+        if (expect(wind))
+            blow(wind.value());
+    }
+    void stream() {
+        const auto wind = StreamedWind::create(grid());
+        if (!expect(wind))
+            return;
+        for (int i = 0; i < 3; ++i) {
+            std::vector<float> values(any.oneIn(2) ? 12 : any.below(100000), 1.0f);
+            StreamedWind::Update update{values};
+            if (any.oneIn(4))
+                update.velocities = {nullptr, any.below(20)};
+            if (any.oneIn(2))
+                update.origin = any.vector<double>();
+            if (any.oneIn(2))
+                update.time = any.number<double>();
+            expect(wind.value()->update(update));
+        }
+        blow(wind.value());
+    }
+    void setSeries() {
+        WindSeries series;
+        series.times = {0.0, 1.0};
+        series.velocities.assign(2, glm::vec3(1.0f));
+        if (any.oneIn(2))
+            any.spoil(series);
+        if (any.oneIn(3))
+            series.profile = profile();
+        if (const auto wind = TimeSeriesWind::create(series); expect(wind))
+            blow(wind.value());
+    }
+    void retime() {
+        RetimedWind::Clock clock{any.number<double>(), any.number<double>(), any.number<double>(),
+                                 any.number<double>()};
+        const WindFieldPtr inner = any.oneIn(3) ? nullptr : _forest->getWind();
+        if (!std::dynamic_pointer_cast<const NoNumbers>(inner))
+            blow(std::make_shared<RetimedWind>(inner, clock));
+    }
+    void readDirection() {
+        const glm::vec3 velocity =
+            windVelocity({any.number<double>(), any.number<double>()}, DirectionSense::From);
+        windReading(velocity, DirectionSense::Toward);
+    }
+    void addSources() {
+        std::vector<WindSource> sources(any.below(4));
+        for (WindSource& source : sources) {
+            source.kind = static_cast<WindSource::Kind>(any.below(6));
+            any.spoil(source);
+        }
+        blow(std::make_shared<WindWithSources>(nullptr, sources));
+    }
+
+    AnyValues any;
+    osg::ref_ptr<Forest> _forest;
+    osg::ref_ptr<osgViewer::View> _view = new osgViewer::View;
+    std::unique_ptr<ForestSimulation> _simulation;
+    std::string _header;
+    unsigned _frame = 0;
+    int _kinds = 0;
+};
+
+std::set<std::string> publicHeaders() {
+    std::ifstream list(OSGTREEWIND_SOURCE_DIR "/cmake/PublicHeaders.cmake");
+    std::set<std::string> headers;
+    for (std::string line; std::getline(list, line);)
+        if (const std::size_t at = line.find("osgTreeWind/"); at != std::string::npos)
+            headers.insert(line.substr(at + 12, line.find(".h") + 2 - at - 12));
+    return headers;
+}
+
+} // namespace
+
+TEST(AnyCallsTest, nonsenseIsRefusedWithAReasonAndNothingBreaks) {
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "300M");
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    const osg::ref_ptr<osg::NotifyHandler> former = osg::getNotifyHandler();
+    osg::setNotifyHandler(messages);
+    testing::internal::CaptureStderr();
+    AnyCalls host(41);
+    for (int i = 0; i < casesToRun(10000, 500) && !testing::Test::HasFailure(); ++i) {
+        SCOPED_TRACE(i);
+        host.call();
+    }
+    testing::internal::GetCapturedStderr();
+    osg::setNotifyHandler(former);
+    EXPECT_GT(host.refused, host.accepted / 10);
+    EXPECT_GT(host.accepted, host.refused / 10);
+}
+
+/// A header of which nothing is called here has to say why.
+TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
+    std::set<std::string> known = {
+        // Values, checked where they are handed over.
+        "base/Result.h", "base/Span.h", "base/Executor.h", "forest/DrawingOptions.h",
+        "forest/ForestDescription.h", "forest/ForestTiles.h", "forest/TreeId.h",
+        "model/GrownTreeParameters.h", "model/Skeleton.h", "model/TreeParameters.h", "model/TreeSize.h",
+        "motion/damage/TreeDamage.h", "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h",
+        "wind/WindCanopy.h", "wind/WindField.h", "windfiles/WindSeriesColumns.h",
+        // Macros.
+        "base/Export.h", "base/Version.h",
+        // They read and write files: tests/io, tests/windfiles and tests/fuzz damage those.
+        "io/ForestFile.h", "io/ForestStream.h", "io/SpeciesCatalogue.h", "io/TiledForest.h",
+        "windfiles/WindFile.h",
+        // They need a context or a viewer: tests/offscreen, ForestStatisticsGlTest.
+        "offscreen/FrameImage.h", "offscreen/OffscreenContext.h", "controls/StatisticsLines.h"};
+    for (const auto& [header, calls] : AnyCalls::calls())
+        known.insert(header);
+    EXPECT_EQ(known, publicHeaders());
+}
