@@ -67,7 +67,7 @@ public:
           _leaves(leafPieces(thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::full()), model.leafMesh,
                              _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
-          _twigColor(appearance.twigs()), _stencils(LeafStencils::ofAtlas(*leafImage(appearance))),
+          _twigColor(appearance.twigs()), _stencils(LeafStencils::ofAtlas(leafImage(appearance))),
           _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
         for (const LeafPiece& leaf : _leaves)
             _lobes.emplace_back(leaf.light, leaf.normal, true);
@@ -91,7 +91,7 @@ public:
 
 private:
     const LeafStencils& stencilsOf(const LeafPiece& piece) const {
-        return _stencils[piece.stencils];
+        return (*_stencils)[piece.stencils];
     }
 
     float elevation(int row) const {
@@ -231,7 +231,7 @@ private:
     std::vector<LightLobe> _lobes; ///< Of the leaves.
     std::vector<BarkPiece> _bark;
     glm::vec3 _barkColor, _twigColor;
-    std::vector<LeafStencils> _stencils; ///< By variant.
+    LeafStencils::Atlas _stencils;
     TreeRaster::Stencil _solid;
     TreeRaster _raster;
     std::vector<Front> _fronts;

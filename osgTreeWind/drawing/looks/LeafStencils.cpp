@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 
+#include <osgTreeWind/base/SharedValues.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
 #include <glm/common.hpp>
@@ -60,13 +61,16 @@ std::size_t LeafStencils::levelOf(float share) const {
     return static_cast<std::size_t>(level > 0.0f ? std::min(level, last) : 0.0f);
 }
 
-std::vector<LeafStencils> LeafStencils::ofAtlas(const osg::Image& texture) {
-    std::vector<LeafStencils> stencils;
-    for (int i = 0; i < LeafAtlas::sprays; ++i)
-        stencils.emplace_back(texture, LeafAtlas::spray(i));
-    for (const auto& [growth, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
-        stencils.emplace_back(texture, LeafAtlas::bough(growth, variant));
-    return stencils;
+LeafStencils::Atlas LeafStencils::ofAtlas(const osg::Image* texture) {
+    static SharedConstants<osg::ref_ptr<const osg::Image>, std::vector<LeafStencils>> all;
+    return all.get(texture, [&] {
+        auto stencils = std::make_shared<std::vector<LeafStencils>>();
+        for (int i = 0; i < LeafAtlas::sprays; ++i)
+            stencils->emplace_back(*texture, LeafAtlas::spray(i));
+        for (const auto& [growth, variant] : {std::pair(2, 0), {2, 1}, {3, 0}, {4, 0}})
+            stencils->emplace_back(*texture, LeafAtlas::bough(growth, variant));
+        return stencils;
+    });
 }
 
 std::size_t LeafStencils::indexOf(int bough, int variant) {

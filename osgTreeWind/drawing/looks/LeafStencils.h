@@ -6,6 +6,7 @@
 
 #include <osg/Image>
 
+#include <memory>
 #include <vector>
 
 namespace osgTreeWind {
@@ -21,8 +22,9 @@ public:
 
     /// @param texture as of makeLeafAtlas(). @param cell of it.
     LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& cell);
-    /// Of all sprays and boughs of a texture.
-    static std::vector<LeafStencils> ofAtlas(const osg::Image& texture);
+    /// Of all sprays and boughs of a texture; the same ones for all who hold them. Any thread.
+    using Atlas = std::shared_ptr<const std::vector<LeafStencils>>;
+    static Atlas ofAtlas(const osg::Image* texture);
     /// Among them. @param bough as of TreeDetail. @param variant of LeafAtlas::choose().
     static std::size_t indexOf(int bough, int variant);
 

@@ -18,7 +18,7 @@ namespace osgTreeWind {
 ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
     const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(appearance.leafForm));
     const PoseLayout layout(model.skeleton.units.size());
-    const std::vector<LeafStencils> stencils = LeafStencils::ofAtlas(*leafImage(appearance));
+    stencils = LeafStencils::ofAtlas(leafImage(appearance));
     float inFull = 0.0f; // light on its leaves
     for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
@@ -32,7 +32,7 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
             leaves[tier] =
                 LeafOrders::make(*makeLeafGeometry(thinned, model.leafMesh, crown), thinned, model.leafMesh);
             const float seen = seenLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
-                                             stencils, appearance, model.skeleton.height());
+                                             *stencils, appearance, model.skeleton.height());
             inFull = whole ? seen : inFull;
             brightness = seen > 0.0f ? inFull / seen : 1.0f;
         }

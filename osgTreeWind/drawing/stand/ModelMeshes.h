@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/drawing/stand/LeafOrders.h>
 #include <osgTreeWind/drawing/stand/TreeTiers.h>
 #include <osgTreeWind/model/TreeModel.h>
@@ -18,6 +19,7 @@ struct ModelMeshes : osg::Referenced {
     osg::ref_ptr<osg::Geometry> bark[branchTiers];
     LeafOrders::Geometries leaves[branchTiers];      ///< Null in a tree without leaves.
     osg::ref_ptr<osg::StateSet> states[branchTiers]; ///< Where shaders find poses, and how bright leaves are.
+    LeafStencils::Atlas stencils;                    ///< Held for the next one, and for pictures.
 };
 
 /// The meshes of a model: the same ones for all in the process who hold them, where the model is shared
