@@ -145,6 +145,40 @@ TEST_F(TreeTiersGlTest, aWoodIsAsDenseInPicturesOfAnySize) {
     }
 }
 
+TEST_F(TreeTiersGlTest, aTreeIsAsBrightInEveryTier) {
+    // Mean luma of what is seen of a tree from three sides.
+    const auto brightness = [&](const Species& species, double pixels, bool tiers) {
+        ForestDescription forest;
+        forest.species = {species};
+        forest.species.front().shapes = 1;
+        forest.trees.resize(1);
+        forest.trees.front().size.height = 15.0f;
+        forest.drawing.tiers = tiers;
+        show(forest, 2);
+        viewer().setLightingMode(osg::View::SKY_LIGHT);
+        viewer().getLight()->setPosition(osg::Vec4(0.5f, -0.5f, 0.7f, 0.0f));
+        viewer().getLight()->setAmbient(osg::Vec4(0.3f, 0.3f, 0.35f, 1.0f));
+        const double distance = 0.5 * 2 * height * 15.0 / (pixels * std::tan(osg::DegreesToRadians(20.0)));
+        double sum = 0.0, count = 0.0;
+        for (const double azimuth : {0.3, 2.4, 4.5}) {
+            const Picture picture = pictureFrom(
+                {distance * std::cos(azimuth), distance * std::sin(azimuth), 7.5}, {0, 0, 7.5}, 0.0);
+            for (std::size_t i = 0; i < picture.size(); i += 4)
+                if (picture[i] || picture[i + 1] || picture[i + 2]) {
+                    sum += 0.2126 * picture[i] + 0.7152 * picture[i + 1] + 0.0722 * picture[i + 2];
+                    ++count;
+                }
+        }
+        return sum / count;
+    };
+    for (const char* name : {"oak", "Norway spruce", "Norway maple", "Douglas fir"})
+        for (const double pixels : {600.0, 400.0, 300.0, 150.0, 70.0}) {
+            const Species species = *findSpecies(name);
+            EXPECT_NEAR(brightness(species, pixels, true), brightness(species, pixels, false), 2.0)
+                << name << ' ' << pixels;
+        }
+}
+
 TEST_F(TreeTiersGlTest, theyHaveColoursOnDemand) {
     show(wood(40, true));
     for (int i = 0; i < 3; ++i) // what is seen is followed from the next frame on
