@@ -33,7 +33,8 @@ public:
 
 } // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined: GCC would take new and free() for mismatched.
+[[gnu::noinline]] void* operator new(std::size_t size) {
     if (allocationsLeft >= 0 && allocationsLeft-- == 0)
         throw std::bad_alloc();
     if (void* memory = std::malloc(size > 0 ? size : 1))
@@ -41,11 +42,11 @@ void* operator new(std::size_t size) {
     throw std::bad_alloc();
 }
 
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
