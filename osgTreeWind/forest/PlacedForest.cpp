@@ -102,7 +102,7 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
 
 ForestDescription PlacedForest::describe() const {
     ForestDescription now = description();
-    now.season = withinYear(_season);
+    now.season = _season;
     now.source.clear();
     if (now.tiles)
         now.tiles->removed = _struck;
@@ -119,10 +119,10 @@ ForestDescription PlacedForest::describe() const {
 }
 
 void PlacedForest::setSeason(float season) {
-    _season = season;
+    _season = withinYear(season);
     _seasonLeaves.clear();
     for (const Species& species : description().species)
-        _seasonLeaves.push_back(leafShare(species.appearance, season));
+        _seasonLeaves.push_back(leafShare(species.appearance, _season));
     for (PlacedTree& tree : trees)
         tree.leaves = tree.summerLeaves * _seasonLeaves[tree.species];
 }

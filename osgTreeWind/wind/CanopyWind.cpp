@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/CanopyWind.h>
 
-#include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/HeldTime.h>
 #include <osgTreeWind/wind/SwingingWind.h>
 
@@ -17,13 +16,21 @@
 
 namespace osgTreeWind {
 
-/// What of a wind is level: toward east in a calm.
+namespace {
+
+constexpr float fastestAbove = 1e4f; // m/s
+
+} // namespace
+
+/// What of a wind is level: toward east in a calm, as which it counts where it is no number or too fast.
 struct CanopyWind::LevelWind {
     float speed = 0.0f;
     glm::vec3 along{1.0f, 0.0f, 0.0f};
 
     LevelWind() = default;
     explicit LevelWind(const glm::vec3& wind) : speed(std::sqrt(wind.x * wind.x + wind.y * wind.y)) {
+        if (!(speed <= fastestAbove))
+            speed = 0.0f;
         if (speed > 1e-6f)
             along = glm::vec3(wind.x / speed, wind.y / speed, 0.0f);
     }
@@ -64,9 +71,12 @@ WindFieldPtr meanOf(const WindFieldPtr& wind) {
 glm::vec3 usualWind(const WindField& wind, float reference) {
     constexpr int samples = 60;
     glm::vec3 sum(0.0f);
-    for (int i = 0; i < samples; ++i)
-        sum += calmUnlessFinite(wind.velocity(WindPlace(0.0f, 0.0f, reference), 60.0 * i));
-    return glm::vec3(sum.x, sum.y, 0.0f) / static_cast<float>(samples);
+    for (int i = 0; i < samples; ++i) {
+        const glm::vec3 velocity = wind.velocity(WindPlace(0.0f, 0.0f, reference), 60.0 * i);
+        if (glm::length(glm::vec2(velocity)) <= fastestAbove)
+            sum += glm::vec3(velocity.x, velocity.y, 0.0f);
+    }
+    return sum / static_cast<float>(samples);
 }
 
 /// Across the wind and upward gusts are shorter.

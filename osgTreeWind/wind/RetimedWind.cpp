@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/RetimedWind.h>
 
-#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindFields.h>
 
 #include <cmath>
 #include <utility>
@@ -11,17 +9,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-constexpr double slowest = 1e-6; // m/s
-
-/// What is out of range is held within it, as in WindFields.h; a speed of no number or of 0 is none.
-RetimedWind::Clock held(const RetimedWind::Clock& given) {
-    RetimedWind::Clock clock = clampedFields(given);
-    clock.plane = clampOr(given.plane, worldCoordinates.min, worldCoordinates.max, 0.0);
-    if (!(std::abs(given.speed) >= slowest))
-        clock.speed = RetimedWind::Clock().speed;
-    return clock;
-}
 
 /// One clock for two: what `inner` shows at the time that `outer` shows.
 RetimedWind::Clock composed(const RetimedWind::Clock& outer, const RetimedWind::Clock& inner) {
@@ -41,10 +28,10 @@ RetimedWind::Clock composed(const RetimedWind::Clock& outer, const RetimedWind::
 } // namespace
 
 RetimedWind::RetimedWind(WindFieldPtr inner, const Clock& clock)
-    : _inner(inner ? std::move(inner) : std::make_shared<UniformWind>(glm::vec3(0.0f))), _clock(held(clock)) {
+    : _inner(inner ? std::move(inner) : std::make_shared<UniformWind>(glm::vec3(0.0f))), _clock(clock) {
     if (const auto retimed = std::dynamic_pointer_cast<const RetimedWind>(_inner)) {
         _inner = retimed->_inner;
-        _clock = composed(_clock, retimed->_clock);
+        _clock = composed(clock, retimed->_clock);
     }
 }
 

@@ -14,9 +14,9 @@ class OSGTREEWIND_EXPORT RetimedWind final : public WindField {
 public:
     /// Which time of the inner wind it is, and where.
     struct Clock {
-        double start = 0.0; ///< Seconds of the inner wind's time shown at time 0, [-1e12, 1e12].
+        double start = 0.0; ///< Seconds of the inner wind's time shown at time 0.
         /// Seconds of the inner wind per second: with 60 an hour of record passes in a minute; 0 freezes it,
-        /// a negative one runs it backwards. [-1e6, 1e6]
+        /// a negative one runs it backwards.
         double scale = 1.0;
         /// A wind known over time at the plane x = `plane` is carried past it unchanged (Taylor's frozen
         /// turbulence) at `speed` m/s toward +x, not 0; infinite: all places have the same time.
@@ -24,7 +24,7 @@ public:
         double speed = std::numeric_limits<double>::infinity(); ///< m/s; see `plane`.
     };
 
-    /// @param inner null is calm. @param clock what is out of range is held within it.
+    /// Null is calm.
     RetimedWind(WindFieldPtr inner, const Clock& clock);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;

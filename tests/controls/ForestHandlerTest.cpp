@@ -130,6 +130,8 @@ TEST_F(ForestHandlerTest, TheYearGoesOn) {
 TEST_F(ForestHandlerTest, TimePausesStepsAndRuns) {
     EXPECT_EQ(handler->simulationTime(100.0), 0.0) << "from now on";
     EXPECT_EQ(handler->simulationTime(101.0), 1.0);
+    for (const double nonsense : {double(NAN), double(INFINITY), -1e300, 1e300})
+        EXPECT_EQ(handler->simulationTime(nonsense), 1.0);
     press('+');
     EXPECT_EQ(handler->simulationTime(102.0), 3.0);
     EXPECT_TRUE(shows("x 2"));

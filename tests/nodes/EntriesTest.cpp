@@ -92,7 +92,7 @@ TEST_F(EntriesTest, aWindThatThrowsLeavesTheForestStill) {
             const std::string text = said();
             EXPECT_EQ(lines(text), 1) << "not in each frame:\n" << text;
             EXPECT_NE(text.find("stands still"), std::string::npos) << text;
-            forest->setDescription(smallForest(4));
+            EXPECT_TRUE(forest->setDescription(smallForest(4)).empty());
             updateFrames(*forest, 82, 90);
             EXPECT_NE(statesOf(*forest).front(), glm::vec4(0.0f)) << "it moves again";
             EXPECT_EQ(said(), "");
@@ -114,7 +114,7 @@ TEST_F(EntriesTest, threadsOfTheHostMeetNoException) {
     updateFrames(*forest, 1, 40);
     EXPECT_EQ(met, 0);
     EXPECT_NE(said().find("no wind; a forest stands still"), std::string::npos);
-    forest->setDescription(smallForest(4));
+    EXPECT_TRUE(forest->setDescription(smallForest(4)).empty());
     fails = true;
     updateFrames(*forest, 41, 50);
     EXPECT_NE(said().find("no threads; a forest stands still"), std::string::npos);

@@ -22,4 +22,18 @@ TEST(ForestGround, IsTheHostsToAdd) {
     EXPECT_FALSE(forest->getGround());
 }
 
+TEST(ForestGround, WithoutSoundCellsOrHeightsThereIsNone) {
+    const auto groundOf = [](double cell, double height) {
+        ForestDescription description = smallForest(1);
+        GroundArea area;
+        area.cell = cell;
+        description.ground = std::make_shared<FunctionGround>([=](double, double) { return height; }, area);
+        return osg::ref_ptr<osg::Node>(osg::ref_ptr<Forest>(new Forest(description))->getGround());
+    };
+    EXPECT_TRUE(groundOf(10.0, 3.0));
+    for (const double cell : {0.0, -1.0, double(INFINITY), double(NAN), 1e-300})
+        EXPECT_FALSE(groundOf(cell, 3.0)) << cell;
+    EXPECT_FALSE(groundOf(10.0, 1e30));
+}
+
 } // namespace osgTreeWind

@@ -108,7 +108,7 @@ TEST_F(OutOfMemoryTest, anUpdateThatFailsLeavesTheForestStill) {
     osg::ref_ptr<Forest> forest = new Forest;
     int stopped = 0;
     const int times = failFurtherAndFurther([&](long allocations) {
-        forest->setDescription(smallForest(4));
+        EXPECT_TRUE(forest->setDescription(smallForest(4)).empty());
         osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
         osgUtil::UpdateVisitor visitor;
         visitor.setFrameStamp(stamp);
@@ -135,7 +135,7 @@ TEST_F(OutOfMemoryTest, anUpdateThatFailsLeavesTheForestStill) {
     });
     EXPECT_GT(times, 10);
     EXPECT_GT(stopped, 0);
-    forest->setDescription(smallForest(4));
+    EXPECT_TRUE(forest->setDescription(smallForest(4)).empty());
     updateFrames(*forest, 1, 20);
     const std::vector<glm::vec4> before = statesOf(*forest);
     updateFrames(*forest, 21, 25);

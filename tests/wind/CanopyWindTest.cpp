@@ -164,6 +164,21 @@ std::shared_ptr<const CanopyMap> edge() {
     return map;
 }
 
+TEST(CanopyWind, AWindThatIsNoNumberOrTooFastIsACalm) {
+    class Nonsense : public WindField {
+    public:
+        explicit Nonsense(float speed) : _speed(speed) {}
+        glm::vec3 velocity(const WindPlace&, double) const override { return {_speed, 0.0f, 0.0f}; }
+
+    private:
+        float _speed;
+    };
+    for (const float speed : {NAN, INFINITY, 1e30f, 3e38f}) {
+        const CanopyWind wind(std::make_shared<Nonsense>(speed), *stand(), height, 1);
+        EXPECT_EQ(wind.velocity(WindPlace(3.0f, 4.0f, 5.0f), 7.0), glm::vec3(0.0f)) << speed;
+    }
+}
+
 TEST(CanopyWind, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithoutAStep) {
     GustWind::Parameters gusts;
     gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east: the edge lies open to it

@@ -43,6 +43,8 @@ TEST(StreamedWind, BadUpdatesAreRefusedAndChangeNothing) {
     std::vector<float> values = gridOf(2.0f).values;
     values.back() = std::numeric_limits<float>::quiet_NaN();
     EXPECT_FALSE(wind->update({values}).empty());
+    EXPECT_EQ(linesOf(wind->update({Span<float>(nullptr, 384)})),
+              "velocities: expected numbers, found a null pointer");
     EXPECT_EQ(wind->velocity({}, 0), glm::vec3(1.0f));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/motion/modal/ModalGroup.h>
 
 #include <osgTreeWind/base/Batches.h>
@@ -47,7 +48,8 @@ void ModalMotion::step(const WindField* wind, double time, float seconds) {
             const double turn = interval * static_cast<double>((g / Archetype::levels + b) % _turns) /
                                 static_cast<double>(_turns);
             const double to = far ? interval * std::floor((time - turn) / interval) + turn : time;
-            const auto late = static_cast<float>(time - to);
+            // Of times so great that no double tells them apart from their turn, none.
+            const float late = clampOr(static_cast<float>(time - to), -farStep, farStep, 0.0f);
             const float waited = group.waiting[b] + seconds;
             const bool due = !far || waited - late > 0.01f * farStep; // else it was stepped to there
             if (due)
