@@ -19,6 +19,7 @@ set(public_headers
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h
     osgTreeWind/forest/ForestTiles.h
+    osgTreeWind/forest/HostMap.h
     osgTreeWind/forest/StandOnGround.h
     osgTreeWind/forest/TreeId.h
     osgTreeWind/io/ForestFile.h

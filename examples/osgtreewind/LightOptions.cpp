@@ -77,7 +77,7 @@ void addShadowsOption(CLI::App& command, Shadows& shadows) {
         .add_option_function<std::string>(
             "--shadows", [&shadows](const std::string& name) { shadows = names.at(name); },
             "on: on ground and trees, and they move with the trees; soft: silhouettes on the ground, which\n"
-            "lean with the trees (a world has `on` in their place)")
+            "lean with the trees; a world has none of these")
         ->check(CLI::IsMember({"on", "soft", "off"}))
         ->default_str("soft");
 }

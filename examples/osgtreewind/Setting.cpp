@@ -61,7 +61,7 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
     const Daylight& day = options.day;
     osg::ref_ptr<osg::LightSource> sun = createSun(day);
     const bool isOfTiles = forest.getDescription().tiles.has_value(); // whose trees come and go
-    const Shadows shadows = options.shadows == Shadows::Soft && isOfTiles ? Shadows::On : options.shadows;
+    const Shadows shadows = options.shadows == Shadows::Soft && isOfTiles ? Shadows::Off : options.shadows;
     osg::ref_ptr<osg::Group> setting = shadows == Shadows::On
                                            ? osg::ref_ptr<osg::Group>(new SunShadows(&forest, day.toSun))
                                            : osg::ref_ptr<osg::Group>(new osg::Group);

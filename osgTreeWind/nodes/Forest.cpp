@@ -13,6 +13,7 @@
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Environment.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
+#include <osgTreeWind/nodes/Patience.h>
 #include <osgTreeWind/nodes/TilePager.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/GivenWind.h>
@@ -21,41 +22,16 @@
 #include <osg/NodeVisitor>
 #include <osg/Notify>
 #include <osg/Switch>
-#include <osg/Timer>
 #include <osg/Transform>
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 namespace osgTreeWind {
 namespace {
-
-/// Says once what is going on when it has taken a second.
-class Patience {
-public:
-    explicit Patience(std::size_t trees) : _trees(trees) {}
-    void operator()() {
-        ++_done;
-        if (_said || Clock::now() - _start < std::chrono::seconds(1))
-            return;
-        _said = true;
-        static std::mutex speaking; // OSG's stream has no lock, and several threads may load
-        const std::lock_guard<std::mutex> lock(speaking);
-        OSG_NOTICE << "osgTreeWind: growing a forest, " << _done << " of " << _trees << " trees so far"
-                   << std::endl;
-    }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    std::size_t _trees, _done = 0;
-    Clock::time_point _start = Clock::now();
-    bool _said = false;
-};
 
 constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
 constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidden

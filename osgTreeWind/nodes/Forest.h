@@ -33,7 +33,6 @@ struct TreePlacement;
 struct TreeUnit;
 
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
-///
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's time or
 /// by a fixed step (ForestDescription::step); a paused time holds the trees, and one below a Switch that is
 /// off rests. Under the law `modal` trees are instances (StandDrawing); a law of a branch has them drawn the
@@ -45,7 +44,8 @@ public:
     Forest();
     /// As setDescription(). What that refuses leaves the forest empty, and a warning says why.
     explicit Forest(ForestDescription description);
-    /// The same with the problems as an answer. @param executor as of setExecutor().
+    /// The same with the problems as an answer.
+    /// @param description as of setDescription(). @param executor as of setExecutor().
     static Result<osg::ref_ptr<Forest>> create(ForestDescription description, Executor executor = {});
     /// The same trees as they are now, at rest, in the wind `other` has; shares what does not change. Other
     /// children go by `copyop`; branches that are followed are not copied.
@@ -73,8 +73,7 @@ public:
     Diagnostics setSeason(float season);
     float getSeason() const; ///< Of the year.
 
-    /// The node's own origin in the world's frame: geometry is relative to it, precise far from the world's.
-    osg::Vec3d getOrigin() const;
+    osg::Vec3d getOrigin() const; ///< Its own zero in the world's frame: geometry is relative to it.
     /// The ground, for a host to draw beside the trees; null: none. Another one after setDescription().
     osg::Node* getGround() const { return _ground.get(); }
 
@@ -111,9 +110,8 @@ public:
     bool unfollow(TreeId tree, unsigned unit); ///< With what hangs on it. @return whether it was followed.
     bool isOwnChild(const osg::Node* child) const; ///< A part of the forest; all others are yours.
 
-    /// What draws the trees as instances, and state and geometry of your own; null under a law of a branch.
-    StandDrawing* getStand() const;
-    BranchwiseForest* getBranchwise() const; ///< What draws them branch by branch; null under `modal`.
+    StandDrawing* getStand() const;          ///< What draws the trees as instances; else null.
+    BranchwiseForest* getBranchwise() const; ///< What draws them branch by branch; else null.
 
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }

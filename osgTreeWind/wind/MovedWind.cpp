@@ -66,7 +66,7 @@ WindFieldPtr MovedWind::withoutGusts() const {
     return world ? std::make_shared<MovedWind>(std::move(world), _frameToWorld, _up) : nullptr;
 }
 
-WindFieldPtr MovedWind::changedBesideSources(const Change& change) const {
+WindFieldPtr MovedWind::changedBesideSources(const WindChange& change) const {
     WindFieldPtr world = _world->changedBesideSources([&](const WindFieldPtr& open) -> WindFieldPtr {
         const WindFieldPtr changed = change(std::make_shared<MovedWind>(open, _frameToWorld, _up));
         return changed ? WindFieldPtr(new MovedWind(*this, changed)) : nullptr;

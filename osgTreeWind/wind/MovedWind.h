@@ -22,7 +22,7 @@ public:
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
     WindFieldPtr withoutGusts() const override;
-    WindFieldPtr changedBesideSources(const Change& change) const override;
+    WindFieldPtr changedBesideSources(const WindChange& change) const override;
 
 private:
     /// A wind of a frame as it is met in the world: the inverse of `moved`.

@@ -32,6 +32,11 @@ struct WindPlace {
     WindPlace(float x, float y, float z) : position(x, y, z), height(z) {}
 };
 
+class WindField;
+using WindFieldPtr = std::shared_ptr<const WindField>;
+/// Makes another wind of one; null is calm.
+using WindChange = std::function<WindFieldPtr(const WindFieldPtr&)>;
+
 /// The wind: a velocity at every place and time.
 ///
 /// Positions are metres in the axes that it is given in (WindFrame: the forest's own are x east, y north,
@@ -53,14 +58,11 @@ public:
     }
 
     /// The same wind without turbulence that is made up and not known; null where it makes up none.
-    virtual std::shared_ptr<const WindField> withoutGusts() const { return nullptr; }
+    virtual WindFieldPtr withoutGusts() const { return nullptr; }
 
-    /// Makes another wind of one; null is calm.
-    using Change = std::function<std::shared_ptr<const WindField>(const std::shared_ptr<const WindField>&)>;
-    /// The same wind with a change of what blows beside its sources (WindWithSources); null where it has none.
-    virtual std::shared_ptr<const WindField> changedBesideSources(const Change&) const { return nullptr; }
+    /// The same wind with a change of what blows beside its sources (WindWithSources); null where it has
+    /// none.
+    virtual WindFieldPtr changedBesideSources(const WindChange&) const { return nullptr; }
 };
-
-using WindFieldPtr = std::shared_ptr<const WindField>;
 
 } // namespace osgTreeWind

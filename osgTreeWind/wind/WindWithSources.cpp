@@ -56,7 +56,7 @@ WindFieldPtr WindWithSources::withoutGusts() const {
     return isGusty ? std::make_shared<WindWithSources>(mean ? mean : _wind, std::move(steady)) : nullptr;
 }
 
-WindFieldPtr WindWithSources::changedBesideSources(const Change& change) const {
+WindFieldPtr WindWithSources::changedBesideSources(const WindChange& change) const {
     return std::make_shared<WindWithSources>(change(_wind), _sources);
 }
 

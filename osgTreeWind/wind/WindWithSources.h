@@ -80,7 +80,7 @@ public:
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
     WindFieldPtr withoutGusts() const override;
-    WindFieldPtr changedBesideSources(const Change& change) const override;
+    WindFieldPtr changedBesideSources(const WindChange& change) const override;
 
     const WindFieldPtr& wind() const { return _wind; }                  ///< Null: calm.
     const std::vector<WindSource>& sources() const { return _sources; } ///< As given.

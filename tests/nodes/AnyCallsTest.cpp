@@ -602,6 +602,8 @@ TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
         // They read and write files: tests/io, tests/windfiles and tests/fuzz damage those.
         "io/ForestFile.h", "io/ForestStream.h", "io/SpeciesCatalogue.h", "io/TiledForest.h",
         "windfiles/WindFile.h",
+        // It asks a program for maps: tests/plugins.
+        "forest/HostMap.h",
         // They need a context or a viewer: tests/offscreen, ForestStatisticsGlTest.
         "offscreen/FrameImage.h", "offscreen/OffscreenContext.h", "controls/StatisticsLines.h"};
     for (const auto& [header, calls] : AnyCalls::calls())

@@ -90,9 +90,7 @@ public:
     }
 
 private:
-    const LeafStencils& stencilsOf(const LeafPiece& piece) const {
-        return (*_stencils)[piece.stencils];
-    }
+    const LeafStencils& stencilsOf(const LeafPiece& piece) const { return (*_stencils)[piece.stencils]; }
 
     float elevation(int row) const {
         return glm::half_pi<float>() * static_cast<float>(row) / static_cast<float>(_settings.elevations - 1);

@@ -8,9 +8,9 @@
 #include <osgTreeWind/gpu/SharedObjects.h>
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/species/LeafCoverage.h>
-#include <osgTreeWind/species/SpeciesFields.h>
 
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace osgTreeWind {
@@ -44,13 +44,11 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
 }
 
 osg::ref_ptr<ModelMeshes> sharedMeshes(const TreeModel& model, const Appearance& appearance) {
-    static SharedObjects<std::pair<std::uint64_t, std::string>, ModelMeshes> meshes;
+    using Cards = std::tuple<LeafForm, std::string, float>; // and what their light follows from
+    static SharedObjects<std::pair<std::uint64_t, Cards>, ModelMeshes> meshes;
     const auto make = [&] { return osg::ref_ptr<ModelMeshes>(new ModelMeshes(model, appearance)); };
-    if (model.identity == 0)
-        return make();
-    std::string look;
-    addFieldBytes(appearance, look);
-    return meshes.get({model.identity, look}, make);
+    const Cards cards{appearance.leafForm, appearance.leafImage, appearance.underside};
+    return model.identity == 0 ? make() : meshes.get({model.identity, cards}, make);
 }
 
 } // namespace osgTreeWind

@@ -39,12 +39,15 @@ void ModelResources::addGLObjects(std::vector<osg::Object*>& objects) const {
 }
 
 osg::ref_ptr<ImpostorStrip> sharedImpostor(const TreeModel& model, const Appearance& appearance, Tier tier) {
-    static SharedObjects<std::tuple<std::uint64_t, std::string, Tier>, ImpostorStrip> impostors;
+    using Key = std::tuple<std::uint64_t, std::string, Tier, const osg::Program*>;
+    static SharedObjects<Key, ImpostorStrip> impostors;
+    const osg::ref_ptr<osg::Program> program =
+        sharedProgram("impostor", "impostor"); // a host may replace its files
     const auto make = [&] {
         ImpostorSettings settings;
         settings.leaves = leavesOn(tier);
-        osg::ref_ptr<ImpostorStrip> impostor = new ImpostorStrip(paintImpostor(model, appearance, settings),
-                                                                 sharedProgram("impostor", "impostor"));
+        osg::ref_ptr<ImpostorStrip> impostor =
+            new ImpostorStrip(paintImpostor(model, appearance, settings), program);
         impostor->stateSet()->addUniform(new osg::Uniform("tierColor", tierColor(tier)));
         return impostor;
     };
@@ -52,7 +55,7 @@ osg::ref_ptr<ImpostorStrip> sharedImpostor(const TreeModel& model, const Appeara
         return make();
     std::string look;
     addFieldBytes(appearance, look);
-    return impostors.get({model.identity, look, tier}, make);
+    return impostors.get({model.identity, look, tier, program.get()}, make);
 }
 
 } // namespace osgTreeWind

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/motion/modal/ModalGroup.h>
 
 #include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/ClampOr.h>
 
 #include <glm/geometric.hpp>
 

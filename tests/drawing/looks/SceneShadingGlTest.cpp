@@ -187,8 +187,8 @@ TEST_F(SceneShadingGlTest, underMultisamplingCrownsAreAsDenseAsUnderSupersamplin
     }
     scene->removeChild(forest);
     scene->addChild(new Forest(wood));
-    background.set(1, 1, 1, 1);              // shows through gaps
-    for (const double half : {13.5, 30.0}) { // trees, and pictures of them
+    background.set(1, 1, 1, 1);                     // shows through gaps
+    for (const double half : {13.5, 30.0}) {        // trees, and pictures of them
         const int pixels = half < 20.0 ? 384 : 340; // 185 or 74 a tree
         osg::ref_ptr<osg::Image> fine = resolved(*picture(60.0, 2 * pixels, 0, half, 2.0), 2),
                                  multisampled = picture(60.0, pixels, 4, half);
