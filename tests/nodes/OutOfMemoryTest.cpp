@@ -33,11 +33,16 @@ public:
 
 } // namespace
 
-// Not inlined: GCC would take new and free() for mismatched.
-[[gnu::noinline]] void* operator new(std::size_t size) {
+// Not inlined: GCC would take new and free() for mismatched. All that delete is given comes from here, as
+// AddressSanitizer has it.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     if (allocationsLeft >= 0 && allocationsLeft-- == 0)
-        throw std::bad_alloc();
-    if (void* memory = std::malloc(size > 0 ? size : 1))
+        return nullptr;
+    return std::malloc(size > 0 ? size : 1);
+}
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+    if (void* memory = operator new(size, std::nothrow))
         return memory;
     throw std::bad_alloc();
 }
