@@ -67,7 +67,9 @@ bool StandDrawing::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geom
 }
 
 osg::ref_ptr<ForestDrawing> StandDrawing::again(std::shared_ptr<ForestSimulation> simulation) const {
-    if (!simulation || SimulationParts::models(*simulation) != SimulationParts::models(*_simulation))
+    const bool isAlike = simulation && SimulationParts::modal(*simulation) &&
+                         SimulationParts::models(*simulation) == SimulationParts::models(*_simulation);
+    if (!isAlike)
         return new StandDrawing(simulation);
     return new StandDrawing(std::move(simulation), _trees->resources());
 }
