@@ -13,7 +13,8 @@
 namespace osgTreeWind {
 
 TreeHit::TreeHit(const ForestSimulation& simulation, std::size_t slot) {
-    if (slot >= simulation.slotCount() || !simulation.holds(simulation.idOf(slot)))
+    if (slot >= simulation.slotCount() || !simulation.holds(simulation.idOf(slot)) ||
+        !SimulationParts::modal(simulation)) // laws of a branch have nodes for their trees
         return;
     _tree = simulation.idOf(slot);
     const PlacedTree& tree = SimulationParts::trees(simulation)[slot];
