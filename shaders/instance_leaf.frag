@@ -18,10 +18,11 @@ flat in float treeFade;
 flat in float leafBorne;
 
 void main() {
+    vec2 leaf = leafTexel(leafCoord, leafBorne); // before others discard: it has derivatives
 #ifdef FADING
     if (dithered(treeFade))
         discard;
 #endif
-    vec3 albedo = leafAlbedo(leafTexel(leafCoord, leafBorne), leafBorne);
+    vec3 albedo = leafAlbedo(leaf, leafBorne);
     paintSurface(sceneColor(albedo * shadowed(leafLight, sunLight, scenePosition), scenePosition), albedo);
 }

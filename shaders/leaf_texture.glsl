@@ -5,6 +5,7 @@
 // It differs from card to card, so that layers of leaves add up.
 #pragma import_defines(COVERAGE)
 
+#include "coverage.glsl"
 #include "law/tint.glsl"
 
 flat in int leafCard; // its number among all of the draw
@@ -51,12 +52,10 @@ vec2 leafTexel(vec2 coord, float borne) {
         vec4 texel = texture(leafTexture, coord + off.x * across + off.y * along, -1.0);
         if (leafThreshold(noise, part) <= sharper * (leafAlpha(texel, borne) - 0.5) + 0.5) {
             sum += vec3(texel.rg, 1.0);
-            covered |= 0x11111111 << i; // of more than four samples each fourth
+            covered |= 1 << i;
         }
     }
-    if (covered == 0)
-        discard;
-    gl_SampleMask[0] = covered;
+    drawSamples(covered);
     return sum.rg / sum.b;
 #else
     vec4 texel = texture(leafTexture, coord);

@@ -146,12 +146,8 @@ private:
         std::uint32_t item = 0;
         for (const LeafPiece& piece : _leaves) {
             const glm::vec3 across = view(piece.across), along = view(piece.along);
-            const float area = glm::abs(across.x * along.y - across.y * along.x);
-            const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
-                                          glm::max(glm::abs(along.x), glm::abs(along.y)));
-            const float share = pixel * widest / glm::max(area, 1e-9f);
             const LeafStencils& stencils = stencilsOf(piece);
-            const std::size_t level = stencils.levelOf(share);
+            const std::size_t level = stencils.levelOf(across, along, pixel);
             _levels[item] = static_cast<std::uint8_t>(level);
             _raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
                          piece.borne ? stencils.level(level).leaves : stencils.level(level).twigs, item++);

@@ -61,11 +61,8 @@ float seenLeafLight(const std::vector<LeafPiece>& pieces, const std::vector<Leaf
         std::uint32_t item = 0;
         for (const LeafPiece& piece : pieces) {
             const glm::vec3 across = placed(view(piece.across)), along = placed(view(piece.along));
-            const float area = glm::abs(across.x * along.y - across.y * along.x);
-            const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
-                                          glm::max(glm::abs(along.x), glm::abs(along.y)));
             const LeafStencils& own = stencils[piece.stencils];
-            levels[item] = own.levelOf(widest / glm::max(area, 1e-9f));
+            levels[item] = own.levelOf(across, along, 1.0f);
             const LeafStencils::Level& level = own.level(levels[item]);
             raster.draw({placed(view(piece.corner)) + glm::vec3(0.5f * samples, 0.0f, 0.0f), across, along},
                         piece.borne ? level.leaves : level.twigs, item++);

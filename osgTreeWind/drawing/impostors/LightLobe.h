@@ -20,8 +20,8 @@ struct LightLobe {
         const glm::vec3 from = light.above * (base + 0.5f * normal),
                         opposite = light.below * (base - 0.5f * normal);
         const glm::vec3 sums = from + opposite;
-        strength = glm::max((sums.x + sums.y + sums.z) / (6.0f * base), 0.01f);
-        way = (from - opposite) / strength;
+        const float mean = glm::max((sums.x + sums.y + sums.z) / (6.0f * base), 0.01f);
+        way = (from - opposite) / mean;
         way *= glm::min(1.0f, longest / glm::max(glm::length(way), longest));
         strength = glm::max(MeanLight::on(light, normal, leaf) / glm::max(MeanLight::ofLobe(base, way), 0.1f),
                             0.01f);

@@ -55,7 +55,11 @@ LeafStencils::LeafStencils(const osg::Image& texture, const LeafAtlas::Cell& car
     }
 }
 
-std::size_t LeafStencils::levelOf(float share) const {
+std::size_t LeafStencils::levelOf(const glm::vec3& across, const glm::vec3& along, float pixel) const {
+    const float area = glm::abs(across.x * along.y - across.y * along.x);
+    const float widest = glm::max(glm::max(glm::abs(across.x), glm::abs(across.y)),
+                                  glm::max(glm::abs(along.x), glm::abs(along.y)));
+    const float share = pixel * widest / glm::max(area, 1e-9f); // of the card's width that a pixel takes
     const float level = std::log2(share * static_cast<float>(_texels)) + 0.5f;
     const auto last = static_cast<float>(_levels.size() - 1);
     return static_cast<std::size_t>(level > 0.0f ? std::min(level, last) : 0.0f);

@@ -28,8 +28,10 @@ public:
     /// Among them. @param bough as of TreeDetail. @param variant of LeafAtlas::choose().
     static std::size_t indexOf(int bough, int variant);
 
-    /// @param share of the cell's width that a pixel of the picture takes.
-    std::size_t levelOf(float share) const;
+    /// As finely as a card is seen. @param across, along its sides in the view, x and y in the unit of
+    /// `pixel`.
+    /// @param pixel of the picture.
+    std::size_t levelOf(const glm::vec3& across, const glm::vec3& along, float pixel) const;
     const Level& level(std::size_t index) const { return _levels[index]; }
 
 private:
