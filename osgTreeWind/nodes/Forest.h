@@ -59,7 +59,7 @@ public:
 
     /// The wind from the next frame on, and whose axes it is given in; null for calm. Any thread, any time,
     /// also while a description is set, which says both too: whichever of the two comes last counts.
-    /// @return a problem for a frame that is none.
+    /// @return a problem where the frame is unknown.
     Diagnostics setWind(WindFieldPtr wind, WindFrame frame = WindFrame::Scene);
     WindFieldPtr getWind() const;   ///< Null: calm.
     WindFrame getWindFrame() const; ///< As set.

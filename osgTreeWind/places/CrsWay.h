@@ -22,7 +22,7 @@ public:
 
     /// Brings places there, all at once; one that has no place there becomes NaN.
     void go(std::vector<glm::dvec2>& places) const;
-    /// Brings one place there. False if the place has none there; it is NaN then.
+    /// Brings one place there. @return whether it lies there; else it becomes NaN.
     bool go(glm::dvec2& place) const;
 
     /// What brings them there: in the programs that link GDAL an OGRCoordinateTransformationH, else the
