@@ -30,6 +30,10 @@ ExitCode runOtherBackend(const std::string& backend) {
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
     const std::filesystem::path other =
         self.parent_path() / (backend == "egl" ? "osgtreewind-egl" : "osgtreewind");
+    if (other == self) {
+        std::cerr << "osgtreewind was built without the backend \"" << backend << "\"\n";
+        return Failed;
+    }
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::vector<std::string> words;
     for (std::string word; std::getline(file, word, '\0');)
