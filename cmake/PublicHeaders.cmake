@@ -48,13 +48,16 @@ set(public_headers
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h
     osgTreeWind/wind/LogProfile.h
-    osgTreeWind/wind/RetimedWind.h
+    osgTreeWind/wind/Wind.h
     osgTreeWind/wind/StreamedWind.h
     osgTreeWind/wind/TimeSeriesWind.h
     osgTreeWind/wind/UniformWind.h
+    osgTreeWind/wind/WindAdjustment.h
     osgTreeWind/wind/WindCanopy.h
+    osgTreeWind/wind/WindClock.h
     osgTreeWind/wind/WindDirection.h
     osgTreeWind/wind/WindField.h
-    osgTreeWind/wind/WindWithSources.h
+    osgTreeWind/wind/WindPlace.h
+    osgTreeWind/wind/WindSource.h
     osgTreeWind/windfiles/WindFile.h
     osgTreeWind/windfiles/WindSeriesColumns.h)

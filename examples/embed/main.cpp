@@ -5,7 +5,6 @@
 #include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/places/FunctionGround.h>
 #include <osgTreeWind/wind/StreamedWind.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <osg/MatrixTransform>
 #include <osg/ShapeDrawable>
@@ -108,7 +107,9 @@ int main(int argc, char** argv) {
     for (; !viewer.done() && frames > 0; --frames) {
         const double time = viewer.elapsedTime();
         lorry->setMatrix(driveTo(time));
-        forest->setWind(std::make_shared<WindWithSources>(wind, std::vector{flowAround(time)}));
+        Wind now(wind);
+        now.sources = {flowAround(time)};
+        forest->setWind(now);
         const osg::Vec3d behind = osg::Vec3d(0, 0, 6) * driveTo(time - 1.6),
                          front = lorry->getBound().center();
         viewer.getCamera()->setViewMatrixAsLookAt(behind, front, {0, 0, 1});

@@ -12,13 +12,12 @@
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
-#include <osgTreeWind/wind/CanopyWind.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
-#include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindSampler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +129,9 @@ WindFieldPtr inAWood(const WindFieldPtr& gusts) {
     std::vector<StandTree> trees(rows * rows, tree);
     for (std::size_t i = 0; i < trees.size(); ++i)
         trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
-    return std::make_shared<CanopyWind>(gusts, *canopyOf(trees), 60.0f, 1);
+    auto wood = std::make_shared<CanopyMap>(*canopyOf(trees));
+    wood->refer(60.0f);
+    return std::make_shared<WindSampler>(std::make_shared<Wind>(gusts), glm::dmat4(1.0), wood);
 }
 
 TimedKernel windKind(const char* name, const WindFieldPtr& field) {
@@ -156,8 +157,8 @@ std::vector<TimedKernel> allKernels() {
     gusts.profile = LogProfile{10.0, 0.5};
     const WindFieldPtr turbulent = GustWind::create(gusts).value();
     const WindFieldPtr moving = GridWind::create(someGrid(8, 3)).value();
-    RetimedWind::Clock carried;
-    carried.speed = 8.0;
+    auto carried = std::make_shared<Wind>(moving);
+    carried->clock.speed = 8.0;
     std::vector<TimedKernel> kernels = {
         thesisLaw("thesis", MotionLaw::Thesis, &Laws::thesisBranchStep),
         thesisLaw("thesis-smooth", MotionLaw::ThesisSmooth, &Laws::thesisSmoothBranchStep),
@@ -172,7 +173,7 @@ std::vector<TimedKernel> allKernels() {
         windKind("grid, 8 layers, 3 times", moving),
         windKind("forest_wind", BenchWinds().at(0)),
         windKind("series", createSeries()),
-        windKind("travelling (.bts)", std::make_shared<RetimedWind>(moving, carried)),
+        windKind("travelling (.bts)", std::make_shared<WindSampler>(carried)),
         windKind("streamed", StreamedWind::create(someGrid(8, 1)).value()),
         windKind("callable", std::make_shared<FunctionWind>([](const glm::vec3& p, double) {
                      return glm::vec3(0.01f * p.y, 5.0f, 0.0f);

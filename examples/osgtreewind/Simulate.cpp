@@ -71,7 +71,7 @@ ExitCode simulate(const SimulateOptions& options) {
     if (!part)
         return BadInput;
     ForestDescription* const description = &part->forest;
-    if (description->windCanopy.source != CanopySource::Forest)
+    if (description->wind.canopy.value_or(WindCanopy()).source != CanopySource::Forest)
         description->trees.resize(part->wanted); // nothing shelters them
     description->season = options.season.value_or(description->season);
     if (options.damage && description->law != MotionLaw::Modal) {

@@ -124,7 +124,7 @@ ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
                   << arguments.time << '\n';
         return BadInput;
     }
-    const glm::dvec3 velocity = wind.field->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, *time);
+    const glm::dvec3 velocity = asField(wind.wind)->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, *time);
     if (!wind.covers(glm::dvec2(0.0)))
         std::cerr << arguments.files.front()
                   << ": note: the place lies outside its grid; the wind at its edge holds\n";
@@ -151,7 +151,8 @@ ExitCode drawPicture(const WindArguments& arguments, const WindSummary& summary)
     const auto wind = load(arguments, corner);
     if (!wind)
         return BadInput;
-    const auto image = drawArrows(*wind->field, summary.low - corner, summary.high - corner, summary.fastest);
+    const auto image =
+        drawArrows(*asField(wind->wind), summary.low - corner, summary.high - corner, summary.fastest);
     if (osgDB::writeImageFile(*image, arguments.picture))
         return Succeeded;
     std::cerr << arguments.picture << ": cannot be written\n";

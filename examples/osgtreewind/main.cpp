@@ -56,7 +56,7 @@ std::optional<ForestPart> load(const std::string& file, const osgTreeWind::TileB
         std::cerr << linesOf(forest.problems()) << '\n';
         return {};
     }
-    const osgTreeWind::WindCanopy& canopy = forest.value().windCanopy;
+    const auto canopy = forest.value().wind.canopy.value_or(osgTreeWind::WindCanopy());
     const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : usualShelter;
     const auto wanted = loadTiles(forest.value(), tiles, withThoseAround ? shelter : 0.0);
     if (!wanted) {

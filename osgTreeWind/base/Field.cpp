@@ -202,4 +202,9 @@ bool sameField(const Field& field, const void* a, const void* b) {
     return std::visit(Same{field.of(b)}, field.of(a));
 }
 
+bool sameFields(const Fields& fields, const void* a, const void* b) {
+    return std::all_of(fields.begin(), fields.end(),
+                       [&](const Field& field) { return sameField(field, a, b); });
+}
+
 } // namespace osgTreeWind

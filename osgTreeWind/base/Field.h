@@ -113,5 +113,11 @@ void addFieldBytes(const Struct& value, std::string& bytes) {
 
 /// Whether two structs say the same of one field, to the bit.
 bool sameField(const Field& field, const void* a, const void* b);
+/// The same of all fields.
+bool sameFields(const Fields& fields, const void* a, const void* b);
+template <typename Struct>
+bool sameFields(const Struct& a, const Struct& b) {
+    return sameFields(fieldsOf<Struct>(), &a, &b);
+}
 
 } // namespace osgTreeWind

@@ -30,6 +30,11 @@ OSGTREEWIND_EXPORT std::string linesOf(const Diagnostics& problems);
 OSGTREEWIND_EXPORT void warnOfNoValue(const Diagnostics& problems);
 
 /// A value, or the problems that kept it from being made. Never throws, never ends a program.
+///
+///     auto file = readForestFile("wood.treewind");
+///     if (!file)
+///         return report(file.problems()); // each has a file, a line, a key and a text
+///     description = file.value();
 template <typename T>
 class [[nodiscard]] Result {
 public:

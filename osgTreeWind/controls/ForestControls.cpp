@@ -7,12 +7,12 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/wind/WindLimits.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -47,6 +47,18 @@ std::string dateText(float season) {
     return std::to_string(date.tm_mday) + ' ' + month;
 }
 
+/// Whether both have the same field, as strong and turned alike.
+bool sameAir(const Wind& a, const Wind& b) {
+    return a.field == b.field && a.adjustment.strength == b.adjustment.strength &&
+           a.adjustment.turn == b.adjustment.turn;
+}
+
+/// Gives a wind the field and the adjustment of another one.
+void blowAs(const Wind& other, Wind& wind) {
+    wind.field = other.field;
+    wind.adjustment = other.adjustment;
+}
+
 } // namespace
 
 ForestControls::ForestControls(Forest* forest) : _forest(forest) {}
@@ -55,15 +67,16 @@ void ForestControls::steer(const std::function<void(WindSteering&)>& change) {
     if (!_forest.valid())
         return;
     _message.clear();
-    const WindFieldPtr now = _forest->getWind();
-    if (!_steers || now != _set) {
+    Wind now = _forest->getWind();
+    if (!_steers || !sameAir(now, _set)) {
         _given = now;
         _steering = steeringOf(now);
         _steers = true;
     }
     change(_steering);
     _set = steered(_given, _steering);
-    _forest->setWind(_set, _forest->getWindFrame());
+    blowAs(_set, now);
+    _forest->setWind(std::move(now));
 }
 
 void ForestControls::changeSpeed(double metresPerSecond) {
@@ -79,8 +92,11 @@ void ForestControls::changeGustiness(double by) {
 }
 
 void ForestControls::restoreWind() {
-    if (_forest.valid() && _steers)
-        _forest->setWind(_given, _forest->getWindFrame());
+    if (_forest.valid() && _steers) {
+        Wind now = _forest->getWind();
+        blowAs(_given, now);
+        _forest->setWind(std::move(now));
+    }
     _steers = false;
     _message.clear();
 }
@@ -88,14 +104,9 @@ void ForestControls::restoreWind() {
 void ForestControls::changeSources(const std::function<void(std::vector<WindSource>&)>& change) {
     if (!_forest.valid())
         return;
-    const WindFieldPtr now = _forest->getWind();
-    const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(now);
-    std::vector<WindSource> sources = sourced ? sourced->sources() : std::vector<WindSource>();
-    change(sources);
-    WindFieldPtr wind = sourced ? sourced->wind() : now;
-    if (!sources.empty())
-        wind = std::make_shared<WindWithSources>(std::move(wind), std::move(sources));
-    _forest->setWind(wind, _forest->getWindFrame());
+    Wind wind = _forest->getWind();
+    change(wind.sources);
+    _forest->setWind(std::move(wind));
 }
 
 void ForestControls::nextSource(const glm::dvec3& foot, double height, double time) {
@@ -191,10 +202,10 @@ double ForestControls::simulationTime(double referenceTime) {
 }
 
 std::string ForestControls::windText() const {
-    const WindFieldPtr wind = _forest->getWind();
-    const auto sourced = std::dynamic_pointer_cast<const WindWithSources>(wind);
-    const std::string sources = sourced ? formatted(" and %zu sources", sourced->sources().size()) : "";
-    if (!(sourced ? sourced->wind() : wind))
+    const Wind wind = _forest->getWind();
+    const std::string sources =
+        wind.sources.empty() ? "" : formatted(" and %zu sources", wind.sources.size());
+    if (!wind.field)
         return "calm" + sources;
     const WindSteering steering = steeringOf(wind);
     if (steering.isMadeUp)

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/wind/Wind.h>
 #include <osgTreeWind/wind/WindSteering.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <osg/observer_ptr>
 
@@ -25,7 +25,7 @@ public:
     void changeSpeed(double metresPerSecond);
     void turnWind(double degrees);
     void changeGustiness(double by);
-    /// The one it had when it was last set by somebody else.
+    /// The field and the adjustment that it had when the host last set it.
     void restoreWind();
 
     /// Puts the next of sourcesByHand() to a tree in place of the one before; behind the last there is none.
@@ -63,8 +63,8 @@ private:
     std::string windText() const;
 
     osg::observer_ptr<Forest> _forest;
-    WindFieldPtr _given, _set; ///< Somebody else's, and what we made of it.
-    bool _steers = false;      ///< The forest's wind is `_set`, unless somebody set another.
+    Wind _given, _set;    ///< The host's wind, and our modified copy.
+    bool _steers = false; ///< The forest's wind is `_set`, unless the host set another.
     WindSteering _steering;
     bool _isPaused = false;
     double _pace = 1.0, _time = 0.0;

@@ -166,7 +166,7 @@ void ForestHandler::State::putSource() {
     if (watched && simulation.holds(watched->id())) {
         const PlacedTree& tree = SimulationParts::forest(simulation).trees[simulation.slotOf(watched->id())];
         _sourceFoot = toOsg(tree.position);
-        if (forest.getWindFrame() == WindFrame::Scene)
+        if (forest.getWind().frame == WindFrame::Scene)
             *_sourceFoot = *_sourceFoot * osg::Matrix::inverse(toForest(forest));
         _sourceHeight = static_cast<double>(SimulationParts::forest(simulation).measured(tree).height);
     }

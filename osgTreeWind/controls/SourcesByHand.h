@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/wind/WindWithSources.h>
+#include <osgTreeWind/wind/WindSource.h>
 
 #include <vector>
 

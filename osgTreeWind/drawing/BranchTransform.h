@@ -12,6 +12,10 @@ class FollowedBranches;
 /// One branch unit as a transform: it turns about its base, and everything below it goes along (the
 /// glPushMatrix and glPopMatrix of thesis §3.1.3). Coordinates below it are those of the tree at rest, so a
 /// node placed at a rest position of the branch stays attached to it. Changed in update, or between frames.
+///
+///     if (const auto unit = nearestUnit(forest->getUnits(tree), osg::Vec3(1.0f, 0.0f, 8.0f)))
+///         if (const auto branch = forest->branch(tree, *unit))
+///             branch.value()->addChild(nest);
 class OSGTREEWIND_EXPORT BranchTransform : public osg::MatrixTransform {
 public:
     BranchTransform();

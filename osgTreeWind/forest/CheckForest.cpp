@@ -8,7 +8,6 @@
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/places/Crs.h>
 #include <osgTreeWind/species/SpeciesFields.h>
-#include <osgTreeWind/wind/WindFields.h>
 
 #include <glm/geometric.hpp>
 
@@ -81,13 +80,6 @@ void checkMotion(const ForestDescription& forest, Diagnostics& problems) {
         add(problems, "motion.noise_exponent", "expected a finite number " + noiseExponents.text());
 }
 
-void checkWind(const ForestDescription& forest, Diagnostics& problems) {
-    checkFields(forest.windCanopy, "wind", problems);
-    if (forest.windFrame < WindFrame::Forest || forest.windFrame > WindFrame::Geocentric)
-        add(problems, "wind.frame",
-            "expected one of its words, found " + std::to_string(static_cast<int>(forest.windFrame)));
-}
-
 /// Moves the problems of a part behind the others, with its path before their keys.
 void addOfPart(Diagnostics&& ofPart, const char* list, std::size_t index, Diagnostics& problems) {
     for (Diagnostic& problem : ofPart) {
@@ -136,7 +128,8 @@ Diagnostics check(const ForestDescription& forest) {
     if (!frameSteps.contains(forest.step))
         add(problems, "step", "expected a finite number " + frameSteps.text());
     checkWhole(forest.drawing, "drawing", problems);
-    checkWind(forest, problems);
+    for (Diagnostic& problem : check(forest.wind))
+        problems.push_back(std::move(problem));
     if (!seasons.contains(static_cast<double>(forest.season)))
         add(problems, "season", "expected a finite number " + seasons.text());
     checkPlace(forest.origin, "origin", problems);

@@ -7,8 +7,7 @@
 #include <osgTreeWind/places/Ground.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/species/Species.h>
-#include <osgTreeWind/wind/WindCanopy.h>
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/Wind.h>
 
 #include <glm/vec3.hpp>
 
@@ -66,10 +65,8 @@ struct ForestDescription {
     bool damage = false;
     /// beta of 1/f^beta noise for leaves and for the load of the thesis' laws, [0, 3]; none: Perlin noise.
     std::optional<float> noiseExponent;
-    WindFieldPtr wind;                       ///< Null: calm.
-    WindFrame windFrame = WindFrame::Forest; ///< Whose axes the wind is given in.
-    WindCanopy windCanopy;                   ///< Of whatever wind the forest is given.
-    float season = midsummer;                ///< Of the year (Season.h).
+    Wind wind; ///< That moves them; its canopy is that of every wind the forest is given later.
+    float season = midsummer; ///< Of the year (Season.h).
     /// How long a frame of a viewer lasts, seconds, whatever time the viewer gives, [0, 60]; 0: its time
     /// counts.
     double step = 0.0;

@@ -23,6 +23,10 @@ struct ForestStreamOptions {
 /// The forest of a file that may have more trees than memory should hold: they lie in a file without a name,
 /// 72 bytes each and their ids. In memory are ids, places of a [[scatter]] with a spacing, and the text
 /// of a table. Not thread-safe.
+///
+///     const auto city = ForestStream::read("city.treewind", {"/tmp"});
+///     if (city)
+///         report(writeTiledForest(city.value(), "world").problems());
 class OSGTREEWIND_EXPORT ForestStream {
 public:
     /// Reads what readForestFile() reads. @return it, or every problem found; one with the folder as its file

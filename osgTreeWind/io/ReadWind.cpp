@@ -9,11 +9,9 @@
 #include <osgTreeWind/io/ReadWindData.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
-#include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <algorithm>
@@ -57,7 +55,7 @@ glm::vec3 readVelocity(TableReader& table) {
     return velocity * static_cast<float>(unit);
 }
 
-WindFieldPtr readUniform(TableReader& table, ForestReading&) {
+Wind readUniform(TableReader& table, ForestReading&) {
     return std::make_shared<UniformWind>(readVelocity(table));
 }
 
@@ -77,7 +75,7 @@ bool readProfile(TableReader& table, std::optional<LogProfile>& profile) {
     return complete;
 }
 
-WindFieldPtr readGusts(TableReader& table, ForestReading& reading) {
+Wind readGusts(TableReader& table, ForestReading& reading) {
     GustWind::Parameters gusts;
     gusts.mean = readVelocity(table);
     gusts.seed = reading.seed;
@@ -132,7 +130,7 @@ bool readCorner(TableReader& table, const ForestReading& reading, glm::dvec3& co
     return given == table.has("corner") && placed == table.has("origin") && !(given && placed);
 }
 
-WindFieldPtr readGrid(TableReader& table, ForestReading& reading) {
+Wind readGrid(TableReader& table, ForestReading& reading) {
     GridWind::Grid grid;
     std::vector<double> points, cell;
     bool complete = table.readNumbers("points", points, 2, 3, gridPoints) || table.missing("points");
@@ -161,7 +159,7 @@ WindFieldPtr readGrid(TableReader& table, ForestReading& reading) {
     return checked(GridWind::create(std::move(grid)), table, reading);
 }
 
-WindFieldPtr readForestWind(TableReader& table, ForestReading& reading) {
+Wind readForestWind(TableReader& table, ForestReading& reading) {
     int width = 0, length = 0;
     glm::dvec3 corner(0.0);
     std::vector<float> values;
@@ -233,7 +231,7 @@ bool readSeriesValues(TableReader& table, WindSeries& series) {
     return complete;
 }
 
-WindFieldPtr readSeries(TableReader& table, ForestReading& reading) {
+Wind readSeries(TableReader& table, ForestReading& reading) {
     WindSeries series;
     bool complete =
         table.has("file") ? readSeriesFile(table, reading, series) : readSeriesValues(table, series);
@@ -243,8 +241,7 @@ WindFieldPtr readSeries(TableReader& table, ForestReading& reading) {
 }
 
 /// `date`, the moment of the wind that is time 0, in place of `start`.
-void takeDate(const std::string& text, TableReader& table, const ForestReading& reading,
-              RetimedWind::Clock& clock) {
+void takeDate(const std::string& text, TableReader& table, const ForestReading& reading, WindClock& clock) {
     const std::optional<double> date = parseIsoTime(text);
     if (table.has("start"))
         table.problem("date", "give either this or start");
@@ -279,7 +276,7 @@ WindSource readSource(TableReader& table, const ForestReading& reading) {
     return source;
 }
 
-WindFieldPtr readCalm(TableReader&, ForestReading&) {
+Wind readCalm(TableReader&, ForestReading&) {
     return nullptr;
 }
 
@@ -292,7 +289,7 @@ const std::vector<std::pair<std::string, WindFrame>>& windFrames() {
 }
 
 void readWind(TableReader& table, ForestReading& reading) {
-    WindFieldPtr (*kind)(TableReader&, ForestReading&) = nullptr;
+    Wind (*kind)(TableReader&, ForestReading&) = nullptr;
     table.readChoice<decltype(kind)>("kind", kind,
                                      {{"calm", readCalm},
                                       {"uniform", readUniform},
@@ -308,24 +305,19 @@ void readWind(TableReader& table, ForestReading& reading) {
         table.missing("kind");
         return table.ignoreRest();
     }
-    RetimedWind::Clock clock;
+    Wind& wind = reading.forest.wind;
+    wind = kind(table, reading);
+    WindClock clock;
     readFields(table, clock);
-    AdjustedWind::Adjustment adjustment;
-    readFields(table, adjustment);
-    table.readChoice("frame", reading.forest.windFrame, windFrames());
-    readFields(table, reading.forest.windCanopy);
-    reading.forest.wind = kind(table, reading);
     std::string date;
-    if (table.readScalar("date", date) && (reading.forest.wind || kind == readCalm))
+    if (table.readScalar("date", date) && (wind.field || kind == readCalm))
         takeDate(date, table, reading, clock);
-    if (reading.forest.wind && (clock.start != 0.0 || clock.scale != 1.0))
-        reading.forest.wind = std::make_shared<RetimedWind>(reading.forest.wind, clock);
-    if (reading.forest.wind && (adjustment.strength != 1.0 || adjustment.turn != 0.0))
-        reading.forest.wind = std::make_shared<AdjustedWind>(reading.forest.wind, adjustment);
-    std::vector<WindSource> sources;
-    table.tables("source", [&](TableReader& source) { sources.push_back(readSource(source, reading)); });
-    if (!sources.empty())
-        reading.forest.wind = std::make_shared<WindWithSources>(reading.forest.wind, std::move(sources));
+    wind.clock = clock.of(wind.clock);
+    readFields(table, wind.adjustment);
+    wind.frame = WindFrame::Forest;
+    table.readChoice("frame", wind.frame, windFrames());
+    readFields(table, wind.canopy.emplace());
+    table.tables("source", [&](TableReader& source) { wind.sources.push_back(readSource(source, reading)); });
 }
 
 } // namespace osgTreeWind

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/wind/FileWind.h>
+#include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
@@ -100,7 +100,7 @@ void chooseArea(ForestReading& reading, WindFileOptions& options) {
 
 } // namespace
 
-WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
+Wind readWindData(TableReader& table, ForestReading& reading) {
     WindFileOptions options;
     const bool known = readSpeedUnit(table, "speed_unit", options.speedUnit).has_value();
     std::vector<double> numbers = {0, 0, 0};
@@ -115,7 +115,7 @@ WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
     std::vector<double> times;
     if (!readDataPaths(table, reading, paths, times) || !known)
         return nullptr;
-    const Result<WindFile> wind =
+    Result<WindFile> wind =
         table.has("files") ? readWindFiles(paths, times, options) : readWindFile(paths.front(), options);
     if (!wind) {
         reportWind(wind.problems(), table, reading);
@@ -125,10 +125,10 @@ WindFieldPtr readWindData(TableReader& table, ForestReading& reading) {
     for (const std::string& note : wind.value().summary.notes)
         reading.forest.notes.push_back(paths.front() + ": " + note);
     noteTreesOutside(wind.value(), offset, paths.front(), reading);
-    return std::make_shared<FileWind>(wind.value().field,
-                                      FileWind::Source{paths, table.has("files"), times, offset,
-                                                       reading.forest.origin, options.crs, options.roughness,
-                                                       options.height, options.speedUnit});
+    wind.value().wind.files = std::make_shared<const WindFiles>(
+        WindFiles{paths, table.has("files"), times, offset, reading.forest.origin, options.crs,
+                  options.roughness, options.height, options.speedUnit});
+    return std::move(wind.value().wind);
 }
 
 } // namespace osgTreeWind

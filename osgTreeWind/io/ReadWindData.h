@@ -10,7 +10,7 @@ namespace osgTreeWind {
 
 /// Any file of wind data, or several; positions in it are world coordinates, moved by
 /// `offset`. Null after a problem.
-WindFieldPtr readWindData(TableReader& table, ForestReading& reading);
+Wind readWindData(TableReader& table, ForestReading& reading);
 
 /// Name of a unit of speed, "m/s" when the key is not there. @return the unit in m/s, if it is one.
 std::optional<double> readSpeedUnit(TableReader& table, const std::string& key, std::string& name);

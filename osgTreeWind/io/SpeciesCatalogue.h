@@ -14,6 +14,9 @@
 namespace osgTreeWind {
 
 /// Species that need no [[species]], by name (docs/species.md). Any number of threads may read one.
+///
+///     if (const Species* oak = SpeciesCatalogue::current().find("Quercus robur"))
+///         description.species.push_back(*oak);
 class OSGTREEWIND_EXPORT SpeciesCatalogue {
 public:
     /// The built-in species: osgTreeWind/species/species.treewind, as it was when the library was built.

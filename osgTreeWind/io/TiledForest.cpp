@@ -82,7 +82,7 @@ WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std:
         std::move(stands[i].begin(), stands[i].end(), std::back_inserter(stands[0]));
     if (every == 1)
         stands.resize(1);
-    return withUsualStands(shapes.description().windCanopy, stands);
+    return withUsualStands(shapes.description().wind.canopy.value_or(WindCanopy()), stands);
 }
 
 /// An empty folder for tiles, and no world beside it. @return what keeps it from that; empty when it is done.
@@ -126,7 +126,7 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
     tiles = writer.tiles();
     tiles.range = options.range > 0.0 ? options.range : rangeOfTiles(tiles);
     if (!failed)
-        forest.windCanopy = tiledCanopy(writer, executor, failed);
+        forest.wind.canopy = tiledCanopy(writer, executor, failed);
     if (failed || !writeWholeFile(folder + "/fly.path", flightOver(tiles, forest.origin)))
         return fileProblem(tiles.folder, "cannot be written");
     ForestTiles result = tiles;

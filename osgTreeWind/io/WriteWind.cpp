@@ -2,15 +2,15 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
-#include <osgTreeWind/wind/FileWind.h>
+#include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
-#include <osgTreeWind/wind/WindWithSources.h>
+#include <osgTreeWind/wind/WindFiles.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <utility>
+#include <variant>
 
 namespace osgTreeWind {
 
@@ -21,29 +21,45 @@ class WindWriter {
 public:
     WindWriter(std::ostream& output, const ForestDescription& forest) : _output(output), _forest(forest) {}
 
-    std::string write(const WindField& wind) {
-        if (const auto uniform = dynamic_cast<const UniformWind*>(&wind))
-            return kind("uniform"), ofUniform(uniform->velocity());
-        if (const auto gusts = dynamic_cast<const GustWind*>(&wind))
-            return kind("gusts"), ofGusts(gusts->parameters());
-        if (const auto grid = dynamic_cast<const GridWind*>(&wind))
-            return kind("grid"), fields(grid->grid());
-        if (const auto array = dynamic_cast<const ForestWind*>(&wind))
-            return kind("forest_wind"), fields(array->array());
-        if (const auto record = dynamic_cast<const TimeSeriesWind*>(&wind))
-            return kind("series"), fields(record->series()) + profile(record->series().profile);
-        if (const auto file = dynamic_cast<const FileWind*>(&wind))
-            return kind("file"), ofFiles(file->source());
-        if (const auto retimed = dynamic_cast<const RetimedWind*>(&wind))
-            return ofRetimed(*retimed);
-        if (const auto adjusted = dynamic_cast<const AdjustedWind*>(&wind)) {
-            const std::string problem = fields(adjusted->adjustment());
-            return problem.empty() ? write(*adjusted->inner()) : problem;
-        }
-        if (dynamic_cast<const WindWithSources*>(&wind))
-            return "a wind with sources within another one";
+    /// The field, with the clock and the adjustment.
+    std::string write(const Wind& wind) {
+        if (wind.files)
+            kind("file");
+        std::string problem = wind.files ? ofFiles(*wind.files) : std::visit(*this, wind.field->kind());
+        const WindClock usual;
+        if (wind.clock.start != usual.start || wind.clock.scale != usual.scale)
+            take(problem, fields(wind.clock));
+        if (!wind.adjustment.isNone())
+            take(problem, fields(wind.adjustment));
+        if (!wind.files && (wind.map || wind.clock.isCarried()))
+            take(problem,
+                 "a wind on a map of its own, or carried past a plane, that was not read from a file");
+        return problem;
+    }
+
+    std::string operator()(const UniformWind* wind) {
+        kind("uniform");
+        const glm::vec3& velocity = wind->velocity();
+        key("velocity", tomlText(velocity));
+        for (const float speed : {velocity.x, velocity.y, velocity.z})
+            if (!windSpeeds.contains(static_cast<double>(speed)))
+                return "velocity: expected a finite number " + windSpeeds.text();
+        return {};
+    }
+    std::string operator()(const GustWind* wind) {
+        kind("gusts");
+        const GustWind::Parameters& gusts = wind->parameters();
+        key("velocity", tomlText(gusts.mean));
+        return fields(gusts) + profile(gusts.profile);
+    }
+    std::string operator()(const GridWind* wind) { return kind("grid"), fields(wind->grid()); }
+    std::string operator()(const ForestWind* wind) { return kind("forest_wind"), fields(wind->array()); }
+    std::string operator()(const TimeSeriesWind* wind) {
+        return kind("series"), fields(wind->series()) + profile(wind->series().profile);
+    }
+    std::string operator()(const WindField*) {
         return "a wind that no file can say: expected a uniform one, gusts, a grid, a series or one from a "
-               "file, not a callable, streamed or moved one";
+               "file, not a callable or streamed one";
     }
 
 private:
@@ -65,20 +81,13 @@ private:
         return profile ? fields(*profile) : std::string();
     }
 
-    std::string ofUniform(const glm::vec3& velocity) {
-        key("velocity", tomlText(velocity));
-        for (const float speed : {velocity.x, velocity.y, velocity.z})
-            if (!windSpeeds.contains(static_cast<double>(speed)))
-                return "velocity: expected a finite number " + windSpeeds.text();
-        return {};
+    /// Keeps the first problem.
+    static void take(std::string& problem, std::string&& next) {
+        if (problem.empty())
+            problem = std::move(next);
     }
 
-    std::string ofGusts(const GustWind::Parameters& gusts) {
-        key("velocity", tomlText(gusts.mean));
-        return fields(gusts) + profile(gusts.profile);
-    }
-
-    std::string ofFiles(const FileWind::Source& source) {
+    std::string ofFiles(const WindFiles& source) {
         std::vector<std::string> files;
         for (const std::string& file : source.files) {
             if (std::string problem = problemOfFile(file); !problem.empty())
@@ -102,13 +111,6 @@ private:
         return source.origin == _forest.origin ? "" : "it was read for a forest with another origin";
     }
 
-    std::string ofRetimed(const RetimedWind& wind) {
-        if (std::isfinite(wind.clock().speed))
-            return "a wind carried past a plane that was not read from a file";
-        const std::string problem = fields(wind.clock());
-        return problem.empty() ? write(*wind.inner()) : problem;
-    }
-
     std::ostream& _output;
     const ForestDescription& _forest;
 };
@@ -116,30 +118,25 @@ private:
 } // namespace
 
 std::string writeWind(std::ostream& output, const ForestDescription& forest) {
-    const WindCanopy usual;
-    const Fields& canopy = fieldsOf<WindCanopy>();
-    const bool alone = std::all_of(canopy.begin(), canopy.end(), [&](const Field& field) {
-        return sameField(field, &forest.windCanopy, &usual);
-    });
-    if (!forest.wind && alone)
+    const Wind& wind = forest.wind;
+    const WindCanopy usual, canopy = wind.canopy.value_or(usual);
+    if (wind.isCalm() && sameFields(canopy, usual))
         return {};
-    const auto* const sourced = dynamic_cast<const WindWithSources*>(forest.wind.get());
-    const WindField* const wind = sourced ? sourced->wind().get() : forest.wind.get();
     output << "\n[wind]\n";
-    writeFields(output, "wind", canopy, &forest.windCanopy, &usual);
-    for (const auto& [name, frame] : windFrames())
-        if (frame == forest.windFrame && frame != WindFrame::Forest)
-            output << "frame = " << tomlText(name) << '\n';
     std::string problem;
-    if (wind)
-        problem = WindWriter(output, forest).write(*wind);
+    if (wind.field)
+        problem = WindWriter(output, forest).write(wind);
     else
         output << "kind = \"calm\"\n";
-    for (std::size_t i = 0; sourced && problem.empty() && i < sourced->sources().size(); ++i) {
+    for (const auto& [name, frame] : windFrames())
+        if (frame == wind.frame && frame != WindFrame::Forest)
+            output << "frame = " << tomlText(name) << '\n';
+    writeFields(output, "wind", fieldsOf<WindCanopy>(), &canopy, &usual);
+    for (std::size_t i = 0; problem.empty() && i < wind.sources.size(); ++i) {
         output << "\n[[wind.source]]\n";
         Diagnostics problems;
-        checkFields(sourced->sources()[i], "source", problems);
-        writeFields(output, "wind.source", fieldsOf<WindSource>(), &sourced->sources()[i], nullptr);
+        checkFields(wind.sources[i], "source", problems);
+        writeFields(output, "wind.source", fieldsOf<WindSource>(), &wind.sources[i], nullptr);
         problem = problems.empty() ? "" : problems.front().text();
     }
     return problem;

@@ -48,10 +48,6 @@ std::unique_ptr<WindDamage> damageOf(const ForestDescription& description) {
     return some ? std::make_unique<WindDamage>() : nullptr;
 }
 
-FramedWind givenBy(const ForestDescription& description) {
-    return {description.wind, description.windFrame};
-}
-
 Diagnostics noSuchTree() {
     return {keyProblem("tree", "no tree has this id, or it is gone")};
 }
@@ -75,12 +71,12 @@ ForestSimulation::ForestSimulation(ForestDescription description, const Simulati
                                    std::shared_ptr<GivenWind> wind)
     : _forest(placed(std::move(description), options)), _lent(options.executor),
       _motion(motionOf(*_forest, options)),
-      _wind(wind ? std::move(wind) : std::make_shared<GivenWind>(givenBy(this->description()))),
+      _wind(wind ? std::move(wind) : std::make_shared<GivenWind>(this->description().wind)),
       _amongTrees(std::make_unique<WindAmongTrees>()), _damage(damageOf(this->description())) {}
 
 ForestSimulation::ForestSimulation(const ForestSimulation& other)
     : _forest(std::make_unique<PlacedForest>(*other._forest)), _lent(other._lent),
-      _motion(other._motion->restarted(*_forest)), _wind(std::make_shared<GivenWind>(other._wind->get())),
+      _motion(other._motion->restarted(*_forest)), _wind(std::make_shared<GivenWind>(*other._wind->get())),
       _amongTrees(std::make_unique<WindAmongTrees>()), _damage(damageOf(description())) {
     regrow();
 }
@@ -97,9 +93,7 @@ const ForestDescription& ForestSimulation::description() const {
 
 ForestDescription ForestSimulation::describe() const {
     ForestDescription now = _forest->describe();
-    const FramedWind given = _wind->get();
-    now.wind = given.wind;
-    now.windFrame = given.frame;
+    now.wind = *_wind->get();
     return now;
 }
 
@@ -255,12 +249,12 @@ std::string ForestSimulation::nameOf(TreeId tree) const {
     return holds(tree) ? _forest->names.of(static_cast<std::uint32_t>(slotOf(tree))) : std::string();
 }
 
-void ForestSimulation::setWind(WindFieldPtr wind) {
-    _wind->set({std::move(wind), _wind->get().frame});
+void ForestSimulation::setWind(Wind wind) {
+    _wind->set(std::move(wind));
 }
 
-WindFieldPtr ForestSimulation::wind() const {
-    return _wind->get().wind;
+Wind ForestSimulation::wind() const {
+    return *_wind->get();
 }
 
 void ForestSimulation::setExecutor(Executor executor) {
@@ -290,7 +284,7 @@ std::optional<float> ForestSimulation::elapsedAt(double time) {
 }
 
 WindFieldPtr ForestSimulation::windHere() {
-    WindFieldPtr wind = _amongTrees->from(_wind->here(), *_forest, *_time);
+    WindFieldPtr wind = _amongTrees->from(*_wind, *_forest, *_time);
     if (_amongTrees->company() && _amongTrees->company() != _stand) {
         _stand = _amongTrees->company();
         _motion->standIn(*_stand);

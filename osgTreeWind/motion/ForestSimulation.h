@@ -15,7 +15,7 @@
 
 namespace osgTreeWind {
 
-class CanopyWind;
+class CanopyFlow;
 class GivenWind;
 class Motion;
 class WindAmongTrees;
@@ -88,8 +88,8 @@ public:
     float season() const; ///< Of the year.
 
     /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
-    void setWind(WindFieldPtr wind);
-    WindFieldPtr wind() const; ///< Null: calm.
+    void setWind(Wind wind);
+    Wind wind() const; ///< As set.
 
     /// As SimulationOptions::executor, from the next step on.
     void setExecutor(Executor executor);
@@ -144,7 +144,7 @@ private:
     std::shared_ptr<GivenWind> _wind;
     std::unique_ptr<WindAmongTrees> _amongTrees;
     std::unique_ptr<WindDamage> _damage;      ///< Null: no wind does any.
-    std::shared_ptr<const CanopyWind> _stand; ///< In which the trees have their company; null: alone.
+    std::shared_ptr<const CanopyFlow> _stand; ///< In which the trees have their company; null: alone.
 };
 
 } // namespace osgTreeWind

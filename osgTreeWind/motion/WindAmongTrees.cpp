@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/WindAmongTrees.h>
 
+#include <osgTreeWind/wind/WindFields.h>
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -31,7 +33,7 @@ void WindAmongTrees::reset() {
     *this = WindAmongTrees();
 }
 
-std::shared_ptr<const CanopyMap> WindAmongTrees::canopyOfForest(const PlacedForest& forest) {
+std::shared_ptr<CanopyMap> WindAmongTrees::canopyOfForest(const PlacedForest& forest) {
     _trees.resize(forest.trees.size());
     std::vector<StandTree> alive;
     alive.reserve(_trees.size());
@@ -44,41 +46,39 @@ std::shared_ptr<const CanopyMap> WindAmongTrees::canopyOfForest(const PlacedFore
                                  glm::vec2(tree.position));
         alive.push_back(*_trees[slot]);
     }
-    return canopyOf(alive, forest.description().windCanopy);
+    return std::make_shared<CanopyMap>(*canopyOf(alive, _asked));
 }
 
-WindFieldPtr WindAmongTrees::from(const WindFieldPtr& given, const PlacedForest& forest, double time) {
-    const WindCanopy& canopy = forest.description().windCanopy;
-    if (!given || canopy.source == CanopySource::None)
-        return given;
+WindFieldPtr WindAmongTrees::from(GivenWind& given, const PlacedForest& forest, double time) {
+    const std::shared_ptr<const Wind> wind = given.get();
+    const WindCanopy asked = wind->canopy.value_or(WindCanopy());
+    if (!wind->field || asked.source == CanopySource::None)
+        return given.here();
+    const bool asksAnew = !sameFields(asked, _asked);
+    if (asksAnew) {
+        _asked = asked;
+        _usual = CanopyCell();
+    }
     const bool waits = forest.description().tiles && std::abs(time - _madeAt) < patience;
-    if (!_canopy || (_changed && !waits)) {
-        const auto made = std::make_shared<CanopyMap>(*canopyOfForest(forest));
+    if (!_canopy || asksAnew || (_changed && !waits)) {
+        const std::shared_ptr<CanopyMap> made = canopyOfForest(forest);
         if (_usual.closure > 0.0f)
             made->usual = _usual;
         _usual = made->usual;
+        made->refer(static_cast<float>(asked.reference));
         _canopy = made;
         _changed = false;
         _madeAt = time;
         _given = nullptr;
         _company = nullptr;
     }
-    if (given == _given)
+    if (wind == _given && given.place() == _place)
         return _met;
-    const auto continueDown = [&](const WindFieldPtr& open) -> WindFieldPtr {
-        if (!open)
-            return nullptr;
-        const auto among =
-            std::make_shared<CanopyWind>(open, *_canopy, static_cast<float>(canopy.reference), canopy.seed);
-        if (!(_company && near(among->meanWind(), _company->meanWind())))
-            _company = among;
-        return among;
-    };
-    // Sources move the air among the trees as above them.
-    _met = given->changedBesideSources(continueDown);
-    if (!_met)
-        _met = continueDown(given);
-    _given = given;
+    _given = wind;
+    _place = given.place();
+    _met = std::make_shared<WindSampler>(wind, _place, _canopy);
+    if (!(_company && near(_met->canopy()->meanWind(), _company->meanWind())))
+        _company = _met->canopy();
     return _met;
 }
 

@@ -105,19 +105,15 @@ Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
 
 Forest::~Forest() = default;
 
-Diagnostics Forest::setWind(WindFieldPtr wind, WindFrame frame) {
-    if (frame < WindFrame::Forest || frame > WindFrame::Geocentric)
-        return {keyProblem("frame", "there is no frame " + std::to_string(static_cast<int>(frame)))};
-    _wind->set({std::move(wind), frame});
-    return {};
+Diagnostics Forest::setWind(Wind wind) {
+    Diagnostics problems = check(wind);
+    if (problems.empty())
+        _wind->set(std::move(wind));
+    return problems;
 }
 
-WindFieldPtr Forest::getWind() const {
-    return _wind->get().wind;
-}
-
-WindFrame Forest::getWindFrame() const {
-    return _wind->get().frame;
+Wind Forest::getWind() const {
+    return *_wind->get();
 }
 
 void Forest::setExecutor(Executor executor) {
@@ -163,8 +159,9 @@ Diagnostics Forest::setDescription(ForestDescription description) {
 }
 
 void Forest::grow(ForestDescription description) {
-    if (description.wind)
-        setWind(description.wind, description.windFrame);
+    Wind wind = description.wind.isCalm() ? getWind() : description.wind;
+    wind.canopy = description.wind.canopy.value_or(WindCanopy());
+    _wind->set(std::move(wind));
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
     options.executor = _executor;

@@ -6,7 +6,7 @@
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/motion/damage/TreeDamage.h>
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/Wind.h>
 
 #include <osg/Group>
 #include <osg/Matrix>
@@ -57,12 +57,12 @@ public:
     /// As given, but without its trees, with the species that were added, and with its first wind and season.
     const ForestDescription& getDescription() const;
 
-    /// The wind from the next frame on, and whose axes it is given in; null for calm. Any thread, any time,
-    /// also while a description is set, which says both too: whichever of the two comes last counts.
-    /// @return a problem where the frame is unknown.
-    Diagnostics setWind(WindFieldPtr wind, WindFrame frame = WindFrame::Scene);
-    WindFieldPtr getWind() const;   ///< Null: calm.
-    WindFrame getWindFrame() const; ///< As set.
+    /// The wind from the next frame on; a field by itself is one, null is a calm. One without a canopy keeps
+    /// that of the wind before. Any thread, any time, also while a description is set: the last of both
+    /// counts.
+    /// @return the problems that check() finds, and the wind stays as it was; empty when all is well.
+    Diagnostics setWind(Wind wind);
+    Wind getWind() const; ///< As set, with its canopy.
 
     /// A host's threads to step it, and to grow descriptions to come (SimulationOptions); null: those of the
     /// process. In update or between frames.

@@ -8,6 +8,8 @@
 namespace osgTreeWind {
 
 /// Any callable as a ground: a formula, or a door into a host's own terrain.
+///
+///     description.ground = std::make_shared<FunctionGround>([](double x, double) { return 0.1 * x; });
 class OSGTREEWIND_EXPORT FunctionGround final : public Ground {
 public:
     /// Metres at x and y of the world's frame, NaN where there is no ground. Called from any thread, several

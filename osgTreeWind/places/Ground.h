@@ -18,6 +18,15 @@ struct GroundArea {
 };
 
 /// The ground that a forest stands on. Immutable once shared: any number of threads may ask one.
+///
+///     class Hill : public Ground {
+///     public:
+///         std::optional<double> height(const glm::dvec2& place) const override {
+///             return 20.0 / (1.0 + 1e-4 * (place.x * place.x + place.y * place.y));
+///         }
+///         GroundArea area() const override { return {}; }
+///     };
+///     description.ground = std::make_shared<Hill>();
 class OSGTREEWIND_EXPORT Ground {
 public:
     virtual ~Ground();

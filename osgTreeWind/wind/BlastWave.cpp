@@ -87,6 +87,17 @@ BlastWave::Front BlastWave::front(double distance) const {
     return front;
 }
 
+double BlastWave::reach(double wind) const {
+    double near = 0.0, far = _scale;
+    while (front(far).wind > wind && far < 1e7)
+        near = far, far *= 2.0;
+    for (int i = 0; i < 30; ++i) {
+        const double middle = 0.5 * (near + far);
+        (front(middle).wind > wind ? near : far) = middle;
+    }
+    return far;
+}
+
 double BlastWave::wind(double distance, double time) const {
     const Front at = front(distance);
     const double now = (time - at.arrival) / at.duration, before = now - averaged / at.duration;

@@ -22,6 +22,8 @@ public:
     };
     /// @param distance from the charge, metres.
     Front front(double distance) const;
+    /// How far the front goes until the air behind it is no faster than `wind`, m/s above 0; metres.
+    double reach(double wind) const;
 
     /// Away from the charge, m/s, within 200: the wind whose drag is the mean drag of the last 0.2 s. A blast
     /// is over in some 0.02 s, and forests ask for the wind every 0.1 s at times; so they feel all of its

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/CanopyWind.h>
+#include <osgTreeWind/wind/CanopyFlow.h>
 
 #include <osgTreeWind/wind/HeldTime.h>
 #include <osgTreeWind/wind/SwingingWind.h>
@@ -23,7 +23,7 @@ constexpr float fastestAbove = 1e4f; // m/s
 } // namespace
 
 /// What of a wind is level: toward east in a calm, as which it counts where it is no number or too fast.
-struct CanopyWind::LevelWind {
+struct CanopyFlow::LevelWind {
     float speed = 0.0f;
     glm::vec3 along{1.0f, 0.0f, 0.0f};
 
@@ -54,17 +54,6 @@ WindPlace raisedTo(const WindPlace& place, float height) {
     raised.position.z += height - place.height;
     raised.height = height;
     return raised;
-}
-
-std::shared_ptr<const CanopyMap> referredTo(float reference, const CanopyMap& map) {
-    auto referred = std::make_shared<CanopyMap>(map);
-    referred->refer(reference);
-    return referred;
-}
-
-WindFieldPtr meanOf(const WindFieldPtr& wind) {
-    WindFieldPtr mean = wind->withoutGusts();
-    return mean ? mean : wind;
 }
 
 /// The wind as it mostly is: over an hour.
@@ -122,30 +111,24 @@ float skewed(float noise, float skewness) {
 
 } // namespace
 
-CanopyWind::CanopyWind(WindFieldPtr open, const CanopyMap& map, float reference, std::uint32_t seed)
-    : _open(std::move(open)), _mean(meanOf(_open)), _map(referredTo(reference, map)),
-      _usual(usualWind(*_mean, _map->reference)), _pace(_usual * (pace * _map->usual.top)),
+CanopyFlow::CanopyFlow(const WindField& mean, std::shared_ptr<const CanopyMap> map, std::uint32_t seed)
+    : _map(std::move(map)), _usual(usualWind(mean, _map->reference)),
+      _pace(_usual * (pace * _map->usual.top)),
       _noise(seed, static_cast<double>(pace * std::max(_map->usual.profile.height, 1.0f)),
              stretchAlong(LevelWind(_pace).along), octaves) {}
 
-glm::vec3 CanopyWind::velocity(const WindPlace& place, double time) const {
-    glm::vec3 result;
-    sample(&place, 1, time, &result);
-    return result;
-}
-
 /// The stand that the air of a place comes from.
-CanopyAt CanopyWind::standOf(const glm::vec3& place, const LevelWind& wind) const {
+CanopyAt CanopyFlow::standOf(const glm::vec3& place, const LevelWind& wind) const {
     return _map->at(glm::vec2(place - _map->fetch * wind.along), _map->usual.top * wind.speed);
 }
 
-TreeCompany CanopyWind::companyAt(const glm::vec2& place) const {
+TreeCompany CanopyFlow::companyAt(const glm::vec2& place) const {
     const CanopyAt stand = standOf(glm::vec3(place, 0.0f), LevelWind(_usual));
     return {_map->crownsAt(place), 1.0f - stand.closure * (1.0f - stand.shelter)};
 }
 
 /// @param given the wind at the reference.
-glm::vec3 CanopyWind::among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
+glm::vec3 CanopyFlow::among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
                             const NoisePoint& noise) const {
     const CanopyProfile& profile = stand.profile;
     const float z = place.height, skewness = profile.skewness(z), mean = profile.mean(z);
@@ -173,7 +156,8 @@ glm::vec3 CanopyWind::among(const CanopyAt& stand, const WindPlace& place, const
                      glm::vec3(0.0f, 0.0f, spread.up * down));
 }
 
-void CanopyWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, const WindPlace* places,
+                        std::size_t count, double time, glm::vec3* out) const {
     const GustNoise::At noise = _noise.at(glm::dvec3(_pace) * heldTime(time, 1e12));
     constexpr std::size_t block = GustNoise::block;
     WindPlace raised[block];
@@ -185,7 +169,7 @@ void CanopyWind::sample(const WindPlace* places, std::size_t count, double time,
         const std::size_t size = std::min(count - first, block);
         for (std::size_t n = 0; n < size; ++n)
             raised[n] = raisedTo(places[first + n], _map->reference);
-        _mean->sample(raised, size, time, given);
+        meanWind.sample(raised, size, time, given);
         bool open = false, closed = false;
         for (std::size_t n = 0; n < size; ++n) {
             level[n] = n > 0 && given[n] == given[n - 1] ? level[n - 1] : LevelWind(given[n]);
@@ -194,7 +178,7 @@ void CanopyWind::sample(const WindPlace* places, std::size_t count, double time,
             closed |= stands[n].closure > 0.0f;
         }
         if (open)
-            _open->sample(places + first, size, time, out + first);
+            openWind.sample(places + first, size, time, out + first);
         if (closed)
             noise.sample(places + first, size, turbulence);
         for (std::size_t n = 0; n < size; ++n) {

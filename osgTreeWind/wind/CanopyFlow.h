@@ -6,6 +6,7 @@
 #include <osgTreeWind/wind/TreeCompany.h>
 #include <osgTreeWind/wind/WindField.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -13,18 +14,20 @@ namespace osgTreeWind {
 
 /// A wind that does not know of the trees, continued down among them.
 ///
-/// At `reference` above the ground it is the mean of a canopy's wind, which is scaled from there as the
-/// stand's profile says. Turbulence is the canopy's own: about as long as trees are high, carried along at
-/// 1.8 times the mean at their tops (Raupach, Finnigan and Brunet 1996), with sweeps, rare and strong, that
-/// come from above and swing in direction. Toward open country the given wind takes over with its own gusts.
-/// A function of place and time, finite for finite arguments.
-class CanopyWind final : public WindField {
+/// At the map's reference above the ground it is the mean of the canopy's wind, which is scaled from there as
+/// the stand's profile says. Turbulence is the canopy's own: about as long as trees are high, carried along
+/// at 1.8 times the mean at their tops (Raupach, Finnigan and Brunet 1996), with sweeps, rare and strong,
+/// that come from above and swing in direction. Toward open country the given wind takes over with its own
+/// gusts. A function of place and time, finite for finite arguments.
+class CanopyFlow {
 public:
-    /// @param open not null. @param reference metres above the ground, at least the highest canopy's top.
-    CanopyWind(WindFieldPtr open, const CanopyMap& map, float reference, std::uint32_t seed);
+    /// @param mean the wind above, without the gusts that it makes up. @param map not null; refer() was
+    /// called.
+    CanopyFlow(const WindField& mean, std::shared_ptr<const CanopyMap> map, std::uint32_t seed);
 
-    glm::vec3 velocity(const WindPlace& place, double time) const override;
-    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+    /// WindField::sample(). @param open the wind above. @param mean the same without gusts.
+    void sample(const WindField& open, const WindField& mean, const WindPlace* places, std::size_t count,
+                double time, glm::vec3* out) const;
 
     /// Of a tree there, in the mean wind.
     TreeCompany companyAt(const glm::vec2& place) const;
@@ -37,7 +40,6 @@ private:
     glm::vec3 among(const CanopyAt& stand, const WindPlace& place, const LevelWind& given,
                     const NoisePoint& noise) const;
 
-    WindFieldPtr _open, _mean; ///< As given, and without the gusts that it makes up.
     std::shared_ptr<const CanopyMap> _map;
     glm::vec3 _usual; ///< Mean wind at the reference.
     glm::vec3 _pace;  ///< Of gusts, m/s.

@@ -25,6 +25,7 @@ public:
     const Array& array() const { return _array; }
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
+    KindOfWind kind() const override { return this; }
 
 private:
     Array _array;

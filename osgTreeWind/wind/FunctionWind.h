@@ -9,6 +9,10 @@
 namespace osgTreeWind {
 
 /// Any callable as a wind: a formula, or a door into a running simulator.
+///
+///     forest->setWind(std::make_shared<FunctionWind>([](const glm::vec3& place, double time) {
+///         return glm::vec3(5.0 + std::sin(time - 0.1 * place.x), 0.0, 0.0);
+///     }));
 class OSGTREEWIND_EXPORT FunctionWind final : public WindField {
 public:
     /// Velocity (m/s toward) at a position in the scene (metres; z is not height above the ground) and time

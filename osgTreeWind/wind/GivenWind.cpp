@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/GivenWind.h>
 
-#include <osgTreeWind/wind/MovedWind.h>
+#include <osgTreeWind/wind/WindSampler.h>
+
+#include <utility>
 
 namespace osgTreeWind {
 
-void GivenWind::set(FramedWind given) {
+GivenWind::GivenWind(Wind given) : _given(std::make_shared<const Wind>(std::move(given))) {}
+
+void GivenWind::set(Wind given) {
+    const auto next = std::make_shared<Wind>(std::move(given));
+    std::shared_ptr<const Wind> before = next; // goes after the lock, with the old field
     const std::lock_guard<std::mutex> lock(_mutex);
-    std::swap(_given, given); // the old field goes when the parameter does, after the lock
+    if (!next->canopy)
+        next->canopy = _given->canopy;
+    std::swap(_given, before);
 }
 
-FramedWind GivenWind::get() const {
+std::shared_ptr<const Wind> GivenWind::get() const {
     const std::lock_guard<std::mutex> lock(_mutex);
     return _given;
 }
 
 WindFieldPtr GivenWind::here() {
-    const FramedWind given = get();
-    if (!given.wind || given.frame == WindFrame::Forest || _place == glm::dmat4(1.0))
-        return given.wind;
-    if (!(given == _metGiven) || _place != _metPlace) {
+    const std::shared_ptr<const Wind> given = get();
+    if (given != _metGiven || _place != _metPlace) {
         _metGiven = given;
         _metPlace = _place;
-        _met = std::make_shared<MovedWind>(given.wind, _place,
-                                           given.frame == WindFrame::Geocentric ? MovedWind::Up::OfTheFrame
-                                                                                : MovedWind::Up::OfTheWorld);
+        _met = asField(given, _place);
     }
     return _met;
 }

@@ -1,41 +1,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/Wind.h>
 
 #include <glm/mat4x4.hpp>
 
+#include <memory>
 #include <mutex>
-#include <utility>
 
 namespace osgTreeWind {
 
-/// A wind, and whose axes it is given in.
-struct FramedWind {
-    WindFieldPtr wind; ///< Null: calm.
-    WindFrame frame = WindFrame::Scene;
-    bool operator==(const FramedWind& other) const { return wind == other.wind && frame == other.frame; }
-};
-
-/// The wind that a forest is given: any thread may set and get it at any time. Whoever moves the forest meets
-/// it where the forest stands.
+/// The wind that a forest is given, and where the forest stands in it: any thread may set and get the wind at
+/// any time.
 class GivenWind {
 public:
-    explicit GivenWind(FramedWind given = {}) : _given(std::move(given)) {}
+    explicit GivenWind(Wind given = {});
 
-    void set(FramedWind given);
-    FramedWind get() const;
+    /// One without a canopy keeps that of the wind before.
+    void set(Wind given);
+    std::shared_ptr<const Wind> get() const; ///< Never null.
 
     /// Where the forest stands: takes its places to the scene. One thread.
     void setPlace(const glm::dmat4& forestToScene) { _place = forestToScene; }
-    /// In the forest's own coordinates; the same object while nothing changes. One thread.
+    const glm::dmat4& place() const { return _place; } ///< As set.
+    /// The wind in the forest's own coordinates as if no tree were there; null: calm. The same object while
+    /// nothing changes. One thread.
     WindFieldPtr here();
 
 private:
     mutable std::mutex _mutex; // guards _given
-    FramedWind _given;
+    std::shared_ptr<const Wind> _given;
     glm::dmat4 _place{1.0};
-    FramedWind _metGiven; ///< What here() was made of,
+    std::shared_ptr<const Wind> _metGiven; ///< What here() was made of,
     glm::dmat4 _metPlace{1.0};
     WindFieldPtr _met; ///< and it.
 };

@@ -15,6 +15,13 @@ namespace osgTreeWind {
 
 /// Wind known at the points of a grid, regular east and north, for one time or several: linear between points
 /// and between times, held at the edges and before the first and after the last time.
+///
+///     GridWind::Grid grid;
+///     grid.points = {2, 1, 1};
+///     grid.cell = {100.0, 1.0, 1.0};
+///     grid.values = {4.0f, 0.0f, 0.0f, 8.0f, 0.0f, 0.0f}; // u, v, w of each point
+///     if (const auto wind = GridWind::create(grid))
+///         forest->setWind(wind.value());
 class OSGTREEWIND_EXPORT GridWind final : public WindField {
 public:
     /// The grid as plain values.
@@ -55,6 +62,7 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+    KindOfWind kind() const override { return this; }
 
 private:
     explicit GridWind(Grid grid);

@@ -22,6 +22,12 @@ class GustNoise;
 /// above (Kolmogorov), over two decades. Standard deviations across the wind and upward are 0.8 and 0.5 of
 /// that along it (IEC 61400-1, Kaimal). One seed gives one wind. The whole follows the ground: what counts is
 /// the height of a place above it.
+///
+///     GustWind::Parameters gusts;
+///     gusts.mean = windVelocity({8.0, 240.0}, DirectionSense::From);
+///     gusts.profile = LogProfile{10.0, 0.05};
+///     if (const auto wind = GustWind::create(gusts))
+///         forest->setWind(wind.value());
 class OSGTREEWIND_EXPORT GustWind final : public WindField {
 public:
     /// How fast, how gusty, how large.
@@ -42,6 +48,7 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+    KindOfWind kind() const override { return this; }
     WindFieldPtr withoutGusts() const override;
 
 private:

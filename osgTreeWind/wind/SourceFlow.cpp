@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace osgTreeWind {
 
@@ -23,6 +24,10 @@ namespace {
 constexpr double standardDensity = 1.225; // kg/m^3, standard atmosphere at sea level
 constexpr double farthestFlow = 1e6;      // metres; nothing reaches so far
 constexpr double longestFlow = 1e9;       // seconds
+constexpr double least = 0.2;             // m/s; Beaufort 0 ends there
+constexpr double eddyViscosity = 0.08;    // over the largest speed and the half width of a wake: 1 / 12.5
+constexpr double lambOseen = 1.25643;     // where the speed of their vortex is largest
+constexpr double widest = 0.5; // of a jet, where nothing of it is left, over the way from its mouth
 
 // A round turbulent jet (Pope 2000, 5.1): U0/UJ = B d / (x - x0), half as fast at S (x - x0) from the axis.
 constexpr double decay = 5.8, spreading = 0.094, virtualOrigin = 4.0; // the latter in diameters of the mouth
@@ -87,6 +92,69 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)
         _carries.z = -inducedSpeed(_source);
     else
         _carries.z = 0.2 * std::abs(_source.speed); // a whirl draws up what it holds
+    _reach = std::min(reachOf(), farthestFlow);
+}
+
+/// Where the wake is slower, which is widest for the vehicle that meets the most air.
+double SourceFlow::wakeReach() const {
+    constexpr double headwind = 20.0; // m/s
+    const double pace = glm::dot(_source.velocity, _along) + headwind;
+    const double fastest = 0.25 * _source.dragArea * _source.height * std::exp(-0.5) / glm::pi<double>();
+    const double wake = std::pow(fastest * pace / least, 4.0 / 3.0) / (4.0 * eddyViscosity * fastest);
+    const double section = 2.0 * _source.radius * _source.height,
+                 around = std::sqrt(pace * section / (glm::two_pi<double>() * least));
+    return _source.length + std::max(fastest > 0.0 ? wake : 0.0, around);
+}
+
+double SourceFlow::reachOf() const {
+    switch (_source.kind) {
+    case WindSource::Kind::Rotor: { // of one 100 m above the ground, which no lower one outreaches
+        const double wash = 1.32 * std::sqrt(_source.thrust / standardDensity) / 100.0;
+        return 100.0 * std::pow(wash / least, 1.0 / 1.1) + 10.0 * _source.radius;
+    }
+    case WindSource::Kind::Jet:
+        return 2.0 * _source.radius *
+               (virtualOrigin + decay * std::max(std::abs(_source.speed) / least, 1.0));
+    case WindSource::Kind::Vortex:
+        return _source.radius * std::max((1.0 + 0.5 / lambOseen) * std::abs(_source.speed) / least, 1.0);
+    case WindSource::Kind::Vehicle:
+        return wakeReach();
+    case WindSource::Kind::Explosion:
+        return BlastWave(_source.charge).reach(least);
+    case WindSource::Kind::Shelter:
+        break;
+    }
+    return 1.2 * _source.radius;
+}
+
+bool SourceFlow::reaches(const WindPlace& place, double time) const {
+    return glm::length(glm::dvec2(offsetOf(place, time))) < _reach;
+}
+
+double SourceFlow::patience() const {
+    const double speed = glm::length(glm::dvec2(_source.velocity));
+    return speed > 0.0 ? _reach / speed : std::numeric_limits<double>::infinity();
+}
+
+bool SourceFlow::isBent() const {
+    return _source.kind == WindSource::Kind::Rotor || _source.kind == WindSource::Kind::Vehicle;
+}
+
+WindPlace SourceFlow::airPlace(float ground, double time) const {
+    glm::vec3 middle(_source.position + heldTime(time, longestFlow) * _source.velocity);
+    if (_source.kind == WindSource::Kind::Vehicle)
+        middle.z = ground + 0.5f * static_cast<float>(_source.height);
+    return {middle, ground};
+}
+
+std::pair<glm::dvec2, glm::dvec2> SourceFlow::box(double time, double half) const {
+    const glm::dvec2 middle(_source.position + heldTime(time, longestFlow) * _source.velocity),
+        around(half * glm::abs(glm::dvec2(_source.velocity)) + _reach);
+    if (_source.kind != WindSource::Kind::Jet)
+        return {middle - around, middle + around};
+    const glm::dvec2 moved = around - _reach, wide(widest * _reach + _source.radius),
+                     end = middle + (_source.speed < 0.0 ? -_reach : _reach) * glm::dvec2(_along);
+    return {glm::min(middle, end) - moved - wide, glm::max(middle, end) + moved + wide};
 }
 
 glm::dvec3 SourceFlow::offsetOf(const WindPlace& place, double time) const {
@@ -94,17 +162,6 @@ glm::dvec3 SourceFlow::offsetOf(const WindPlace& place, double time) const {
     const glm::dvec3 offset = glm::dvec3(place.position) - _source.position - moved * _source.velocity;
     const bool near = glm::length(offset) < farthestFlow; // not so for what is not finite
     return near ? offset : glm::dvec3(farthestFlow);
-}
-
-glm::dvec2 SourceFlow::airPast(const WindPlace& place, double time, const WindField* wind) const {
-    if (!wind || (_source.kind != WindSource::Kind::Rotor && _source.kind != WindSource::Kind::Vehicle))
-        return -glm::dvec2(_source.velocity);
-    const float ground = place.position.z - place.height;
-    glm::vec3 middle(_source.position + heldTime(time, longestFlow) * _source.velocity);
-    if (_source.kind == WindSource::Kind::Vehicle)
-        middle.z = ground + 0.5f * static_cast<float>(_source.height);
-    const glm::vec3 air = calmUnlessFinite(wind->velocity(WindPlace(middle, ground), time));
-    return glm::dvec2(air) - glm::dvec2(_source.velocity);
 }
 
 glm::dvec3 SourceFlow::rotor(const glm::dvec3& offset, double height, const glm::dvec2& air) const {
@@ -148,16 +205,14 @@ glm::dvec3 SourceFlow::jet(const glm::dvec3& offset) const {
 }
 
 glm::dvec3 SourceFlow::vortex(const glm::dvec3& offset) const {
-    constexpr double alpha = 1.25643; // where its speed is largest (Lamb and Oseen)
     const double r = glm::length(glm::dvec2(offset)), q = r / _source.radius;
     const glm::dvec2 out = outward(offset, r);
     const double speed =
-        q > 1e-6 ? _source.speed * (1.0 + 0.5 / alpha) / q * (1.0 - std::exp(-alpha * q * q)) : 0.0;
+        q > 1e-6 ? _source.speed * (1.0 + 0.5 / lambOseen) / q * (1.0 - std::exp(-lambOseen * q * q)) : 0.0;
     return {glm::dvec2(-out.y, out.x) * (speed * below(offset.z, _source.height)), 0.0};
 }
 
 glm::dvec3 SourceFlow::vehicle(const glm::dvec3& offset, double height, const glm::dvec2& air) const {
-    constexpr double eddyViscosity = 0.08; // over the largest speed and the half width of a wake: 1 / 12.5
     const double speed = glm::dot(_source.velocity, _along), z = std::max(height, 0.0);
     if (!(speed > 0.0))
         return glm::dvec3(0.0);
@@ -226,13 +281,17 @@ glm::dvec3 SourceFlow::noise(const glm::dvec3& offset, double time) const {
     return {point.values[0], point.values[1], point.values[2]};
 }
 
-glm::vec3 SourceFlow::velocity(const WindPlace& place, double time, const WindField* wind) const {
-    constexpr double least = 0.01; // m/s
+glm::vec3 SourceFlow::velocity(const WindPlace& place, double time, const glm::vec3& air) const {
+    constexpr double slowest = 0.01; // m/s, that has eddies
     const glm::dvec3 offset = offsetOf(place, time);
-    const glm::dvec3 velocity =
-        mean(offset, static_cast<double>(place.height), airPast(place, time, wind), time);
+    const double near = 1.0 - glm::smoothstep(0.8 * _reach, _reach, glm::length(glm::dvec2(offset)));
+    if (!(near > 0.0))
+        return glm::vec3(0.0f);
+    const glm::dvec2 past =
+        glm::dvec2(isBent() ? calmUnlessFinite(air) : glm::vec3(0.0f)) - glm::dvec2(_source.velocity);
+    const glm::dvec3 velocity = near * mean(offset, static_cast<double>(place.height), past, time);
     const double speed = glm::length(velocity);
-    if (!(_source.turbulence > 0.0) || !(speed > least) || !std::isfinite(speed))
+    if (!(_source.turbulence > 0.0) || !(speed > slowest) || !std::isfinite(speed))
         return calmUnlessFinite(glm::vec3(velocity));
     return calmUnlessFinite(glm::vec3(velocity + _source.turbulence * speed * noise(offset, time)));
 }

@@ -17,6 +17,10 @@ namespace osgTreeWind {
 ///
 /// Any number of threads may update and sample at once: an update becomes the wind by swapping a pointer, and
 /// every sample() sees it whole or not at all.
+///
+///     auto wind = StreamedWind::create(grid).value();
+///     forest->setWind(wind);
+///     report(wind->update({velocities})); // in every frame, from any thread
 class OSGTREEWIND_EXPORT StreamedWind final : public WindField {
 public:
     /// What a simulation says anew. Nothing of it is needed after update().

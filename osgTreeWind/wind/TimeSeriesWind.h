@@ -25,6 +25,12 @@ struct WindSeries {
 /// A record of wind at one point, blowing over the whole forest: components linear in time (directions are
 /// never interpolated), scaled with height above the ground where the record has a profile. Before the first
 /// record the first holds; after the last the last holds or the record repeats.
+///
+///     WindSeries record;
+///     record.times = {0.0, 600.0};
+///     record.velocities = {{4.0f, 0.0f, 0.0f}, {0.0f, 7.0f, 0.0f}};
+///     if (const auto wind = TimeSeriesWind::create(record))
+///         forest->setWind(wind.value());
 class OSGTREEWIND_EXPORT TimeSeriesWind final : public WindField {
 public:
     /// A field over the record, or what is wrong with it: diagnostics with the member's name as key.
@@ -34,6 +40,7 @@ public:
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
+    KindOfWind kind() const override { return this; }
 
 private:
     explicit TimeSeriesWind(WindSeries series);

@@ -7,12 +7,15 @@
 namespace osgTreeWind {
 
 /// The same velocity everywhere and always.
+///
+///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f))); // from the west
 class OSGTREEWIND_EXPORT UniformWind final : public WindField {
 public:
     /// @param velocity m/s toward; calm when a component is not finite.
     explicit UniformWind(const glm::vec3& velocity);
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
+    KindOfWind kind() const override { return this; }
 
     const glm::vec3& velocity() const { return _velocity; } ///< As given.
 

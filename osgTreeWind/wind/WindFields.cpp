@@ -103,8 +103,8 @@ const Fields& fieldsOf<WindCanopy>() {
 }
 
 template <>
-const Fields& fieldsOf<RetimedWind::Clock>() {
-    using P = RetimedWind::Clock;
+const Fields& fieldsOf<WindClock>() {
+    using P = WindClock;
     static const Fields fields = {
         {"start", at<&P::start>, within(-1e12, 1e12),
          "time of the wind data shown when the scene's time is 0", "s"},
@@ -115,8 +115,8 @@ const Fields& fieldsOf<RetimedWind::Clock>() {
 }
 
 template <>
-const Fields& fieldsOf<AdjustedWind::Adjustment>() {
-    using P = AdjustedWind::Adjustment;
+const Fields& fieldsOf<WindAdjustment>() {
+    using P = WindAdjustment;
     static const Fields fields = {
         {"strength", at<&P::strength>, within(0, 10), "factor of all velocities"},
         {"turn", at<&P::turn>, within(-360, 360), "turns all velocities clockwise, where they are",

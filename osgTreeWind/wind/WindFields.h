@@ -2,15 +2,12 @@
 #pragma once
 
 #include <osgTreeWind/base/Field.h>
-#include <osgTreeWind/wind/AdjustedWind.h>
 #include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/LogProfile.h>
-#include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
-#include <osgTreeWind/wind/WindCanopy.h>
-#include <osgTreeWind/wind/WindWithSources.h>
+#include <osgTreeWind/wind/Wind.h>
 
 namespace osgTreeWind {
 
@@ -35,9 +32,9 @@ template <>
 const Fields& fieldsOf<WindCanopy>();
 /// But for the plane.
 template <>
-const Fields& fieldsOf<RetimedWind::Clock>();
+const Fields& fieldsOf<WindClock>();
 template <>
-const Fields& fieldsOf<AdjustedWind::Adjustment>();
+const Fields& fieldsOf<WindAdjustment>();
 template <>
 const Fields& fieldsOf<WindSource>();
 

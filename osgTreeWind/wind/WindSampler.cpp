@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/MovedWind.h>
+#include <osgTreeWind/wind/WindSampler.h>
 
-#include <osgTreeWind/wind/SampleElsewhere.h>
 #include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindMap.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace osgTreeWind {
 
 namespace {
+
+constexpr std::size_t placesInBlock = 64;
 
 /// The matrix without scale and shear; the identity where that has no answer.
 glm::dmat3 rotationOf(const glm::dmat4& matrix) {
@@ -23,55 +26,174 @@ glm::dmat3 rotationOf(const glm::dmat4& matrix) {
     return {glm::cross(north, up), north, up};
 }
 
-} // namespace
-
-MovedWind::MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld, Up up)
-    : _world(world ? std::move(world) : std::make_shared<UniformWind>(glm::vec3(0.0f))),
-      _frameToWorld(frameToWorld), _turnBack(glm::transpose(rotationOf(frameToWorld))), _up(up) {
-    const auto moved = std::dynamic_pointer_cast<const MovedWind>(_world);
-    if (moved && moved->_up == up) {
-        _world = moved->_world;
-        _frameToWorld = moved->_frameToWorld * _frameToWorld;
-        _turnBack = _turnBack * moved->_turnBack;
-    }
-    _rise = _up == Up::OfTheWorld ? _frameToWorld[2].z : glm::length(glm::dvec3(_frameToWorld[2]));
+bool isMoved(WindFrame frame, const glm::dmat4& forestToScene) {
+    return frame != WindFrame::Forest && forestToScene != glm::dmat4(1.0);
 }
 
-MovedWind::MovedWind(const MovedWind& moved, WindFieldPtr ofFrame)
-    : _world(std::move(ofFrame)), _frameToWorld(glm::inverse(moved._frameToWorld)),
-      _turnBack(glm::transpose(moved._turnBack)), _up(moved._up),
-      _rise(moved._rise != 0.0 ? 1.0 / moved._rise : 0.0) {}
+/// Samples places that are elsewhere, a block at a time. @param there takes a place to where it is sampled.
+template <typename There, typename Sample>
+void inBlocks(const WindPlace* places, std::size_t count, There there, Sample sample) {
+    WindPlace moved[placesInBlock];
+    for (std::size_t first = 0; first < count; first += placesInBlock) {
+        const std::size_t some = std::min(placesInBlock, count - first);
+        std::transform(places + first, places + first + some, moved, there);
+        sample(first, moved, some);
+    }
+}
 
-WindPlace MovedWind::inWorld(const WindPlace& place) const {
-    const glm::dvec3 at(place.position);
-    const glm::dvec3 position(_frameToWorld * glm::dvec4(at, 1.0));
+} // namespace
+
+/// The wind above the trees and without sources, of its field or of that without gusts.
+class WindSampler::Open final : public WindField {
+public:
+    Open(const WindSampler& sampler, const WindField& field) : _sampler(sampler), _field(field) {}
+    glm::vec3 velocity(const WindPlace& place, double time) const override {
+        glm::vec3 result;
+        _sampler.sampleOpen(_field, &place, 1, time, &result);
+        return result;
+    }
+    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override {
+        _sampler.sampleOpen(_field, places, count, time, out);
+    }
+
+private:
+    const WindSampler& _sampler;
+    const WindField& _field;
+};
+
+WindSampler::WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene,
+                         std::shared_ptr<const CanopyMap> canopy)
+    : _wind(std::move(wind)), _mean(_wind->field ? _wind->field->withoutGusts() : nullptr),
+      _adjust(_wind->adjustment.matrix()), _isAdjusted(!_wind->adjustment.isNone()),
+      _isMoved(osgTreeWind::isMoved(_wind->frame, forestToScene)), _toWind(forestToScene),
+      _turnBack(glm::transpose(rotationOf(forestToScene))), _sources(_wind->sources) {
+    if (!_mean)
+        _mean = _wind->field;
+    _rise = _wind->frame == WindFrame::Geocentric ? glm::length(glm::dvec3(_toWind[2])) : _toWind[2].z;
+    if (canopy && _wind->field)
+        _canopy = std::make_shared<CanopyFlow>(Open(*this, *_mean), std::move(canopy),
+                                               _wind->canopy.value_or(WindCanopy()).seed);
+}
+
+WindSampler::~WindSampler() = default;
+
+glm::vec3 WindSampler::velocity(const WindPlace& place, double time) const {
+    glm::vec3 result;
+    sample(&place, 1, time, &result);
+    return result;
+}
+
+void WindSampler::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    if (_canopy)
+        _canopy->sample(Open(*this, *_wind->field), Open(*this, *_mean), places, count, time, out);
+    else if (_wind->field)
+        sampleOpen(*_wind->field, places, count, time, out);
+    else
+        std::fill_n(out, count, glm::vec3(0.0f));
+    if (!_sources.isEmpty())
+        addSources(places, count, time, out);
+}
+
+WindPlace WindSampler::moved(const WindPlace& place) const {
+    if (!_isMoved)
+        return place;
     WindPlace moved = place;
-    moved.position = glm::vec3(position);
+    moved.position = glm::vec3(_toWind * glm::dvec4(glm::dvec3(place.position), 1.0));
     moved.height = static_cast<float>(_rise * static_cast<double>(place.height));
     return moved;
 }
 
-glm::vec3 MovedWind::velocity(const WindPlace& place, double time) const {
-    return glm::vec3(_turnBack * glm::dvec3(_world->velocity(inWorld(place), time)));
+/// In the wind's axes.
+void WindSampler::sampleData(const WindField& field, const WindPlace* places, std::size_t count, double time,
+                             glm::vec3* out) const {
+    const WindClock& clock = _wind->clock;
+    const auto onMap = [&](const WindPlace* at, std::size_t some, glm::vec3* velocities) {
+        if (!clock.isCarried())
+            return field.sample(at, some, clock.at(0.0, time), velocities);
+        for (std::size_t i = 0; i < some; ++i)
+            velocities[i] = field.velocity(at[i], clock.at(static_cast<double>(at[i].position.x), time));
+    };
+    if (const WindMap* map = _wind->map.get())
+        inBlocks(
+            places, count, [map](const WindPlace& place) { return map->there(place); },
+            [&](std::size_t first, const WindPlace* at, std::size_t some) {
+                onMap(at, some, out + first);
+                for (std::size_t i = first; i < first + some; ++i)
+                    out[i] = map->turned(places[i], out[i]);
+            });
+    else
+        onMap(places, count, out);
+    if (_isAdjusted)
+        std::transform(out, out + count, out, [this](const glm::vec3& v) { return _adjust * v; });
 }
 
-void MovedWind::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
-    sampleElsewhere(
-        *_world, places, count, time, out, [&](const WindPlace& place) { return inWorld(place); },
-        [&](const glm::vec3& v, const WindPlace&) { return glm::vec3(_turnBack * glm::dvec3(v)); });
+/// In the forest's axes.
+void WindSampler::sampleOpen(const WindField& field, const WindPlace* places, std::size_t count, double time,
+                             glm::vec3* out) const {
+    if (!_isMoved)
+        return sampleData(field, places, count, time, out);
+    inBlocks(
+        places, count, [this](const WindPlace& place) { return moved(place); },
+        [&](std::size_t first, const WindPlace* at, std::size_t some) {
+            sampleData(field, at, some, time, out + first);
+            for (std::size_t i = first; i < first + some; ++i)
+                out[i] = glm::vec3(_turnBack * glm::dvec3(out[i]));
+        });
 }
 
-WindFieldPtr MovedWind::withoutGusts() const {
-    WindFieldPtr world = _world->withoutGusts();
-    return world ? std::make_shared<MovedWind>(std::move(world), _frameToWorld, _up) : nullptr;
+/// What bends a source's flow, in the wind's axes.
+glm::vec3 WindSampler::airAt(const WindPlace& place, double time) const {
+    glm::vec3 air(0.0f);
+    if (!_canopy) {
+        if (_mean)
+            sampleData(*_mean, &place, 1, time, &air);
+        return air;
+    }
+    WindPlace here = place;
+    if (_isMoved) {
+        here.position = glm::vec3(glm::inverse(_toWind) * glm::dvec4(glm::dvec3(place.position), 1.0));
+        here.height = _rise != 0.0 ? static_cast<float>(static_cast<double>(place.height) / _rise) : 0.0f;
+    }
+    _canopy->sample(Open(*this, *_wind->field), Open(*this, *_mean), &here, 1, time, &air);
+    return _isMoved ? glm::vec3(glm::transpose(_turnBack) * glm::dvec3(air)) : air;
 }
 
-WindFieldPtr MovedWind::changedBesideSources(const WindChange& change) const {
-    WindFieldPtr world = _world->changedBesideSources([&](const WindFieldPtr& open) -> WindFieldPtr {
-        const WindFieldPtr changed = change(std::make_shared<MovedWind>(open, _frameToWorld, _up));
-        return changed ? WindFieldPtr(new MovedWind(*this, changed)) : nullptr;
-    });
-    return world ? std::make_shared<MovedWind>(std::move(world), _frameToWorld, _up) : nullptr;
+void WindSampler::addSources(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
+    struct Air {
+        std::uint32_t source = ~0u;
+        float ground = 0.0f;
+        glm::vec3 velocity;
+    } known[32]; // it is the same for all places on level ground
+    const std::shared_ptr<const SourceGrid::Cells> cells = _sources.at(time);
+    for (std::size_t i = 0; i < count; ++i) {
+        const WindPlace place = moved(places[i]);
+        const float ground = place.position.z - place.height;
+        float share = 1.0f;
+        glm::vec3 added(0.0f);
+        for (const std::uint32_t source : cells->near(place.position)) {
+            const SourceFlow& flow = _sources.flows()[source];
+            if (!flow.reaches(place, time))
+                continue;
+            share *= flow.shareOfWind(place, time);
+            Air& air = known[source % 32];
+            if (flow.isBent() && !(air.source == source && air.ground == ground))
+                air = {source, ground, airAt(flow.airPlace(ground, time), time)};
+            added += flow.velocity(place, time, air.velocity);
+        }
+        out[i] = share * out[i] + (_isMoved ? glm::vec3(_turnBack * glm::dvec3(added)) : added);
+    }
+}
+
+WindFieldPtr asField(const Wind& wind) {
+    return asField(std::make_shared<const Wind>(wind), glm::dmat4(1.0));
+}
+
+WindFieldPtr asField(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene) {
+    if (wind->isCalm())
+        return nullptr;
+    const bool isPlain = wind->sources.empty() && !wind->map && wind->adjustment.isNone() &&
+                         wind->clock.isNone() && !isMoved(wind->frame, forestToScene);
+    return isPlain ? wind->field : std::make_shared<WindSampler>(std::move(wind), forestToScene);
 }
 
 } // namespace osgTreeWind

@@ -1,39 +1,56 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/CanopyFlow.h>
+#include <osgTreeWind/wind/SourceGrid.h>
+#include <osgTreeWind/wind/Wind.h>
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
+#include <memory>
+
 namespace osgTreeWind {
 
-/// A wind of the world as it is met in a frame that stands elsewhere in it, turned and perhaps scaled: places
-/// are taken to the world, velocities turned back. The frame's own motion makes no wind. Of a wind that is
-/// moved already it takes the wind within, and one move that is both.
-class MovedWind final : public WindField {
+/// A Wind as a forest meets it: takes blocks of places, in the forest's axes, through all that is done to the
+/// wind. The forest's own motion makes no wind.
+class WindSampler final : public WindField {
 public:
-    /// Along which z heights above the ground are counted.
-    enum class Up { OfTheWorld, OfTheFrame };
-
-    /// @param world null is calm. @param frameToWorld takes places of the frame to the world.
-    MovedWind(WindFieldPtr world, const glm::dmat4& frameToWorld, Up up = Up::OfTheWorld);
+    /// @param wind not null. @param forestToScene where the forest stands. @param canopy the stands among
+    /// which it goes on, referred (CanopyMap::refer()); null: it is taken as it is.
+    explicit WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene = glm::dmat4(1.0),
+                         std::shared_ptr<const CanopyMap> canopy = nullptr);
+    ~WindSampler() override;
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
-    WindFieldPtr withoutGusts() const override;
-    WindFieldPtr changedBesideSources(const WindChange& change) const override;
+
+    /// The wind among the trees; null where it is taken as it is.
+    const std::shared_ptr<const CanopyFlow>& canopy() const { return _canopy; }
 
 private:
-    /// A wind of a frame as it is met in the world: the inverse of `moved`.
-    MovedWind(const MovedWind& moved, WindFieldPtr ofFrame);
-    WindPlace inWorld(const WindPlace& place) const;
+    class Open;
+    WindPlace moved(const WindPlace& place) const;
+    void sampleData(const WindField& field, const WindPlace* places, std::size_t count, double time,
+                    glm::vec3* out) const;
+    void sampleOpen(const WindField& field, const WindPlace* places, std::size_t count, double time,
+                    glm::vec3* out) const;
+    glm::vec3 airAt(const WindPlace& place, double time) const;
+    void addSources(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const;
 
-    WindFieldPtr _world;
-    glm::dmat4 _frameToWorld;
-    glm::dmat3 _turnBack; ///< Of velocities, from the world to the frame.
-    Up _up;
-    double _rise; ///< Heights in the world for one in the frame.
+    std::shared_ptr<const Wind> _wind;
+    WindFieldPtr _mean; ///< Its field without made-up gusts.
+    glm::mat3 _adjust{1.0f};
+    bool _isAdjusted, _isMoved;
+    glm::dmat4 _toWind;   ///< Takes places of the forest to the wind's axes,
+    glm::dmat3 _turnBack; ///< and velocities back.
+    double _rise = 1.0;   ///< Heights in the wind's axes for one in the forest's.
+    std::shared_ptr<const CanopyFlow> _canopy;
+    SourceGrid _sources;
 };
+
+/// All of a wind but its canopy as one field in the forest's axes: null for a calm, and the wind's own field
+/// where nothing is done to it. @param wind not null.
+WindFieldPtr asField(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene);
 
 } // namespace osgTreeWind

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Export.h>
-#include <osgTreeWind/wind/WindField.h>
-
 #include <glm/vec3.hpp>
-
-#include <vector>
 
 namespace osgTreeWind {
 
-class SourceFlow;
-
-/// Air that something moves in a place, beside the wind there (WindWithSources). Metres, seconds, the axes
-/// that the wind is given in. Members that a kind has no use for do not count.
+/// Something that moves the air in a place (Wind::sources). Metres, seconds, the axes that the wind is given
+/// in. A shelter takes its share of the wind, all others add to it. A source reaches as far as it adds 0.2
+/// m/s (Beaufort 0 ends there), and fades over the last fifth of that. Members that a kind does not use have
+/// no effect; values out of range are clamped.
 struct WindSource {
     /// What moves it, and by which model.
     enum class Kind {
@@ -64,31 +59,6 @@ struct WindSource {
     /// Of what it adds: standard deviation of each component over the speed there, [0, 1]. On the axis of a
     /// round jet it is a quarter (Hussein, Capp and George 1994), in wall jets as much.
     double turbulence = 0.25;
-};
-
-/// A wind, and what moves the air beside it: shelters take their share of it, all others are added; it bends
-/// a rotor's column and carries a vehicle's wake off. A wind that is continued into the trees (WindCanopy) is
-/// so before they are. To place, move or take away sources while a forest runs, hand it another one of these:
-/// any thread, any time.
-class OSGTREEWIND_EXPORT WindWithSources final : public WindField {
-public:
-    /// @param wind null: calm. Of one with sources it takes the wind within, and theirs with these.
-    /// @param sources what is out of range is held within it.
-    WindWithSources(WindFieldPtr wind, std::vector<WindSource> sources);
-    ~WindWithSources() override;
-
-    glm::vec3 velocity(const WindPlace& place, double time) const override;
-    void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
-    WindFieldPtr withoutGusts() const override;
-    WindFieldPtr changedBesideSources(const WindChange& change) const override;
-
-    const WindFieldPtr& wind() const { return _wind; }                  ///< Null: calm.
-    const std::vector<WindSource>& sources() const { return _sources; } ///< As given.
-
-private:
-    WindFieldPtr _wind, _mean; ///< The latter without gusts.
-    std::vector<WindSource> _sources;
-    std::vector<SourceFlow> _flows;
 };
 
 } // namespace osgTreeWind

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/WindSteering.h>
 
-#include <osgTreeWind/wind/AdjustedWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <variant>
 
 namespace osgTreeWind {
 
@@ -25,17 +25,31 @@ WindSteering madeUp(const glm::vec3& mean, double gustiness) {
     return steering;
 }
 
-WindFieldPtr madeUpLike(const WindField* like, const WindSteering& steering) {
+/// Mean speed and gusts of a field that is made up of them; nothing where it is not.
+struct MadeUp {
+    std::optional<WindSteering> operator()(const UniformWind* wind) const {
+        return madeUp(wind->velocity(), 0.0);
+    }
+    std::optional<WindSteering> operator()(const GustWind* wind) const {
+        return madeUp(wind->parameters().mean, wind->parameters().intensity);
+    }
+    template <typename Other>
+    std::optional<WindSteering> operator()(const Other*) const {
+        return {};
+    }
+};
+
+WindFieldPtr madeUpLike(const WindFieldPtr& like, const WindSteering& steering) {
     if (!(steering.speed > 0.0))
         return nullptr;
     GustWind::Parameters gusts;
-    if (const auto* before = dynamic_cast<const GustWind*>(like))
-        gusts = before->parameters();
-    else if (!like)
+    if (!like)
         gusts.profile = overShortGrass;
+    else if (const KindOfWind kind = like->kind(); const auto* before = std::get_if<const GustWind*>(&kind))
+        gusts = (*before)->parameters();
     gusts.mean = windVelocity({steering.speed, steering.from}, DirectionSense::From);
     gusts.intensity = steering.gustiness;
-    if (dynamic_cast<const UniformWind*>(like) && gusts.intensity == 0.0)
+    if (like && gusts.intensity == 0.0 && std::holds_alternative<const UniformWind*>(like->kind()))
         return std::make_shared<UniformWind>(gusts.mean);
     return GustWind::create(gusts).value();
 }
@@ -56,32 +70,25 @@ void WindSteering::changeGustiness(double by) {
     gustiness = std::clamp(gustiness + by, 0.0, 1.0);
 }
 
-WindSteering steeringOf(const WindFieldPtr& wind) {
+WindSteering steeringOf(const Wind& wind) {
+    if (!wind.field)
+        return {};
+    const bool isAsMade = !wind.map && wind.clock.isNone() && wind.adjustment.isNone();
+    if (const auto steering = isAsMade ? std::visit(MadeUp(), wind.field->kind()) : std::nullopt)
+        return *steering;
     WindSteering steering;
-    if (!wind)
-        return steering;
-    if (const auto* sourced = dynamic_cast<const WindWithSources*>(wind.get()))
-        return steeringOf(sourced->wind());
-    if (const auto* gusts = dynamic_cast<const GustWind*>(wind.get()))
-        return madeUp(gusts->parameters().mean, gusts->parameters().intensity);
-    if (const auto* uniform = dynamic_cast<const UniformWind*>(wind.get()))
-        return madeUp(uniform->velocity(), 0.0);
     steering.isMadeUp = false;
-    if (const auto* adjusted = dynamic_cast<const AdjustedWind*>(wind.get())) {
-        steering.strength = adjusted->adjustment().strength;
-        steering.turn = adjusted->adjustment().turn;
-    }
+    steering.strength = wind.adjustment.strength;
+    steering.turn = wind.adjustment.turn;
     return steering;
 }
 
-WindFieldPtr steered(const WindFieldPtr& like, const WindSteering& steering) {
-    if (const auto* sourced = dynamic_cast<const WindWithSources*>(like.get()))
-        return std::make_shared<WindWithSources>(steered(sourced->wind(), steering), sourced->sources());
+Wind steered(Wind like, const WindSteering& steering) {
     if (steering.isMadeUp)
-        return madeUpLike(like.get(), steering);
-    const auto* adjusted = dynamic_cast<const AdjustedWind*>(like.get());
-    return std::make_shared<AdjustedWind>(adjusted ? adjusted->inner() : like,
-                                          AdjustedWind::Adjustment{steering.strength, steering.turn});
+        like.field = madeUpLike(like.field, steering);
+    else
+        like.adjustment = {steering.strength, steering.turn};
+    return like;
 }
 
 } // namespace osgTreeWind

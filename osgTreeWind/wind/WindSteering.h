@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/Wind.h>
 
 namespace osgTreeWind {
 
 /// A wind as one steers it by hand.
 ///
 /// Gusts, a uniform wind and a calm are made up: they take any speed and direction. Another wind is what it
-/// is, measured, computed or a host's: it can be made stronger and turned (AdjustedWind).
+/// is, measured, computed or a host's: it can be made stronger and turned (WindAdjustment).
 struct WindSteering {
     static constexpr double fastest = 60.0, strongest = 10.0;
 
@@ -26,11 +26,12 @@ struct WindSteering {
     void changeGustiness(double by);
 };
 
-/// How a wind stands. @param wind null: a calm.
-WindSteering steeringOf(const WindFieldPtr& wind);
+/// How a wind stands.
+WindSteering steeringOf(const Wind& wind);
 
-/// A wind like the one that is steered: its profile, the size of its gusts, their seed and sources are kept.
-/// @param like of which steeringOf() was. @return null for a calm.
-WindFieldPtr steered(const WindFieldPtr& like, const WindSteering& steering);
+/// A wind like the one that is steered: it keeps its profile, the size of its gusts, their seed, and all that
+/// is done to it but its adjustment.
+/// @param like of which steeringOf() was.
+Wind steered(Wind like, const WindSteering& steering);
 
 } // namespace osgTreeWind

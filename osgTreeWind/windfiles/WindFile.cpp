@@ -6,10 +6,9 @@
 #include <osgTreeWind/places/CrsMesh.h>
 #include <osgTreeWind/places/MapProgram.h>
 #include <osgTreeWind/places/WholeTurns.h>
-#include <osgTreeWind/wind/MappedWind.h>
-#include <osgTreeWind/wind/RetimedWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindLimits.h>
+#include <osgTreeWind/wind/WindMap.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSteps.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
@@ -177,15 +176,13 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
     Result<WindFieldPtr> field = named(GridWind::create(std::move(grid)), path);
     if (!field)
         return field.problems();
-    file.field = field.value();
+    file.wind = field.value();
     if (content.travelSpeed > 0.0) {
-        RetimedWind::Clock clock;
-        clock.plane = -itsOrigin.x;
-        clock.speed = content.travelSpeed;
-        file.field = std::make_shared<RetimedWind>(file.field, clock);
+        file.wind.clock.plane = -itsOrigin.x;
+        file.wind.clock.speed = content.travelSpeed;
     }
     if (mesh)
-        file.field = std::make_shared<MappedWind>(file.field, mesh, origin, itsOrigin);
+        file.wind.map = std::make_shared<const WindMap>(WindMap{mesh, origin, itsOrigin});
     return file;
 }
 
@@ -289,13 +286,6 @@ Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColum
     for (glm::vec3& velocity : series->velocities)
         velocity *= static_cast<float>(unit.value());
     return std::move(*series);
-}
-
-Result<WindFieldPtr> readWindField(const std::string& path, const WindFileOptions& options) {
-    Result<WindFile> file = readWindFile(path, options);
-    if (!file)
-        return file.problems();
-    return file.value().field;
 }
 
 } // namespace osgTreeWind

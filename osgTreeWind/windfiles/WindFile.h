@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/Export.h>
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
-#include <osgTreeWind/wind/WindField.h>
+#include <osgTreeWind/wind/Wind.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 #include <glm/vec2.hpp>
@@ -67,10 +67,10 @@ struct WindSummary {
     double fastest = 0.0;      ///< m/s, likewise.
 };
 
-/// A file of wind data as a field, and what was understood.
+/// A file of wind data as a wind, and what was understood.
 struct WindFile {
     WindSummary summary; ///< What it says of itself.
-    WindFieldPtr field;  ///< In the scene; never null.
+    Wind wind;           ///< In the scene: a field, never null, with the map and the clock of the data.
     /// Whether the file has points around a place of the scene, so that its wind there is not that of its
     /// edge; of a record at one point it has all.
     std::function<bool(const glm::dvec2& place)> covers;
@@ -106,9 +106,5 @@ OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>
 /// unit among them. A grid is an error.
 OSGTREEWIND_EXPORT Result<WindSeries> readWindSeries(const std::string& path,
                                                      const WindSeriesColumns& columns);
-
-/// readWindFile() for those who only want the field.
-OSGTREEWIND_EXPORT Result<WindFieldPtr> readWindField(const std::string& path,
-                                                      const WindFileOptions& options = {});
 
 } // namespace osgTreeWind

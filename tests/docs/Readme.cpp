@@ -23,9 +23,9 @@ static void embed(osg::Group* scene, const osgTreeWind::GridWind::Grid& grid,
 static bool moves(const osg::Group& scene, const glm::vec3& velocity) {
     const auto* forest =
         scene.getNumChildren() == 1 ? dynamic_cast<const osgTreeWind::Forest*>(scene.getChild(0)) : nullptr;
-    if (!forest || forest->getNumTrees() == 0 || !forest->getWind())
+    if (!forest || forest->getNumTrees() == 0 || forest->getWind().isCalm())
         return false;
-    return forest->getWind()->velocity({}, 0.0) == velocity;
+    return asField(forest->getWind())->velocity({}, 0.0) == velocity;
 }
 
 int main() {

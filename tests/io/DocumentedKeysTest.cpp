@@ -172,8 +172,8 @@ void addRows(std::vector<std::string>& rows, const std::string& table) {
 TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     std::vector<std::string> rows;
     addRows<GustWind::Parameters>(rows, "wind");
-    addRows<RetimedWind::Clock>(rows, "wind");
-    addRows<AdjustedWind::Adjustment>(rows, "wind");
+    addRows<WindClock>(rows, "wind");
+    addRows<WindAdjustment>(rows, "wind");
     addRows<WindSource>(rows, "wind.source");
     addRows<WindCanopy>(rows, "wind");
     const ForestDescription forest;

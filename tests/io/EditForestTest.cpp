@@ -3,9 +3,7 @@
 
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/wind/AdjustedWind.h>
 #include <osgTreeWind/wind/GustWind.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <gtest/gtest.h>
 
@@ -81,7 +79,7 @@ TEST_F(EditForestTest, aValueChangesInItsPlace) {
 }
 
 TEST_F(EditForestTest, aNewKeyComesBehindThoseOfItsTable) {
-    now.wind = std::make_shared<AdjustedWind>(now.wind, AdjustedWind::Adjustment{1.5, 20.0});
+    now.wind.adjustment = {1.5, 20.0};
     EXPECT_EQ(edit(), with(document, "direction_from = 270.0\n",
                            "direction_from = 270.0\nstrength = 1.5\nturn = 20\n"));
 }
@@ -98,15 +96,14 @@ TEST_F(EditForestTest, aKeyThatIsAsUsualAgainGoes) {
 }
 
 TEST_F(EditForestTest, sourcesComeBehindTheWind) {
-    const WindFieldPtr calm = now.wind;
-    now.wind = std::make_shared<WindWithSources>(calm, std::vector<WindSource>(2));
+    now.wind.sources.resize(2);
     const std::string two = edit("wood.treewind");
     EXPECT_EQ(two.find("[[wind.source]]"), two.find("270.0\n") + 7);
     EXPECT_EQ(two.substr(two.find("\n# Our")), document.substr(document.find("\n# Our")));
-    now.wind = std::make_shared<WindWithSources>(calm, std::vector<WindSource>(1));
+    now.wind.sources.resize(1);
     const std::string one = edit("wood.treewind");
     EXPECT_EQ(one.rfind("[[wind.source]]"), one.find("[[wind.source]]"));
-    now.wind = calm;
+    now.wind.sources.clear();
     EXPECT_EQ(edit().find("wind.source"), std::string::npos);
 }
 
@@ -116,7 +113,7 @@ TEST_F(EditForestTest, anotherKindOfWindTakesThePlaceOfTheSection) {
     for (const char* kept :
          {"# Wäldchen am Fluß\n", "# see the calendar", "# Our trees\n", "# beside this", "# all"})
         EXPECT_NE(text.find(kept), std::string::npos) << kept << " in\n" << text;
-    EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(again().wind));
+    EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(again().wind.field));
     EXPECT_LT(text.find("gusts"), text.find("# Our trees"));
 }
 

@@ -35,7 +35,7 @@ ForestDescription forestOf(const std::string& text, const std::string& folder = 
 glm::vec3 windOf(const std::string& lines, const glm::vec3& position = glm::vec3(0.0f), double time = 0.0,
                  const std::string& folder = "") {
     const ForestDescription forest = forestOf("[[tree]]\nposition = [0, 0]\n[wind]\n" + lines, folder);
-    return forest.wind ? forest.wind->velocity(position, time) : glm::vec3(NAN);
+    return forest.wind.field ? asField(forest.wind)->velocity(position, time) : glm::vec3(NAN);
 }
 
 const std::string treeAtOrigin = "[[tree]]\nposition = [0, 0]\n";
@@ -89,7 +89,7 @@ TEST(ForestFile, ForestExampleKeepsItsSpacing) {
     }
     EXPECT_GT(oaks, 10u); // three of six, give or take
     EXPECT_LT(oaks, 30u);
-    EXPECT_NE(forest.wind->velocity({0, 0, 10}, 3.0), forest.wind->velocity({0, 0, 10}, 9.0));
+    EXPECT_NE(forest.wind->velocity({0, 0, 10}, 3.0), asField(forest.wind)->velocity({0, 0, 10}, 9.0));
 }
 
 TEST(ForestFile, ScatterIsTheSameOnEveryMachine) {
@@ -128,7 +128,7 @@ TEST(ForestFile, CampusExampleIsWhatWasMeasured) {
 TEST(ForestFile, CampusWindIsTheRecord) {
     REQUIRE_REAL_DATA(xml, "utah_campus/sensor2015.xml");
     const ForestDescription forest = expectForest(readForestFile(examples + "campus.treewind"));
-    ASSERT_TRUE(forest.wind);
+    ASSERT_TRUE(forest.wind.field);
     // First record: 3.1 m/s from 78.4 degrees at 42 m.
     expectNear(forest.wind->velocity({0, 0, 42}, 0.0), {-3.0367f, -0.6233f, 0.0f}, 1e-3f);
 }
@@ -284,7 +284,7 @@ TEST(ForestFile, GridIsGivenInWorldCoordinates) {
     const ForestDescription forest = forestOf(
         "[[tree]]\nposition = [500000, 4000000]\n[wind]\nkind = \"grid\"\norigin = [499990, 4000000, 0]\n"
         "points = [2, 1]\ncell = [20, 20]\nvalues = [1, 0, 0, 3, 0, 0]\n");
-    ASSERT_TRUE(forest.wind);
+    ASSERT_TRUE(forest.wind.field);
     expectNear(forest.wind->velocity({-10, 0, 0}, 0.0), {1, 0, 0}); // the first point, from the tree
     expectNear(forest.wind->velocity({0, 0, 0}, 0.0), {2, 0, 0});
 }
@@ -296,7 +296,7 @@ TEST(ForestFile, SourcesOfWindStandInWorldCoordinates) {
                  "[[wind.source]]\nkind = \"jet\"\nposition = [500004, 4000000, 2]\nradius = 0.5\nspeed = 7\n"
                  "toward = 90\nturbulence = 0\n[[wind.source]]\nkind = \"shelter\"\nplace = [-20, 0, "
                  "0]\nshare = 0.5\n");
-    ASSERT_TRUE(forest.wind);
+    ASSERT_TRUE(forest.wind.field);
     expectNear(forest.wind->velocity({5, 0, 2}, 0.0), {8, 0, 0}, 0.01f);
     expectNear(forest.wind->velocity({0, 0, 2}, 0.0), {1, 0, 0});
     expectNear(forest.wind->velocity({-20, 0, 2}, 0.0), {0.5f, 0, 0});

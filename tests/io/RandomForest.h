@@ -11,7 +11,6 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,19 +43,17 @@ public:
         for (int i = 0, count = whole(0, 4); i < count; ++i)
             forest.trees.push_back(tree(forest, i));
         forest.wind = wind();
-        fill(forest.windCanopy);
-        forest.windFrame = static_cast<WindFrame>(whole(0, 2));
-        if (forest.wind && maybe(0.3))
-            forest.wind = std::make_shared<RetimedWind>(
-                forest.wind, RetimedWind::Clock{number(within(-1e12, 1e12)), number(within(-1e6, 1e6))});
-        if (forest.wind && maybe(0.3))
-            forest.wind = std::make_shared<AdjustedWind>(
-                forest.wind, AdjustedWind::Adjustment{number(within(0, 10)), number(within(-360, 360))});
+        fill(forest.wind.canopy.emplace());
+        forest.wind.frame = static_cast<WindFrame>(whole(0, 2));
+        if (forest.wind.field && maybe(0.3))
+            forest.wind.clock = {number(within(-1e12, 1e12)), number(within(-1e6, 1e6))};
+        if (forest.wind.field && maybe(0.3))
+            forest.wind.adjustment = {number(within(0, 10)), number(within(-360, 360))};
         if (maybe(0.3)) {
             std::vector<WindSource> sources(static_cast<std::size_t>(whole(1, 3)));
             for (WindSource& source : sources)
                 fill(source);
-            forest.wind = std::make_shared<WindWithSources>(forest.wind, std::move(sources));
+            forest.wind.sources = std::move(sources);
         }
         return forest;
     }
@@ -70,7 +67,7 @@ public:
             text += "noise = \"1/f\"\nnoise_exponent = " + decimal(noiseExponents) + '\n';
         text += "[wind]\nkind = \"gusts\"\nspeed = " + decimal(within(0, 199)) +
                 "\nunit = \"kn\"\ndirection_from = " + decimal(within(-360, 360)) + '\n' +
-                keys<GustWind::Parameters>() + keys<RetimedWind::Clock>();
+                keys<GustWind::Parameters>() + keys<WindClock>();
         text.replace(text.find("\"kn\""), 4, maybe() ? "\"km/h\"" : "\"m/s\"");
         for (const char* name : {"ash", "Bush"}) {
             text += std::string("[[species]]\nname = \"") + name + "\"\nshapes = 2\n[species.appearance]\n" +

@@ -23,7 +23,8 @@ Result<ForestDescription> readWith(const std::string& wind, const std::string& o
 
 glm::vec3 windOf(const Result<ForestDescription>& forest, const glm::vec3& position, double time = 0.0) {
     EXPECT_TRUE(forest) << firstProblem(forest);
-    return forest && forest.value().wind ? forest.value().wind->velocity(position, time) : glm::vec3(-999.0f);
+    return forest && forest.value().wind.field ? asField(forest.value().wind)->velocity(position, time)
+                                               : glm::vec3(-999.0f);
 }
 
 } // namespace

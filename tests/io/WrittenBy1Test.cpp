@@ -7,8 +7,6 @@
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/wind/GustWind.h>
-#include <osgTreeWind/wind/RetimedWind.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 #include <tests/Folders.h>
 
 #include <gtest/gtest.h>
@@ -31,7 +29,7 @@ ForestDescription writtenForest(const std::string& name) {
 }
 
 glm::vec3 windAt(const ForestDescription& forest, const WindPlace& place, double time) {
-    return forest.wind ? forest.wind->velocity(place, time) : glm::vec3(0.0f);
+    return forest.wind.field ? asField(forest.wind)->velocity(place, time) : glm::vec3(0.0f);
 }
 
 /// everything.treewind, but for how its trees are kept.
@@ -43,9 +41,9 @@ void expectEverything(const ForestDescription& forest) {
     EXPECT_EQ(forest.gain, 1.25f);
     EXPECT_TRUE(forest.damage);
     EXPECT_EQ(forest.noiseExponent, 1.5f);
-    EXPECT_EQ(forest.windFrame, WindFrame::Scene);
-    EXPECT_EQ(forest.windCanopy.source, CanopySource::Forest);
-    EXPECT_EQ(forest.windCanopy.reference, 55.0);
+    EXPECT_EQ(forest.wind.frame, WindFrame::Scene);
+    EXPECT_EQ(forest.wind.canopy->source, CanopySource::Forest);
+    EXPECT_EQ(forest.wind.canopy->reference, 55.0);
     EXPECT_EQ(forest.drawing.full, 700.0f);
     EXPECT_EQ(forest.drawing.reduced, 200.0f);
     EXPECT_EQ(forest.drawing.impostor, 60.0f);
@@ -73,21 +71,18 @@ void expectEverything(const ForestDescription& forest) {
     EXPECT_EQ(grown.crown.perDiameter, 18.0f);
     EXPECT_EQ(forest.species[2].name, "Norway spruce");
 
-    const auto sources = std::dynamic_pointer_cast<const WindWithSources>(forest.wind);
-    ASSERT_TRUE(sources);
+    const std::vector<WindSource>& sources = forest.wind.sources;
     using Kind = WindSource::Kind;
     const std::vector<Kind> kinds = {Kind::Rotor,   Kind::Jet,     Kind::Vortex,
                                      Kind::Shelter, Kind::Vehicle, Kind::Explosion};
-    ASSERT_EQ(sources->sources().size(), kinds.size());
+    ASSERT_EQ(sources.size(), kinds.size());
     for (std::size_t i = 0; i < kinds.size(); ++i)
-        EXPECT_EQ(sources->sources()[i].kind, kinds[i]) << i;
-    EXPECT_EQ(sources->sources()[0].thrust, 70000.0);
-    EXPECT_EQ(sources->sources()[5].time, 8.0);
-    const auto retimed = std::dynamic_pointer_cast<const RetimedWind>(sources->wind());
-    ASSERT_TRUE(retimed);
-    EXPECT_EQ(retimed->clock().start, 30.0);
-    EXPECT_EQ(retimed->clock().scale, 1.5);
-    const auto gusts = std::dynamic_pointer_cast<const GustWind>(retimed->inner());
+        EXPECT_EQ(sources[i].kind, kinds[i]) << i;
+    EXPECT_EQ(sources[0].thrust, 70000.0);
+    EXPECT_EQ(sources[5].time, 8.0);
+    EXPECT_EQ(forest.wind.clock.start, 30.0);
+    EXPECT_EQ(forest.wind.clock.scale, 1.5);
+    const auto gusts = std::dynamic_pointer_cast<const GustWind>(forest.wind.field);
     ASSERT_TRUE(gusts);
     EXPECT_EQ(gusts->parameters().intensity, 0.25);
     EXPECT_EQ(gusts->parameters().seed, 5u);

@@ -5,7 +5,6 @@
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <gtest/gtest.h>
 
@@ -36,7 +35,7 @@ ForestDescription stand(CanopySource source, double reach = 100.0) {
     gusts.mean = {12.0f, 0.0f, 0.0f};
     gusts.profile = LogProfile{20.0, 0.05};
     forest.wind = GustWind::create(gusts).value();
-    forest.windCanopy.source = source;
+    forest.wind.canopy.emplace().source = source;
     return forest;
 }
 
@@ -134,18 +133,17 @@ TEST(WindAmongTrees, WhatMovesTheAirBesideTheWindDoesSoAmongTrees) {
     fan.position = {0.0, 0.0, 35.0};
     fan.elevation = -90.0;
     fan.radius = 8.0;
-    const auto windIn = [&](WindFieldPtr wind) {
-        forest.wind = std::move(wind);
+    const WindFieldPtr open = forest.wind.field;
+    const auto windIn = [&](const WindFieldPtr& field, std::vector<WindSource> sources) {
+        forest.wind.field = field;
+        forest.wind.sources = std::move(sources);
         ForestSimulation simulation(forest);
         simulation.advance(0.0);
         glm::vec3 winds[64];
         SimulationParts::modal(simulation)->patchWinds(0, winds);
         return winds[0];
     };
-    const WindFieldPtr open = forest.wind;
-    const glm::vec3 added = windIn(std::make_shared<WindWithSources>(open, std::vector<WindSource>{fan})) -
-                            windIn(open),
-                    alone = windIn(std::make_shared<WindWithSources>(nullptr, std::vector<WindSource>{fan}));
+    const glm::vec3 added = windIn(open, {fan}) - windIn(open, {}), alone = windIn(nullptr, {fan});
     EXPECT_LT(alone.z, -3.0f);
     EXPECT_LT(glm::length(added - alone), 1e-4f);
 }

@@ -95,9 +95,11 @@ public:
             {"wind/GridWind.h", {&C::setGrid, &C::setThesisGrid}},
             {"wind/StreamedWind.h", {&C::stream}},
             {"wind/TimeSeriesWind.h", {&C::setSeries}},
-            {"wind/RetimedWind.h", {&C::retime}},
             {"wind/WindDirection.h", {&C::readDirection}},
-            {"wind/WindWithSources.h", {&C::addSources}},
+            {"wind/WindSource.h", {&C::addSources}},
+            {"wind/Wind.h", {&C::setWind}},
+            {"wind/WindClock.h", {&C::setWind}},
+            {"wind/WindAdjustment.h", {&C::setWind}},
         };
         return all;
     }
@@ -122,7 +124,7 @@ private:
             return;
         const ForestDescription now = _forest->getSimulation().describe();
         EXPECT_EQ(now.species.size(), before.species.size()) << linesOf(problems);
-        EXPECT_EQ(now.wind, before.wind) << linesOf(problems);
+        EXPECT_EQ(now.wind.field, before.wind.field) << linesOf(problems);
         EXPECT_EQ(now.season, before.season) << linesOf(problems);
         ASSERT_EQ(now.trees.size(), before.trees.size()) << linesOf(problems);
         for (std::size_t i = 0; i < now.trees.size(); ++i)
@@ -239,13 +241,13 @@ private:
         if (any.oneIn(4))
             any.spoil(forest.drawing);
         if (any.oneIn(4))
-            any.spoil(forest.windCanopy);
+            any.spoil(forest.wind.canopy.emplace());
         if (any.oneIn(6))
             forest.noiseExponent = any.number<float>();
         if (any.oneIn(6))
             forest.season = any.number<float>();
         if (any.oneIn(8))
-            forest.windFrame = static_cast<WindFrame>(any.whole());
+            forest.wind.frame = static_cast<WindFrame>(any.whole());
         if (any.oneIn(8))
             forest.tiles = tiles();
         if (any.oneIn(4))
@@ -271,9 +273,13 @@ private:
     void setWind() {
         const ForestDescription before = _forest->getSimulation().describe();
         const WindFieldPtr wind = any.oneIn(3) ? nullptr : std::make_shared<NoNumbers>(any);
-        expectChange(
-            _forest->setWind(wind, static_cast<WindFrame>(any.oneIn(2) ? any.whole() : int(any.below(3)))),
-            before);
+        Wind given(wind, static_cast<WindFrame>(any.oneIn(2) ? any.whole() : int(any.below(3))));
+        if (any.oneIn(3))
+            any.spoil(given.canopy.emplace());
+        given.clock = {any.number<double>(), any.number<double>(), any.number<double>(),
+                       any.number<double>()};
+        given.adjustment = {any.number<double>(), any.number<double>()};
+        expectChange(_forest->setWind(given), before);
     }
     void setSeason() {
         const ForestDescription before = _forest->getSimulation().describe();
@@ -446,7 +452,7 @@ private:
     }
 
     // Winds
-    void blow(const WindFieldPtr& wind) {
+    void blow(const Wind& wind) {
         ASSERT_TRUE(wind) << _header;
         for (int i = 0; i < 3; ++i) {
             const float x = i == 0 ? 1.0f : 1000.0f;
@@ -529,13 +535,6 @@ private:
         if (const auto wind = TimeSeriesWind::create(series); expect(wind))
             blow(wind.value());
     }
-    void retime() {
-        RetimedWind::Clock clock{any.number<double>(), any.number<double>(), any.number<double>(),
-                                 any.number<double>()};
-        const WindFieldPtr inner = any.oneIn(3) ? nullptr : _forest->getWind();
-        if (!std::dynamic_pointer_cast<const NoNumbers>(inner))
-            blow(std::make_shared<RetimedWind>(inner, clock));
-    }
     void readDirection() {
         const glm::vec3 velocity =
             windVelocity({any.number<double>(), any.number<double>()}, DirectionSense::From);
@@ -547,7 +546,9 @@ private:
             source.kind = static_cast<WindSource::Kind>(any.below(6));
             any.spoil(source);
         }
-        blow(std::make_shared<WindWithSources>(nullptr, sources));
+        Wind wind;
+        wind.sources = sources;
+        blow(wind);
     }
 
     AnyValues any;

@@ -31,7 +31,7 @@ WindFieldPtr gradient() {
 ForestDescription treesIn(const WindFieldPtr& wind) {
     ForestDescription description = smallForest(6);
     description.wind = wind;
-    description.windFrame = WindFrame::Scene;
+    description.wind.frame = WindFrame::Scene;
     return description;
 }
 

@@ -10,7 +10,6 @@
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GustWind.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <osg/MatrixTransform>
 #include <osg/ShapeDrawable>
@@ -54,7 +53,7 @@ protected:
         root->addChild(handler->getOverlay());
     }
 
-    WindFieldPtr anyWind() {
+    Wind anyWind() {
         const glm::vec3 mean(uniform(-20.0, 20.0), uniform(-20.0, 20.0), 0.0);
         GustWind::Parameters gusts;
         gusts.mean = mean;
@@ -62,14 +61,16 @@ protected:
         source.kind = static_cast<WindSource::Kind>(below(5));
         source.position = {uniform(-5.0, 15.0), uniform(-5.0, 15.0), uniform(0.0, 20.0)};
         source.velocity = {uniform(-9.0, 9.0), 0.0, 0.0};
+        Wind wind;
         switch (below(5)) {
         case 0:
-            return nullptr;
+            return wind;
         case 1:
             return GustWind::create(gusts).value();
         case 2:
-            return std::make_shared<WindWithSources>(std::make_shared<UniformWind>(mean),
-                                                     std::vector<WindSource>{source});
+            wind = std::make_shared<UniformWind>(mean);
+            wind.sources = {source};
+            return wind;
         case 3:
             return std::make_shared<FunctionWind>(
                 [mean](const glm::vec3&, double time) { return mean * static_cast<float>(std::sin(time)); });
@@ -97,7 +98,7 @@ protected:
         description.damage = description.law == MotionLaw::Modal && below(3) == 0;
         description.gain = static_cast<float>(uniform(0.0, 4.0));
         description.season = static_cast<float>(uniform(0.0, 4.0));
-        description.windCanopy.source = below(3) == 0 ? CanopySource::Forest : CanopySource::None;
+        description.wind.canopy.emplace().source = below(3) == 0 ? CanopySource::Forest : CanopySource::None;
         description.drawing.tiers = below(4) > 0;
         description.drawing.budget = below(4) == 0 ? 5.0f : 0.0f;
         description.wind = anyWind();
@@ -160,7 +161,11 @@ protected:
 
     void switchSomething() {
         const std::vector<std::function<void()>> all = {
-            [&] { forest->setWind(anyWind(), static_cast<WindFrame>(below(2))); },
+            [&] {
+                Wind wind = anyWind();
+                wind.frame = static_cast<WindFrame>(below(2));
+                forest->setWind(wind);
+            },
             [&] { forest->setSeason(static_cast<float>(uniform(0.0, 4.0))); },
             [&] {
                 if (forest->getNumTrees() < 30)

@@ -124,8 +124,8 @@ TEST(TilePagerTest, aTreeThatComesSwaysAsIfItHadBeenThere) {
     TiledWorld world;
     std::istringstream text("version = 1\n[wind]\nkind = \"gusts\"\nspeed = 9.0\ndirection_from = 250.0\n"
                             "[[tree]]\nposition = [0.0, 0.0]\n");
-    const WindFieldPtr gusts = readForest(text).value().wind;
-    world.forest().setWind(gusts, WindFrame::Forest);
+    const WindFieldPtr gusts = readForest(text).value().wind.field;
+    world.forest().setWind({gusts, WindFrame::Forest});
     world.frames(world.at(950.0, 950.0), 500);
     world.frames(world.at(250.0, 250.0), 5);
 

@@ -5,7 +5,6 @@
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <osg/CoordinateSystemNode>
 #include <osg/MatrixTransform>
@@ -96,7 +95,7 @@ TEST(WindFrameTest, aGeocentricWindIsTheSameOnTheFlat) {
             const osg::Matrixd place = onGlobe(latitude, longitude);
             const osg::Vec3d east = osg::Matrixd::transform3x3(osg::X_AXIS, place);
             const osg::ref_ptr<Forest> forest = new Forest(trees(nullptr));
-            forest->setWind(toward(east, logarithmic), WindFrame::Geocentric);
+            forest->setWind({toward(east, logarithmic), WindFrame::Geocentric});
             expectAlike(leansAt(place, *forest), expected, "geocentric");
         }
     }
@@ -107,16 +106,16 @@ TEST(WindFrameTest, theWindOfASceneIsThatOfItsRoot) {
     const std::vector<glm::vec2> expected = leansAt(osg::Matrixd(), *flat);
     const osg::ref_ptr<Forest> turned = new Forest(trees(nullptr));
     turned->setWind(toward(osg::Y_AXIS, true));
-    EXPECT_EQ(turned->getWindFrame(), WindFrame::Scene);
+    EXPECT_EQ(turned->getWind().frame, WindFrame::Scene);
     expectAlike(leansAt(osg::Matrixd::rotate(osg::PI_2, osg::Z_AXIS), *turned), expected, "turned");
 }
 
 TEST(WindFrameTest, aCopyHasTheWindInTheSameFrame) {
     const osg::ref_ptr<Forest> forest = new Forest(trees(nullptr));
-    forest->setWind(toward(osg::X_AXIS, false), WindFrame::Geocentric);
+    forest->setWind({toward(osg::X_AXIS, false), WindFrame::Geocentric});
     const osg::ref_ptr<Forest> copy = new Forest(*forest);
-    EXPECT_EQ(copy->getWindFrame(), WindFrame::Geocentric);
-    EXPECT_EQ(copy->getSimulation().describe().windFrame, WindFrame::Geocentric);
+    EXPECT_EQ(copy->getWind().frame, WindFrame::Geocentric);
+    EXPECT_EQ(copy->getSimulation().describe().wind.frame, WindFrame::Geocentric);
 }
 
 TEST(WindFrameTest, aCanopyTakesNothingFromSourcesWhereverTheForestIs) {
@@ -132,10 +131,11 @@ TEST(WindFrameTest, aCanopyTakesNothingFromSourcesWhereverTheForestIs) {
         jet.toward = osg::RadiansToDegrees(std::atan2(way.x(), way.y()));
         ForestDescription description = smallForest(3);
         description.wind = nullptr;
-        description.windCanopy.source = CanopySource::Given;
+        description.wind.canopy.emplace().source = CanopySource::Given;
         const osg::ref_ptr<Forest> forest = new Forest(description);
-        forest->setWind(std::make_shared<WindWithSources>(
-            std::make_shared<UniformWind>(glm::vec3(0.0f, 0.0f, 0.0f)), std::vector<WindSource>{jet}));
+        Wind wind(std::make_shared<UniformWind>(glm::vec3(0.0f, 0.0f, 0.0f)));
+        wind.sources = {jet};
+        forest->setWind(wind);
         return leansAt(place, *forest);
     };
     const std::vector<glm::vec2> expected = leansUnderAJet(osg::Matrixd());

@@ -179,7 +179,7 @@ TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
     EXPECT_EQ(takeSaid(), "");
     EXPECT_EQ(back->getNumTrees(), 4u);
     EXPECT_EQ(back->getSeason(), midspring);
-    const auto wind = std::dynamic_pointer_cast<const UniformWind>(back->getWind());
+    const auto wind = std::dynamic_pointer_cast<const UniformWind>(back->getWind().field);
     ASSERT_TRUE(wind);
     EXPECT_EQ(wind->velocity(), glm::vec3(3, 4, 0));
     const PlacedTree& tree = SimulationParts::trees(

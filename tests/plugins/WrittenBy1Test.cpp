@@ -43,7 +43,7 @@ TEST_F(WrittenBy1, scenesOfAForest) {
         EXPECT_EQ(forest->getName(), "forest.treewind");
         EXPECT_EQ(forest->getNumTrees(), 40u);
         EXPECT_EQ(forest->getDescription().species.size(), 3u);
-        EXPECT_EQ(forest->getWind()->velocity(WindPlace(0.0f, 0.0f, 10.0f), 15.0),
+        EXPECT_EQ(asField(forest->getWind())->velocity(WindPlace(0.0f, 0.0f, 10.0f), 15.0),
                   glm::vec3(9.0f, 3.5f, 0.0f));
     }
 }

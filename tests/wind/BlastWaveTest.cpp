@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <tests/wind/Winds.h>
+
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/BlastWave.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <gtest/gtest.h>
 
@@ -54,7 +55,7 @@ float farthestLean(double step, double phase, ModalLevel level) {
     forest.trees.resize(1);
     forest.trees[0].position = {40.0, 0.0, 0.0};
     forest.trees[0].size.height = 15.0f;
-    forest.wind = std::make_shared<WindWithSources>(nullptr, std::vector<WindSource>{tonneAtTwoSeconds()});
+    forest.wind.sources = {tonneAtTwoSeconds()};
     SimulationOptions options;
     options.distant = level == ModalLevel::Far;
     ForestSimulation simulation(forest, options);
@@ -127,7 +128,7 @@ TEST(BlastWave, ALongOneIsAsItIs) {
 
 TEST(BlastWave, ComesAfterItGoesOffGoesOutAndBackAndEnds) {
     const WindSource source = tonneAtTwoSeconds();
-    const WindWithSources wind(nullptr, {source});
+    const WindSampler wind = withSources(nullptr, {source});
     const auto at = [&](const glm::vec3& place, double time) {
         return wind.velocity(WindPlace(place), time);
     };
@@ -146,7 +147,7 @@ TEST(BlastWave, IsFiniteAndWithinBoundsForAnything) {
     for (const double charge : {1e-300, 1.0, 1e9, inf, nan}) {
         WindSource source = tonneAtTwoSeconds();
         source.charge = charge;
-        const WindWithSources wind(nullptr, {source});
+        const WindSampler wind = withSources(nullptr, {source});
         for (const float x : {0.0f, 1e-6f, 0.1f, 1e3f, 1e9f, std::nanf("")})
             for (const double time : {-inf, 0.0, 2.0, 2.0 + 1e-9, 2.5, 1e12, inf, nan}) {
                 const float speed = glm::length(wind.velocity(WindPlace(glm::vec3(x, 0.0f, 0.0f)), time));

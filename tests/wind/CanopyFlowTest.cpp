@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/CanopyWind.h>
+#include <tests/wind/Winds.h>
+
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
@@ -22,8 +23,8 @@ std::shared_ptr<const CanopyMap> stand(float frontalArea = 2.0f) {
     return map;
 }
 
-CanopyWind windOf(float speed, std::uint32_t seed = 1) {
-    return CanopyWind(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)), *stand(), height, seed);
+WindSampler windOf(float speed, std::uint32_t seed = 1) {
+    return inStand(std::make_shared<UniformWind>(glm::vec3(speed, 0.0f, 0.0f)), *stand(), height, seed);
 }
 
 /// Of hours at one height, at places far apart.
@@ -54,22 +55,22 @@ struct Statistics {
     double skewness() const { return third / std::pow(along, 1.5); }
 };
 
-TEST(CanopyWind, TreesHaveTheCompanyOfTheirStand) {
+TEST(CanopyFlow, TreesHaveTheCompanyOfTheirStand) {
     auto map = std::make_shared<CanopyMap>(*stand());
     map->usual.crowns = 0.8f;
     const auto open = std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f));
-    const TreeCompany among = CanopyWind(open, *map, height, 1).companyAt(glm::vec2(40.0f, -3.0f));
+    const TreeCompany among = inStand(open, *map, height, 1).canopy()->companyAt(glm::vec2(40.0f, -3.0f));
     EXPECT_EQ(among.crowns, 0.8f);
     EXPECT_EQ(among.shelter, shelter);
     map->usual.closure = 0.5f; // half a stand shelters half as much
-    EXPECT_EQ(CanopyWind(open, *map, height, 1).companyAt(glm::vec2(0.0f)).shelter, 0.75f);
-    const TreeCompany alone = CanopyWind(open, CanopyMap(), height, 1).companyAt(glm::vec2(0.0f));
+    EXPECT_EQ(inStand(open, *map, height, 1).canopy()->companyAt(glm::vec2(0.0f)).shelter, 0.75f);
+    const TreeCompany alone = inStand(open, CanopyMap(), height, 1).canopy()->companyAt(glm::vec2(0.0f));
     EXPECT_EQ(alone.crowns, 0.0f);
     EXPECT_EQ(alone.shelter, 1.0f);
 }
 
-TEST(CanopyWind, HasTheMeanSpreadAndSkewnessOfItsProfile) {
-    const CanopyWind wind = windOf(10.0f);
+TEST(CanopyFlow, HasTheMeanSpreadAndSkewnessOfItsProfile) {
+    const WindSampler wind = windOf(10.0f);
     const CanopyProfile profile = CanopyProfile::over(height, 2.0f);
     for (const float z : {20.0f, 15.0f, 10.0f, 30.0f}) {
         const Statistics found(wind, z);
@@ -82,7 +83,7 @@ TEST(CanopyWind, HasTheMeanSpreadAndSkewnessOfItsProfile) {
     }
 }
 
-TEST(CanopyWind, ItsSweepsComeFromAbove) {
+TEST(CanopyFlow, ItsSweepsComeFromAbove) {
     const Statistics found(windOf(10.0f), height);
     EXPECT_NEAR(found.stress / -9.0, 1.0, 0.15) << "-u*^2, u* three tenths of 10 m/s";
     EXPECT_LT(found.thirdUp, 0.0);
@@ -104,28 +105,28 @@ double correlation(const WindField& wind, const glm::vec3& apart, double later) 
     return (product - sum * sum / count) / (squares - sum * sum / count);
 }
 
-TEST(CanopyWind, GustsTravelAtNearlyTwiceTheWindAtTheTop) {
-    const CanopyWind wind = windOf(10.0f);
+TEST(CanopyFlow, GustsTravelAtNearlyTwiceTheWindAtTheTop) {
+    const WindSampler wind = windOf(10.0f);
     EXPECT_NEAR(correlation(wind, {36.0f, 0.0f, 0.0f}, 2.0), 1.0, 0.02) << "18 m/s";
     EXPECT_LT(correlation(wind, {36.0f, 0.0f, 0.0f}, 0.0), 0.5);
 }
 
-TEST(CanopyWind, AGustLastsAsLongAsTheAirTakesPastATreesHeight) {
-    const CanopyWind wind = windOf(10.0f);
+TEST(CanopyFlow, AGustLastsAsLongAsTheAirTakesPastATreesHeight) {
+    const WindSampler wind = windOf(10.0f);
     double scale = 0.0;
     for (double lag = 0.0; lag < 12.0; lag += 0.25)
         scale += 0.25 * std::max(correlation(wind, {}, lag), 0.0);
     EXPECT_NEAR(scale - 0.125, 2.0, 0.4) << "h / U(h), 20 m by 10 m/s";
 }
 
-TEST(CanopyWind, ALineOfTreesDoesNotMoveAsOne) {
-    const CanopyWind wind = windOf(10.0f);
+TEST(CanopyFlow, ALineOfTreesDoesNotMoveAsOne) {
+    const WindSampler wind = windOf(10.0f);
     EXPECT_LT(correlation(wind, {0.0f, 20.0f, 0.0f}, 0.0), 0.4);
     EXPECT_LT(std::abs(correlation(wind, {0.0f, 60.0f, 0.0f}, 0.0)), 0.1);
 }
 
-TEST(CanopyWind, LeavesShelterTheAirBetweenThemAndNoneAbove) {
-    const CanopyWind wind = windOf(10.0f);
+TEST(CanopyFlow, LeavesShelterTheAirBetweenThemAndNoneAbove) {
+    const WindSampler wind = windOf(10.0f);
     WindPlace among(0.0f, 0.0f, 15.0f), over(0.0f, 0.0f, 30.0f);
     const glm::vec3 free = wind.velocity(among, 3.0), high = wind.velocity(over, 3.0);
     among.inCrown = over.inCrown = true;
@@ -133,8 +134,8 @@ TEST(CanopyWind, LeavesShelterTheAirBetweenThemAndNoneAbove) {
     EXPECT_EQ(wind.velocity(over, 3.0), high);
 }
 
-TEST(CanopyWind, IsAFunctionOfPlaceTimeAndSeed) {
-    const CanopyWind a = windOf(10.0f), b = windOf(10.0f), c = windOf(10.0f, 2);
+TEST(CanopyFlow, IsAFunctionOfPlaceTimeAndSeed) {
+    const WindSampler a = windOf(10.0f), b = windOf(10.0f), c = windOf(10.0f, 2);
     const WindPlace place(3.0f, 4.0f, 12.0f);
     EXPECT_EQ(a.velocity(place, 5.0), b.velocity(place, 5.0));
     EXPECT_NE(a.velocity(place, 5.0), c.velocity(place, 5.0));
@@ -145,7 +146,7 @@ TEST(CanopyWind, IsAFunctionOfPlaceTimeAndSeed) {
         EXPECT_EQ(v, a.velocity(place, 5.0));
 }
 
-TEST(CanopyWind, ACalmAboveIsACalmBelow) {
+TEST(CanopyFlow, ACalmAboveIsACalmBelow) {
     EXPECT_EQ(windOf(0.0f).velocity(WindPlace(1.0f, 2.0f, 3.0f), 4.0), glm::vec3(0.0f));
 }
 
@@ -164,7 +165,7 @@ std::shared_ptr<const CanopyMap> edge() {
     return map;
 }
 
-TEST(CanopyWind, AWindThatIsNoNumberOrTooFastIsACalm) {
+TEST(CanopyFlow, AWindThatIsNoNumberOrTooFastIsACalm) {
     class Nonsense : public WindField {
     public:
         explicit Nonsense(float speed) : _speed(speed) {}
@@ -174,17 +175,17 @@ TEST(CanopyWind, AWindThatIsNoNumberOrTooFastIsACalm) {
         float _speed;
     };
     for (const float speed : {NAN, INFINITY, 1e30f, 3e38f}) {
-        const CanopyWind wind(std::make_shared<Nonsense>(speed), *stand(), height, 1);
+        const WindSampler wind = inStand(std::make_shared<Nonsense>(speed), *stand(), height, 1);
         EXPECT_EQ(wind.velocity(WindPlace(3.0f, 4.0f, 5.0f), 7.0), glm::vec3(0.0f)) << speed;
     }
 }
 
-TEST(CanopyWind, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithoutAStep) {
+TEST(CanopyFlow, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithoutAStep) {
     GustWind::Parameters gusts;
     gusts.mean = {-10.0f, 0.0f, 0.0f}; // from the east: the edge lies open to it
     gusts.profile = LogProfile{10.0, 0.05};
     const WindFieldPtr open = GustWind::create(gusts).value();
-    const CanopyWind wind(open, *edge(), 60.0f, 1);
+    const WindSampler wind = inStand(open, *edge(), 60.0f, 1);
     const WindPlace at(30.0f, 0.0f, 12.0f);
     EXPECT_EQ(wind.velocity(at, 9.0), open->velocity(at, 9.0));
     EXPECT_LT(glm::length(wind.velocity(WindPlace(-200.0f, 0.0f, 2.0f), 9.0)),
@@ -197,9 +198,11 @@ TEST(CanopyWind, IsOpenCountryWhereTheAirMeetsNoTreesAndGoesOverToTheStandWithou
     }
 }
 
-TEST(CanopyWind, IsFiniteForAnyPlaceAndTime) {
-    const CanopyWind all(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *stand(), 60.0f, 1),
-        some(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *edge(), 60.0f, 1);
+TEST(CanopyFlow, IsFiniteForAnyPlaceAndTime) {
+    const WindSampler all = inStand(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *stand(),
+                                    60.0f, 1),
+                      some = inStand(std::make_shared<UniformWind>(glm::vec3(200.0f, 0.0f, 0.0f)), *edge(),
+                                     60.0f, 1);
     for (const float x : {-1e30f, -40.0f, 0.0f, 3e38f})
         for (const float z : {-1e30f, 0.0f, 20.0f, 3e38f})
             for (const double time : {-1e300, 0.0, 1e300})

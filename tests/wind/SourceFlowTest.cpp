@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <tests/wind/Extremes.h>
+#include <tests/wind/Winds.h>
 
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -18,7 +18,7 @@ namespace {
 constexpr double airDensity = 1.225, pi = glm::pi<double>();
 
 glm::dvec3 at(const WindSource& source, const glm::vec3& place, double time = 0.0) {
-    return glm::dvec3(WindWithSources(nullptr, {source}).velocity(WindPlace(place), time));
+    return glm::dvec3(withSources(nullptr, {source}).velocity(WindPlace(place), time));
 }
 
 WindSource rotor(double hub) {
@@ -34,7 +34,7 @@ double inducedBy(const WindSource& source) {
     return std::sqrt(source.thrust / (2.0 * airDensity * pi * source.radius * source.radius));
 }
 
-TEST(WindWithSources, ARotorsColumnIsThatOfMomentumTheory) {
+TEST(SourceFlow, ARotorsColumnIsThatOfMomentumTheory) {
     const WindSource source = rotor(200.0);
     const double induced = inducedBy(source);
     EXPECT_NEAR(-at(source, {0.0f, 0.0f, 200.0f}).z, induced, 0.02 * induced) << "through the disk";
@@ -50,7 +50,7 @@ TEST(WindWithSources, ARotorsColumnIsThatOfMomentumTheory) {
     EXPECT_NEAR(momentum, 0.5 * wake * source.thrust, 0.02 * source.thrust);
 }
 
-TEST(WindWithSources, ARotorsWashIsTheRadialWallJetThatWasMeasured) {
+TEST(SourceFlow, ARotorsWashIsTheRadialWallJetThatWasMeasured) {
     const WindSource source = rotor(20.0);
     for (const double r : {30.0, 60.0}) {
         double fastest = 0.0, momentum = 0.0, half = 0.0;
@@ -73,7 +73,7 @@ TEST(WindWithSources, ARotorsWashIsTheRadialWallJetThatWasMeasured) {
 }
 
 /// It brings down as much momentum from any height: what tells them apart is (r/H)^-1.1 / H.
-TEST(WindWithSources, FarOffAHigherRotorIsFeltAlikeAndBelowItLess) {
+TEST(SourceFlow, FarOffAHigherRotorIsFeltAlikeAndBelowItLess) {
     const auto fastest = [](double hub, float r) {
         double most = 0.0;
         for (float z = 0.05f; z < 20.0f; z += 0.05f)
@@ -96,7 +96,7 @@ WindSource fan() {
     return source;
 }
 
-TEST(WindWithSources, AFansJetDecaysAndSpreadsAsRoundJetsDo) {
+TEST(SourceFlow, AFansJetDecaysAndSpreadsAsRoundJetsDo) {
     const WindSource source = fan();
     EXPECT_NEAR(at(source, {6.0f, 0.0f, 3.0f}).x, 20.0, 0.1) << "its core";
     EXPECT_NEAR(at(source, {25.0f, 0.0f, 3.0f}).x, 20.0 * 5.8 / 16.0, 0.01) << "20 diameters on";
@@ -113,7 +113,7 @@ TEST(WindWithSources, AFansJetDecaysAndSpreadsAsRoundJetsDo) {
     }
 }
 
-TEST(WindWithSources, AJetBlowsWhereItIsTurned) {
+TEST(SourceFlow, AJetBlowsWhereItIsTurned) {
     WindSource source = fan();
     source.toward = 180.0;
     source.elevation = 30.0;
@@ -122,7 +122,7 @@ TEST(WindWithSources, AJetBlowsWhereItIsTurned) {
     EXPECT_LT(glm::length(wind - 20.0 * along), 0.1);
 }
 
-TEST(WindWithSources, AVortexIsFastestAtItsRadiusAndFallsAsOneOverIt) {
+TEST(SourceFlow, AVortexIsFastestAtItsRadiusAndFallsAsOneOverIt) {
     WindSource source;
     source.kind = WindSource::Kind::Vortex;
     source.radius = 4.0;
@@ -139,7 +139,7 @@ TEST(WindWithSources, AVortexIsFastestAtItsRadiusAndFallsAsOneOverIt) {
     EXPECT_EQ(glm::length(at(source, {0.0f, 0.0f, 10.0f})), 0.0) << "its eye";
 }
 
-TEST(WindWithSources, AShelterLeavesAShareOfTheWindAndOfNothingElse) {
+TEST(SourceFlow, AShelterLeavesAShareOfTheWindAndOfNothingElse) {
     WindSource shelter;
     shelter.kind = WindSource::Kind::Shelter;
     shelter.radius = 10.0;
@@ -147,7 +147,7 @@ TEST(WindWithSources, AShelterLeavesAShareOfTheWindAndOfNothingElse) {
     shelter.share = 0.25;
     WindSource blower = fan();
     const auto wind = std::make_shared<UniformWind>(glm::vec3(0.0f, 8.0f, 0.0f));
-    const WindWithSources both(wind, {shelter, blower});
+    const WindSampler both = withSources(wind, {shelter, blower});
     EXPECT_EQ(both.velocity({0.0f, 3.0f, 2.0f}, 0.0), glm::vec3(0.0f, 2.0f, 0.0f));
     EXPECT_EQ(both.velocity({0.0f, 30.0f, 2.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));
     EXPECT_EQ(both.velocity({0.0f, 3.0f, 20.0f}, 0.0), glm::vec3(0.0f, 8.0f, 0.0f));
@@ -171,7 +171,7 @@ WindSource lorry() {
 }
 
 /// Eskridge and Thompson (1982) measured both powers from 10 to 80 heights behind.
-TEST(WindWithSources, ALorrysWakeKeepsItsMomentAndDecaysAsMeasured) {
+TEST(SourceFlow, ALorrysWakeKeepsItsMomentAndDecaysAsMeasured) {
     WindSource without = lorry(); // a wake
     without.dragArea = 0.0;
     double nearSpeed = 0.0, nearHeight = 0.0;
@@ -204,13 +204,13 @@ TEST(WindWithSources, ALorrysWakeKeepsItsMomentAndDecaysAsMeasured) {
 
 /// Through a tilted column the same thrust is borne by less of an induced velocity, and what sinks is carried
 /// off.
-TEST(WindWithSources, WindBendsARotorsColumn) {
+TEST(SourceFlow, WindBendsARotorsColumn) {
     const WindSource source = rotor(200.0);
     const double calm = inducedBy(source), air = 9.0;
     const WindFieldPtr wind = std::make_shared<UniformWind>(glm::vec3(static_cast<float>(air), 0.0f, 0.0f));
     const auto down = [&](double x, double z) {
         const WindPlace place(static_cast<float>(x), 0.0f, static_cast<float>(z));
-        return -static_cast<double>(WindWithSources(wind, {source}).velocity(place, 0.0).z);
+        return -static_cast<double>(withSources(wind, {source}).velocity(place, 0.0).z);
     };
     const double induced = down(0.0, 200.0);
     EXPECT_NEAR(induced * std::hypot(air, induced), calm * calm, 0.03 * calm * calm) << "Glauert";
@@ -228,23 +228,23 @@ TEST(WindWithSources, WindBendsARotorsColumn) {
     EXPECT_LT(down(0.0, z), 0.01 * axis) << "below the rotor it is still";
 }
 
-TEST(WindWithSources, ARotorThatDriftsWithTheWindIsAsInACalm) {
+TEST(SourceFlow, ARotorThatDriftsWithTheWindIsAsInACalm) {
     WindSource source = rotor(30.0);
     source.velocity = {6.0, 2.0, 0.0};
     const WindFieldPtr wind = std::make_shared<UniformWind>(glm::vec3(6.0f, 2.0f, 0.0f));
-    const glm::vec3 drifting = WindWithSources(wind, {source}).velocity(WindPlace(9.0f, 4.0f, 12.0f), 0.0);
+    const glm::vec3 drifting = withSources(wind, {source}).velocity(WindPlace(9.0f, 4.0f, 12.0f), 0.0);
     const glm::dvec3 calm = at(rotor(30.0), {9.0f, 4.0f, 12.0f});
     EXPECT_LT(glm::length(glm::dvec3(drifting) - glm::dvec3(6.0, 2.0, 0.0) - calm), 1e-4);
 }
 
-TEST(WindWithSources, AVehiclesWakeLiesAlongTheAirThatItMeets) {
+TEST(SourceFlow, AVehiclesWakeLiesAlongTheAirThatItMeets) {
     WindSource without = lorry(); // drives to the north at 25 m/s
     without.dragArea = 0.0;
     const auto wakeIn = [&](const glm::vec3& air, float x, float y) {
         const WindFieldPtr wind = std::make_shared<UniformWind>(air);
         const WindPlace place(x, y, 2.0f);
-        return WindWithSources(wind, {lorry()}).velocity(place, 0.0) -
-               WindWithSources(wind, {without}).velocity(place, 0.0);
+        return withSources(wind, {lorry()}).velocity(place, 0.0) -
+               withSources(wind, {without}).velocity(place, 0.0);
     };
     const glm::vec3 across(5.0f, 0.0f, 0.0f);
     EXPECT_GT(glm::length(wakeIn(across, 20.0f, -100.0f)), 0.5f) << "100 m behind it has gone 20 m downwind";
@@ -254,7 +254,7 @@ TEST(WindWithSources, AVehiclesWakeLiesAlongTheAirThatItMeets) {
 }
 
 /// What its section sweeps goes out at the front and comes in at the rear.
-TEST(WindWithSources, ALorryPushesTheAirAside) {
+TEST(SourceFlow, ALorryPushesTheAirAside) {
     WindSource source = lorry();
     source.dragArea = 0.0; // no wake
     const auto outThrough = [&](float y0, float y1) {
@@ -280,26 +280,14 @@ TEST(WindWithSources, ALorryPushesTheAirAside) {
     EXPECT_EQ(glm::length(at(source, {3.0f, 16.0f, 2.0f})), 0.0) << "parked";
 }
 
-TEST(WindWithSources, ASourceGoesWhereItDrives) {
+TEST(SourceFlow, ASourceGoesWhereItDrives) {
     WindSource source = fan();
     source.velocity = {0.0, 12.0, 0.0};
     EXPECT_LT(glm::length(at(source, {6.0f, 24.0f, 3.0f}, 2.0) - glm::dvec3(20.0, 0.0, 0.0)), 0.1);
     EXPECT_LT(glm::length(at(source, {6.0f, 0.0f, 3.0f}, 2.0)), 0.1) << "where it was";
 }
 
-TEST(WindWithSources, OfAWindWithSourcesItTakesWhatIsWithin) {
-    const auto wind = std::make_shared<UniformWind>(glm::vec3(3.0f, 0.0f, 0.0f));
-    const auto once = std::make_shared<WindWithSources>(wind, std::vector<WindSource>{rotor(20.0)});
-    const WindWithSources twice(once, {fan()});
-    EXPECT_EQ(twice.wind(), wind);
-    ASSERT_EQ(twice.sources().size(), 2u);
-    const WindPlace place(glm::vec3(9.0f, 1.0f, 3.0f));
-    const glm::vec3 sum = once->velocity(place, 0.0) + glm::vec3(at(fan(), place.position));
-    EXPECT_LT(glm::length(twice.velocity(place, 0.0) - sum), 1e-5f);
-    EXPECT_FALSE(twice.withoutGusts()) << "nothing of it is made up";
-}
-
-TEST(WindWithSources, EddiesAreAsStrongAsTheyAreSaidToBeAndCarriedAlong) {
+TEST(SourceFlow, EddiesAreAsStrongAsTheyAreSaidToBeAndCarriedAlong) {
     WindSource source = fan();
     const glm::vec3 place(25.0f, 0.0f, 3.0f);
     const glm::dvec3 steady = at(source, place);
@@ -318,31 +306,18 @@ TEST(WindWithSources, EddiesAreAsStrongAsTheyAreSaidToBeAndCarriedAlong) {
     EXPECT_EQ(at(source, place, 3.0), at(source, place, 3.0)) << "the same for everybody";
 }
 
-TEST(WindWithSources, WithoutGustsTheSourcesStay) {
-    GustWind::Parameters gusts;
-    gusts.mean = {8.0f, 0.0f, 0.0f};
-    const WindWithSources wind(GustWind::create(gusts).value(), {fan()});
-    ASSERT_TRUE(wind.withoutGusts());
-    EXPECT_NEAR(wind.withoutGusts()->velocity({6.0f, 0.0f, 3.0f}, 4.0).x, 28.0f, 0.1f);
-    WindSource whirl;
-    whirl.kind = WindSource::Kind::Vortex;
-    const WindFieldPtr steady = WindWithSources(nullptr, {whirl}).withoutGusts();
-    ASSERT_TRUE(steady);
-    EXPECT_EQ(steady->velocity({5.0f, 0.0f, 1.0f}, 4.0), steady->velocity({5.0f, 0.0f, 1.0f}, 9.0));
-}
-
-TEST(WindWithSources, IsFiniteForAnySourceAndPlace) {
+TEST(SourceFlow, IsFiniteForAnySourceAndPlace) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1e300;
     for (const auto kind : {WindSource::Kind::Rotor, WindSource::Kind::Jet, WindSource::Kind::Vortex,
                             WindSource::Kind::Shelter, WindSource::Kind::Vehicle})
         for (const double number : {nan, huge, -huge, 0.0, 1e-300}) {
             WindSource source;
             source.kind = kind;
-            expectFiniteEverywhere(WindWithSources(std::make_shared<UniformWind>(glm::vec3(1.0f)), {source}));
+            expectFiniteEverywhere(withSources(std::make_shared<UniformWind>(glm::vec3(1.0f)), {source}));
             source.position = source.velocity = glm::dvec3(number);
             source.radius = source.thrust = source.speed = source.toward = source.elevation = source.height =
                 source.share = source.turbulence = number;
-            expectFiniteEverywhere(WindWithSources(nullptr, {source}));
+            expectFiniteEverywhere(withSources(nullptr, {source}));
         }
 }
 

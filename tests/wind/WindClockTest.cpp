@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/wind/Extremes.h>
+#include <tests/wind/Winds.h>
 
 #include <osgTreeWind/wind/FunctionWind.h>
-#include <osgTreeWind/wind/RetimedWind.h>
 
 using namespace osgTreeWind;
 
@@ -14,19 +14,19 @@ WindFieldPtr clockWind() {
 
 } // namespace
 
-TEST(RetimedWind, HoursPassInAMinute) {
-    const RetimedWind wind(clockWind(), {7200.0, 60.0});
+TEST(WindClock, HoursPassInAMinute) {
+    const WindSampler wind = retimed(clockWind(), {7200.0, 60.0});
     EXPECT_EQ(wind.velocity({0, 5, 0}, 0.0), glm::vec3(7200, 5, 0));
     EXPECT_EQ(wind.velocity({0, 5, 0}, 60.0), glm::vec3(10800, 5, 0));
 }
 
-TEST(RetimedWind, FreezesAndRunsBackwards) {
-    EXPECT_EQ(RetimedWind(clockWind(), {10.0, 0.0}).velocity({}, 99.0).x, 10.0f);
-    EXPECT_EQ(RetimedWind(clockWind(), {10.0, -1.0}).velocity({}, 4.0).x, 6.0f);
+TEST(WindClock, FreezesAndRunsBackwards) {
+    EXPECT_EQ(retimed(clockWind(), {10.0, 0.0}).velocity({}, 99.0).x, 10.0f);
+    EXPECT_EQ(retimed(clockWind(), {10.0, -1.0}).velocity({}, 4.0).x, 6.0f);
 }
 
-TEST(RetimedWind, ACarriedWindIsThatOfWhenTheAirPassedThePlane) {
-    const RetimedWind wind(clockWind(), {100.0, 1.0, -30.0, 8.0});
+TEST(WindClock, ACarriedWindIsThatOfWhenTheAirPassedThePlane) {
+    const WindSampler wind = retimed(clockWind(), {100.0, 1.0, -30.0, 8.0});
     EXPECT_EQ(wind.velocity({-30, 0, 0}, 4.0).x, 104.0f);
     EXPECT_EQ(wind.velocity({50, 0, 0}, 4.0).x, 94.0f);
     const WindPlace places[] = {{-30, 1, 0}, {50, 2, 0}};
@@ -39,13 +39,12 @@ TEST(RetimedWind, ACarriedWindIsThatOfWhenTheAirPassedThePlane) {
 namespace {
 
 /// One clock for two shows what the two show one within the other.
-void expectAsInside(const RetimedWind::Clock& outer, const RetimedWind::Clock& inner) {
-    const RetimedWind within(clockWind(), inner);
-    const RetimedWind both(std::make_shared<RetimedWind>(within), outer);
-    const RetimedWind apart(std::make_shared<FunctionWind>([&](const glm::vec3& p, double t) {
-                                return within.velocity(WindPlace(p), t);
-                            }),
-                            outer);
+void expectAsInside(const WindClock& outer, const WindClock& inner) {
+    const WindSampler within = retimed(clockWind(), inner), both = retimed(clockWind(), outer.of(inner));
+    const WindSampler apart = retimed(std::make_shared<FunctionWind>([&](const glm::vec3& p, double t) {
+                                          return within.velocity(WindPlace(p), t);
+                                      }),
+                                      outer);
     for (const float x : {-40.0f, 0.0f, 25.0f})
         for (const double time : {-3.0, 0.0, 7.0})
             EXPECT_NEAR(both.velocity({x, 1, 0}, time).x, apart.velocity({x, 1, 0}, time).x, 1e-4)
@@ -54,26 +53,20 @@ void expectAsInside(const RetimedWind::Clock& outer, const RetimedWind::Clock& i
 
 } // namespace
 
-TEST(RetimedWind, OfARetimedWindItTakesWhatIsWithin) {
+TEST(WindClock, TwoClocksAreOne) {
     expectAsInside({100.0, 60.0}, {7.0, 0.5});
     expectAsInside({100.0, 60.0}, {7.0, 0.5, -30.0, 8.0});
     expectAsInside({100.0, 2.0, 10.0, 4.0}, {7.0, 0.5});
     expectAsInside({100.0, 2.0, 10.0, 4.0}, {7.0, 0.5, -30.0, 8.0});
     expectAsInside({100.0, 2.0, 10.0, -4.0}, {7.0, 0.5, -30.0, 8.0}); // carried this way and that: nowhere
-    const auto clock = clockWind();
-    const auto once = std::make_shared<RetimedWind>(clock, RetimedWind::Clock{1.0, 2.0});
-    const long before = clock.use_count(), of = once.use_count();
-    const RetimedWind twice(once, {});
-    EXPECT_EQ(clock.use_count(), before + 1);
-    EXPECT_EQ(once.use_count(), of);
 }
 
-TEST(RetimedWind, NoInnerWindIsCalm) {
-    EXPECT_EQ(RetimedWind(nullptr, {0, 1}).velocity({}, 0), glm::vec3(0));
+TEST(WindClock, NoInnerWindIsCalm) {
+    EXPECT_EQ(retimed(nullptr, {0, 1}).velocity({}, 0), glm::vec3(0));
 }
 
-TEST(RetimedWind, StaysFinite) {
-    expectFiniteEverywhere(RetimedWind(clockWind(), {1e300, 1e300}));
-    expectFiniteEverywhere(RetimedWind(clockWind(), {0.0, std::numeric_limits<double>::quiet_NaN()}));
-    expectFiniteEverywhere(RetimedWind(clockWind(), {0.0, 1.0, 0.0, 1e-300}));
+TEST(WindClock, StaysFinite) {
+    expectFiniteEverywhere(retimed(clockWind(), {1e300, 1e300}));
+    expectFiniteEverywhere(retimed(clockWind(), {0.0, std::numeric_limits<double>::quiet_NaN()}));
+    expectFiniteEverywhere(retimed(clockWind(), {0.0, 1.0, 0.0, 1e-300}));
 }

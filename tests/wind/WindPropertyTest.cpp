@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What holds for every wind, place and time.
-#include <osgTreeWind/wind/AdjustedWind.h>
+#include <tests/wind/Winds.h>
+
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
-#include <osgTreeWind/wind/WindWithSources.h>
 
 #include <gtest/gtest.h>
 
@@ -64,9 +64,9 @@ RC_GTEST_PROP(WindProperty, SourcesAddUp, ()) {
     const WindPlace place = anyPlace();
     const double time = *number(0.0, 100.0);
     const auto alone = [&](const WindSource& source) {
-        return WindWithSources(nullptr, {source}).velocity(place, time);
+        return withSources(nullptr, {source}).velocity(place, time);
     };
-    RC_ASSERT(near(WindWithSources(wind, {one, other}).velocity(place, time),
+    RC_ASSERT(near(withSources(wind, {one, other}).velocity(place, time),
                    wind->velocity(place, time) + alone(one) + alone(other), 1e-5f));
 }
 
@@ -74,11 +74,11 @@ RC_GTEST_PROP(WindProperty, ASourceThatIsMovedTakesItsFlowAlong, ()) {
     WindSource source = anySource();
     WindPlace place = anyPlace();
     const double time = *number(0.0, 100.0);
-    const glm::vec3 before = WindWithSources(nullptr, {source}).velocity(place, time);
+    const glm::vec3 before = withSources(nullptr, {source}).velocity(place, time);
     const glm::dvec3 moved = *within(100.0, 0.0, 0.0);
     source.position += moved;
     place.position += glm::vec3(moved);
-    RC_ASSERT(near(WindWithSources(nullptr, {source}).velocity(place, time), before, 2e-2f));
+    RC_ASSERT(near(withSources(nullptr, {source}).velocity(place, time), before, 2e-2f));
 }
 
 RC_GTEST_PROP(WindProperty, ASourceThatIsTurnedTurnsItsFlow, ()) {
@@ -90,13 +90,12 @@ RC_GTEST_PROP(WindProperty, ASourceThatIsTurnedTurnsItsFlow, ()) {
     const auto turned = [&](const glm::dvec3& v) { // clockwise from above, as `toward` counts
         return glm::dvec3(cosine * v.x + sine * v.y, cosine * v.y - sine * v.x, v.z);
     };
-    const glm::dvec3 before(WindWithSources(nullptr, {source}).velocity(place, time));
+    const glm::dvec3 before(withSources(nullptr, {source}).velocity(place, time));
     source.position = turned(source.position);
     source.velocity = turned(source.velocity);
     source.toward = std::remainder(source.toward + degrees, 360.0);
     const WindPlace there(glm::vec3(turned(place.position)), 0.0f);
-    RC_ASSERT(
-        near(WindWithSources(nullptr, {source}).velocity(there, time), glm::vec3(turned(before)), 2e-2f));
+    RC_ASSERT(near(withSources(nullptr, {source}).velocity(there, time), glm::vec3(turned(before)), 2e-2f));
 }
 
 RC_GTEST_PROP(WindProperty, AGridIsNeverFasterThanItsPoints, ()) {
@@ -122,11 +121,11 @@ RC_GTEST_PROP(WindProperty, AGridIsNeverFasterThanItsPoints, ()) {
 
 RC_GTEST_PROP(WindProperty, TwoTurnsAreTheirSumAndTwoFactorsTheirProduct, ()) {
     const auto wind = std::make_shared<UniformWind>(glm::vec3(*within(30.0, -5.0, 5.0)));
-    const AdjustedWind::Adjustment first{*number(0.0, 3.0), *number(-180.0, 180.0)},
+    const WindAdjustment first{*number(0.0, 3.0), *number(-180.0, 180.0)},
         second{*number(0.0, 3.0), *number(-180.0, 180.0)};
-    const AdjustedWind both(wind, {first.strength * second.strength, first.turn + second.turn});
-    const AdjustedWind nested(std::make_shared<AdjustedWind>(wind, first), second);
     const WindPlace place = anyPlace();
+    const WindSampler both = adjusted(wind, {first.strength * second.strength, first.turn + second.turn}),
+                      nested = adjusted(std::make_shared<WindSampler>(adjusted(wind, first)), second);
     RC_ASSERT(near(nested.velocity(place, 0.0), both.velocity(place, 0.0), 1e-5f));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/MovedWind.h>
+#include <tests/wind/Winds.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -40,9 +40,9 @@ WindFieldPtr gusts() {
     return GustWind::create(parameters).value();
 }
 
-TEST(MovedWind, WithoutAMoveItIsTheSameToTheBit) {
+TEST(WindSampler, WithoutAMoveItIsTheSameToTheBit) {
     const WindFieldPtr world = gusts();
-    const MovedWind same(world, glm::dmat4(1.0));
+    const WindSampler same = sampler(world, glm::dmat4(1.0));
     for (int i = 1; i < 50; ++i) {
         const float x = 13.37f * static_cast<float>(i);
         const WindPlace place({x, -2.0f * x, 0.1f * x}, 0.02f * x);
@@ -50,8 +50,8 @@ TEST(MovedWind, WithoutAMoveItIsTheSameToTheBit) {
     }
 }
 
-TEST(MovedWind, AsksWhereTheFrameReallyStands) {
-    const MovedWind wind(std::make_shared<WhereWind>(), moved({100, 20, 5}) * turned(quarter));
+TEST(WindSampler, AsksWhereTheFrameReallyStands) {
+    const WindSampler wind = sampler(std::make_shared<WhereWind>(), moved({100, 20, 5}) * turned(quarter));
     // 3 m along the frame's x is 3 m north of where it stands; what is met blows to the frame's own axes.
     const glm::vec3 v = wind.velocity({{3, 0, 9}, 2}, 0.0);
     EXPECT_NEAR(v.x, 23.0f, 1e-4f) << "the world's north is the frame's x";
@@ -59,36 +59,23 @@ TEST(MovedWind, AsksWhereTheFrameReallyStands) {
     EXPECT_NEAR(v.z, 7.0f, 1e-5f) << "heights above the ground stay";
 }
 
-TEST(MovedWind, VelocitiesAreTurnedAndNotScaled) {
+TEST(WindSampler, VelocitiesAreTurnedAndNotScaled) {
     const WindFieldPtr world = std::make_shared<UniformWind>(glm::vec3(6, 0, 0));
-    const MovedWind wind(world,
-                         moved({5, 5, 5}) * turned(quarter) * glm::scale(glm::dmat4(1.0), {2.0, 2.0, 4.0}));
+    const WindSampler wind =
+        sampler(world, moved({5, 5, 5}) * turned(quarter) * glm::scale(glm::dmat4(1.0), {2.0, 2.0, 4.0}));
     EXPECT_LT(glm::distance(wind.velocity({1, 2, 3}, 0.0), glm::vec3(0, -6, 0)), 1e-5f);
-    const MovedWind tilted(world, turned(quarter, {0, 1, 0}));
+    const WindSampler tilted = sampler(world, turned(quarter, {0, 1, 0}));
     EXPECT_LT(glm::distance(tilted.velocity({1, 2, 3}, 0.0), glm::vec3(0, 0, 6)), 1e-5f);
 }
 
-TEST(MovedWind, OfAMovedWindItTakesWhatIsWithin) {
-    const auto world = std::make_shared<WhereWind>();
-    const glm::dmat4 outer = moved({100, 20, 5}) * turned(quarter), inner = moved({-3, 7, 0}) * turned(0.3);
-    const auto once = std::make_shared<MovedWind>(world, outer);
-    const long before = world.use_count(), of = once.use_count();
-    const MovedWind twice(once, inner);
-    EXPECT_EQ(world.use_count(), before + 1);
-    EXPECT_EQ(once.use_count(), of);
-    const MovedWind direct(world, outer * inner);
-    for (const glm::vec3& place : {glm::vec3(0), glm::vec3(10, -4, 3)})
-        for (int i = 0; i < 3; ++i)
-            EXPECT_NEAR(twice.velocity(place, 0)[i], direct.velocity(place, 0)[i], 1e-4f) << i;
-}
-
-TEST(MovedWind, ScaledPlacesAreScaledHeightsToo) {
-    const MovedWind wind(std::make_shared<WhereWind>(), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
+TEST(WindSampler, ScaledPlacesAreScaledHeightsToo) {
+    const WindSampler wind =
+        sampler(std::make_shared<WhereWind>(), glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
     EXPECT_EQ(wind.velocity({{3, 4, 9}, 2}, 0.0), glm::vec3(6, 8, 14));
 }
 
-TEST(MovedWind, ManyPlacesAreThoseOfEach) {
-    const MovedWind wind(gusts(), moved({300, -50, 12}) * turned(0.7));
+TEST(WindSampler, ManyPlacesAreThoseOfEach) {
+    const WindSampler wind = sampler(gusts(), moved({300, -50, 12}) * turned(0.7));
     std::vector<WindPlace> places;
     for (int i = 0; i < 150; ++i)
         places.emplace_back(glm::vec3(i, 2 * i, 5 + i % 7), 1.0f);
@@ -98,21 +85,21 @@ TEST(MovedWind, ManyPlacesAreThoseOfEach) {
         EXPECT_EQ(out[i], wind.velocity(places[i], 4.5)) << i;
 }
 
-TEST(MovedWind, FarAwayItKeepsWhatPlacesCanSay) {
-    const MovedWind wind(std::make_shared<WhereWind>(), moved({1.0e6, -1.0e6, 0}));
+TEST(WindSampler, FarAwayItKeepsWhatPlacesCanSay) {
+    const WindSampler wind = sampler(std::make_shared<WhereWind>(), moved({1.0e6, -1.0e6, 0}));
     const glm::vec3 v = wind.velocity({{12.3f, 4.5f, 30.25f}, 0.0f}, 0.0);
     EXPECT_NEAR(v.x, 1.0e6f + 12.3f, 0.04f) << "floats are 0.06 m apart there";
     EXPECT_NEAR(v.y, -1.0e6f + 4.5f, 0.04f);
     EXPECT_EQ(v.z, 30.25f);
 }
 
-TEST(MovedWind, AMatrixOfNothingTurnsNothing) {
-    const MovedWind wind(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)), glm::dmat4(0.0));
+TEST(WindSampler, AMatrixOfNothingTurnsNothing) {
+    const WindSampler wind = sampler(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)), glm::dmat4(0.0));
     EXPECT_EQ(wind.velocity({4, 5, 6}, 0.0), glm::vec3(1, 2, 3));
-    EXPECT_EQ(MovedWind(nullptr, glm::dmat4(1.0)).velocity({1, 2, 3}, 0.0), glm::vec3(0.0f));
+    EXPECT_EQ(sampler(nullptr).velocity({1, 2, 3}, 0.0), glm::vec3(0.0f));
 }
 
-TEST(MovedWind, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
+TEST(WindSampler, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
     const glm::dmat4 frame = moved({40, 70, 3}) * turned(quarter);
     ForestDescription upright;
     upright.species = {defaultSpecies()};
@@ -125,7 +112,7 @@ TEST(MovedWind, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
         tree.heading = static_cast<float>(quarter);
     }
     world.wind = gusts();
-    upright.wind = std::make_shared<MovedWind>(world.wind, frame);
+    upright.wind = std::make_shared<WindSampler>(sampler(world.wind, frame));
     ForestSimulation inFrame(upright), inWorld(world);
     for (int i = 0; i < 300; ++i)
         for (ForestSimulation* simulation : {&inFrame, &inWorld})

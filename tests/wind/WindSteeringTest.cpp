@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/wind/AdjustedWind.h>
+#include <tests/wind/Winds.h>
+
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
@@ -28,7 +29,7 @@ TEST(WindSteering, OfGustsKeepsWhatNobodySteers) {
     steering.strengthen(2.0);
     steering.turnClockwise(-90.0);
     steering.changeGustiness(-0.1);
-    const auto wind = std::dynamic_pointer_cast<const GustWind>(steered(given, steering));
+    const auto wind = std::dynamic_pointer_cast<const GustWind>(steered(given, steering).field);
     ASSERT_TRUE(wind);
     const GustWind::Parameters& now = wind->parameters();
     EXPECT_LT(glm::length(now.mean - glm::vec3(8.0f, 0.0f, 0.0f)), 1e-5f) << "from the west";
@@ -40,23 +41,23 @@ TEST(WindSteering, OfGustsKeepsWhatNobodySteers) {
 
 TEST(WindSteering, ACalmBeginsToBlowAndAWindDiesDown) {
     WindSteering steering = steeringOf(nullptr);
-    EXPECT_EQ(steered(nullptr, steering), nullptr);
+    EXPECT_TRUE(steered(nullptr, steering).isCalm());
     steering.strengthen(3.0);
-    const WindFieldPtr wind = steered(nullptr, steering);
+    const WindFieldPtr wind = steered(nullptr, steering).field;
     ASSERT_TRUE(wind);
     EXPECT_NEAR(wind->velocity(WindPlace(0.0f, 0.0f, 10.0f), 0.0).x, 3.0f, 1e-5f);
     EXPECT_LT(wind->velocity(WindPlace(0.0f, 0.0f, 2.0f), 0.0).x, 2.5f) << "weaker near the ground";
     steering.strengthen(-99.0);
-    EXPECT_EQ(steered(nullptr, steering), nullptr);
+    EXPECT_TRUE(steered(nullptr, steering).isCalm());
 }
 
 TEST(WindSteering, AUniformWindStaysOneUntilItIsGusty) {
     const auto given = std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f));
     WindSteering steering = steeringOf(given);
     steering.strengthen(1.0);
-    EXPECT_TRUE(std::dynamic_pointer_cast<const UniformWind>(steered(given, steering)));
+    EXPECT_TRUE(std::dynamic_pointer_cast<const UniformWind>(steered(given, steering).field));
     steering.changeGustiness(0.1);
-    EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(steered(given, steering)));
+    EXPECT_TRUE(std::dynamic_pointer_cast<const GustWind>(steered(given, steering).field));
 }
 
 TEST(WindSteering, AnotherWindIsMadeStrongerAndTurned) {
@@ -67,12 +68,14 @@ TEST(WindSteering, AnotherWindIsMadeStrongerAndTurned) {
     for (int i = 0; i < 3; ++i)
         steering.strengthen(1.0);
     steering.turnClockwise(90.0);
-    const WindFieldPtr wind = steered(given, steering);
-    EXPECT_LT(glm::length(wind->velocity({10.0f, 0.0f, 0.0f}, 0.0) - glm::vec3(0.0f, -13.0f, 0.0f)), 1e-4f);
+    const Wind wind = steered(given, steering);
+    EXPECT_LT(glm::length(sampler(wind).velocity({10.0f, 0.0f, 0.0f}, 0.0) - glm::vec3(0.0f, -13.0f, 0.0f)),
+              1e-4f);
     EXPECT_EQ(steeringOf(wind).strength, 1.3) << "not a hair more";
     steering.strengthen(1.0);
-    const auto again = std::dynamic_pointer_cast<const AdjustedWind>(steered(wind, steering));
-    EXPECT_EQ(again->inner(), given) << "once, not twice";
+    const Wind again = steered(wind, steering);
+    EXPECT_EQ(again.field, given);
+    EXPECT_EQ(again.adjustment.strength, 1.4) << "once, not twice";
 }
 
 } // namespace

@@ -42,7 +42,7 @@ std::string twoLevels() {
 
 void expectSpeed(const Result<WindFile>& file, const WindPlace& place, float speed) {
     ASSERT_TRUE(file) << firstProblem(file);
-    EXPECT_NEAR(file.value().field->velocity(place, 0).x, speed, 0.01f) << place.position.z;
+    EXPECT_NEAR(asField(file.value().wind)->velocity(place, 0).x, speed, 0.01f) << place.position.z;
 }
 
 } // namespace
@@ -99,8 +99,8 @@ TEST(GribLevels, HeightsOfEachTime) {
     }
     const auto file = readGribBytes(bytes + orography(constant(0)));
     ASSERT_TRUE(file) << firstProblem(file);
-    EXPECT_NEAR(file.value().field->velocity({10, 50, 550}, 0).x, 10, 0.01);
-    EXPECT_NEAR(file.value().field->velocity({10, 50, 850}, 21600).x, 10, 0.01);
+    EXPECT_NEAR(asField(file.value().wind)->velocity({10, 50, 550}, 0).x, 10, 0.01);
+    EXPECT_NEAR(asField(file.value().wind)->velocity({10, 50, 850}, 21600).x, 10, 0.01);
 }
 
 TEST(GribLevels, ModelLevelsOfEitherOrder) {

@@ -76,7 +76,7 @@ TEST_P(GribMap, WhatCountsFromTheGridStays) {
     EXPECT_EQ(summary.direction, "components toward x (east), y (north) and up");
     EXPECT_TRUE(summary.notes.empty());
     for (const glm::dvec3& place : {summary.low, summary.high})
-        expectNear(file.value().field->velocity(glm::vec3(place), 0), {10, 0, 0}, 1e-4f);
+        expectNear(asField(file.value().wind)->velocity(glm::vec3(place), 0), {10, 0, 0}, 1e-4f);
 }
 
 TEST_P(GribMap, WhatCountsFromTrueNorthIsTurnedByTheConvergence) {
@@ -91,8 +91,9 @@ TEST_P(GribMap, WhatCountsFromTrueNorthIsTurnedByTheConvergence) {
         const double left = lambertConvergence(place, GetParam() == 1 ? 6371200.0 : 6371229.0);
         EXPECT_GT(std::abs(left), 0.02);
         const WindPlace at(glm::vec3(place, 10));
-        expectNear(file.value().field->velocity(at, 0), {10 * std::cos(left), 10 * std::sin(left), 0}, 1e-3f);
-        expectNear(stored.value().field->velocity(at, 0), {10, 0, 0}, 1e-4f);
+        expectNear(asField(file.value().wind)->velocity(at, 0), {10 * std::cos(left), 10 * std::sin(left), 0},
+                   1e-3f);
+        expectNear(asField(stored.value().wind)->velocity(at, 0), {10, 0, 0}, 1e-4f);
     }
     EXPECT_TRUE(notes(summary, "velocities here are turned to the grid's y axis, by"));
     EXPECT_TRUE(notes(stored.value().summary, "in a forest its velocities are turned"));
@@ -121,7 +122,7 @@ TEST(GribMaps, OnThePolesMapTrueNorthIsTowardThePole) {
     ASSERT_TRUE(file) << firstProblem(file);
     const glm::dvec2 place(file.value().summary.low);
     const glm::dvec2 north = -place / std::hypot(place.x, place.y); // the pole is at 0, 0
-    expectNear(file.value().field->velocity(glm::vec3(file.value().summary.low), 0),
+    expectNear(asField(file.value().wind)->velocity(glm::vec3(file.value().summary.low), 0),
                {10 * north.y, -10 * north.x, 0}, 1e-3f);
     EXPECT_NEAR(std::atan2(place.x, -place.y) / degree, 250.0 - 265.0, 1e-4);
 }
@@ -133,7 +134,8 @@ TEST(GribMaps, OnMercatorsMapNorthIsUp) {
     field.grid.latitude = 50.0;
     const auto file = readGribBytes(tenAlongU(field), false);
     ASSERT_TRUE(file) << firstProblem(file);
-    expectNear(file.value().field->velocity(glm::vec3(file.value().summary.high), 0), {10, 0, 0}, 1e-3f);
+    expectNear(asField(file.value().wind)->velocity(glm::vec3(file.value().summary.high), 0), {10, 0, 0},
+               1e-3f);
     EXPECT_NEAR(file.value().summary.low.y,
                 6371229.0 * std::cos(20.0 * degree) * std::log(std::tan(70.0 * degree)), 1.0);
 }

@@ -15,7 +15,7 @@ std::string degreesOf(int edition) {
 }
 
 void expectSpot(const WindFile& file, const WindPlace& place, double time, const glm::vec3& expected) {
-    expectNear(file.field->velocity(place, time), expected, 1e-3f);
+    expectNear(asField(file.wind)->velocity(place, time), expected, 1e-3f);
 }
 
 class GribEditions : public testing::TestWithParam<int> {};

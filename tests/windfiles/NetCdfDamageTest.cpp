@@ -58,7 +58,7 @@ TEST(NetCdfDamage, WholeItIsRead) {
     const auto file = readAt(path);
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_EQ(file.value().summary.points, glm::ivec3(6, 5, 4));
-    EXPECT_EQ(file.value().field->velocity({25, 30, 10}, 0), glm::vec3(2.5f, 3, 0));
+    EXPECT_EQ(asField(file.value().wind)->velocity({25, 30, 10}, 0), glm::vec3(2.5f, 3, 0));
 }
 
 TEST(NetCdfDamage, DamagedFilesAreReadOrRefusedWithAReason) {

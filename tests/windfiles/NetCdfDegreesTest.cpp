@@ -171,7 +171,8 @@ TEST(NetCdfDegrees, TenAndHundredMetresAreTwoLayers) {
     options.origin = {444000, 55000, 300}; // 20.5 E, 0.5 N, where the two norths are one
     const auto file = readWindFile(path, options);
     ASSERT_TRUE(file) << firstProblem(file);
-    EXPECT_NEAR(file.value().field->velocity(WindPlace({0, 0, 850}, 800), 0).x, 5 + 3 * 40.0 / 90, 1e-3);
+    EXPECT_NEAR(asField(file.value().wind)->velocity(WindPlace({0, 0, 850}, 800), 0).x, 5 + 3 * 40.0 / 90,
+                1e-3);
 }
 
 TEST(NetCdfDegrees, WhatIsFinalComesBeforeWhatIsNotYet) {

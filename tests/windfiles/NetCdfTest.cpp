@@ -30,7 +30,8 @@ TEST(NetCdf, QesLayoutWithUnevenHeightsTimesAndPacking) {
     REQUIRE_NETCDF(path);
     const auto file = readAt(path);
     ASSERT_TRUE(file) << firstProblem(file);
-    const WindField& wind = *file.value().field;
+    const WindFieldPtr field = asField(file.value().wind);
+    const WindField& wind = *field;
     expectNear(wind.velocity({100, 200, 2}, 0), {1, 0, 0}, 1e-6f);
     expectNear(wind.velocity({120, 220, 10}, 3600), {4, 1, 1}, 1e-6f);
     expectNear(wind.velocity({110, 210, 30}, 1800), {2.5f, 0.5f, 1.5f}, 1e-6f);
@@ -56,7 +57,7 @@ TEST(NetCdf, SpeedAndDirectionOnAxesInKilometres) {
           from(-1539078.25, 2179436.52, 4.0625, 116), from(-1432411.62, 2319122.07, 4.25, 183)}) {
         const auto file = readAt(path, spot.place);
         ASSERT_TRUE(file) << firstProblem(file);
-        expectNear(file.value().field->velocity({}, spot.time), spot.velocity, 2e-3f);
+        expectNear(asField(file.value().wind)->velocity({}, spot.time), spot.velocity, 2e-3f);
         EXPECT_EQ(file.value().summary.points, glm::ivec3(83, 106, 1));
         EXPECT_EQ(file.value().summary.unit, "m/s");
         EXPECT_EQ(file.value().summary.low.z, 10.0);
@@ -78,7 +79,7 @@ TEST(NetCdf, SpeedAndDirectionAsStored) {
         const auto file = readAt(path, {x, y, 10}, true);
         ASSERT_TRUE(file) << firstProblem(file);
         const double angle = degrees * 3.14159265358979323846 / 180.0;
-        expectNear(file.value().field->velocity({}, 0),
+        expectNear(asField(file.value().wind)->velocity({}, 0),
                    {-speed * std::sin(angle), -speed * std::cos(angle), 0}, 2e-3f);
         EXPECT_TRUE(notes(file.value().summary,
                           "the file counts from true north; in a forest its velocities are turned to the "

@@ -126,7 +126,7 @@ TEST(NetCdfWrfGround, HeightsCountFromTheModelsGround) {
     const auto file = readAt(path, {3000, 3000, 300});
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_NEAR(file.value().summary.low.z, 40, 1e-3) << "whatever the height of the origin";
-    EXPECT_NEAR(file.value().field->velocity(WindPlace({3000, 0, 480}, 400), 0).x, 2, 1e-4);
+    EXPECT_NEAR(asField(file.value().wind)->velocity(WindPlace({3000, 0, 480}, 400), 0).x, 2, 1e-4);
 }
 
 TEST(NetCdfWrfGround, WithoutItTheyAreAboveTheSea) {

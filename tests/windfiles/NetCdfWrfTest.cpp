@@ -17,7 +17,7 @@ const std::string lambertFile = smallNetCdf("wrf_lambert.nc"), polarFile = small
 glm::vec3 windAt(const std::string& path, const glm::dvec3& place, double time) {
     const auto file = readAt(path, place);
     EXPECT_TRUE(file) << firstProblem(file);
-    return file ? file.value().field->velocity({}, time) : glm::vec3(-999.0f);
+    return file ? asField(file.value().wind)->velocity({}, time) : glm::vec3(-999.0f);
 }
 
 /// wrf_polar.nc with an array over other dimensions, by their numbers in make_wrf.py: 0 is Time, 2 the two
@@ -65,7 +65,7 @@ TEST(NetCdfWrf, CellsStandWhereTheirLatitudesAndLongitudesSay) {
         EXPECT_LT(std::abs(index.y - std::round(index.y)), 1e-3) << "of a cell";
         // The wind changes by several m/s from cell to cell; 1e-3 of a cell is not seen.
         // Heights count from the model's own ground, which is the sea's here.
-        expectNear(file.value().field->velocity({0, 0, static_cast<float>(cell.height)}, cell.time),
+        expectNear(asField(file.value().wind)->velocity({0, 0, static_cast<float>(cell.height)}, cell.time),
                    cell.velocity, 1e-2f);
         EXPECT_EQ(summary.points, glm::ivec3(48, 48, 14));
         EXPECT_EQ(summary.times, (std::vector<double>{0, 10800, 21600, 32400}));
@@ -95,7 +95,7 @@ TEST(NetCdfWrf, AsStoredAMovingGridStands) {
     REQUIRE_NETCDF(lambertFile);
     const auto file = readAt(lambertFile, {-473000, 38000, 10}, true);
     ASSERT_TRUE(file) << firstProblem(file);
-    expectNear(file.value().field->velocity({}, 3600), {103, 102, 0}, 1e-3f);
+    expectNear(asField(file.value().wind)->velocity({}, 3600), {103, 102, 0}, 1e-3f);
     EXPECT_TRUE(notes(file.value().summary, "in a forest they are where they blew"));
     EXPECT_FALSE(notes(file.value().summary, "edges held"));
 }
@@ -112,7 +112,8 @@ TEST(NetCdfWrf, AsStoredCellsOfAllTimesAreThoseOfTheFile) {
           {32400.0, {12, 30}, 30.4217, {9.727924, -11.523107, -0.001528}}}) {
         const auto file = readAt(path, {corner + 10000.0 * cell, 0.0}, true);
         ASSERT_TRUE(file) << firstProblem(file);
-        expectNear(file.value().field->velocity({0, 0, static_cast<float>(height)}, time), velocity, 2e-3f);
+        expectNear(asField(file.value().wind)->velocity({0, 0, static_cast<float>(height)}, time), velocity,
+                   2e-3f);
     }
 }
 

@@ -45,9 +45,9 @@ TEST_F(TiffPair, IsReadFromTheSouth) {
     EXPECT_EQ(file.value().summary.crs, "EPSG:32611");
     EXPECT_EQ(file.value().summary.coordinates, "WGS 84 / UTM zone 11N");
     EXPECT_EQ(file.value().summary.points, glm::ivec3(3, 2, 1));
-    EXPECT_NEAR(file.value().field->velocity({0, 0, 10}, 0).x, 4.0f, 1e-5f);
-    EXPECT_NEAR(file.value().field->velocity({20, 10, 10}, 0).x, 3.0f, 1e-5f);
-    EXPECT_NEAR(file.value().field->velocity({20, 10, 10}, 0).y, 0.0f, 1e-5f);
+    EXPECT_NEAR(asField(file.value().wind)->velocity({0, 0, 10}, 0).x, 4.0f, 1e-5f);
+    EXPECT_NEAR(asField(file.value().wind)->velocity({20, 10, 10}, 0).x, 3.0f, 1e-5f);
+    EXPECT_NEAR(asField(file.value().wind)->velocity({20, 10, 10}, 0).y, 0.0f, 1e-5f);
 }
 
 TEST_F(TiffPair, HasTheUnitThatItSays) {
@@ -55,7 +55,7 @@ TEST_F(TiffPair, HasTheUnitThatItSays) {
     const auto file = read();
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_EQ(file.value().summary.unit, "kn");
-    EXPECT_NEAR(file.value().field->velocity({0, 0, 10}, 0).x, 4.0f * 1852.0f / 3600.0f, 1e-5f);
+    EXPECT_NEAR(asField(file.value().wind)->velocity({0, 0, 10}, 0).x, 4.0f * 1852.0f / 3600.0f, 1e-5f);
     speed.unit = "furlong/fortnight";
     EXPECT_NE(problem().find("furlong/fortnight"), std::string::npos) << problem();
 }
@@ -64,7 +64,7 @@ TEST_F(TiffPair, HolesAreCalm) {
     speed.nodata = 4.0;
     const auto file = read();
     ASSERT_TRUE(file) << firstProblem(file);
-    EXPECT_EQ(file.value().field->velocity({0, 0, 10}, 0).x, 0.0f);
+    EXPECT_EQ(asField(file.value().wind)->velocity({0, 0, 10}, 0).x, 0.0f);
 }
 
 TEST_F(TiffPair, RefusesWhatIsNoneByName) {

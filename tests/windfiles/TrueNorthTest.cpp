@@ -28,7 +28,7 @@ const glm::dvec2 corners[] = {{-2e6, -5e5}, {2e6, -5e5}, {-2e6, 5e5}, {2e6, 5e5}
 
 void expectVelocity(const Result<WindFile>& file, const glm::dvec2& expected) {
     ASSERT_TRUE(file) << firstProblem(file);
-    expectNear(file.value().field->velocity({}, 0), glm::vec3(expected, 0), 1e-4f);
+    expectNear(asField(file.value().wind)->velocity({}, 0), glm::vec3(expected, 0), 1e-4f);
 }
 
 } // namespace

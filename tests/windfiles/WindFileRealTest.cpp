@@ -68,8 +68,9 @@ TEST_P(WindNinjaGrids, EqualTheTextAtItsCells) {
                          d = cellOf(directions, row, column) * glm::pi<double>() / 180.0;
             const glm::dvec3 place(x + (column + 0.5) * cell, y + (rows - row - 0.5) * cell, 0.0);
             const WindFile file = readReal(speeds, place);
-            ASSERT_TRUE(file.field);
-            expectNear(file.field->velocity({0, 0, 10}, 0), {-s * std::sin(d), -s * std::cos(d), 0}, 1e-5f);
+            ASSERT_TRUE(file.wind.field);
+            expectNear(asField(file.wind)->velocity({0, 0, 10}, 0), {-s * std::sin(d), -s * std::cos(d), 0},
+                       1e-5f);
             EXPECT_NE(file.summary.coordinates.find("Antarctic"), std::string::npos);
         }
 }
@@ -103,7 +104,7 @@ TEST(WindFileReal, TwoHoursOfWindNinjaAreOneWind) {
                              v2 = velocity(cellOf(second, row, column), cellOf(secondAngles, row, column));
             EXPECT_GT(glm::length(v2 - v1), 0.01) << "the hours differ";
             for (double part : {0.0, 0.25, 0.5, 1.0})
-                expectNear(wind.value().field->velocity({0, 0, 10}, 3600.0 * part),
+                expectNear(asField(wind.value().wind)->velocity({0, 0, 10}, 3600.0 * part),
                            glm::vec3(v1 + part * (v2 - v1)), 1e-5f);
         }
 }
@@ -111,14 +112,14 @@ TEST(WindFileReal, TwoHoursOfWindNinjaAreOneWind) {
 TEST(WindFileReal, LargeEddyMeanEqualsItsText) {
     REQUIRE_REAL_DATA(path, "wind/array.mean0D_UAvg.vtk");
     const WindFile file = readReal(path, {758, 660.001, 10.001});
-    ASSERT_TRUE(file.field);
+    ASSERT_TRUE(file.wind.field);
     EXPECT_EQ(file.summary.points, glm::ivec3(99, 39, 16));
     const std::vector<std::string> lines = linesOf(path);
     for (const glm::ivec3 point : {glm::ivec3(0), glm::ivec3(98, 38, 15), glm::ivec3(50, 7, 3)}) {
         const int at = 10 + point.x + 99 * (point.y + 39 * point.z);
         glm::vec3 expected;
         std::istringstream(lines[static_cast<std::size_t>(at)]) >> expected.x >> expected.y >> expected.z;
-        expectNear(file.field->velocity(glm::vec3(point) * 10.0f, 0), expected, 1e-5f);
+        expectNear(asField(file.wind)->velocity(glm::vec3(point) * 10.0f, 0), expected, 1e-5f);
     }
 }
 
@@ -137,7 +138,7 @@ TEST(WindFileReal, TurbSimEqualsItsBytes) {
                 bottom = number(38, 0.0f);
     const auto data = static_cast<std::size_t>(70 + number(66, std::int32_t()));
     const WindFile wind = readReal(path);
-    ASSERT_TRUE(wind.field);
+    ASSERT_TRUE(wind.wind.field);
     EXPECT_EQ(wind.summary.points, glm::ivec3(1, ny, nz));
     for (const glm::ivec3 at :
          {glm::ivec3(0, 0, 0), glm::ivec3(99, 2, 3), glm::ivec3(37, 1, 2)}) { // time, y, z
@@ -149,7 +150,7 @@ TEST(WindFileReal, TurbSimEqualsItsBytes) {
             expected[c] = (raw - number(scale + 4, 0.0f)) / number(scale, 0.0f);
         }
         const glm::vec3 place(0, dy * (at.y - 0.5f * (ny - 1)), bottom + dz * at.z);
-        expectNear(wind.field->velocity(place, at.x * static_cast<double>(dt)), expected, 2e-4f);
+        expectNear(asField(wind.wind)->velocity(place, at.x * static_cast<double>(dt)), expected, 2e-4f);
     }
 }
 
@@ -157,7 +158,7 @@ TEST(WindFileReal, SonicRecordEqualsItsText) {
     REQUIRE_REAL_DATA(path, "wind/TOA5_6843.ts_Above_2012_06_07_1245.dat");
     const std::vector<std::string> lines = linesOf(path);
     const WindFile file = readReal(path);
-    ASSERT_TRUE(file.field);
+    ASSERT_TRUE(file.wind.field);
     ASSERT_EQ(file.summary.times.size(), lines.size() - 4);
     for (std::size_t i : {std::size_t(0), std::size_t(1), std::size_t(777), lines.size() - 5}) {
         std::istringstream cells(lines[i + 4]);
@@ -168,7 +169,7 @@ TEST(WindFileReal, SonicRecordEqualsItsText) {
         char comma;
         cells >> expected.x >> comma >> expected.y >> comma >> expected.z;
         EXPECT_NEAR(file.summary.times[i], 0.05 * static_cast<double>(i), 1e-6);
-        expectNear(file.field->velocity({}, file.summary.times[i]), expected, 1e-5f);
+        expectNear(asField(file.wind)->velocity({}, file.summary.times[i]), expected, 1e-5f);
     }
 }
 
@@ -183,13 +184,15 @@ TEST(WindFileReal, QesSensorIsRecognised) {
 TEST(WindFileReal, QesSensorEqualsItsText) {
     REQUIRE_REAL_DATA(path, "utah_campus/sensor2015.xml");
     const WindFile file = readReal(path);
-    ASSERT_TRUE(file.field);
+    ASSERT_TRUE(file.wind.field);
     const auto velocity = [](double speed, double from) {
         return glm::vec3(-speed * std::sin(from * glm::pi<double>() / 180.0),
                          -speed * std::cos(from * glm::pi<double>() / 180.0), 0.0);
     };
     const glm::vec3 first = velocity(3.1, 78.4), second = velocity(2.9, 107.0);
-    const auto at = [&](float height, double time) { return file.field->velocity({300, -20, height}, time); };
+    const auto at = [&](float height, double time) {
+        return asField(file.wind)->velocity({300, -20, height}, time);
+    };
     expectNear(at(42, 0), first, 1e-5f);
     expectNear(at(42, 1800), second, 1e-5f);
     expectNear(at(42, 900), 0.5f * (first + second), 1e-5f);

@@ -30,10 +30,10 @@ class WindFileVtk : public testing::TestWithParam<const char*> {};
 
 TEST_P(WindFileVtk, HoldsTheLinearField) {
     const WindFile file = readSmall(GetParam());
-    ASSERT_TRUE(file.field);
-    expectNear(file.field->velocity({100, 200, 5}, 0), {1, 0, 0});
-    expectNear(file.field->velocity({120, 220, 10}, 0), {3, 0.5f, 0.25f});
-    expectNear(file.field->velocity({105, 210, 7.5f}, 0), {1.5f, 0.25f, 0.125f});
+    ASSERT_TRUE(file.wind.field);
+    expectNear(asField(file.wind)->velocity({100, 200, 5}, 0), {1, 0, 0});
+    expectNear(asField(file.wind)->velocity({120, 220, 10}, 0), {3, 0.5f, 0.25f});
+    expectNear(asField(file.wind)->velocity({105, 210, 7.5f}, 0), {1.5f, 0.25f, 0.125f});
     EXPECT_EQ(file.summary.points, glm::ivec3(3, 2, 2));
     EXPECT_EQ(file.summary.low, glm::dvec3(100, 200, 5));
     EXPECT_EQ(file.summary.high, glm::dvec3(120, 220, 10));
@@ -61,14 +61,14 @@ TEST(WindFile, TimeValueOfVtkIsItsTime) {
 TEST(WindFile, OriginMovesTheGridIntoTheScene) {
     WindFileOptions options;
     options.origin = {110, 200, 5};
-    expectNear(readSmall("vectors.vtk", options).field->velocity({0, 0, 5}, 0), {2, 0, 0.25f});
+    expectNear(asField(readSmall("vectors.vtk", options).wind)->velocity({0, 0, 5}, 0), {2, 0, 0.25f});
 }
 
 TEST(WindFile, UnitIsConvertedWhereTheFileDoesNotSay) {
     WindFileOptions options;
     options.speedUnit = "km/h";
     const WindFile file = readSmall("vectors.vtk", options);
-    expectNear(file.field->velocity({120, 200, 5}, 0), {3 / 3.6f, 0, 0});
+    expectNear(asField(file.wind)->velocity({120, 200, 5}, 0), {3 / 3.6f, 0, 0});
     EXPECT_TRUE(notes(file.summary, "taken as km/h"));
 }
 
@@ -84,11 +84,11 @@ class WindFileEsri : public testing::TestWithParam<const char*> {};
 /// South row: speeds 1, 2 and none, from 270; north row: 4 from north, 5 from east, 6 from south.
 TEST_P(WindFileEsri, EitherFileOfThePairGivesTheWind) {
     const WindFile file = readSmall(GetParam());
-    expectNear(file.field->velocity({105, 205, 0}, 0), {1, 0, 0});
-    expectNear(file.field->velocity({115, 205, 0}, 0), {2, 0, 0});
-    expectNear(file.field->velocity({105, 215, 9}, 7), {0, -4, 0});
-    expectNear(file.field->velocity({115, 215, 0}, 0), {-5, 0, 0});
-    expectNear(file.field->velocity({125, 215, 0}, 0), {0, 6, 0});
+    expectNear(asField(file.wind)->velocity({105, 205, 0}, 0), {1, 0, 0});
+    expectNear(asField(file.wind)->velocity({115, 205, 0}, 0), {2, 0, 0});
+    expectNear(asField(file.wind)->velocity({105, 215, 9}, 7), {0, -4, 0});
+    expectNear(asField(file.wind)->velocity({115, 215, 0}, 0), {-5, 0, 0});
+    expectNear(asField(file.wind)->velocity({125, 215, 0}, 0), {0, 6, 0});
     EXPECT_TRUE(notes(file.summary, "1 of 6 velocities have no data"));
     EXPECT_EQ(file.summary.slowest, 1.0) << "a place without data is no calm that was measured";
 }
@@ -101,16 +101,16 @@ INSTANTIATE_TEST_SUITE_P(Small, WindFileEsri, testing::Values("pair_vel.asc", "p
 TEST(WindFile, TurbSimDriftsDownwind) {
     const WindFile file = readSmall("small.bts");
     EXPECT_EQ(file.summary.points, glm::ivec3(1, 3, 2));
-    expectNear(file.field->velocity({0, 5, 25}, 1.0), {10, 0.5f, 0.25f}, 0.01f);
-    expectNear(file.field->velocity({0, -2.5f, 20}, 0.75), {9.5f, -0.25f, 0.2f}, 0.01f);
-    EXPECT_EQ(file.field->velocity({0, 0, 20}, 0.6), file.field->velocity({4, 0, 20}, 1.1));
+    expectNear(asField(file.wind)->velocity({0, 5, 25}, 1.0), {10, 0.5f, 0.25f}, 0.01f);
+    expectNear(asField(file.wind)->velocity({0, -2.5f, 20}, 0.75), {9.5f, -0.25f, 0.2f}, 0.01f);
+    EXPECT_EQ(asField(file.wind)->velocity({0, 0, 20}, 0.6), asField(file.wind)->velocity({4, 0, 20}, 1.1));
 }
 
 TEST(WindFile, TurbSimDriftsFromItsPlaneWhereverTheOriginIs) {
     WindFileOptions options;
     options.origin = {-40, 0, 0};
     const WindFile file = readSmall("small.bts", options);
-    expectNear(file.field->velocity({40, 0, 15}, 0.5), {9, 0, 0.15f}, 0.01f);
+    expectNear(asField(file.wind)->velocity({40, 0, 15}, 0.5), {9, 0, 0.15f}, 0.01f);
 }
 
 TEST(WindFile, Toa5CountsFromItsFirstRecordAndLeavesOutNan) {
@@ -118,8 +118,8 @@ TEST(WindFile, Toa5CountsFromItsFirstRecordAndLeavesOutNan) {
     EXPECT_EQ(file.summary.unit, "m/s");
     EXPECT_EQ(file.summary.start, "2020-01-01 00:00:00.5");
     EXPECT_EQ(file.summary.times, (std::vector<double>{0.0, 2.0}));
-    expectNear(file.field->velocity({}, 0.0), {1, 2, 0.5f});
-    expectNear(file.field->velocity({}, 1.0), {3, 0, 0.375f});
+    expectNear(asField(file.wind)->velocity({}, 0.0), {1, 2, 0.5f});
+    expectNear(asField(file.wind)->velocity({}, 1.0), {3, 0, 0.375f});
     EXPECT_TRUE(notes(file.summary, "1 records marked NAN"));
 }
 
@@ -127,15 +127,9 @@ TEST(WindFile, CsvWithUsualNamesNeedsNoColumns) {
     WindFileOptions options;
     options.speedUnit = "km/h";
     const WindFile file = readSmall("table.csv", options);
-    expectNear(file.field->velocity({}, 0.0), {10, 0, 0});
-    expectNear(file.field->velocity({}, 10.0), {0, 5, 0});
+    expectNear(asField(file.wind)->velocity({}, 0.0), {10, 0, 0});
+    expectNear(asField(file.wind)->velocity({}, 10.0), {0, 5, 0});
     EXPECT_EQ(file.summary.direction, "from, degrees clockwise from north");
-}
-
-TEST(WindFile, FieldAloneIsTheSame) {
-    const auto field = readWindField(folder + "vectors.vtk");
-    ASSERT_TRUE(field);
-    expectNear(field.value()->velocity({110, 200, 5}, 0), {2, 0, 0});
 }
 
 } // namespace osgTreeWind

@@ -63,7 +63,7 @@ TEST(WindMap, WindNinjaInTheNextZoneIsTheFilesTurned) {
     const glm::dvec2 cell = glm::dvec2(726299.0, 5208948.0) + 29.150477 * (glm::dvec2(40, 70) + 0.5);
     const auto own = readOn(path, "EPSG:32611", cell);
     ASSERT_TRUE(own) << firstProblem(own);
-    const glm::dvec2 there(own.value().field->velocity({0, 0, 10}, 0));
+    const glm::dvec2 there(asField(own.value().wind)->velocity({0, 0, 10}, 0));
     ASSERT_GT(glm::length(there), 0.5);
 
     const glm::dvec2 lonLat = brought(cell, "EPSG:32611", "EPSG:4326");
@@ -71,7 +71,8 @@ TEST(WindMap, WindNinjaInTheNextZoneIsTheFilesTurned) {
     EXPECT_NEAR(glm::degrees(turn), -4.38, 0.02);
     const auto next = readOn(path, "EPSG:32612", brought(cell, "EPSG:32611", "EPSG:32612"));
     ASSERT_TRUE(next) << firstProblem(next);
-    const glm::dvec2 here(next.value().field->velocity({0, 0, 10}, 0)), expected = turned(there, turn);
+    const glm::dvec2 here(asField(next.value().wind)->velocity({0, 0, 10}, 0)),
+        expected = turned(there, turn);
     EXPECT_NEAR(here.x, expected.x, 2e-3);
     EXPECT_NEAR(here.y, expected.y, 2e-3);
     EXPECT_TRUE(next.value().covers({0, 0}));
@@ -83,7 +84,7 @@ TEST(WindMap, AWesterlyOnDegreesIsTurnedByTheConvergence) {
     const glm::dvec2 lonLat(11.9, 47.0), place = brought(lonLat, "EPSG:4326", "EPSG:32632");
     const auto file = readOn(westerlyOnDegrees(folder), "EPSG:32632", place);
     ASSERT_TRUE(file) << firstProblem(file);
-    const glm::dvec2 wind(file.value().field->velocity({0, 0, 10}, 0)),
+    const glm::dvec2 wind(asField(file.value().wind)->velocity({0, 0, 10}, 0)),
         expected = turned({10, 0}, convergence(lonLat, 9.0));
     EXPECT_NEAR(wind.x, expected.x, 1e-3);
     EXPECT_NEAR(wind.y, expected.y, 1e-3);
@@ -95,7 +96,7 @@ TEST(WindMap, LongitudesMayBeAWholeTurnAway) {
     const auto file = readOn(westerlyOnDegrees(folder, 371.0), "EPSG:32632",
                              brought({11.9, 47.0}, "EPSG:4326", "EPSG:32632"));
     ASSERT_TRUE(file) << firstProblem(file);
-    EXPECT_NEAR(glm::length(file.value().field->velocity({0, 0, 10}, 0)), 10.0f, 1e-3f);
+    EXPECT_NEAR(glm::length(asField(file.value().wind)->velocity({0, 0, 10}, 0)), 10.0f, 1e-3f);
     EXPECT_TRUE(file.value().covers({0, 0}));
 }
 
@@ -112,7 +113,8 @@ TEST(WindMap, GrowsWithHeightWhereARoughnessIsGiven) {
     const auto file = readWindFile(path, options);
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_TRUE(file.value().summary.aboveGround);
-    EXPECT_NEAR(glm::length(file.value().field->velocity({glm::vec3(0, 0, 41), 40.0f}, 0)), 5.0f, 1e-3f);
+    EXPECT_NEAR(glm::length(asField(file.value().wind)->velocity({glm::vec3(0, 0, 41), 40.0f}, 0)), 5.0f,
+                1e-3f);
     options.roughness = 0.0;
     EXPECT_NE(firstProblem(readWindFile(path, options)).find("and a roughness"), std::string::npos);
 }
@@ -122,7 +124,7 @@ TEST(WindMap, FarFromItsDataTheEdgeHolds) {
     const auto file = readOn(westerlyOnDegrees(folder), "+proj=ortho +lat_0=-47 +lon_0=-168", {0, 0});
     ASSERT_TRUE(file) << firstProblem(file);
     EXPECT_FALSE(file.value().covers({0, 0}));
-    EXPECT_NEAR(glm::length(file.value().field->velocity({0, 0, 10}, 0)), 10.0f, 1e-3f);
+    EXPECT_NEAR(glm::length(asField(file.value().wind)->velocity({0, 0, 10}, 0)), 10.0f, 1e-3f);
 }
 
 TEST(WindMap, AMapFileThatIsNoneIsNamed) {

@@ -67,8 +67,8 @@ TEST(WindSteps, VelocitiesAreLinearBetweenTheTimesAndHeldOutside) {
     const Hours hours;
     const WindFile file =
         readBoth(hours.pair("a", "4 1", "270 180"), hours.pair("b", "8 3", "270 180"), 60, 160);
-    ASSERT_TRUE(file.field);
-    const auto at = [&](float x, double time) { return file.field->velocity({x, 5, 10}, time); };
+    ASSERT_TRUE(file.wind.field);
+    const auto at = [&](float x, double time) { return asField(file.wind)->velocity({x, 5, 10}, time); };
     for (const auto& [time, u, v] :
          {std::tuple{-1e9, 4, 1}, {60., 4, 1}, {110., 6, 2}, {160., 8, 3}, {1e9, 8, 3}}) {
         expectNear(at(5, time), {u, 0, 0}, 1e-5f);
@@ -83,10 +83,10 @@ TEST(WindSteps, VelocitiesAreLinearBetweenTheTimesAndHeldOutside) {
 TEST(WindSteps, ComponentsAreInterpolatedNeverDirections) {
     const Hours hours;
     const WindFile file = readBoth(hours.pair("a", "5 5", "350 270"), hours.pair("b", "5 5", "10 90"), 0, 1);
-    ASSERT_TRUE(file.field);
+    ASSERT_TRUE(file.wind.field);
     const float north = 5.0f * std::cos(10.0f * 3.14159265f / 180.0f);
-    expectNear(file.field->velocity({5, 5, 0}, 0.5), {0, -north, 0}, 1e-5f);
-    expectNear(file.field->velocity({15, 5, 0}, 0.5), {0, 0, 0}, 1e-5f);
+    expectNear(asField(file.wind)->velocity({5, 5, 0}, 0.5), {0, -north, 0}, 1e-5f);
+    expectNear(asField(file.wind)->velocity({15, 5, 0}, 0.5), {0, 0, 0}, 1e-5f);
 }
 
 TEST(WindSteps, AFileMayComeAgain) {
@@ -94,13 +94,13 @@ TEST(WindSteps, AFileMayComeAgain) {
     const std::string a = hours.pair("a", "4 1", "270 180"), b = hours.pair("b", "8 3", "270 180");
     const auto wind = readWindFiles({a, b, a}, {0, 1, 2});
     ASSERT_TRUE(wind) << firstProblem(wind);
-    expectNear(wind.value().field->velocity({5, 5, 0}, 1.5), {6, 0, 0}, 1e-5f);
+    expectNear(asField(wind.value().wind)->velocity({5, 5, 0}, 1.5), {6, 0, 0}, 1e-5f);
 }
 
 TEST(WindSteps, OneFileIsASteadyWind) {
     const auto wind = readWindFiles({data + "vectors.vtk"}, {7});
     ASSERT_TRUE(wind) << firstProblem(wind);
-    expectNear(wind.value().field->velocity({110, 220, 5}, 0), {2, 0.5f, 0}, 1e-5f);
+    expectNear(asField(wind.value().wind)->velocity({110, 220, 5}, 0), {2, 0.5f, 0}, 1e-5f);
 }
 
 TEST(WindSteps, TimesMayBeThoseOfTheFiles) {
@@ -112,7 +112,7 @@ TEST(WindSteps, TimesMayBeThoseOfTheFiles) {
     const auto wind = readWindFiles({first, second}, {});
     ASSERT_TRUE(wind) << firstProblem(wind);
     EXPECT_EQ(wind.value().summary.times, (std::vector<double>{10, 20}));
-    expectNear(wind.value().field->velocity({100, 200, 5}, 15), {5, 0, 0}, 1e-5f);
+    expectNear(asField(wind.value().wind)->velocity({100, 200, 5}, 15), {5, 0, 0}, 1e-5f);
 
     EXPECT_EQ(firstProblem(readWindFiles({second, first}, {})),
               first + ": expected a time after 20 s, that of the file before; found 10 s");
@@ -176,8 +176,8 @@ TEST(WindSteps, HeightsMayMoveFromFileToFileOfSeveralTimes) {
 
 TEST(WindSteps, OneGridMayComeInSeveralFormats) {
     const WindFile file = readBoth(data + "vectors.vtk", data + "zlib.vti", 0, 10);
-    ASSERT_TRUE(file.field);
-    expectNear(file.field->velocity({110, 220, 10}, 5), {2, 0.5f, 0.25f}, 1e-5f);
+    ASSERT_TRUE(file.wind.field);
+    expectNear(asField(file.wind)->velocity({110, 220, 10}, 5), {2, 0.5f, 0.25f}, 1e-5f);
 }
 
 TEST(WindSteps, PlacesWithoutDataOfAllFilesAreCounted) {

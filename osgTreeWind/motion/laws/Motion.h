@@ -12,7 +12,7 @@
 
 namespace osgTreeWind {
 
-class CanopyWind;
+class CanopyFlow;
 
 /// A law at work on the trees of a forest, which it knows by slot: ModalForest, where trees sway, or
 /// BranchwiseMotion, where branches do. Seconds, metres, scene coordinates; a wind of null is a calm.
@@ -36,7 +36,7 @@ public:
     /// Back to rest, in a calm.
     virtual void reset() = 0;
     /// Trees stand in the company that they have in that wind: laws of a tree know of crowns that touch.
-    virtual void standIn(const CanopyWind&) {}
+    virtual void standIn(const CanopyFlow&) {}
     /// Trees bear other leaves by now, and follow in full sway.
     virtual void followSeason() = 0;
     /// Some of them do, at once.

@@ -5,7 +5,7 @@
 #include <osgTreeWind/motion/laws/Rotations.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
-#include <osgTreeWind/wind/CanopyWind.h>
+#include <osgTreeWind/wind/CanopyFlow.h>
 
 #include <cmath>
 #include <utility>
@@ -67,7 +67,7 @@ void ModalForest::reset() {
     _sway.reset();
 }
 
-void ModalForest::standIn(const CanopyWind& wind) {
+void ModalForest::standIn(const CanopyFlow& wind) {
     for (std::size_t slot = 0; slot < _forest.trees.size(); ++slot)
         if (_sway.holds(slot))
             _sway.setCompany(slot, wind.companyAt(glm::vec2(_forest.trees[slot].position)));

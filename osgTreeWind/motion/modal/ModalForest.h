@@ -25,7 +25,7 @@ public:
     /// Meets the wind every tenth of a second on its way.
     void step(const WindField* wind, double time, float seconds) override;
     void reset() override;
-    void standIn(const CanopyWind& wind) override;
+    void standIn(const CanopyFlow& wind) override;
     /// `treesAtOnce` at most, with `archetypesAtOnce` new archetypes, and as many in each step that comes.
     void followSeason() override;
     static constexpr std::size_t treesAtOnce = 256, archetypesAtOnce = 2;

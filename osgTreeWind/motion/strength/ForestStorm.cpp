@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/strength/OpenCountry.h>
-#include <osgTreeWind/wind/CanopyWind.h>
+#include <osgTreeWind/wind/WindSampler.h>
 
 #include <glm/geometric.hpp>
 
@@ -45,18 +45,19 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
         const std::vector<UnitLoad> loads = makeUnitLoads(model, form.scale, species, form.leaves);
         _joints.push_back({{0, loads[0].stiffness, 0.0f}, thickestBoughs(form, loads)});
     }
-    _canopy = canopyAround(standing, forest.description().windCanopy);
+    _canopy = canopyAround(standing, forest.description().wind.canopy.value_or(WindCanopy()));
     auto resting = std::make_shared<ModalMotion>(swaying, 1.0f, std::move(executor));
     resting->stepTogether();
     _resting = std::move(resting);
 }
 
 std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t seed) const {
-    const CanopyWind wind(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed), *_canopy,
-                          _canopy->reference, seed);
+    auto above = std::make_shared<Wind>(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed));
+    above->canopy.emplace().seed = seed;
+    const WindSampler wind(above, glm::dmat4(1.0), _canopy);
     ModalMotion motion(*_resting);
     for (std::size_t i = 0; i < _slots.size(); ++i)
-        motion.setCompany(i, wind.companyAt(glm::vec2(_forest.trees[_slots[i]].position)));
+        motion.setCompany(i, wind.canopy()->companyAt(glm::vec2(_forest.trees[_slots[i]].position)));
     motion.meet(&wind, 0.0);
     std::vector<float> leans(_slots.size(), 0.0f);
     std::vector<Loads> largest(_slots.size());

@@ -6,7 +6,6 @@
 #include <osgTreeWind/motion/laws/UnitPose.h>
 #include <osgTreeWind/motion/strength/OpenCountry.h>
 #include <osgTreeWind/motion/sway/LoneTree.h>
-#include <osgTreeWind/wind/CanopyWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>
@@ -26,18 +25,19 @@ StandTree standTree(const PlacedForest& forest) {
     return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
 }
 
-WindFieldPtr windInTheStand(const StandTree& tree, const Storm& storm) {
-    const auto spacing = static_cast<float>(storm.spacing);
-    return std::make_shared<CanopyWind>(
-        std::make_shared<UniformWind>(glm::vec3(storm.speed, 0.0f, 0.0f)),
-        *canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing)), tree.height, storm.seed);
-}
-
-WindFieldPtr windOf(const PlacedForest& forest, const Storm& storm) {
+WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
     const StandTree tree = standTree(forest);
-    return storm.spacing > 0.0 ? windInTheStand(tree, storm)
-                               : openCountryWind(std::max(static_cast<double>(tree.height), 0.1),
-                                                 glm::vec3(storm.speed, 0.0f, 0.0f), storm.seed);
+    const glm::vec3 mean(storm.speed, 0.0f, 0.0f);
+    if (!(storm.spacing > 0.0))
+        return WindSampler(std::make_shared<Wind>(
+            openCountryWind(std::max(static_cast<double>(tree.height), 0.1), mean, storm.seed)));
+    auto wind = std::make_shared<Wind>(std::make_shared<UniformWind>(mean));
+    wind->canopy.emplace().seed = storm.seed;
+    const auto spacing = static_cast<float>(storm.spacing);
+    auto stand =
+        std::make_shared<CanopyMap>(*canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing)));
+    stand->refer(tree.height);
+    return WindSampler(wind, glm::dmat4(1.0), stand);
 }
 
 } // namespace
@@ -59,9 +59,9 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
     const double diameter = breastDiameter(model, tree.scale);
     _strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads.front().modulus) * diameter * diameter *
                       diameter);
-    if (const auto* stand = dynamic_cast<const CanopyWind*>(_wind.get()))
-        _motion.setCompany(0, stand->companyAt(glm::vec2(0.0f)));
-    _motion.meet(_wind.get(), 0.0);
+    if (_wind.canopy())
+        _motion.setCompany(0, _wind.canopy()->companyAt(glm::vec2(0.0f)));
+    _motion.meet(&_wind, 0.0);
 }
 
 void StormTree::advance(double time, const std::function<void()>& stepped) {
@@ -69,7 +69,7 @@ void StormTree::advance(double time, const std::function<void()>& stepped) {
     const int steps = std::max(static_cast<int>(std::ceil((time - from) / longestSampleStep - 1e-6)), 1);
     for (int i = 1; i <= steps; ++i) {
         const double next = from + (time - from) * i / steps;
-        _motion.step(_wind.get(), next, static_cast<float>(next - _time));
+        _motion.step(&_wind, next, static_cast<float>(next - _time));
         _time = next;
         stepped();
     }
@@ -108,7 +108,7 @@ StormMoment StormTree::advance(double time) {
     now.tilt = turned(_middle);
     const glm::vec3 top = tree.scale.axes * skeleton.units[_top].tip;
     now.tip = glm::vec2(poses[_top].apply(top) - top);
-    now.wind = glm::vec2(_wind->velocity(WindPlace(0.0f, 0.0f, tree.scale.axes.z * skeleton.height()), time));
+    now.wind = glm::vec2(_wind.velocity(WindPlace(0.0f, 0.0f, tree.scale.axes.z * skeleton.height()), time));
     return now;
 }
 

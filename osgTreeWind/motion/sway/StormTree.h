@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/damage/FootMoment.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/motion/strength/CriticalSpeeds.h>
+#include <osgTreeWind/wind/WindSampler.h>
 
 #include <glm/vec2.hpp>
 
@@ -48,7 +49,7 @@ private:
 
     PlacedForest _forest;
     ModalMotion _motion;
-    WindFieldPtr _wind;
+    WindSampler _wind;
     FootMoment _foot;
     double _time = 0.0, _stiffness = 0.0, _strain = 0.0;
     std::size_t _middle = 0, _top = 0; ///< Of the trunk's units.

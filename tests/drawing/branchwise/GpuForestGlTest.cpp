@@ -273,7 +273,7 @@ TEST_F(GpuForestGlTest, HostileWindLeavesFiniteAnglesThatRecover) {
     };
     for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped}) {
         ForestDescription description = forestOf(bareSpecies(2, 3, 1), 1, law);
-        const WindFieldPtr sane = description.wind;
+        const WindFieldPtr sane = description.wind.field;
         osg::ref_ptr<Forest> forest = start(description);
         double time = 0.0;
         for (const float value :

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/wind/Wind.h>
+
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/wind/WindFields.h>
+
+#include <string>
+
+namespace osgTreeWind {
+
+Diagnostics check(const Wind& wind) {
+    Diagnostics problems;
+    if (wind.canopy)
+        checkFields(*wind.canopy, "wind", problems);
+    if (wind.frame < WindFrame::Forest || wind.frame > WindFrame::Geocentric)
+        problems.push_back(keyProblem("wind.frame", "expected one of its words, found " +
+                                                        std::to_string(static_cast<int>(wind.frame))));
+    return problems;
+}
+
+} // namespace osgTreeWind

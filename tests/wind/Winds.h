@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/wind/WindSampler.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// A field with one thing done to it, as a forest meets it.
+namespace osgTreeWind {
+
+inline WindSampler sampler(Wind wind, const glm::dmat4& place = glm::dmat4(1.0),
+                           std::shared_ptr<const CanopyMap> canopy = nullptr) {
+    return WindSampler(std::make_shared<const Wind>(std::move(wind)), place, std::move(canopy));
+}
+
+inline Wind sourcedWind(WindFieldPtr field, std::vector<WindSource> sources) {
+    Wind wind(std::move(field));
+    wind.sources = std::move(sources);
+    return wind;
+}
+
+inline WindSampler withSources(WindFieldPtr field, std::vector<WindSource> sources) {
+    return sampler(sourcedWind(std::move(field), std::move(sources)));
+}
+
+inline WindSampler retimed(WindFieldPtr field, const WindClock& clock) {
+    Wind wind(std::move(field));
+    wind.clock = clock;
+    return sampler(std::move(wind));
+}
+
+inline WindSampler adjusted(WindFieldPtr field, const WindAdjustment& adjustment) {
+    Wind wind(std::move(field));
+    wind.adjustment = adjustment;
+    return sampler(std::move(wind));
+}
+
+inline WindSampler inStand(WindFieldPtr field, const CanopyMap& stand, float reference, std::uint32_t seed) {
+    auto map = std::make_shared<CanopyMap>(stand);
+    map->refer(reference);
+    Wind wind(std::move(field));
+    wind.canopy.emplace().seed = seed;
+    return sampler(std::move(wind), glm::dmat4(1.0), map);
+}
+
+} // namespace osgTreeWind
