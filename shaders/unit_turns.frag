@@ -6,10 +6,7 @@
 #include "pose_request.glsl"
 #include "real.glsl"
 #include "law/limits.glsl"
-#include "law/elementary.glsl"
-#include "law/oscillator.glsl"
 #include "law/rotation.glsl"
-#include "law/damped_branch.glsl"
 
 uniform sampler2D modalMatrices; // of all archetypes: a unit takes the rows of its two axes and a texel for its patch
 
@@ -28,7 +25,7 @@ void main() {
     }
     vec3 span = axesOf(at.x) * (dataTexel(treeUnits, 2 * at.y + 1).xyz - dataTexel(treeUnits, 2 * at.y).xyz);
     vec3 direction = dot(span, span) > 0.0 ? normalize(span) : vec3(0.0, 0.0, 1.0);
-    gl_FragData[0] = dampedRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
+    gl_FragData[0] = swungRotation(bounded(angles.x, matrix.z), bounded(angles.y, matrix.z), direction);
     for (int i = 0; i < mostFallen; ++i) {
         vec4 part = fallenPart(at.x, i);
         float angle = sqrt(dot(part.xy, part.xy));

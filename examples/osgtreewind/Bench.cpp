@@ -120,9 +120,9 @@ bool measure(const BenchOptions& options, const std::optional<ForestDescription>
     if (!report.kernels.empty())
         printBenchKernels(std::cout, conditions, report.kernels);
     if (isAsked(options, forestsStage)) {
-        report.forests = runBenchForests(forest, options.forest,
-                                         static_cast<std::size_t>(options.forestTrees), options.frames);
-        printBenchForests(std::cout, conditions, *report.forests);
+        report.forest = runBenchForest(forest, options.forest, static_cast<std::size_t>(options.forestTrees),
+                                       options.frames);
+        printBenchForest(std::cout, conditions, *report.forest);
     }
     if (isAsked(options, scaleStage)) {
         auto scale = runBenchScale(options.scaleTrees, conditions.settings, conditions.driver);
@@ -228,9 +228,9 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
         ->add_option("--forest", options->forest,
                      "A .treewind file: drawn by stage view, the only one then when none is given;\n"
                      "flown through by stage world;\n"
-                     "stepped under damped by stage forests, which makes trees without one")
+                     "stepped under modal by stage forests, which makes trees without one")
         ->type_name("FILE");
-    command->add_option("--forest-trees", options->forestTrees, "Stage forests: trees under modal")
+    command->add_option("--forest-trees", options->forestTrees, "Stage forests: trees that it makes")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command

@@ -30,11 +30,9 @@ namespace {
 constexpr std::size_t branches = 4096, windSamples = 16384;
 
 /// That many branches of broadleaves, 1 to 25 m high.
-template <typename Branch>
-std::vector<Branch> someBranches(MotionLaw law,
-                                 const std::vector<Branch>& (BranchwiseMotion::*ofLaw)() const) {
+std::vector<Laws::ThesisBranch> someBranches() {
     ForestDescription forest;
-    forest.law = law;
+    forest.law = MotionLaw::Thesis;
     forest.species = {defaultSpecies()};
     forest.trees.resize(40);
     for (std::size_t i = 0; i < forest.trees.size(); ++i) {
@@ -42,7 +40,7 @@ std::vector<Branch> someBranches(MotionLaw law,
         forest.trees[i].size.height = 1.0f + 0.6f * static_cast<float>(i);
     }
     const PlacedForest placed(std::move(forest));
-    std::vector<Branch> result = (BranchwiseMotion(placed).*ofLaw)();
+    std::vector<Laws::ThesisBranch> result = BranchwiseMotion(placed).thesisBranches();
     result.resize(branches, result.front());
     return result;
 }
@@ -57,8 +55,8 @@ std::vector<glm::vec3> someWinds() {
 
 using ThesisStep = glm::vec4 (Laws::*)(glm::vec4, glm::vec3, glm::vec3, Laws::ThesisBranch);
 
-TimedKernel thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
-    const std::vector<Laws::ThesisBranch> parameters = someBranches(law, &BranchwiseMotion::thesisBranches);
+TimedKernel thesisLaw(const char* name, ThesisStep step) {
+    const std::vector<Laws::ThesisBranch> parameters = someBranches();
     std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
     return {{"laws", name, "branch", branches, {}, 1}, [=, winds = someWinds()](double time) mutable {
                 Laws laws;
@@ -69,19 +67,6 @@ TimedKernel thesisLaw(const char* name, MotionLaw law, ThesisStep step) {
                         noise[static_cast<int>(axis)] =
                             laws.motionNoise(laws.noiseStream(1, i, axis), now.cell, now.fraction, now.gain);
                     states[i] = (laws.*step)(states[i], winds[i], noise, parameters[i]);
-                }
-                kernelResult = states[7].x;
-            }};
-}
-
-TimedKernel dampedLaw() {
-    const std::vector<Laws::DampedBranch> parameters =
-        someBranches(MotionLaw::Damped, &BranchwiseMotion::dampedBranches);
-    std::vector<glm::vec4> states(branches, glm::vec4(0.0f));
-    return {{"laws", "damped", "branch", branches, {}, 1}, [=, winds = someWinds()](double) mutable {
-                for (std::size_t i = 0; i < branches; ++i) {
-                    const glm::vec2 before(winds[i]), now(winds[(i + 1) % branches]);
-                    states[i] = Laws().dampedBranchStep(states[i], before, now, parameters[i], kernelStep);
                 }
                 kernelResult = states[7].x;
             }};
@@ -160,9 +145,8 @@ std::vector<TimedKernel> allKernels() {
     auto carried = std::make_shared<Wind>(moving);
     carried->clock.speed = 8.0;
     std::vector<TimedKernel> kernels = {
-        thesisLaw("thesis", MotionLaw::Thesis, &Laws::thesisBranchStep),
-        thesisLaw("thesis-smooth", MotionLaw::ThesisSmooth, &Laws::thesisSmoothBranchStep),
-        dampedLaw(),
+        thesisLaw("thesis", &Laws::thesisBranchStep),
+        thesisLaw("thesis-smooth", &Laws::thesisSmoothBranchStep),
         leafLaw("leaf, Perlin noise", {}),
         leafLaw("leaf, 1/f noise", 1.0f),
         windKind("uniform", std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f))),

@@ -9,7 +9,7 @@
 /// What one branch, one tree, one leaf or one sample of the wind costs, without graphics.
 struct BenchKernel {
     std::string group;               ///< "laws" or "winds".
-    std::string name;                ///< "damped", "gusts", ...
+    std::string name;                ///< "thesis", "gusts", ...
     std::string element;             ///< What is counted: "branch", "tree", "leaf" or "sample".
     std::size_t elements = 0;        ///< In a round.
     std::vector<double> nanoseconds; ///< An element, a number a round.

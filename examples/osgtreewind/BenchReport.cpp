@@ -40,47 +40,19 @@ Json timesJson(const BenchTimes& times) {
             {"gpuMs", spread(times.gpu)}};
 }
 
-/// Of two kernels, round by round; empty unless both were measured.
-std::vector<double> kernelRatios(const std::vector<BenchKernel>& kernels, const std::string& name,
-                                 const std::string& over) {
-    const auto times = [&](const std::string& wanted) {
-        for (const BenchKernel& kernel : kernels)
-            if (kernel.name == wanted)
-                return kernel.nanoseconds;
-        return std::vector<double>();
-    };
-    return ratios(times(name), times(over));
-}
-
-/// What a tree costs under damped over what it costs under modal, on one core.
-std::vector<double> calmRatios(const std::vector<BenchKernel>& kernels) {
-    return kernelRatios(kernels, "damped tree", "modal");
-}
-std::vector<double> gustRatios(const std::vector<BenchKernel>& kernels) {
-    return kernelRatios(kernels, "damped tree, gusts", "modal, gusts");
-}
-
-Json forestsJson(const BenchForests& forests) {
-    const auto measured = [](const BenchForest& forest) {
-        return Json{{"forest", forest.name},
-                    {"law", forest.law},
-                    {"trees", forest.trees},
-                    {"nearTrees", forest.nearTrees},
-                    {"units", forest.units},
-                    {"loadSeconds", number(forest.loadSeconds)},
-                    {"loadProcessorSeconds", number(forest.loadProcessorSeconds)},
-                    {"archetypes", forest.archetypes},
-                    {"archetypeBytes", forest.archetypeBytes},
-                    {"stateBytesPerTree", number(forest.stateBytesPerTree)},
-                    {"stepMs", spread(forest.stepMs)},
-                    {"oneCoreStepMs", spread(forest.oneCoreStepMs)}};
-    };
-    return {{"threads", forests.threads},
-            {"damped", measured(forests.damped)},
-            {"modal", measured(forests.modal)},
-            {"modalOverDamped", spread(ratios(forests.modal.stepMs, forests.damped.stepMs))},
-            {"modalOverDampedOneCore",
-             spread(ratios(forests.modal.oneCoreStepMs, forests.damped.oneCoreStepMs))}};
+Json forestJson(const BenchForest& forest) {
+    return {{"forest", forest.name},
+            {"threads", forest.threads},
+            {"trees", forest.trees},
+            {"nearTrees", forest.nearTrees},
+            {"units", forest.units},
+            {"loadSeconds", number(forest.loadSeconds)},
+            {"loadProcessorSeconds", number(forest.loadProcessorSeconds)},
+            {"archetypes", forest.archetypes},
+            {"archetypeBytes", forest.archetypeBytes},
+            {"stateBytesPerTree", number(forest.stateBytesPerTree)},
+            {"stepMs", spread(forest.stepMs)},
+            {"oneCoreStepMs", spread(forest.oneCoreStepMs)}};
 }
 
 Json resultJson(const BenchResult& result) {
@@ -224,9 +196,7 @@ Json benchReport(const BenchConditions& conditions, const BenchReport& report) {
                                    {"elements", kernel.elements},
                                    {"threads", kernel.threads},
                                    {"nanoseconds", spread(kernel.nanoseconds)}});
-    json["dampedOverModal"] = {{"calm", spread(calmRatios(report.kernels))},
-                               {"gusts", spread(gustRatios(report.kernels))}};
-    json["forests"] = report.forests ? forestsJson(*report.forests) : Json(nullptr);
+    json["forests"] = report.forest ? forestJson(*report.forest) : Json(nullptr);
     json["scale"] = Json::array();
     for (const BenchScale& scale : report.scale) {
         json["scale"].push_back(viewJson(scale.view));
@@ -289,9 +259,6 @@ void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
             << fixed(quantile(kernel.nanoseconds, 0.9), 1) << " | "
             << fixed(1000.0 / median, median < 1000.0 ? 1 : 4) << " |\n";
     }
-    if (const std::vector<double> gusts = gustRatios(kernels); !gusts.empty())
-        out << "\na tree under damped over one under modal: " << fixed(quantile(gusts, 0.5), 1)
-            << " in gusts, " << fixed(quantile(calmRatios(kernels), 0.5), 1) << " calm\n";
 }
 
 namespace {
@@ -347,30 +314,22 @@ void printBenchViews(std::ostream& out, const BenchConditions& conditions,
         printView(out, view, std::nan(""));
 }
 
-void printBenchForests(std::ostream& out, const BenchConditions& conditions, const BenchForests& forests) {
+void printBenchForest(std::ostream& out, const BenchConditions& conditions, const BenchForest& forest) {
     out << '\n'
-        << conditions.date << ", " << machineName() << ", " << forests.modal.stepMs.size() << " rounds, "
-        << forests.threads
-        << " threads, without leaves; under modal no poses\n\n"
-           "| forest | law | trees | step, ms | p10 | p90 | one core, ms | load, s | processor, s | "
-           "archetypes | their MB | "
-           "bytes a tree |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
-           "---: |\n";
-    for (const BenchForest* forest : {&forests.damped, &forests.modal}) {
-        out << "| " << forest->name << " | " << forest->law << " | " << forest->trees;
-        for (const std::string& cell :
-             {fixed(quantile(forest->stepMs, 0.5), 2), fixed(quantile(forest->stepMs, 0.1), 2),
-              fixed(quantile(forest->stepMs, 0.9), 2), fixed(quantile(forest->oneCoreStepMs, 0.5), 2),
-              fixed(forest->loadSeconds, 2), fixed(forest->loadProcessorSeconds, 2),
-              std::to_string(forest->archetypes),
-              fixed(1e-6 * static_cast<double>(forest->archetypeBytes), 1),
-              fixed(forest->stateBytesPerTree, 0)})
-            out << " | " << cell;
-        out << " |\n";
-    }
-    const auto ratio = [](const std::vector<double>& modal, const std::vector<double>& damped) {
-        return fixed(quantile(ratios(modal, damped), 0.5), 3);
-    };
-    out << "\nmodal over damped: " << ratio(forests.modal.stepMs, forests.damped.stepMs) << "; on one core "
-        << ratio(forests.modal.oneCoreStepMs, forests.damped.oneCoreStepMs) << '\n';
+        << conditions.date << ", " << machineName() << ", " << forest.stepMs.size() << " rounds, "
+        << forest.threads
+        << " threads, without leaves and poses\n\n"
+           "| forest | trees | step, ms | p10 | p90 | one core, ms | load, s | processor, s | archetypes | "
+           "their MB | bytes a tree |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
+           "| "
+           "---: |\n| "
+        << forest.name << " | " << forest.trees;
+    for (const std::string& cell :
+         {fixed(quantile(forest.stepMs, 0.5), 2), fixed(quantile(forest.stepMs, 0.1), 2),
+          fixed(quantile(forest.stepMs, 0.9), 2), fixed(quantile(forest.oneCoreStepMs, 0.5), 2),
+          fixed(forest.loadSeconds, 2), fixed(forest.loadProcessorSeconds, 2),
+          std::to_string(forest.archetypes), fixed(1e-6 * static_cast<double>(forest.archetypeBytes), 1),
+          fixed(forest.stateBytesPerTree, 0)})
+        out << " | " << cell;
+    out << " |\n";
 }

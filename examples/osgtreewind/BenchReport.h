@@ -37,7 +37,7 @@ struct BenchWorld {
 struct BenchReport {
     std::vector<BenchResult> results;
     std::vector<BenchKernel> kernels;
-    std::optional<BenchForests> forests;
+    std::optional<BenchForest> forest;
     std::vector<BenchScale> scale;
     std::vector<BenchView> views;
     std::optional<BenchWorld> world;
@@ -64,7 +64,7 @@ void printBenchHead(std::ostream& out, const BenchConditions& conditions);
 void printBenchRow(std::ostream& out, const BenchResult& result);
 void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
                        const std::vector<BenchKernel>& kernels);
-void printBenchForests(std::ostream& out, const BenchConditions& conditions, const BenchForests& forests);
+void printBenchForest(std::ostream& out, const BenchConditions& conditions, const BenchForest& forest);
 void printBenchScale(std::ostream& out, const BenchConditions& conditions,
                      const std::vector<BenchScale>& scale);
 void printBenchViews(std::ostream& out, const BenchConditions& conditions,

@@ -51,11 +51,9 @@ const char* lawName(MotionLaw law) {
     case MotionLaw::ThesisSmooth:
         return "thesis-smooth";
     case MotionLaw::Modal:
-        return "modal";
-    case MotionLaw::Damped:
         break;
     }
-    return "damped";
+    return "modal";
 }
 
 /// The trees at rest, in world coordinates.

@@ -24,10 +24,8 @@ struct NamedLaw {
     MotionLaw law;
     const char* name;
 };
-constexpr std::array<NamedLaw, 4> laws{{{MotionLaw::Modal, "modal"},
-                                        {MotionLaw::Damped, "damped"},
-                                        {MotionLaw::Thesis, "thesis"},
-                                        {MotionLaw::ThesisSmooth, "thesis-smooth"}}};
+constexpr std::array<NamedLaw, 3> laws{
+    {{MotionLaw::Modal, "modal"}, {MotionLaw::Thesis, "thesis"}, {MotionLaw::ThesisSmooth, "thesis-smooth"}}};
 
 std::size_t indexOf(MotionLaw law) {
     return static_cast<std::size_t>(

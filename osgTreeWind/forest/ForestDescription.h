@@ -22,7 +22,6 @@ namespace osgTreeWind {
 enum class MotionLaw {
     Thesis,       ///< Appendix B as published: no restoring force, one step a frame.
     ThesisSmooth, ///< The text of §3.1: partial steps and the level term.
-    Damped,       ///< A damped oscillator per branch and axis, in SI units and seconds.
     Modal,        ///< The whole tree coupled, swaying in a few modes; SI units and seconds.
 };
 
@@ -58,7 +57,7 @@ struct ForestDescription {
     std::string hostCrs;
     GroundPtr ground; ///< Null: none. Trees stand where they are put (StandOnGround.h puts them on it).
     MotionLaw law = MotionLaw::Modal; ///< How they move.
-    /// On the answer of `damped` and `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
+    /// On the answer of `modal`: 1 is physical, more is an exaggeration for the eye, [0, 100].
     float gain = 1.0f;
     /// Whether the wind brings down trees that it pulls at beyond what roots and stems bear, and in autumn
     /// leaves that hang loose; `modal` alone.

@@ -40,12 +40,11 @@ const Fields& fieldsOf<ForestDescription>() {
          "how trees answer the wind",
          "",
          {{"modal", static_cast<int>(MotionLaw::Modal)},
-          {"damped", static_cast<int>(MotionLaw::Damped)},
           {"thesis", static_cast<int>(MotionLaw::Thesis)},
           {"thesis-smooth", static_cast<int>(MotionLaw::ThesisSmooth)}}},
         {"gain", at<&P::gain>, gains,
-         "on how far the laws `\"modal\"` and `\"damped\"` bend trees: 1 is physical; more exaggerates for "
-         "the eye, at the same pace"},
+         "on how far the law `\"modal\"` bends trees: 1 is physical; more exaggerates for the eye, at the "
+         "same pace"},
         {"damage",
          at<&P::damage>,
          {},

@@ -153,7 +153,12 @@ void readSeason(TableReader& root, ForestReading& reading) {
 }
 
 void readMotion(TableReader& table, ForestReading& reading) {
-    readFields(table, reading.forest);
+    Fields fields = fieldsOf<ForestDescription>();
+    if (table.says("law", "damped")) { // a law of 1.0
+        reading.forest.notes.emplace_back("motion.law: \"damped\" is no more; read as \"modal\"");
+        fields.front().words.emplace_back("damped", static_cast<int>(MotionLaw::Modal));
+    }
+    readFields(table, fields, &reading.forest);
     table.read("leaves", reading.leaves, fieldAt(fieldsOf<TreePlacement>(), "leaves").range);
     bool octaves = false;
     const bool known = table.readChoice<bool>("noise", octaves, {{"perlin", false}, {"1/f", true}});

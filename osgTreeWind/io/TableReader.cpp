@@ -102,6 +102,11 @@ bool TableReader::has(const std::string& key) const {
     return _table.contains(key);
 }
 
+bool TableReader::says(const std::string& key, const std::string& text) const {
+    const toml::node* node = _table.get(key);
+    return node && node->value_exact<std::string>() == text;
+}
+
 bool TableReader::hasArray(const std::string& key) const {
     const toml::node* node = _table.get(key);
     return node && node->is_array();

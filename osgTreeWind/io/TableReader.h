@@ -33,6 +33,7 @@ public:
 
     bool has(const std::string& key) const;
     bool hasArray(const std::string& key) const;
+    bool says(const std::string& key, const std::string& text) const;
 
     /// Reads a value if the key is there. True when `field` was set.
     bool read(const std::string& key, bool& field);

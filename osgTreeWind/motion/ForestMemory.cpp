@@ -19,11 +19,8 @@ namespace osgTreeWind {
 namespace {
 
 /// Of a simulation: what one unit, or cluster of leaves, adds to its arrays.
-std::uint64_t unitBytes(MotionLaw law) {
-    constexpr std::uint64_t ofAnyLaw =
-        2 * sizeof(glm::vec3) + 3 * sizeof(glm::vec4) + sizeof(glm::quat) + sizeof(UnitPose);
-    return ofAnyLaw + (law == MotionLaw::Damped ? sizeof(Laws::DampedBranch) : sizeof(Laws::ThesisBranch));
-}
+constexpr std::uint64_t unitBytes = sizeof(WindPlace) + sizeof(glm::vec3) + 2 * sizeof(glm::vec4) +
+                                    sizeof(glm::quat) + sizeof(UnitPose) + sizeof(Laws::ThesisBranch);
 constexpr std::uint64_t leafBytes = sizeof(glm::vec4);
 
 // Of nodes, measured: a tree with its uniforms and drawables, and the texels of its units and leaves, which
@@ -80,9 +77,8 @@ ForestMemory forestMemory(const ForestDescription& description) {
         const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
         memory.simulation +=
             shapes * shapeBytes(counts) +
-            trees[i] *
-                (modal ? simulatedTreeBytes(ModalLevel::Near)
-                       : sizeof(PlacedTree) + counts.units * unitBytes(description.law) + leaves * leafBytes);
+            trees[i] * (modal ? simulatedTreeBytes(ModalLevel::Near)
+                              : sizeof(PlacedTree) + counts.units * unitBytes + leaves * leafBytes);
         if (modal) // up to the finest tier once more in the coarser ones
             memory.nodes += trees[i] * instanceBytes +
                             shapes * (2 * geometryBytes(counts) + impostorBytes +

@@ -6,7 +6,6 @@
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/motion/ForestMemory.h>
-#include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/WindAmongTrees.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/motion/damage/WindDamage.h>
@@ -134,8 +133,8 @@ float ForestSimulation::season() const {
 }
 
 Result<std::size_t> ForestSimulation::addSpecies(Species species) {
-    if (SimulationParts::branches(*this))
-        return BranchwiseMotion::fixed();
+    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+        return problems;
     if (Diagnostics problems = check(species); !problems.empty())
         return problems;
     for (const Species& other : description().species)
@@ -152,17 +151,15 @@ Result<std::size_t> ForestSimulation::addSpecies(Species species) {
 }
 
 Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {
-    if (SimulationParts::branches(*this))
-        return BranchwiseMotion::fixed();
+    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+        return problems;
     if (Diagnostics problems = check(placement, description()); !problems.empty())
         return problems;
     const PlacedTree tree = _forest->fitted(placement);
-    const Result<std::size_t> slot = _motion->add(tree);
-    if (!slot)
-        return slot.problems();
-    _forest->put(slot.value(), tree, placement.name);
-    treeChanged(slot.value());
-    return idOf(slot.value());
+    const std::size_t slot = _motion->add(tree);
+    _forest->put(slot, tree, placement.name);
+    treeChanged(slot);
+    return idOf(slot);
 }
 
 Diagnostics ForestSimulation::removeTree(TreeId tree) {
@@ -174,41 +171,39 @@ Diagnostics ForestSimulation::removeTree(TreeId tree) {
 Diagnostics ForestSimulation::unloadTree(TreeId tree) {
     if (!holds(tree))
         return noSuchTree();
-    Diagnostics problems = _motion->remove(slotOf(tree));
-    if (problems.empty()) {
-        _forest->remove(slotOf(tree));
-        treeChanged(slotOfTree(tree));
-    }
-    return problems;
+    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+        return problems;
+    _motion->remove(slotOf(tree));
+    _forest->remove(slotOf(tree));
+    treeChanged(slotOfTree(tree));
+    return {};
 }
 
 Diagnostics ForestSimulation::changeTree(TreeId tree, const TreePlacement& placement) {
-    if (SimulationParts::branches(*this))
-        return {BranchwiseMotion::fixed()};
+    if (Diagnostics problems = _motion->fixed(); !problems.empty())
+        return problems;
     if (!holds(tree))
         return noSuchTree();
     if (Diagnostics problems = check(placement, description()); !problems.empty())
         return problems;
     const std::size_t slot = slotOf(tree);
     PlacedTree other = _forest->fitted(placement, &_forest->trees[slot]);
-    Diagnostics problems = _motion->replace(slot, other);
-    if (problems.empty()) {
-        _forest->strike(slot);
-        other.tiled = false;
-        _forest->put(slot, other, placement.name);
-        treeChanged(slot);
-    }
-    return problems;
+    _motion->replace(slot, other);
+    _forest->strike(slot);
+    other.tiled = false;
+    _forest->put(slot, other, placement.name);
+    treeChanged(slot);
+    return {};
 }
 
 void ForestSimulation::runUp(const std::vector<TreeId>& trees) {
-    if (!SimulationParts::modal(*this) || !_time || trees.empty())
+    if (!_time || trees.empty())
         return;
     std::vector<std::size_t> slots;
     for (const TreeId tree : trees)
         if (holds(tree))
             slots.push_back(slotOf(tree));
-    SimulationParts::modal(*this)->runUp(slots, windHere().get(), *_time, runUpTime);
+    _motion->runUp(slots, windHere().get(), *_time, runUpTime);
 }
 
 /// Another tree is there, or none, which has not come down.
@@ -217,7 +212,7 @@ void ForestSimulation::treeChanged(std::size_t slot) {
     if (!_damage)
         return;
     _damage->forget(slot);
-    SimulationParts::modal(*this)->putUpright(slot);
+    _motion->putUpright(slot);
 }
 
 /// The leaves that the wind has shed.
@@ -292,11 +287,11 @@ WindFieldPtr ForestSimulation::windHere() {
     return wind;
 }
 
-std::optional<float> ForestSimulation::beginStep(double time) {
+bool ForestSimulation::beginStep(double time) {
     const std::optional<float> elapsed = elapsedAt(time);
     if (elapsed)
         _motion->meet(windHere().get(), time);
-    return elapsed && *elapsed > 0.0f ? elapsed : std::nullopt;
+    return elapsed.value_or(0.0f) > 0.0f;
 }
 
 bool ForestSimulation::advance(double time) {
@@ -306,15 +301,16 @@ bool ForestSimulation::advance(double time) {
     if (!elapsed)
         return false;
     const WindFieldPtr wind = windHere();
-    if (*elapsed > 0.0f)
-        _motion->step(wind.get(), time, *elapsed);
-    else
+    if (!(*elapsed > 0.0f)) {
         _motion->meet(wind.get(), time); // for the next step to start from
-    if (_damage && *elapsed > 0.0f) {
-        _damage->follow(*_forest, *SimulationParts::modal(*this), *elapsed, executorFor(_lent, slotCount()));
+        return false;
+    }
+    _motion->step(wind.get(), time, *elapsed);
+    if (_damage) {
+        _damage->follow(*_forest, *_motion->modal(), *elapsed, executorFor(_lent, slotCount()));
         _motion->followLeaves(_damage->bared(*_forest, baredAtOnce));
     }
-    return *elapsed > 0.0f;
+    return true;
 }
 
 const std::vector<TreeDamage>& ForestSimulation::damage() const {
@@ -323,8 +319,7 @@ const std::vector<TreeDamage>& ForestSimulation::damage() const {
 }
 
 bool ForestSimulation::stands(TreeId tree) const {
-    const TreeFall* fall =
-        _damage && holds(tree) ? SimulationParts::modal(*this)->fall(slotOf(tree)) : nullptr;
+    const TreeFall* fall = holds(tree) ? _motion->fall(slotOf(tree)) : nullptr;
     return holds(tree) && !(fall && fall->isDown);
 }
 

@@ -131,7 +131,7 @@ private:
                      std::shared_ptr<GivenWind> wind);
     ForestSimulation(const ForestSimulation& other);
     Diagnostics unloadTree(TreeId tree);
-    std::optional<float> beginStep(double time);
+    bool beginStep(double time);
     std::optional<float> elapsedAt(double time);
     WindFieldPtr windHere();
     void treeChanged(std::size_t slot);

@@ -3,22 +3,24 @@
 
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/laws/Motion.h>
 
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
 
-class BranchwiseMotion;
 class GivenWind;
-class ModalMotion;
 
 /// What a ForestSimulation is made of: for the library's own files and its tests.
 struct SimulationParts {
     /// A simulation that takes its wind from `wind`, whatever its description says.
     static std::shared_ptr<ForestSimulation>
-    make(ForestDescription description, const SimulationOptions& options, std::shared_ptr<GivenWind> wind);
+    make(ForestDescription description, const SimulationOptions& options, std::shared_ptr<GivenWind> wind) {
+        return std::shared_ptr<ForestSimulation>(
+            new ForestSimulation(std::move(description), options, std::move(wind)));
+    }
 
     /// Trees at rest.
     static const PlacedForest& forest(const ForestSimulation& simulation) { return *simulation._forest; }
@@ -37,18 +39,24 @@ struct SimulationParts {
 
     /// The trees under the law `modal`, which also knows how closely each is followed; null under another
     /// law. They come and go through ForestSimulation only.
-    static ModalMotion* modal(ForestSimulation& simulation);
-    static const ModalMotion* modal(const ForestSimulation& simulation);
+    static ModalMotion* modal(ForestSimulation& simulation) { return simulation._motion->modal(); }
+    static const ModalMotion* modal(const ForestSimulation& simulation) {
+        return simulation._motion->modal();
+    }
     /// The branches, where each has a state; null under `modal`.
-    static BranchwiseMotion* branches(ForestSimulation& simulation);
-    static const BranchwiseMotion* branches(const ForestSimulation& simulation);
+    static BranchwiseMotion* branches(ForestSimulation& simulation) { return simulation._motion->branches(); }
+    static const BranchwiseMotion* branches(const ForestSimulation& simulation) {
+        return simulation._motion->branches();
+    }
 
     /// ForestSimulation::removeTree() of a tree that may come again with its tile.
-    static Diagnostics unloadTree(ForestSimulation& simulation, TreeId tree);
+    static Diagnostics unloadTree(ForestSimulation& simulation, TreeId tree) {
+        return simulation.unloadTree(tree);
+    }
     /// Instead of ForestSimulation::advance(), for those who work out states elsewhere
-    /// (gpu/branchwise/AnglePrePass.h): moves on to `time` and samples the wind. @return seconds to step, or
-    /// nothing when the state is to be kept.
-    static std::optional<float> beginStep(ForestSimulation& simulation, double time);
+    /// (gpu/branchwise/AnglePrePass.h): moves on to `time` and samples the wind. @return whether to take a
+    /// step; else the state is to be kept.
+    static bool beginStep(ForestSimulation& simulation, double time) { return simulation.beginStep(time); }
 };
 
 } // namespace osgTreeWind

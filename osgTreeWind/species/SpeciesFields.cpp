@@ -49,8 +49,7 @@ const Fields& fieldsOf<WoodParameters>() {
     static const Fields fields = {
         {"elastic_modulus", at<&P::elasticModulus>, within(1e3, 1e12), "of green wood", "Pa"},
         {"density", at<&P::density>, within(1, 1e4),
-         R"(of green wood with its bark; this and what follows is for the laws `"modal"` and `"damped"`)",
-         "kg/m³"},
+         R"(of green wood with its bark; this and what follows is for the law `"modal"`)", "kg/m³"},
         {"damping_ratio", at<&P::dampingRatio>, within(0, 2), "of wood, without air; 1 is critical"},
         {"under_bark", at<&P::underBark>, within(0.1, 1),
          "diameter of the wood, which alone bends, over that with its bark"},

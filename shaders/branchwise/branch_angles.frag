@@ -11,16 +11,12 @@
 #include "law/noise.glsl"
 #include "law/rotation.glsl"
 #include "law/thesis_branch.glsl"
-#include "law/oscillator.glsl"
-#include "law/damped_branch.glsl"
 
 uniform sampler2D previousAngles;   // one texel a unit: its state
-uniform sampler2D wind;             // two texels a unit: at the start and the end of the step, m/s in the tree's
-                                    // own frame, Z up
+uniform sampler2D wind;             // one texel a unit: m/s in the tree's own frame, Z up
 uniform sampler2D branchParameters; // three texels a unit
 uniform sampler2D speciesTexels;    // four texels a species; the first: noise time of branches
 uniform int motionLaw;              // MotionLaw
-uniform float seconds;              // of this step
 
 /// @param source species, seed (two halves), index in its tree.
 vec3 thesisNoise(vec4 source) {
@@ -36,19 +32,12 @@ vec3 thesisNoise(vec4 source) {
 void main() {
     int unit = targetIndex(previousAngles);
     vec4 state = dataTexel(previousAngles, unit);
-    vec3 air = dataTexel(wind, 2 * unit + 1).xyz;
+    vec3 air = dataTexel(wind, unit).xyz;
     vec4 a = dataTexel(branchParameters, 3 * unit);
     vec4 b = dataTexel(branchParameters, 3 * unit + 1);
     vec4 c = dataTexel(branchParameters, 3 * unit + 2);
 
     // Constructors take the fields in their order, in which they are packed.
-    if (motionLaw == 2) {
-        DampedBranch branch = DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.xyz, c.w);
-        vec3 airBefore = dataTexel(wind, 2 * unit).xyz;
-        gl_FragColor = dampedBranchStep(state, windAcross(airBefore, branch.direction),
-                                        windAcross(air, branch.direction), branch, seconds);
-        return;
-    }
     ThesisBranch branch = ThesisBranch(a.x, a.y, a.z, a.w, b.x);
     vec3 thesisAir = vec3(air.x, air.z, -air.y);
     vec3 noise = thesisNoise(c);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs limits.glsl and elementary.glsl. What `damped` and `modal` have in common: the exact step of an oscillator, and
-// the drag of a crown.
+// Needs limits.glsl and elementary.glsl. The exact step of an oscillator, and the drag of a crown.
 
 /// What swings, and how fast.
 struct Swing {

@@ -25,6 +25,25 @@ vec4 branchRotation(float angleXY, float angleYZ) {
     return turnAfter(turnAbout(vec3(1.0f, 0.0f, 0.0f), angleYZ), turnAbout(vec3(0.0f, 1.0f, 0.0f), angleXY));
 }
 
+/// First axis of a branch under the law `modal`, across its unit direction: nearest to +x (to +y for a branch along x).
+vec3 branchAxis1(vec3 direction) {
+    vec3 side = vec3(1.0f, 0.0f, 0.0f);
+    if (abs(direction.x) > 0.99f) side = vec3(0.0f, 1.0f, 0.0f);
+    return normalize(side - dot(side, direction) * direction);
+}
+
+/// Second axis; thesis +z for an upright branch.
+vec3 branchAxis3(vec3 direction) { return cross(branchAxis1(direction), direction); }
+
+/// Turn of a branch about its base by its angles about these axes: the rotation vector angle1 (d x e1) + angle3 (d x e3).
+vec4 swungRotation(float angle1, float angle3, vec3 direction) {
+    vec3 turn =
+        angle1 * cross(direction, branchAxis1(direction)) + angle3 * cross(direction, branchAxis3(direction));
+    float angle = length(turn);
+    if (angle < 1.0e-12f) return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    return turnAbout(turn / angle, angle);
+}
+
 /// Turn of a leaf in the leaf frame, petiole along +Z (thesis Y), before its rest orientation (Figs 3.11,
 /// 3.12): Rx(motionAngleZ) * Rz(motionAngleX) * Ry(totalRotaAngle) about thesis axes.
 vec4 leafRotation(float motionAngleX, float motionAngleZ, float totalRotaAngle) {

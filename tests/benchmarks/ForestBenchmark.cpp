@@ -35,7 +35,7 @@ std::optional<ForestDescription> describe(benchmark::State& state) {
         state.SkipWithError(forest.problems().front().text().c_str());
         return {};
     }
-    forest.value().law = MotionLaw::Damped; // the default law, also for the reference trees
+    forest.value().law = MotionLaw::ThesisSmooth; // one of a branch
     forest.value().trees.resize(trees, forest.value().trees.front());
     for (std::size_t i = 0; i < trees && !campus; ++i) {
         forest.value().trees[i].position.x = 10.0 * static_cast<double>(i);
@@ -70,12 +70,11 @@ void advance(benchmark::State& state) {
     simulate(state, [](ForestSimulation& simulation, double time) { return simulation.advance(time); });
 }
 
-/// A step and the update traversal around it, under the law `damped`: textures or transforms, and bounds.
+/// A step and the update traversal around it, under a law of a branch: textures or transforms, and bounds.
 void updateBranchwise(benchmark::State& state, BranchwiseForest::BranchDrawing drawing) {
     auto description = describe(state);
     if (!description)
         return;
-    description->law = MotionLaw::Damped;
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
     forest->getBranchwise()->setBranchDrawing(drawing);
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;

@@ -13,7 +13,7 @@ namespace {
 osg::ref_ptr<Forest> stretchedTree() {
     ForestDescription description = oneTree(Species());
     description.trees[0].position = {12.0, -7.0, 3.0};
-    description.law = MotionLaw::Damped;
+    description.law = MotionLaw::ThesisSmooth;
     description.trees[0].heading = 1.1f;
     description.trees[0].size = {25.0f, 0.4f, 6.0f};
     return new Forest(branchwise(description));

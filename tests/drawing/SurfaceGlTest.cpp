@@ -25,7 +25,7 @@ protected:
     static osg::ref_ptr<Forest> forest() {
         ForestDescription description = smallForest(4);
         if (GetParam() == Way::Branchwise)
-            description.law = MotionLaw::Damped;
+            description.law = MotionLaw::ThesisSmooth;
         description.drawing.impostor = 60.0f;
         for (std::size_t i = 0; i < description.trees.size(); ++i)
             description.trees[i].seed = 1000 * static_cast<std::uint32_t>(i);

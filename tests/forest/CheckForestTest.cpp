@@ -36,7 +36,7 @@ TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.gain = 101.0f; }),
               Texts{"motion.gain: expected a finite number in [0, 100], found 101"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) {
-                  f.law = MotionLaw::Damped;
+                  f.law = MotionLaw::ThesisSmooth;
                   f.damage = true;
               }),
               Texts{"motion.damage: expected false under any law but \"modal\""});

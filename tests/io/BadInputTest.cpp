@@ -113,7 +113,7 @@ const BadInput badInputs[] = {
 
     // [motion]
     {"UnknownLaw", head + tree + "[motion]\nlaw = @\"newton\"\n", "motion.law",
-     "expected \"modal\", \"damped\", \"thesis\" or \"thesis-smooth\""},
+     "expected \"modal\", \"thesis\" or \"thesis-smooth\""},
     {"UnknownNoise", head + tree + "[motion]\nnoise = @\"simplex\"\n", "motion.noise",
      "expected \"perlin\" or \"1/f\""},
     {"NoiseTooSteep", head + tree + "[motion]\nnoise = \"1/f\"\nnoise_exponent = @3.5\n",

@@ -259,7 +259,7 @@ TEST(TiledForestTest, whatIsWrongWithTheWorldIsSaid) {
         {"rows = 2", "rows = 3", "tiles.trees: expected 3 rows"},
         {"in_forest = [", "in_forest = [\"fern\", ", "tiles.in_forest: no [[species]] \"fern\""},
         {"origin = [", "# origin = [", "origin: missing"},
-        {"[motion]\n", "[motion]\nlaw = \"damped\"\n", "tiles: expected the law \"modal\" with it"},
+        {"[motion]\n", "[motion]\nlaw = \"thesis\"\n", "tiles: expected the law \"modal\" with it"},
     };
     for (const auto& [from, to, expected] : cases) {
         std::string bad = good;

@@ -122,7 +122,8 @@ TEST(WrittenBy1, forestOfEverything) {
 
 TEST(WrittenBy1, windOnAGrid) {
     const ForestDescription forest = writtenForest("grid.treewind");
-    EXPECT_EQ(forest.law, MotionLaw::Damped);
+    EXPECT_EQ(forest.law, MotionLaw::Modal);
+    EXPECT_EQ(forest.notes, std::vector<std::string>{"motion.law: \"damped\" is no more; read as \"modal\""});
     EXPECT_EQ(forest.gain, 2.0f);
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_EQ(forest.trees[1].size.height, 5.0f);

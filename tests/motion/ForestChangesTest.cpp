@@ -136,9 +136,9 @@ TEST(ForestChanges, ATreeBecomesAnotherSpeciesAndSize) {
 }
 
 TEST(ForestChanges, OnlyWhatCanBeIsDone) {
-    ForestDescription damped = windySaplings(1);
-    damped.law = MotionLaw::Damped;
-    ForestSimulation branchwise(damped), modal(windySaplings(1));
+    ForestDescription ofBranches = windySaplings(1);
+    ofBranches.law = MotionLaw::ThesisSmooth;
+    ForestSimulation branchwise(ofBranches), modal(windySaplings(1));
     const std::string fixed = "law: trees and species come, go and change under the law modal only";
     EXPECT_EQ(branchwise.addTree(treeAt(1.0)).problems().front().text(), fixed);
     EXPECT_EQ(branchwise.removeTree(TreeId(0)).front().text(), fixed);
@@ -202,9 +202,9 @@ TEST(ForestChanges, ARestartHasTheTreesOfNowAtRestAndSharesTheShapes) {
 }
 
 TEST(ForestChanges, UnderALawOfABranchARestartIsAtRestToo) {
-    ForestDescription damped = windySaplings(2);
-    damped.law = MotionLaw::Damped;
-    ForestSimulation simulation(damped);
+    ForestDescription forest = windySaplings(2);
+    forest.law = MotionLaw::ThesisSmooth;
+    ForestSimulation simulation(forest);
     run(simulation, 20);
     const std::shared_ptr<ForestSimulation> again = simulation.restarted();
     EXPECT_EQ(again->motion(1).states[3], glm::vec4(0.0f));
@@ -357,8 +357,8 @@ TEST(ForestChanges, ASpeciesIsRefusedWithTheReason) {
               "tree.levels: expected a whole number in [0, 8], found -1");
     EXPECT_EQ(simulation.description().species.size(),
               ForestSimulation(windySaplings(1)).description().species.size());
-    ForestSimulation damped(oneTree(MotionLaw::Damped));
-    EXPECT_EQ(linesOf(damped.addSpecies(sapling()).problems()),
+    ForestSimulation branchwise(oneTree(MotionLaw::ThesisSmooth));
+    EXPECT_EQ(linesOf(branchwise.addSpecies(sapling()).problems()),
               "law: trees and species come, go and change under the law modal only");
 }
 

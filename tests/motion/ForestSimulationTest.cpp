@@ -45,8 +45,7 @@ TEST(ForestSimulation, SaysWhenEachTreeIsPlaced) {
 }
 
 TEST(ForestSimulation, TipsMoveDownwind) {
-    for (const MotionLaw law :
-         {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Damped, MotionLaw::Modal})
+    for (const MotionLaw law : {MotionLaw::Thesis, MotionLaw::ThesisSmooth, MotionLaw::Modal})
         for (const glm::vec3 wind : {glm::vec3(3, 0, 0), glm::vec3(0, 3, 0), glm::vec3(-2, 2, 0)}) {
             ForestDescription forest = oneTree(law);
             forest.wind = uniform(wind);
@@ -92,10 +91,9 @@ TEST(ForestSimulation, AnglesStayWithinTheirLimits) {
     }
 }
 
-TEST(ForestSimulation, DampedTreesComeBackToRestInACalm) {
+TEST(ForestSimulation, TreesComeBackToRestInACalm) {
     for (const char* name : {"broadleaf", "conifer"}) {
         ForestDescription forest;
-        forest.law = MotionLaw::Damped;
         forest.species = {*findSpecies(name)};
         forest.trees.resize(1);
         forest.trees[0].size.height = 18.0f;
@@ -103,7 +101,7 @@ TEST(ForestSimulation, DampedTreesComeBackToRestInACalm) {
         ForestSimulation simulation(forest);
         const auto largestAngle = [&] {
             float largest = 0.0f;
-            for (const glm::vec4& state : SimulationParts::branches(simulation)->states())
+            for (const glm::vec4& state : simulation.motion(0).states)
                 largest = std::max({largest, std::abs(state.x), std::abs(state.y)});
             return largest;
         };
@@ -160,7 +158,7 @@ TEST(ForestSimulation, TreesOnAHillAndBelowTheSeaHaveTheWindOfThoseAtZero) {
     gusts.profile = series.profile;
     for (const WindFieldPtr& wind : {WindFieldPtr(TimeSeriesWind::create(series).value()),
                                      WindFieldPtr(GustWind::create(gusts).value())}) {
-        ForestDescription forest = oneTree(MotionLaw::Damped);
+        ForestDescription forest = oneTree(MotionLaw::ThesisSmooth);
         forest.wind = wind;
         forest.trees.resize(3);
         forest.trees[1].position.z = 200.0;
@@ -277,7 +275,7 @@ TEST(ForestSimulation, DescribesItsTreesApart) {
 }
 
 TEST(ForestSimulation, AnEmptyForestAdvances) {
-    for (const MotionLaw law : {MotionLaw::Damped, MotionLaw::Modal}) {
+    for (const MotionLaw law : {MotionLaw::ThesisSmooth, MotionLaw::Modal}) {
         ForestDescription none;
         none.law = law;
         ForestSimulation simulation(none);
@@ -328,7 +326,6 @@ TEST(ForestSimulation, DeflectionGrowsWithTheWindAsMeasured) {
     // mean.
     const auto rms = [](float speed) {
         ForestDescription forest;
-        forest.law = MotionLaw::Damped;
         forest.species = {defaultSpecies()};
         forest.trees.resize(1);
         forest.trees[0].size.height = 15.0f;
@@ -339,7 +336,7 @@ TEST(ForestSimulation, DeflectionGrowsWithTheWindAsMeasured) {
             return glm::vec3(speed * static_cast<float>(1.0 + gust), 0, 0);
         });
         ForestSimulation simulation(forest);
-        const std::size_t top = SimulationParts::branches(simulation)->poses().size() - 1;
+        const std::size_t top = simulation.motion(0).poses.size - 1;
         const glm::vec3 rest = tip(simulation, top);
         double sum = 0.0;
         for (int i = 0; i < 3600; ++i) {
@@ -352,20 +349,6 @@ TEST(ForestSimulation, DeflectionGrowsWithTheWindAsMeasured) {
     const double exponent = std::log(rms(12.0f) / rms(3.0f)) / std::log(4.0);
     EXPECT_GE(exponent, 1.6);
     EXPECT_LE(exponent, 2.1);
-}
-
-TEST(ForestSimulation, AGainOfThreeMovesThreeTimesAsFar) {
-    ForestDescription forest = oneTree(MotionLaw::Damped);
-    forest.species[0].wood.elasticModulus = 2.0e9f;
-    forest.wind = uniform({1.0f, 0.3f, 0});
-    ForestSimulation physical(forest);
-    forest.gain = 3.0f;
-    ForestSimulation more(forest);
-    run(physical, 300);
-    run(more, 300);
-    for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_NEAR(SimulationParts::branches(more)->states()[unit].x,
-                    3.0f * SimulationParts::branches(physical)->states()[unit].x, 1e-6f);
 }
 
 TEST(ForestSimulation, UnderModalHasNoStatePerBranchUntilATreeIsAskedFor) {

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
 
 #include <gtest/gtest.h>
 
@@ -33,29 +34,6 @@ TEST(ForestSteps, ThesisLawFollowsTheFrameRate) {
     EXPECT_NEAR(SimulationParts::branches(fast)->states()[8].x /
                     SimulationParts::branches(slow)->states()[8].x,
                 2.0f, 0.02f);
-}
-
-TEST(ForestSteps, DampedLawDoesNotFollowTheFrameRate) {
-    ForestDescription forest = oneTree(MotionLaw::Damped);
-    forest.species[0].wood.elasticModulus = 2.0e8f;
-    forest.wind = uniform({6, 2, 0});
-    ForestSimulation slow(forest), fast(forest);
-    run(slow, 40, 0.0, 1.0 / 20.0);
-    run(fast, 240, 0.0, 1.0 / 120.0);
-    for (std::size_t unit = 0; unit < 14; ++unit)
-        EXPECT_LT(glm::length(tip(slow, unit) - tip(fast, unit)), 1e-3f);
-}
-
-TEST(ForestSteps, AJumpCountsAsTheLongestStepOfTheDampedLaw) {
-    ForestDescription forest = oneTree(MotionLaw::Damped);
-    forest.wind = uniform({6, 2, 0});
-    ForestSimulation jump(forest), step(forest);
-    jump.advance(0.0);
-    jump.advance(1000.0);
-    step.advance(0.0);
-    step.advance(ForestSimulation::maxStep);
-    EXPECT_TRUE(
-        sameBits(SimulationParts::branches(jump)->states(), SimulationParts::branches(step)->states()));
 }
 
 TEST(ForestSteps, AReplacedWindShowsInTheNextStep) {
@@ -102,7 +80,7 @@ TEST(ForestSteps, AJumpIsOneStep) {
 
 TEST(ForestSteps, GustsAreFollowedAtAnyFrameRate) {
     const auto tips = [](int rate) {
-        ForestDescription forest = oneTree(MotionLaw::Damped);
+        ForestDescription forest = oneTree(MotionLaw::Modal);
         forest.species[0].wood.elasticModulus = 2.0e8f;
         forest.wind = std::make_shared<TestWind>([](const glm::vec3&, double t) {
             return glm::vec3(6.0 + 2.0 * std::sin(1.1 * t) + std::sin(2.7 * t + 1.0), std::sin(1.7 * t), 0.0);
@@ -129,8 +107,8 @@ TEST(ForestSteps, GustsAreFollowedAtAnyFrameRate) {
 }
 
 TEST(ForestSteps, BelowTenFramesASecondTreesKeepTheirTime) {
-    const auto path = [](MotionLaw law, int rate) { // of the outermost tip, second by second
-        ForestDescription forest = oneTree(law);
+    const auto path = [](int rate) { // of the outermost tip, second by second
+        ForestDescription forest = oneTree(MotionLaw::Modal);
         forest.species[0].wood.elasticModulus = 2.0e8f;
         forest.trees[0].size = {9.0f, 0.1f, 0.0f};
         forest.wind = std::make_shared<TestWind>([](const glm::vec3&, double t) {
@@ -145,18 +123,15 @@ TEST(ForestSteps, BelowTenFramesASecondTreesKeepTheirTime) {
         }
         return places;
     };
-    for (const MotionLaw law : {MotionLaw::Damped, MotionLaw::Modal}) {
-        const std::vector<glm::vec3> reference = path(law, 60);
-        float peak = 0.0f;
-        for (const glm::vec3& place : reference)
-            peak = std::max(peak, glm::length(place - reference.front()));
-        EXPECT_GT(peak, 0.05f);
-        for (const auto& [rate, share] : {std::pair(5, 0.04f), std::pair(2, 0.2f)}) {
-            const std::vector<glm::vec3> slow = path(law, rate);
-            for (std::size_t i = 0; i < slow.size(); ++i)
-                EXPECT_LT(glm::length(slow[i] - reference[i]), share * peak)
-                    << (law == MotionLaw::Damped ? "damped, " : "modal, ") << rate << " Hz, second " << i;
-        }
+    const std::vector<glm::vec3> reference = path(60);
+    float peak = 0.0f;
+    for (const glm::vec3& place : reference)
+        peak = std::max(peak, glm::length(place - reference.front()));
+    EXPECT_GT(peak, 0.05f);
+    for (const auto& [rate, share] : {std::pair(5, 0.04f), std::pair(2, 0.2f)}) {
+        const std::vector<glm::vec3> slow = path(rate);
+        for (std::size_t i = 0; i < slow.size(); ++i)
+            EXPECT_LT(glm::length(slow[i] - reference[i]), share * peak) << rate << " Hz, second " << i;
     }
 }
 
@@ -185,7 +160,7 @@ TEST(ForestSteps, UnderModalALongStepMeetsTheWindOnItsWay) {
 
 TEST(ForestSteps, AWindThatIsReplacedIsReachedWithinTheStep) {
     // From calm to 8 m/s within a long step: half of what the whole step in 8 m/s would give, roughly.
-    ForestDescription forest = oneTree(MotionLaw::Damped);
+    ForestDescription forest = oneTree(MotionLaw::Modal);
     ForestSimulation rising(forest), steady(forest);
     forest.wind = uniform({8, 0, 0});
     steady.setWind(forest.wind);
@@ -194,41 +169,8 @@ TEST(ForestSteps, AWindThatIsReplacedIsReachedWithinTheStep) {
     rising.setWind(forest.wind);
     for (ForestSimulation* simulation : {&rising, &steady})
         simulation->advance(0.1);
-    EXPECT_GT(SimulationParts::branches(rising)->states()[0].x, 0.0f);
-    EXPECT_LT(SimulationParts::branches(rising)->states()[0].x,
-              0.5f * SimulationParts::branches(steady)->states()[0].x);
-}
-
-TEST(ForestSteps, EveryStepStartsFromTheWindOfTheTimeBefore) {
-    ForestDescription forest = oneTree(MotionLaw::Damped);
-    forest.trees[0].heading = 1.5707963f; // the tree's x points north
-    forest.wind = std::make_shared<TestWind>(
-        [](const glm::vec3&, double t) { return glm::vec3(0.0f, static_cast<float>(t), 0.0f); });
-    ForestSimulation simulation(forest);
-    const auto expectWinds = [&](float before, float now) {
-        ASSERT_EQ(SimulationParts::branches(simulation)->windTexels().size(), 28u);
-        for (std::size_t unit = 0; unit < 14; ++unit) {
-            EXPECT_NEAR(SimulationParts::branches(simulation)->windTexels()[2 * unit].x, before, 1e-5f);
-            EXPECT_NEAR(SimulationParts::branches(simulation)->windTexels()[2 * unit + 1].x, now, 1e-5f);
-        }
-    };
-    simulation.advance(6.0);
-    simulation.advance(6.05);
-    expectWinds(6.0f, 6.05f);
-    simulation.advance(6.05); // a pause
-    simulation.advance(6.1);
-    expectWinds(6.05f, 6.1f);
-    simulation.advance(2.0); // back
-    simulation.advance(2.05);
-    expectWinds(2.0f, 2.05f);
-    simulation.advance(50.0); // ahead
-    simulation.advance(50.05);
-    expectWinds(50.0f, 50.05f);
-    simulation.reset();
-    expectWinds(0.0f, 0.0f);
-    simulation.advance(9.0);
-    simulation.advance(9.05);
-    expectWinds(9.0f, 9.05f);
+    EXPECT_GT(SimulationParts::modal(rising)->lean(0).x, 0.0f);
+    EXPECT_LT(SimulationParts::modal(rising)->lean(0).x, 0.5f * SimulationParts::modal(steady)->lean(0).x);
 }
 
 TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
@@ -242,15 +184,13 @@ TEST(ForestSteps, UnderModalTheFrameRateDoesNotMatter) {
 }
 
 TEST(ForestSteps, StepsOfATenthOfAMillisecondKeepTheirTime) {
-    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
-        ForestDescription forest = oneTree(law);
-        forest.wind = uniform({4, 0, 0});
-        ForestSimulation usual(forest), fast(forest);
-        const float upright = tip(usual, 1).x;
-        run(usual, 100, 0.0, 0.01);
-        run(fast, 10000, 0.0, 0.0001);
-        const float bent = tip(usual, 1).x - upright;
-        EXPECT_GT(std::abs(bent), 1e-3f);
-        EXPECT_NEAR(tip(fast, 1).x - upright, bent, 0.03f * std::abs(bent));
-    }
+    ForestDescription forest = oneTree(MotionLaw::Modal);
+    forest.wind = uniform({4, 0, 0});
+    ForestSimulation usual(forest), fast(forest);
+    const float upright = tip(usual, 1).x;
+    run(usual, 100, 0.0, 0.01);
+    run(fast, 10000, 0.0, 0.0001);
+    const float bent = tip(usual, 1).x - upright;
+    EXPECT_GT(std::abs(bent), 1e-3f);
+    EXPECT_NEAR(tip(fast, 1).x - upright, bent, 0.03f * std::abs(bent));
 }

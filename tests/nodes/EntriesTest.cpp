@@ -78,7 +78,7 @@ TEST_F(EntriesTest, aFolderInPlaceOfATileLeavesAHoleAndHeals) {
 TEST_F(EntriesTest, aWindThatThrowsLeavesTheForestStill) {
     for (const auto& wind :
          {failingAfter(1.0, std::runtime_error("no wind there")), failingAfter(1.0, std::bad_alloc())})
-        for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+        for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::ThesisSmooth}) {
             ForestDescription description = smallForest(4);
             description.law = law;
             description.wind = std::make_shared<FunctionWind>(wind);

@@ -67,7 +67,7 @@ TEST_P(ForestOptimizerTest, leavesABranchThatWasAskedForAndIsStillEmpty) {
 }
 
 TEST_P(ForestOptimizerTest, leavesAStaticTransformAboveTheForest) {
-    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::ThesisSmooth}) {
         osg::ref_ptr<osg::Group> scene = new osg::Group;
         osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform(osg::Matrix::translate(70, 0, 0));
         place->setDataVariance(osg::Object::STATIC);

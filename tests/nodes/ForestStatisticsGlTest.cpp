@@ -60,7 +60,7 @@ TEST_F(ForestStatisticsGlTest, nothingWhereNobodyLooks) {
 
 TEST_F(ForestStatisticsGlTest, aLawOfABranchHasNoTiers) {
     ForestDescription forest = smallForest(4);
-    forest.law = MotionLaw::Damped;
+    forest.law = MotionLaw::ThesisSmooth;
     show(forest);
     viewer().getViewerStats()->collectStats("update", true);
     frame(0.0);

@@ -29,7 +29,7 @@ struct CountedForest {
 
     CountedForest() {
         ForestDescription description = smallForest(1);
-        description.law = MotionLaw::Damped; // asks once for each unit
+        description.law = MotionLaw::ThesisSmooth; // asks once for each unit
         auto count = asked;
         description.wind = std::make_shared<FunctionWind>([count](const glm::vec3&, double) {
             ++*count;
@@ -127,9 +127,9 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
 
 TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
-    ForestDescription damped = smallForest(2);
-    damped.law = MotionLaw::Damped;
-    EXPECT_TRUE(forest->setDescription(damped).empty());
+    ForestDescription ofBranches = smallForest(2);
+    ofBranches.law = MotionLaw::ThesisSmooth;
+    EXPECT_TRUE(forest->setDescription(ofBranches).empty());
     EXPECT_EQ(forest->getStand(), nullptr);
     ASSERT_NE(forest->getBranchwise(), nullptr);
     EXPECT_EQ(forest->branch(TreeId(1), 2).value(),

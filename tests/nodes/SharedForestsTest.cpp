@@ -111,7 +111,7 @@ TEST(SharedForests, keepNothingWhenTheyAreGone) {
 
 TEST(SharedForests, shareUnderALawOfABranchToo) {
     ForestDescription description = smallForest(2);
-    description.law = MotionLaw::Damped;
+    description.law = MotionLaw::ThesisSmooth;
     const osg::ref_ptr<Forest> one = new Forest(description), other = new Forest(description);
     EXPECT_EQ(SimulationParts::models(one->getSimulation()), SimulationParts::models(other->getSimulation()));
     EXPECT_EQ(BranchwiseParts::buffers(*one->getBranchwise(), 0).skin(),

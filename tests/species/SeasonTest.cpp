@@ -129,7 +129,7 @@ TEST(Season, ABroadleafSwaysFasterAndLongerInWinterAndASpruceTheSame) {
 }
 
 TEST(Season, AForestFollowsItAsIfMadeInIt) {
-    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped, MotionLaw::Thesis}) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Thesis}) {
         ForestSimulation changed(wood(midsummer, law)), made(wood(midwinter, law)),
             summer(wood(midsummer, law));
         changed.setSeason(midwinter);

@@ -187,44 +187,34 @@ TEST_F(BenchTest, MeasuresLawsAndWinds) {
         EXPECT_GE(kernel["threads"], 1);
         EXPECT_NE(outcome.out.find("| " + kernel["name"].get<std::string>() + " | "), std::string::npos);
     }
-    EXPECT_GE(groups["laws"], 14); // and one for each set of instructions beyond the first
+    EXPECT_GE(groups["laws"], 10); // and one for each set of instructions beyond the first
     EXPECT_EQ(groups["winds"], 11);
 }
 
-TEST_F(BenchTest, MeasuresWholeTreesUnderDampedAndModal) {
+TEST_F(BenchTest, MeasuresWholeTrees) {
     std::map<std::string, json> kernels;
     for (const json& kernel : report["kernels"])
         kernels[kernel["name"]] = kernel;
-    for (const char* name :
-         {"damped tree", "damped tree, gusts", "damped tree, gusts, poses", "modal", "modal, gusts",
-          "modal, all cores", "modal, gusts, all cores", "modal, poses", "modal step, baseline"}) {
+    for (const char* name : {"modal", "modal, gusts", "modal, all cores", "modal, gusts, all cores",
+                             "modal, poses", "modal step, baseline"}) {
         ASSERT_EQ(kernels.count(name), 1u) << name;
         EXPECT_EQ(kernels[name]["group"], "laws") << name;
         EXPECT_EQ(kernels[name]["element"], "tree") << name;
     }
     EXPECT_EQ(kernels["modal, gusts"]["threads"], 1);
-    EXPECT_GT(report["dampedOverModal"]["calm"]["median"], 0.0);
-    EXPECT_GT(report["dampedOverModal"]["gusts"]["median"], 0.0);
-    EXPECT_NE(outcome.out.find("\na tree under damped over one under modal: "), std::string::npos);
 }
 
-TEST_F(BenchTest, StepsAForestUnderModalBesideOneUnderDamped) {
-    const json& forests = report["forests"];
-    EXPECT_EQ(forests["damped"]["forest"], "made trees");
-    EXPECT_EQ(forests["damped"]["law"], "damped");
-    EXPECT_EQ(forests["damped"]["trees"], 1233);
-    EXPECT_EQ(forests["modal"]["law"], "modal");
-    EXPECT_EQ(forests["modal"]["trees"], 300);
-    EXPECT_EQ(forests["modal"]["nearTrees"], 6);
-    EXPECT_GT(forests["modal"]["archetypes"], 5);
-    EXPECT_GT(forests["modal"]["archetypeBytes"], forests["modal"]["archetypes"]);
-    EXPECT_GT(forests["modal"]["stateBytesPerTree"], 100);
-    for (const char* forest : {"damped", "modal"})
-        for (const char* time : {"stepMs", "oneCoreStepMs"})
-            EXPECT_LE(forests[forest][time]["p10"], forests[forest][time]["p90"]);
-    EXPECT_GT(forests["modalOverDamped"]["median"], 0.0);
-    EXPECT_NE(outcome.out.find("\n| made trees | modal | 300 | "), std::string::npos) << outcome.out;
-    EXPECT_NE(outcome.out.find("\nmodal over damped: "), std::string::npos) << outcome.out;
+TEST_F(BenchTest, StepsAForest) {
+    const json& forest = report["forests"];
+    EXPECT_EQ(forest["forest"], "made trees");
+    EXPECT_EQ(forest["trees"], 300);
+    EXPECT_EQ(forest["nearTrees"], 6);
+    EXPECT_GT(forest["archetypes"], 5);
+    EXPECT_GT(forest["archetypeBytes"], forest["archetypes"]);
+    EXPECT_GT(forest["stateBytesPerTree"], 100);
+    for (const char* time : {"stepMs", "oneCoreStepMs"})
+        EXPECT_LE(forest[time]["p10"], forest[time]["p90"]);
+    EXPECT_NE(outcome.out.find("\n| made trees | 300 | "), std::string::npos) << outcome.out;
 }
 
 /// Trees drawn by all tiers.
@@ -286,20 +276,19 @@ TEST(BenchUsageTest, LawsNeedNoGraphics) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
     EXPECT_TRUE(report["results"].empty());
-    EXPECT_GE(report["kernels"].size(), 14u);
+    EXPECT_GE(report["kernels"].size(), 10u);
     EXPECT_TRUE(report["forests"].is_null());
 }
 
-TEST(BenchUsageTest, StepsTheForestOfAFileUnderDamped) {
+TEST(BenchUsageTest, StepsTheForestOfAFile) {
     const TemporaryFolder folder;
-    const Outcome outcome = runTool({"bench", "--stage", "forests", "--frames", "1", "--forest-trees", "10",
-                                     "--forest", example("thesis.treewind"), "-o", "r.json"},
+    const Outcome outcome = runTool({"bench", "--stage", "forests", "--frames", "1", "--forest",
+                                     example("thesis.treewind"), "-o", "r.json"},
                                     folder.path());
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const json forests = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false)["forests"];
-    EXPECT_EQ(forests["damped"]["forest"], example("thesis.treewind"));
-    EXPECT_EQ(forests["damped"]["law"], "damped");
-    EXPECT_EQ(forests["damped"]["units"], 122);
+    EXPECT_EQ(forests["forest"], example("thesis.treewind"));
+    EXPECT_EQ(forests["units"], 122);
 }
 
 TEST_F(BenchTest, DrawsAChartOfEveryStage) {

@@ -146,10 +146,6 @@ void BranchwiseForest::showSeason() {
 
 void BranchwiseForest::seasonChanged() {
     showSeason();
-    if (_prePass) { // what units are to the law has changed
-        useCpuAngles();
-        startPasses();
-    }
 }
 
 osg::Node* BranchwiseForest::getTree(unsigned index) const {
@@ -293,8 +289,8 @@ bool BranchwiseForest::stepOnCpu(double time) {
 
 bool BranchwiseForest::stepOnGpu(double time) {
     const bool moved = _prePass->readBack(*SimulationParts::branches(*_simulation));
-    if (const std::optional<float> seconds = SimulationParts::beginStep(*_simulation, time))
-        _prePass->step(*SimulationParts::branches(*_simulation), time, *seconds);
+    if (SimulationParts::beginStep(*_simulation, time))
+        _prePass->step(*SimulationParts::branches(*_simulation), time);
     else
         _prePass->hold();
     return moved;

@@ -9,11 +9,9 @@ AnglePrePass::AnglePrePass(const BranchwiseMotion& motion)
     : _node(new OncePerFrame), _branchReadback(new AngleReadback), _leafReadback(new AngleReadback),
       _branches("branchwise/branch_angles", motion.states(), _branchReadback),
       _leaves("branchwise/leaf_angles", motion.leaves().states(), _leafReadback),
-      _wind("wind", 2 * motion.forest().units),
-      _branchParameters("branch parameters", 3 * motion.forest().units),
+      _wind("wind", motion.forest().units), _branchParameters("branch parameters", 3 * motion.forest().units),
       _leafParameters("leaf parameters", motion.forest().leaves),
-      _species("species", speciesTexels(motion.forest().description(), 0.0).size()),
-      _seconds(new osg::Uniform("seconds", 0.0f)) {
+      _species("species", speciesTexels(motion.forest().description(), 0.0).size()) {
     _branchParameters.fill(branchTexels(motion.forest(), motion));
     _leafParameters.fill(leafTexels(motion.forest()));
 
@@ -22,7 +20,6 @@ AnglePrePass::AnglePrePass(const BranchwiseMotion& motion)
     bindData(_branches.inputs(), "speciesTexels", 3, _species.texture());
     _branches.inputs().addUniform(
         new osg::Uniform("motionLaw", static_cast<int>(motion.forest().description().law)));
-    _branches.inputs().addUniform(_seconds);
     bindData(_leaves.inputs(), "leafParameters", 1, _leafParameters.texture());
     bindData(_leaves.inputs(), "speciesTexels", 2, _species.texture());
 
@@ -31,10 +28,9 @@ AnglePrePass::AnglePrePass(const BranchwiseMotion& motion)
     _node->addChild(_leaves.node());
 }
 
-void AnglePrePass::step(const BranchwiseMotion& motion, double time, float seconds) {
+void AnglePrePass::step(const BranchwiseMotion& motion, double time) {
     _wind.fill(motion.windTexels());
     _species.fill(speciesTexels(motion.forest().description(), time));
-    _seconds->set(seconds);
     _branches.step();
     _leaves.step();
 }
@@ -47,12 +43,12 @@ void AnglePrePass::hold() {
 bool AnglePrePass::readBack(BranchwiseMotion& motion) {
     if (_leafReadback->take(_states)) {
         _leaves.startFrom(_states);
-        motion.leaves().setStates(_states.data());
+        motion.leaves().takeStates(_states);
     }
     if (!_branchReadback->take(_states))
         return false;
     _branches.startFrom(_states);
-    motion.setStates(_states.data());
+    motion.takeStates(_states);
     return true;
 }
 

@@ -21,9 +21,9 @@ public:
     /// To be culled with the forest; no child of any node.
     osg::Node* node() const { return _node.get(); }
 
-    /// Has the next frame take a step, in the wind that ForestSimulation::beginStep() sampled.
-    /// @param time, seconds as of that call.
-    void step(const BranchwiseMotion& motion, double time, float seconds);
+    /// Has the next frame take a step, in the wind that SimulationParts::beginStep() sampled.
+    /// @param time as of that call.
+    void step(const BranchwiseMotion& motion, double time);
     /// Has the next frame keep the angles.
     void hold();
 
@@ -41,7 +41,6 @@ private:
     osg::ref_ptr<AngleReadback> _branchReadback, _leafReadback;
     AnglePass _branches, _leaves;
     DataTexture _wind, _branchParameters, _leafParameters, _species;
-    osg::ref_ptr<osg::Uniform> _seconds;
     std::vector<glm::vec4> _states; ///< As read back.
 };
 

@@ -10,7 +10,6 @@ namespace osgTreeWind {
 namespace {
 
 // The constructors in branch_angles.frag and leaf_angles.frag take as many.
-static_assert(sizeof(Laws::DampedBranch) == 12 * sizeof(float));
 static_assert(sizeof(Laws::ThesisBranch) == 5 * sizeof(float));
 static_assert(sizeof(Laws::ThesisLeaf) == 6 * sizeof(float));
 
@@ -41,10 +40,6 @@ glm::vec4 noiseSource(const PlacedTree& tree, std::size_t index) {
 std::vector<glm::vec4> branchTexels(const PlacedForest& forest, const BranchwiseMotion& branches) {
     std::vector<glm::vec4> texels;
     texels.reserve(3 * forest.units);
-    for (const Laws::DampedBranch& branch : branches.dampedBranches())
-        append<3>(texels, branch);
-    if (branches.thesisBranches().empty())
-        return texels;
     for (const PlacedTree& tree : forest.trees)
         for (std::size_t unit = 0; unit < forest.unitsOf(tree); ++unit) {
             append<2>(texels, branches.thesisBranches()[tree.firstUnit + unit]);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
-#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/model/ThesisAxes.h>
-#include <osgTreeWind/motion/branchwise/DampedBranches.h>
 #include <osgTreeWind/motion/branchwise/ThesisParts.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 #include <osgTreeWind/motion/laws/Rotations.h>
@@ -17,9 +15,15 @@ namespace osgTreeWind {
 BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, bool leaves,
                                    const std::function<void()>& placed)
     : _forest(forest), _withLeaves(leaves), _leaves(forest, leaves), _winds(forest.units),
-      _windTexels(2 * forest.units), _states(forest.units), _rotations(forest.units), _poses(forest.units) {
+      _windTexels(forest.units), _states(forest.units), _rotations(forest.units), _poses(forest.units) {
     for (const PlacedTree& tree : _forest.trees) {
-        addBranches(tree);
+        const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+        for (const BranchUnit& unit : _forest.modelOf(tree).skeleton.units) {
+            _windPlaces.emplace_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine),
+                                     tree.position.z);
+            _windPlaces.back().inCrown = true;
+            _branches.push_back(makeThesisBranch(unit, tree.scale, _forest.speciesOf(tree)));
+        }
         if (placed)
             placed();
     }
@@ -28,38 +32,6 @@ BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, bool leaves,
 
 std::unique_ptr<Motion> BranchwiseMotion::restarted(const PlacedForest& forest) const {
     return std::make_unique<BranchwiseMotion>(forest, _withLeaves);
-}
-
-Diagnostic BranchwiseMotion::fixed() {
-    return keyProblem("law", "trees and species come, go and change under the law modal only");
-}
-
-void BranchwiseMotion::followSeason() {
-    _thesisBranches.clear();
-    _dampedBranches.clear();
-    _windPlaces.clear();
-    for (const PlacedTree& tree : _forest.trees)
-        addBranches(tree);
-}
-
-void BranchwiseMotion::addBranches(const PlacedTree& tree) {
-    const TreeModel& model = _forest.modelOf(tree);
-    const Species& species = _forest.speciesOf(tree);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
-    for (const BranchUnit& unit : model.skeleton.units) {
-        _windPlaces.emplace_back(tree.position + turnHeading(tree.scale.axes * unit.base, sine, cosine),
-                                 tree.position.z);
-        _windPlaces.back().inCrown = true;
-    }
-    if (damped()) {
-        for (const Laws::DampedBranch& branch : makeDampedBranches(model, tree.scale, species, tree.leaves)) {
-            _windPlaces[_dampedBranches.size()].position.z = tree.position.z + branch.windHeight;
-            _dampedBranches.push_back(exaggerated(branch, _forest.description().gain));
-        }
-    } else {
-        for (const BranchUnit& unit : model.skeleton.units)
-            _thesisBranches.push_back(makeThesisBranch(unit, tree.scale, species));
-    }
 }
 
 void BranchwiseMotion::reset() {
@@ -78,27 +50,23 @@ void BranchwiseMotion::meet(const WindField* wind, double time) {
         std::fill(_winds.begin(), _winds.end(), glm::vec3(0.0f));
     for (const PlacedTree& tree : _forest.trees) {
         const float sine = std::sin(-tree.heading), cosine = std::cos(-tree.heading);
-        for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitsOf(tree); ++i) {
-            _windTexels[2 * i] = _windTexels[2 * i + 1];
-            _windTexels[2 * i + 1] = glm::vec4(turnHeading(_winds[i], sine, cosine), 0.0f);
-        }
+        for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitsOf(tree); ++i)
+            _windTexels[i] = glm::vec4(turnHeading(_winds[i], sine, cosine), 0.0f);
     }
 }
 
-void BranchwiseMotion::step(const WindField* wind, double time, float seconds) {
+void BranchwiseMotion::step(const WindField* wind, double time, float) {
     meet(wind, time);
     for (const PlacedTree& tree : _forest.trees) {
-        if (damped())
-            swing(tree, seconds);
-        else
-            turn(tree, time);
+        turn(tree, time);
         pose(tree);
     }
     _leaves.step(time);
 }
 
-void BranchwiseMotion::setStates(const glm::vec4* states) {
-    std::copy(states, states + _states.size(), _states.begin());
+void BranchwiseMotion::takeStates(std::vector<glm::vec4>& states) {
+    states.resize(_states.size());
+    _states.swap(states);
     for (const PlacedTree& tree : _forest.trees)
         pose(tree);
 }
@@ -124,28 +92,17 @@ void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
             noise[static_cast<int>(axis)] =
                 laws.motionNoise(laws.noiseStream(tree.seed, unit, axis), now.cell, now.fraction, now.gain);
         const std::size_t i = tree.firstUnit + unit;
-        const glm::vec3 air = toThesis(glm::vec3(_windTexels[2 * i + 1]));
+        const glm::vec3 air = toThesis(glm::vec3(_windTexels[i]));
         _states[i] = _forest.description().law == MotionLaw::Thesis
-                         ? laws.thesisBranchStep(_states[i], air, noise, _thesisBranches[i])
-                         : laws.thesisSmoothBranchStep(_states[i], air, noise, _thesisBranches[i]);
-    }
-}
-
-void BranchwiseMotion::swing(const PlacedTree& tree, float seconds) {
-    Laws laws;
-    for (std::size_t i = tree.firstUnit; i < tree.firstUnit + _forest.unitsOf(tree); ++i) {
-        const Laws::DampedBranch& branch = _dampedBranches[i];
-        const glm::vec2 before = laws.windAcross(glm::vec3(_windTexels[2 * i]), branch.direction);
-        const glm::vec2 now = laws.windAcross(glm::vec3(_windTexels[2 * i + 1]), branch.direction);
-        _states[i] = laws.dampedBranchStep(_states[i], before, now, branch, seconds);
+                         ? laws.thesisBranchStep(_states[i], air, noise, _branches[i])
+                         : laws.thesisSmoothBranchStep(_states[i], air, noise, _branches[i]);
     }
 }
 
 void BranchwiseMotion::pose(const PlacedTree& tree) {
     const std::size_t first = tree.firstUnit;
     for (std::size_t i = first; i < first + _forest.unitsOf(tree); ++i)
-        _rotations[i] =
-            damped() ? dampedRotation(_states[i], _dampedBranches[i].direction) : branchRotation(_states[i]);
+        _rotations[i] = branchRotation(_states[i]);
     composePoses(_forest.modelOf(tree).skeleton, tree.scale, _rotations.data() + first,
                  _poses.data() + first);
 }

@@ -35,8 +35,9 @@ void LeafFlutter::step(double time) {
     }
 }
 
-void LeafFlutter::setStates(const glm::vec4* states) {
-    std::copy(states, states + _states.size(), _states.begin());
+void LeafFlutter::takeStates(std::vector<glm::vec4>& states) {
+    states.resize(_states.size());
+    _states.swap(states);
 }
 
 } // namespace osgTreeWind

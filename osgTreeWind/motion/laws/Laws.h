@@ -42,8 +42,6 @@ struct Laws {
 
 #include <shaders/law/oscillator.glsl>
 
-#include <shaders/law/damped_branch.glsl>
-
 #include <shaders/law/modal.glsl>
 
 #include <shaders/law/reconfiguration.glsl>

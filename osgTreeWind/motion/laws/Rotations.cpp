@@ -17,8 +17,8 @@ glm::quat branchRotation(const glm::vec4& state) {
     return asQuat(Laws().branchRotation(state.x, state.y));
 }
 
-glm::quat dampedRotation(const glm::vec4& state, const glm::vec3& direction) {
-    return asQuat(Laws().dampedRotation(state.x, state.y, direction));
+glm::quat swungRotation(const glm::vec2& angles, const glm::vec3& direction) {
+    return asQuat(Laws().swungRotation(angles.x, angles.y, direction));
 }
 
 glm::quat leafRotation(const glm::vec4& state) {

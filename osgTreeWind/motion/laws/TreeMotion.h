@@ -28,8 +28,7 @@ struct TreeMotion {
     Span<UnitPose> poses;      ///< Per unit, in the tree's frame.
     Span<glm::quat> rotations; ///< Per unit: its own turn about its base, in the tree's rest axes.
     /// Per unit: (angleXY, angleYZ, wind.x, wind.z), thesis axes of the tree's own frame; for the law
-    /// `damped` the angles about both axes of the branch, radians, and their speeds; for `modal` those
-    /// angles, 0, 0.
+    /// `modal` the angles about both axes of the branch, radians, 0, 0.
     Span<glm::vec4> states;
     Span<glm::vec3> winds; ///< Per unit: the wind that it was given last, scene axes, m/s.
     /// Per leaf cluster: (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame; for

@@ -4,7 +4,6 @@
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/model/MeasureTree.h>
-#include <osgTreeWind/motion/laws/AxisPaces.h>
 #include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/ScaledUnit.h>
 #include <osgTreeWind/species/GrowthLaws.h>
@@ -118,6 +117,12 @@ void addStiffness(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& u
 }
 
 } // namespace
+
+double jointStiffness(double elasticModulus, double d0, double d1, double length, double reach) {
+    const double q0 = reach / d0, q1 = (reach - length) / d1;
+    return 3.0 * glm::pi<double>() * elasticModulus * d0 * d1 * reach * reach /
+           (64.0 * length * (q0 * q0 + q0 * q1 + q1 * q1));
+}
 
 double breastDiameter(const TreeModel& model, const TreeScale& scale) {
     return std::sqrt(4.0 * static_cast<double>(trunkSection(model.skeleton, scale)) /

@@ -9,7 +9,7 @@
 
 namespace osgTreeWind {
 
-/// What one unit bears by itself and what holds it, SI units: what all laws in SI units have in common.
+/// What one unit bears by itself and what holds it, SI units.
 struct UnitLoad {
     float woodMass = 0.0f;  ///< Fresh, with bark, kg.
     float leafArea = 0.0f;  ///< m^2.
@@ -31,6 +31,13 @@ std::vector<UnitLoad> makeUnitLoads(const TreeModel& model, const TreeScale& sca
 /// The same as far as the air goes, in a fraction of the time: areas and drags alone are right.
 std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scale, const Species& species,
                                    float leaves = 1.0f);
+
+/// Stiffness over angle of one unit, N m/rad: the joint at its base that moves the tip of its axis as the
+/// bent wood of the unit would under a force there (Euler-Bernoulli, round section, diameter linear from d0
+/// to d1): K = R^2 / integral of (R - s)^2 / (E I(s)) ds. For the last unit of an axis, R = length, it is 3
+/// pi E d0^3 d1 / (64 length).
+/// @param reach R, base of the unit to the tip of its axis, metres, >= length.
+double jointStiffness(double elasticModulus, double d0, double d1, double length, double reach);
 
 /// Diameter of its trunk at breast height, metres.
 double breastDiameter(const TreeModel& model, const TreeScale& scale);

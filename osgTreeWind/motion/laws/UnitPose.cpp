@@ -14,7 +14,7 @@ UnitPose carriedPose(const UnitPose& parent, const glm::quat& rotation, const gl
 }
 
 glm::quat swungRotation(const BranchUnit& unit, const TreeScale& scale, const glm::vec2& angles) {
-    return dampedRotation(glm::vec4(angles, 0.0f, 0.0f), ScaledUnit(unit, scale).direction());
+    return swungRotation(angles, ScaledUnit(unit, scale).direction());
 }
 
 void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,

@@ -19,10 +19,10 @@ UnitPose carriedPose(const UnitPose& parent, const glm::quat& rotation, const gl
 void composePoses(const Skeleton& skeleton, const TreeScale& scale, const glm::quat* rotations,
                   UnitPose* poses);
 
-/// The turn of a unit from its angles about its own two axes (laws `damped` and `modal`).
+/// The turn of a unit from its angles about its own two axes (law `modal`).
 glm::quat swungRotation(const BranchUnit& unit, const TreeScale& scale, const glm::vec2& angles);
 
-/// The same from the angles of each unit about its own two axes (laws `damped` and `modal`), with the
+/// The same from the angles of each unit about its own two axes (law `modal`), with the
 /// rotations on the way.
 void swingPoses(const Skeleton& skeleton, const TreeScale& scale, const glm::vec2* angles,
                 glm::quat* rotations, UnitPose* poses);

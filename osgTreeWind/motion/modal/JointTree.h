@@ -47,7 +47,7 @@ struct JointTree {
     glm::dvec3 displacement(const Point& point, std::size_t link, std::size_t axis) const;
 };
 
-/// The joints of a tree model: a link a unit, with the axes, the springs and the loads of the law `damped`.
+/// The joints of a tree model: a link a unit, with the axes, the springs and the loads of UnitLoads.h.
 /// Wood moves as a bent beam does within its own unit, so that a pole of one unit has its pace within 2 %.
 /// @param leaves share of its leaves that the tree bears, 0 bare to 1.
 JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Species& species,

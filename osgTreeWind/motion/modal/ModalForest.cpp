@@ -98,15 +98,9 @@ void ModalForest::followLeaves(const std::vector<std::size_t>& slots) {
         _sway.replace(slot, swaying(_forest.trees[slot]));
 }
 
-Diagnostics ModalForest::remove(std::size_t slot) {
+void ModalForest::remove(std::size_t slot) {
     _sway.remove(slot);
     _values.erase(slot);
-    return {};
-}
-
-Diagnostics ModalForest::replace(std::size_t slot, const PlacedTree& tree) {
-    _sway.replace(slot, swaying(tree));
-    return {};
 }
 
 UnitValues& ModalForest::valuesOf(std::size_t slot) const {
@@ -131,10 +125,8 @@ TreeMotion ModalForest::motion(std::size_t slot, UnitValues& values) const {
         values.states[i] = glm::vec4(values.angles[i], 0.0f, 0.0f);
     swingPoses(skeleton, tree.scale, values.angles.data(), values.rotations.data(), values.poses.data());
     if (const TreeFall* fall = _sway.fall(slot)) {
-        for (std::size_t i = 0; i < fall->count; ++i) {
-            glm::quat& rotation = values.rotations[fall->parts[i].unit];
-            rotation = fall->parts[i].rotation() * rotation;
-        }
+        for (std::size_t unit = 0; unit < units; ++unit)
+            values.rotations[unit] = fall->turned(unit, values.rotations[unit]);
         composePoses(skeleton, tree.scale, values.rotations.data(), values.poses.data());
     }
     if (_withLeaves) {

@@ -16,9 +16,7 @@ public:
     /// @param leaves whether they flutter.
     ModalForest(const PlacedForest& forest, ModalLevel level, bool leaves, Executor executor);
 
-    ModalMotion& sway() { return _sway; }
-    const ModalMotion& sway() const { return _sway; }
-
+    ModalMotion* modal() override { return &_sway; }
     std::unique_ptr<Motion> restarted(const PlacedForest& forest) const override;
     void setExecutor(Executor executor) override { _sway.setExecutor(std::move(executor)); }
     void meet(const WindField* wind, double time) override;
@@ -30,9 +28,16 @@ public:
     void followSeason() override;
     static constexpr std::size_t treesAtOnce = 256, archetypesAtOnce = 2;
     void followLeaves(const std::vector<std::size_t>& slots) override;
-    Result<std::size_t> add(const PlacedTree& tree) override { return _sway.add(swaying(tree)); }
-    Diagnostics remove(std::size_t slot) override;
-    Diagnostics replace(std::size_t slot, const PlacedTree& tree) override;
+    void runUp(const std::vector<std::size_t>& slots, const WindField* wind, double time,
+               float seconds) override {
+        _sway.runUp(slots, wind, time, seconds);
+    }
+    Diagnostics fixed() const override { return {}; }
+    std::size_t add(const PlacedTree& tree) override { return _sway.add(swaying(tree)); }
+    void remove(std::size_t slot) override;
+    void replace(std::size_t slot, const PlacedTree& tree) override { _sway.replace(slot, swaying(tree)); }
+    const TreeFall* fall(std::size_t slot) const override { return _sway.fall(slot); }
+    void putUpright(std::size_t slot) override { _sway.putUpright(slot); }
     TreeMotion motion(std::size_t slot) const override;
     TreeMotion motion(std::size_t slot, UnitValues& values) const override;
     UnitMotion unitMotion(std::size_t slot, std::size_t unit) const override;

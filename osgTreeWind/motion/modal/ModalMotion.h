@@ -86,7 +86,7 @@ public:
     /// What the pose is a matrix times: amplitudes of the modes, then forces of the air on the patches.
     /// @param vector model(tree).columns() elements.
     void poseVector(std::size_t tree, float* vector) const;
-    /// Angles of each unit about its two axes as the tree stands (those of `damped`), held within the
+    /// Angles of each unit about its two axes as the tree stands, held within the
     /// species' largest. @param angles one per unit.
     void angles(std::size_t tree, glm::vec2* angles) const;
     /// Those of one unit. @param vector poseVector() of the tree.

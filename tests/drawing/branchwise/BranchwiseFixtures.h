@@ -5,6 +5,6 @@
 
 /// The same trees under a law of a branch.
 inline osgTreeWind::ForestDescription branchwise(osgTreeWind::ForestDescription description) {
-    description.law = osgTreeWind::MotionLaw::Damped;
+    description.law = osgTreeWind::MotionLaw::ThesisSmooth;
     return description;
 }

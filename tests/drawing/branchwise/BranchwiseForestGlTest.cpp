@@ -50,9 +50,9 @@ protected:
     int now = 0;
 };
 
-ForestDescription dampedForest(int trees) {
+ForestDescription branchwiseForest(int trees) {
     ForestDescription description = smallForest(trees);
-    description.law = MotionLaw::Damped;
+    description.law = MotionLaw::ThesisSmooth;
     return description;
 }
 
@@ -85,7 +85,7 @@ TEST_F(BranchwiseForestGlTest, theExampleOfTheThesisDoesThePublishedWay) {
 }
 
 TEST_F(BranchwiseForestGlTest, keepsNothingAboveItFromBeingCulled) {
-    start(dampedForest(2));
+    start(branchwiseForest(2));
     frames(1);
     EXPECT_EQ(scene->getNumChildrenWithCullingDisabled(), 0u) << "by the probe";
     frames(3);
@@ -98,7 +98,7 @@ TEST_F(BranchwiseForestGlTest, keepsNothingAboveItFromBeingCulled) {
 }
 
 TEST_F(BranchwiseForestGlTest, outOfSightItKeepsItsStatesAndGoesOnFromThem) {
-    start(dampedForest(2));
+    start(branchwiseForest(2));
     frames(20);
     look(false);
     frames(2); // the last states come back
@@ -117,7 +117,7 @@ TEST_F(BranchwiseForestGlTest, outOfSightItKeepsItsStatesAndGoesOnFromThem) {
 }
 
 TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
-    const ForestDescription description = dampedForest(1);
+    const ForestDescription description = branchwiseForest(1);
     start(description);
     forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
     frames(30);
@@ -136,7 +136,7 @@ TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
 
 TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
     for (const bool published : {true, false}) {
-        start(dampedForest(2));
+        start(branchwiseForest(2));
         if (!published) {
             forest->getBranchwise()->setBranchDrawing(BranchwiseForest::TREE_DRAWING);
             forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
@@ -155,7 +155,7 @@ TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
 }
 
 TEST_F(BranchwiseForestGlTest, billboardsLookLikeTheTrees) {
-    ForestDescription calm = dampedForest(3);
+    ForestDescription calm = branchwiseForest(3);
     calm.wind = nullptr;
     double seen[2] = {};
     for (const bool pictures : {false, true}) {
@@ -171,7 +171,7 @@ TEST_F(BranchwiseForestGlTest, billboardsLookLikeTheTrees) {
 }
 
 TEST_F(BranchwiseForestGlTest, leavesKeepTheirShadeWhenATreeIsAdded) {
-    ForestDescription calm = dampedForest(3);
+    ForestDescription calm = branchwiseForest(3);
     calm.wind = nullptr;
     ForestDescription more = calm;
     TreePlacement behind = calm.trees[0];
@@ -191,12 +191,12 @@ class BranchwiseThreadingGlTest
       public ::testing::WithParamInterface<osgViewer::ViewerBase::ThreadingModel> {};
 
 TEST_P(BranchwiseThreadingGlTest, aForestMayGoWhileItsFrameIsDrawn) {
-    start(dampedForest(1));
+    start(branchwiseForest(1));
     viewer().setThreadingModel(GetParam());
     for (int i = 0; i < 40; ++i) {
         frames(4);
         scene->removeChild(forest);
-        forest = new Forest(dampedForest(1 + i % 2)); // the former one is gone
+        forest = new Forest(branchwiseForest(1 + i % 2)); // the former one is gone
         scene->addChild(forest);
     }
     frames(4);

@@ -16,7 +16,7 @@ ForestDescription referenceTrees(std::size_t trees) {
     ForestDescription description;
     description.species = {Species()};
     description.trees.resize(trees);
-    description.law = MotionLaw::Damped;
+    description.law = MotionLaw::ThesisSmooth;
     return description;
 }
 

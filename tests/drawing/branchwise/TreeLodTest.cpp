@@ -20,7 +20,7 @@ class TreeLodTest : public ::testing::Test {
 protected:
     TreeLodTest() {
         ForestDescription description = smallForest(1);
-        description.law = MotionLaw::Damped;
+        description.law = MotionLaw::ThesisSmooth;
         forest = new Forest(description);
         forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
         tree = BranchwiseParts::tree(*forest->getBranchwise(), 0);

@@ -235,7 +235,7 @@ TEST_F(TreeStandGlTest, aProgramOfOnesOwnReplacesOurs) {
 }
 
 TEST_F(TreeStandGlTest, aProgramThatAHostOverridesAboveLeavesTreesAlone) {
-    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::Damped}) {
+    for (const MotionLaw law : {MotionLaw::Modal, MotionLaw::ThesisSmooth}) {
         ForestDescription description = smallForest(4);
         description.law = law;
         osg::ref_ptr<osg::Group> host = new osg::Group;

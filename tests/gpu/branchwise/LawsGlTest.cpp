@@ -4,10 +4,8 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
 #include <osgTreeWind/gpu/branchwise/AngleReadback.h>
-#include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/motion/branchwise/DampedBranches.h>
+#include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 
 #include <algorithm>
@@ -58,8 +56,7 @@ private:
         for (const char* file :
              {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
               "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
-              "law/flutter.glsl", "law/oscillator.glsl", "law/damped_branch.glsl", "law/modal.glsl",
-              "law/reconfiguration.glsl"})
+              "law/flutter.glsl", "law/oscillator.glsl", "law/modal.glsl", "law/reconfiguration.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
                 "void main() {\n"
@@ -221,50 +218,6 @@ TEST_F(LawsGlTest, LeafAgreesWithTheCpu) {
             << i;
 }
 
-TEST_F(LawsGlTest, DampedBranchesOfAllSpeciesAgreeWithTheCpu) {
-    // Every kind of branch there is, in winds of up to 30 m/s and the motion they may cause.
-    Random random(11);
-    Texels states, winds, first, second, third;
-    std::vector<Laws::DampedBranch> branches;
-    for (const Species& species : SpeciesCatalogue::current().species()) {
-        const TreeModel model = makeTreeModel(species.tree, 0);
-        for (const float height : {6.0f, 25.0f})
-            for (const Laws::DampedBranch& p :
-                 makeDampedBranches(model, fitTree(model, {height, 0.0f, 0.0f}), species)) {
-                branches.push_back(p);
-                first.emplace_back(p.stiffness, p.inertia, p.damping, p.drag);
-                second.emplace_back(p.lever, p.maxAngle, p.streamlining, p.streamlinedTo);
-                third.emplace_back(p.direction, p.windHeight);
-                const float pace = std::sqrt(p.stiffness / p.inertia);
-                states.emplace_back(0.3f * random.symmetric(), 0.3f * random.symmetric(),
-                                    0.3f * pace * random.symmetric(), 0.3f * pace * random.symmetric());
-                winds.emplace_back(30.0f * random.symmetric(), 30.0f * random.symmetric(),
-                                   30.0f * random.symmetric(), 30.0f * random.symmetric());
-            }
-    }
-    for (const float rate : {120.0f, 60.0f, 10.0f, 1.0f}) {
-        const Texels gpu = step(states, {{"wind", winds}, {"a", first}, {"b", second}, {"c", third}},
-                                "dampedBranchStep(state, wind.xy, wind.zw, "
-                                "DampedBranch(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.xyz, c.w), 1.0 / " +
-                                    std::to_string(rate) + ")");
-        float worstAngle = 0.0f, worstSpeed = 0.0f, moved = 0.0f;
-        for (std::size_t i = 0; i < gpu.size(); ++i) {
-            const glm::vec4 cpu = Laws().dampedBranchStep(states[i], {winds[i].x, winds[i].y},
-                                                          {winds[i].z, winds[i].w}, branches[i], 1.0f / rate);
-            const float pace = std::sqrt(branches[i].stiffness / branches[i].inertia);
-            const glm::vec4 off = glm::abs(gpu[i] - cpu);
-            worstAngle = std::max({worstAngle, off.x, off.y});
-            worstSpeed = std::max({worstSpeed, off.z / pace, off.w / pace});
-            moved = std::max(moved, difference(cpu, states[i]));
-        }
-        RecordProperty("anglesOffAt" + std::to_string(static_cast<int>(rate)) + "Hz",
-                       std::to_string(worstAngle));
-        EXPECT_GT(moved, 0.1f);
-        EXPECT_LT(worstAngle, 1e-5f) << rate << " Hz, " << gpu.size() << " branches";
-        EXPECT_LT(worstSpeed, 1e-5f) << rate << " Hz, over the pace of each branch";
-    }
-}
-
 TEST_F(LawsGlTest, NoiseAgreesWithTheCpu) {
     Random random(3);
     Texels times;
@@ -291,12 +244,7 @@ TEST_F(LawsGlTest, HostileInputGivesFiniteAnglesWithinLimits) {
     const char* laws[] = {
         "thesisBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.0))",
         "thesisSmoothBranchStep(state, wind.xyz, noise.xyz, ThesisBranch(40.0, 1.5, 0.5, 8.0, 0.2))",
-        "thesisLeafStep(state, noise.x, noise.y, ThesisLeaf(0.5, 0.5, 0.5, 4.0, 1.0, 0.7))",
-        "dampedBranchStep(state, wind.xy, noise.xy, DampedBranch(40.0, 2.0, 1.0, 1.2, 0.4, 0.5, 0.7, 25.0, "
-        "vec3(0.0, 0.0, 1.0), 0.0), 0.1)",
-        "dampedBranchStep(state, wind.xy, noise.xy, DampedBranch(wind.x, wind.y, noise.x, noise.y, wind.z, "
-        "0.5, "
-        "noise.z, wind.x, vec3(0.0, 0.0, 1.0), 0.0), noise.x)"};
+        "thesisLeafStep(state, noise.x, noise.y, ThesisLeaf(0.5, 0.5, 0.5, 4.0, 1.0, 0.7))"};
     for (const char* law : laws) {
         for (const glm::vec4& angle : step(s.states, s.inputs(), law)) {
             ASSERT_TRUE(std::isfinite(angle.x) && std::isfinite(angle.y) && std::isfinite(angle.z) &&

@@ -50,12 +50,6 @@ glm::vec4 leaf(const std::array<float, 16>& v) {
     return Laws().thesisLeafStep(state(v), v[7], v[8], {v[12], v[12], v[13], v[14], v[15], v[11]});
 }
 
-glm::vec4 damped(const std::array<float, 16>& v) {
-    return Laws().dampedBranchStep(state(v), {v[9], v[4]}, {v[4], v[5]},
-                                   {v[10], v[11], v[13], v[14], v[15], v[12], v[7], v[8], {0, 0, 1}, 0.0f},
-                                   v[6]);
-}
-
 struct Case {
     const char* name;
     Step step;
@@ -128,6 +122,5 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"Thesis", thesis, {0.1f, 0.1f, 0, 0, 3, 1, 2, 0.3f, 0.2f, 0.1f, 50, 1, 0.5f, 4, 0.1f, 1}},
         Case{"ThesisSmooth", smooth, {0.1f, 0.1f, 0, 0, 3, 1, 2, 0.3f, 0.2f, 0.1f, 50, 1, 0.5f, 4, 0.1f, 1}},
-        Case{"Damped", damped, {0.1f, 0.1f, 0, 0, 3, 1, 0.016f, 0.7f, 25, 0, 80, 2, 0.5f, 16, 1, 0.4f}},
         Case{"ThesisLeaf", leaf, {0.1f, 0.1f, 0, 0, 0, 0, 0, 0.3f, 0.2f, 0, 0, 0.7f, 0.4f, 0.6f, 4, 1}}),
     [](const testing::TestParamInfo<Case>& info) { return info.param.name; });

@@ -54,3 +54,22 @@ TEST(Rotations, ShaderArithmeticIsThatOfGlm) {
     EXPECT_NEAR(glm::length(q), 1.0f, 1e-6f);
     expectNear(laws.turnVector(q, {0.3f, -2.0f, 1.5f}), g * glm::vec3(0.3f, -2.0f, 1.5f));
 }
+
+TEST(Rotations, AxesOfAnUprightBranchAreThoseOfTheThesis) {
+    EXPECT_EQ(Laws().branchAxis1({0, 0, 1}), glm::vec3(1, 0, 0));
+    EXPECT_EQ(Laws().branchAxis3({0, 0, 1}), glm::vec3(0, -1, 0));
+}
+
+TEST(Rotations, APositiveAngleMovesTheTipAlongItsAxis) {
+    Laws laws;
+    for (const glm::vec3 given : {glm::vec3(0, 0, 1), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0),
+                                  glm::vec3(0.3f, -0.5f, 0.7f), glm::vec3(-1, 0.01f, 0)}) {
+        const glm::vec3 d = glm::normalize(given);
+        const glm::vec3 e1 = laws.branchAxis1(d), e3 = laws.branchAxis3(d);
+        EXPECT_NEAR(glm::dot(e1, d), 0.0f, 1e-6f);
+        EXPECT_NEAR(glm::length(e3), 1.0f, 1e-6f);
+        expectNear(swungRotation({0.3f, 0.0f}, d) * d, std::cos(0.3f) * d + std::sin(0.3f) * e1);
+        expectNear(swungRotation({0.0f, 0.3f}, d) * d, std::cos(0.3f) * d + std::sin(0.3f) * e3);
+    }
+    EXPECT_EQ(laws.swungRotation(0, 0, {0, 0, 1}), glm::vec4(0, 0, 0, 1));
+}

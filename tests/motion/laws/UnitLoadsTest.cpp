@@ -4,10 +4,11 @@
 #include <glm/gtc/constants.hpp>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/motion/laws/AxisPaces.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace osgTreeWind;
 
@@ -64,6 +65,16 @@ TEST(UnitLoads, JointsReachToTheTipOfTheirAxis) {
         EXPECT_NEAR(loads[i].stiffness /
                         jointStiffness(9.0e9, diameters[i], diameters[i], lengths[i], reaches[i]),
                     1.0, 1e-5);
+}
+
+TEST(UnitLoads, JointsOfAnAxisBendAsItsWoodUnderAForceAtTheTip) {
+    // An even pole in three: together they must move the tip by F L^3 / (3 E I).
+    double shift = 0.0;
+    for (const double base : {0.0, 2.0, 5.0}) {
+        const double length = base == 0.0 ? 2.0 : base == 2.0 ? 3.0 : 5.0, reach = 10.0 - base;
+        shift += reach * reach / jointStiffness(1.0e10, 0.2, 0.2, length, reach);
+    }
+    EXPECT_NEAR(shift / (1000.0 / (3.0 * 1.0e10 * glm::pi<double>() * std::pow(0.2, 4) / 64.0)), 1.0, 1e-9);
 }
 
 TEST(UnitLoads, WoodWeighsAsItsPoles) {

@@ -87,7 +87,7 @@ TEST(JointTree, WhatSpringsAlongAUnitSwaysAsIfTheUnitEndedThere) {
         EXPECT_NEAR(paceWithStub(6, height) / paceWithStub(80, height), 1.0, 0.06) << height << " m up";
 }
 
-TEST(JointTree, JointsGiveAsThoseOfDamped) {
+TEST(JointTree, JointsGiveAsTheLoadsSay) {
     const GrownTree oak("oak", {15, 0.3f, 0});
     const JointTree tree = oak.joints();
     const std::vector<UnitLoad> loads = makeUnitLoads(oak.model, oak.scale, oak.species, oak.leaves);
