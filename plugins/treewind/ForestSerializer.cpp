@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/io/ForestFile.h>
@@ -17,7 +16,6 @@
 // its own are written as they are.
 namespace {
 
-using osgTreeWind::BranchwiseForest;
 using osgTreeWind::Forest;
 
 /// Runs an entry of osgDB, which is not to get an exception.
@@ -116,25 +114,18 @@ bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
     });
 }
 
-bool checkBranchwiseDrawing(const Forest& forest) {
-    return forest.getBranchwise() != nullptr;
+// Releases before 2.0 wrote how branches and leaves are drawn, of which they had two ways each.
+bool checkBranchwiseDrawing(const Forest&) {
+    return false;
 }
 
-bool writeBranchwiseDrawing(osgDB::OutputStream& output, const Forest& forest) {
-    output << static_cast<int>(forest.getBranchwise()->getBranchDrawing())
-           << static_cast<int>(forest.getBranchwise()->getLeafDrawing()) << std::endl;
+bool writeBranchwiseDrawing(osgDB::OutputStream&, const Forest&) {
     return true;
 }
 
-bool readBranchwiseDrawing(osgDB::InputStream& input, Forest& forest) {
+bool readBranchwiseDrawing(osgDB::InputStream& input, Forest&) {
     int branches = 0, leaves = 0;
     input >> branches >> leaves;
-    if (BranchwiseForest* branchwise = forest.getBranchwise()) {
-        branchwise->setBranchDrawing(branches ? BranchwiseForest::BRANCH_DRAWING
-                                              : BranchwiseForest::TREE_DRAWING);
-        branchwise->setLeafDrawing(leaves ? BranchwiseForest::LEAF_TRANSFORMS
-                                          : BranchwiseForest::TREE_LEAVES);
-    }
     return true;
 }
 

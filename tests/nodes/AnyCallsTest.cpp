@@ -419,10 +419,6 @@ private:
         BranchwiseForest* trees = _forest->getBranchwise() ? _forest->getBranchwise() : own.get();
         expect(trees->setLodRanges({any.number<float>(), any.number<float>()}));
         trees->setAngleSource(any.oneIn(2) ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
-        trees->setBranchDrawing(any.oneIn(2) ? BranchwiseForest::TREE_DRAWING
-                                             : BranchwiseForest::BRANCH_DRAWING);
-        trees->setLeafDrawing(any.oneIn(2) ? BranchwiseForest::TREE_LEAVES
-                                           : BranchwiseForest::LEAF_TRANSFORMS);
         trees->getTree(any.count());
     }
     void handle() {

@@ -108,8 +108,6 @@ BranchwiseForest::BranchwiseForest(std::shared_ptr<ForestSimulation> given) : _s
         node->setTexels(static_cast<int>(tree.firstUnit), static_cast<int>(tree.firstLeaf));
         node->setOwnNumber(Random(tree.seed).uniform());
         node->getPosedTree()->follow(_simulation, simulation.motion(i));
-        node->setBranchwise(_branchDrawing == BRANCH_DRAWING);
-        node->setLeafwise(_leafDrawing == LEAF_TRANSFORMS);
         _stand->addChild(node);
         _trees.push_back(node);
     }
@@ -167,21 +165,7 @@ void BranchwiseForest::takeSettings(const ForestDrawing& former) {
     if (!other)
         return;
     setAngleSource(other->_wantedSource);
-    setBranchDrawing(other->_branchDrawing);
-    setLeafDrawing(other->_leafDrawing);
     setLodRanges(other->_lodRanges);
-}
-
-void BranchwiseForest::setBranchDrawing(BranchDrawing drawing) {
-    _branchDrawing = drawing;
-    for (const osg::ref_ptr<TreeNode>& tree : _trees)
-        tree->setBranchwise(drawing == BRANCH_DRAWING);
-}
-
-void BranchwiseForest::setLeafDrawing(LeafDrawing drawing) {
-    _leafDrawing = drawing;
-    for (const osg::ref_ptr<TreeNode>& tree : _trees)
-        tree->setLeafwise(drawing == LEAF_TRANSFORMS);
 }
 
 Diagnostics BranchwiseForest::setLodRanges(const TreeLodRanges& ranges) {

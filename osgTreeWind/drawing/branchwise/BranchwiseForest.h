@@ -27,7 +27,8 @@ struct ForestDescription;
 struct PlacedTree;
 struct TreeStyle;
 
-/// Trees drawn the thesis' way, branch by branch: a node a tree, posed by the state of each unit.
+/// Trees drawn as the thesis published it: each branch below a BranchTransform of its own (§3.1.3), each leaf
+/// cluster below a transform over one shared drawable (§2.4.1).
 class OSGTREEWIND_EXPORT BranchwiseForest : public ForestDrawing {
 public:
     /// Where the angles of branches and leaves are worked out.
@@ -36,16 +37,6 @@ public:
         GPU_ANGLES  ///< In fragment shaders before the frame is drawn (thesis §5.2). Branch angles are read
                     ///< back and move the branches one frame later; leaves show them at once. Falls back to
                     ///< CPU_ANGLES, with one notice, where float targets or vertex textures are missing.
-    };
-    /// How branches are drawn.
-    enum BranchDrawing {
-        TREE_DRAWING,  ///< The bark of a tree in one draw, posed by its vertex shader.
-        BRANCH_DRAWING ///< Every branch below a BranchTransform of its own (the thesis' way, §3.1.3).
-    };
-    /// How leaves are drawn.
-    enum LeafDrawing {
-        TREE_LEAVES,    ///< All of a tree in one draw, whose vertex shader fetches each cluster's angles.
-        LEAF_TRANSFORMS ///< Every cluster below a transform of its own (as published, §2.4.1).
     };
 
     /// Why a forest of the description has no room in textures, which nothing may rescale; empty where it
@@ -64,14 +55,6 @@ public:
         void setAngleSource(AngleSource source);
     /// Where they are worked out now: GPU_ANGLES only once a context has been found to support it.
     AngleSource getAngleSource() const { return _prePass ? GPU_ANGLES : CPU_ANGLES; }
-
-    /// Not during a traversal.
-    void setBranchDrawing(BranchDrawing drawing);
-    BranchDrawing getBranchDrawing() const { return _branchDrawing; } ///< As set.
-
-    /// Not during a traversal.
-    void setLeafDrawing(LeafDrawing drawing);
-    LeafDrawing getLeafDrawing() const { return _leafDrawing; } ///< As set.
 
     /// Of all trees. Not during a traversal. @return a problem, and nothing is changed, for what is not a
     /// number from 0 on; else empty.
@@ -123,8 +106,6 @@ private:
     std::unique_ptr<AnglePrePass> _prePass;
     osg::ref_ptr<FloatTargetProbe> _probe;
     AngleSource _wantedSource = GPU_ANGLES;
-    BranchDrawing _branchDrawing = BRANCH_DRAWING;
-    LeafDrawing _leafDrawing = LEAF_TRANSFORMS;
     TreeLodRanges _lodRanges;
 };
 
