@@ -10,7 +10,7 @@ set(public_headers
     osgTreeWind/controls/ForestHandler.h
     osgTreeWind/controls/StatisticsLines.h
     osgTreeWind/drawing/BranchTransform.h
-    osgTreeWind/drawing/ForestDrawing.h
+    osgTreeWind/drawing/ForestTechnique.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h
     osgTreeWind/drawing/branchwise/TreeLodRanges.h
     osgTreeWind/drawing/stand/StandDrawing.h

@@ -9,9 +9,7 @@
 #include <osgTreeWind/wind/WindField.h>
 
 #include <osg/Group>
-#include <osg/Matrix>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,9 +20,10 @@ namespace osgTreeWind {
 class BranchTransform;
 class BranchwiseForest;
 class EntryGuard;
-class ForestDrawing;
 class ForestSimulation;
+class ForestTechnique;
 class GivenWind;
+class ScenePlace;
 class StandDrawing;
 class TilePager;
 struct ForestDescription;
@@ -110,8 +109,12 @@ public:
     bool unfollow(TreeId tree, unsigned unit); ///< With what hangs on it. @return whether it was followed.
     bool isOwnChild(const osg::Node* child) const; ///< A part of the forest; all others are yours.
 
-    StandDrawing* getStand() const;          ///< What draws the trees as instances; else null.
-    BranchwiseForest* getBranchwise() const; ///< What draws them branch by branch; else null.
+    /// How its trees, and no other's, are drawn from now on; null: instances under `modal`, else branch by
+    /// branch. In update or between frames. @return the problems.
+    Diagnostics setTechnique(ForestTechnique* technique);
+    ForestTechnique* getTechnique() const { return _technique.get(); } ///< Never null.
+    StandDrawing* getStand() const;          ///< The technique, if it draws instances; else null.
+    BranchwiseForest* getBranchwise() const; ///< The technique, if it draws branch by branch; else null.
 
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }
@@ -124,27 +127,27 @@ protected:
 
 private:
     void grow(ForestDescription description);
-    void show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_ptr<ForestDrawing>& drawing);
+    void show(std::shared_ptr<ForestSimulation> simulation);
+    void showTechnique(const osg::ref_ptr<ForestTechnique>& technique);
     void update(osg::NodeVisitor& visitor);
     void unload(TreeId tree);
-    bool isHidden(const osg::NodePath& path, unsigned frame) const;
+    void report(osg::NodeVisitor& cullVisitor, double cullTime) const;
     void stand(const osg::NodePath& path);
 
     std::shared_ptr<GivenWind> _wind; ///< Of `_simulation` too.
     Executor _executor;
     DamageCallback _damageCallback;
     std::shared_ptr<ForestSimulation> _simulation;
-    osg::ref_ptr<ForestDrawing> _drawing;
+    osg::ref_ptr<ForestTechnique> _technique;
     osg::ref_ptr<osg::Node> _ground;
     osg::ref_ptr<TilePager> _tiles; ///< Null: all trees are there.
     std::size_t _treeCount = 0;
     std::unique_ptr<EntryGuard> _guard; ///< Of its traversals.
     unsigned _lastFrame = ~0u;
-    std::atomic<unsigned> _culledFrame{~0u};
-    osg::Matrix _place;                        ///< To the scene's root, in the last update.
-    double _frameStep = 0.0;                   ///< How long a frame lasts, seconds; 0: as its stamp says.
-    double _stepTime = 0.0;                    ///< Of the last update, seconds.
-    bool _stopped = false, _twoPlaces = false; ///< An update has failed; it stands in two places.
+    std::unique_ptr<ScenePlace> _place;
+    double _frameStep = 0.0;                 ///< How long a frame lasts, seconds; 0: as its stamp says.
+    double _stepTime = 0.0;                  ///< Of the last update, seconds.
+    bool _isHosts = false, _stopped = false; ///< A host has set the technique; an update has failed.
 };
 
 } // namespace osgTreeWind

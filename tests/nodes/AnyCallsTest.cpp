@@ -80,7 +80,7 @@ public:
             {"places/Ground.h", {&C::askGround}},
             {"places/FunctionGround.h", {&C::askGround}},
             {"drawing/BranchTransform.h", {&C::turnBranch}},
-            {"drawing/ForestDrawing.h", {&C::useDrawing}},
+            {"drawing/ForestTechnique.h", {&C::useTechnique, &C::setTechnique}},
             {"drawing/stand/StandDrawing.h", {&C::useStand}},
             {"drawing/stand/TreeHit.h", {&C::hit}},
             {"drawing/branchwise/BranchwiseForest.h", {&C::useBranchwise}},
@@ -388,16 +388,22 @@ private:
         own->setRotation(osg::Quat(any.number<double>(), osg::X_AXIS));
         EXPECT_FALSE(own->getMatrix().isNaN());
     }
-    void useDrawing() {
-        ForestDrawing* drawing = _forest->getStand();
-        if (!drawing)
-            drawing = _forest->getBranchwise();
-        drawing->treeChanged(any.oneIn(2) ? any.below(5) : any.count());
-        drawing->unfollow(tree(), unit());
-        EXPECT_TRUE(drawing->again(nullptr));
-        const auto other = std::make_shared<ForestSimulation>(description());
-        EXPECT_TRUE(drawing->again(other));
-        drawing->takeSettings(*osg::ref_ptr<ForestDrawing>(drawing->again(other)));
+    void useTechnique() {
+        ForestTechnique* technique = _forest->getTechnique();
+        technique->treeChanged(any.oneIn(2) ? any.below(5) : any.count());
+        technique->unfollow(tree(), unit());
+        const osg::ref_ptr<ForestTechnique> copy = osg::clone(technique);
+        copy->seasonChanged();
+        copy->treeChanged(any.count());
+        copy->setSimulation(any.oneIn(3) ? nullptr : std::make_shared<ForestSimulation>(description()));
+        copy->follow(tree(), unit());
+        copy->unfollow(tree(), unit());
+    }
+    void setTechnique() {
+        osg::ref_ptr<ForestTechnique> technique;
+        if (any.oneIn(2))
+            technique = any.oneIn(2) ? new ForestTechnique : osg::clone(_forest->getTechnique());
+        expect(_forest->setTechnique(any.oneIn(4) ? _forest->getTechnique() : technique.get()));
     }
     void useStand() {
         osg::ref_ptr<StandDrawing> own = new StandDrawing(std::shared_ptr<ForestSimulation>());

@@ -24,21 +24,15 @@ std::shared_ptr<ForestSimulation> swaying(const std::shared_ptr<ForestSimulation
 
 StandDrawing::StandDrawing() : StandDrawing(std::make_shared<ForestSimulation>(ForestDescription())) {}
 
-StandDrawing::StandDrawing(const std::shared_ptr<ForestSimulation>& simulation)
-    : _simulation(swaying(simulation)), _trees(new TreeStand(_simulation)), _followed(new FollowedBranches) {
-    addChild(_trees);
-    addChild(_followed);
+StandDrawing::StandDrawing(const std::shared_ptr<ForestSimulation>& simulation) {
+    StandDrawing::setSimulation(simulation);
 }
 
-StandDrawing::StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources)
-    : _simulation(std::move(simulation)), _trees(new TreeStand(_simulation, resources)),
-      _followed(new FollowedBranches) {
-    addChild(_trees);
-    addChild(_followed);
+StandDrawing::StandDrawing(const StandDrawing& other, const osg::CopyOp& copyop)
+    : ForestTechnique(other, copyop), _toShare(std::make_unique<StandResources>(
+                                          other._toShare ? *other._toShare : other._trees->resources())) {
+    show(new TreeStand, std::make_shared<ForestSimulation>(ForestDescription()));
 }
-
-StandDrawing::StandDrawing(const StandDrawing& other, const osg::CopyOp&)
-    : StandDrawing(other._simulation, other._trees->resources()) {}
 
 StandDrawing::~StandDrawing() = default;
 
@@ -66,25 +60,34 @@ bool StandDrawing::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geom
     return true;
 }
 
-osg::ref_ptr<ForestDrawing> StandDrawing::again(std::shared_ptr<ForestSimulation> simulation) const {
-    const bool isAlike = simulation && SimulationParts::modal(*simulation) &&
-                         SimulationParts::models(*simulation) == SimulationParts::models(*_simulation);
-    if (!isAlike)
-        return new StandDrawing(simulation);
-    return new StandDrawing(std::move(simulation), _trees->resources());
+void StandDrawing::setSimulation(std::shared_ptr<ForestSimulation> given) {
+    const std::shared_ptr<ForestSimulation> simulation = swaying(given);
+    const bool shares = _toShare && _toShare->areOf(*simulation);
+    show(shares ? new TreeStand(simulation, *_toShare) : new TreeStand(simulation), simulation);
+    _toShare.reset();
+}
+
+void StandDrawing::show(const osg::ref_ptr<TreeStand>& trees,
+                        const std::shared_ptr<ForestSimulation>& simulation) {
+    const osg::ref_ptr<FollowedBranches> followed = new FollowedBranches;
+    ForestTechnique::setSimulation(simulation);
+    _trees = trees;
+    _followed = followed;
+    addChild(_trees);
+    addChild(_followed);
 }
 
 void StandDrawing::update(const osg::FrameStamp& stamp) {
-    _simulation->advance(stamp.getSimulationTime());
+    ForestTechnique::update(stamp);
     _trees->update(stamp.getFrameNumber(), stamp.getSimulationTime());
-    _followed->update(*_simulation);
+    _followed->update(*getSimulation());
 }
 
 void StandDrawing::treeChanged(std::size_t slot) {
-    if (slot >= _simulation->slotCount())
+    if (slot >= getSimulation()->slotCount())
         return;
     _trees->treeChanged(slot);
-    _followed->treeChanged(*_simulation, _simulation->idOf(slot));
+    _followed->treeChanged(*getSimulation(), getSimulation()->idOf(slot));
     dirtyBound(); // which the drawable's box is no part of
 }
 
@@ -97,17 +100,17 @@ void StandDrawing::seasonChanged() {
 }
 
 BranchTransform* StandDrawing::follow(TreeId tree, unsigned unit) {
-    BranchTransform* branch = _followed->follow(*_simulation, tree, unit);
+    BranchTransform* branch = _followed->follow(*getSimulation(), tree, unit);
     if (branch)
-        _trees->keepNear(_simulation->slotOf(tree), true);
+        _trees->keepNear(getSimulation()->slotOf(tree), true);
     return branch;
 }
 
 bool StandDrawing::unfollow(TreeId tree, unsigned unit) {
     if (!_followed->unfollow(tree, unit))
         return false;
-    if (_simulation->holds(tree) && !_followed->follows(tree))
-        _trees->keepNear(_simulation->slotOf(tree), false);
+    if (getSimulation()->holds(tree) && !_followed->follows(tree))
+        _trees->keepNear(getSimulation()->slotOf(tree), false);
     return true;
 }
 

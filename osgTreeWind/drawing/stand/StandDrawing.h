@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/ForestDrawing.h>
+#include <osgTreeWind/drawing/ForestTechnique.h>
 
 #include <osg/Geometry>
 
@@ -13,13 +13,14 @@ struct SpeciesLooks;
 struct StandResources;
 
 /// Trees under the law `modal`: instances, and transforms for the branches that someone follows.
-class OSGTREEWIND_EXPORT StandDrawing : public ForestDrawing {
+class OSGTREEWIND_EXPORT StandDrawing : public ForestTechnique {
 public:
     /// No trees.
     StandDrawing();
-    /// Draws the trees of a simulation, which it keeps. None, and a warning, for null or a law of a branch.
+    /// Draws the trees of a simulation, as setSimulation().
     explicit StandDrawing(const std::shared_ptr<ForestSimulation>& simulation);
-    /// Of the same trees, which the original's forest moves; branches that are followed are not copied.
+    /// Given trees of the same species in the same season, it shares what they are drawn from, and what a
+    /// host has set for them.
     StandDrawing(const StandDrawing& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, StandDrawing)
 
@@ -36,14 +37,16 @@ public:
     /// @return false where there is no such model.
     bool setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves);
 
-    osg::ref_ptr<ForestDrawing> again(std::shared_ptr<ForestSimulation> simulation) const override;
-    void takeSettings(const ForestDrawing&) override {} // they are of species and models that are gone
+    /// Draws no trees, and warns, for null or a law of a branch. What a host has set for species and models
+    /// goes with them.
+    void setSimulation(std::shared_ptr<ForestSimulation> simulation) override;
     void update(const osg::FrameStamp& stamp) override;
     void treeChanged(std::size_t slot) override;
     void speciesAdded() override;
     void seasonChanged() override;
     BranchTransform* follow(TreeId tree, unsigned unit) override;
     bool unfollow(TreeId tree, unsigned unit) override;
+    StandDrawing* asStandDrawing() override { return this; }
 
     /// As far as the trees may sway, so that none is culled that is seen; boxes are of trees at rest.
     osg::BoundingSphere computeBound() const override;
@@ -53,10 +56,10 @@ protected:
 
 private:
     friend struct StandParts;
-    StandDrawing(std::shared_ptr<ForestSimulation> simulation, const StandResources& resources);
+    void show(const osg::ref_ptr<TreeStand>& trees, const std::shared_ptr<ForestSimulation>& simulation);
     bool setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species, osg::StateSet* state);
 
-    std::shared_ptr<ForestSimulation> _simulation;
+    std::unique_ptr<StandResources> _toShare; ///< Of the original, in a copy that has no trees yet.
     osg::ref_ptr<TreeStand> _trees;
     osg::ref_ptr<FollowedBranches> _followed;
 };

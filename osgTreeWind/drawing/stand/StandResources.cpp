@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/damage/LeafFall.h>
 #include <osgTreeWind/motion/modal/ModalLean.h>
+#include <osgTreeWind/species/SpeciesFields.h>
 
 namespace osgTreeWind {
 
@@ -21,6 +22,13 @@ void want(const ForestSimulation& simulation, std::size_t model, const LeafFall&
         wanted.emplace(model, static_cast<Tier>(tier));
 }
 
+std::string bytesOf(const std::vector<Species>& all) {
+    std::string bytes;
+    for (const Species& species : all)
+        addFieldBytes(species, bytes);
+    return bytes;
+}
+
 } // namespace
 
 StandResources::StandResources(const ForestSimulation& simulation)
@@ -33,10 +41,17 @@ StandResources::StandResources(const ForestSimulation& simulation)
     addSpecies(simulation);
 }
 
+bool StandResources::areOf(const ForestSimulation& simulation) const {
+    return _season == simulation.season() && _shapes == SimulationParts::models(simulation) &&
+           _species == bytesOf(simulation.description().species);
+}
+
 void StandResources::addSpecies(const ForestSimulation& simulation) {
     const std::vector<Species>& all = simulation.description().species;
     for (std::size_t i = looks.size(); i < all.size(); ++i)
         looks.push_back(makeSpeciesLooks(all[i]));
+    _species = bytesOf(all);
+    _shapes = SimulationParts::models(simulation);
     const std::size_t first = models.size();
     models.resize(SimulationParts::models(simulation).size());
     if (models.size() == first) // nor threads
@@ -51,6 +66,7 @@ void StandResources::addSpecies(const ForestSimulation& simulation) {
 }
 
 void StandResources::followSeason(const ForestSimulation& simulation) {
+    _season = simulation.season();
     const std::vector<Species>& species = simulation.description().species;
     for (std::size_t i = 0; i < looks.size(); ++i)
         looks[i].showSeason(species[i].appearance, simulation.season());

@@ -8,6 +8,7 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace osgTreeWind {
 /// it.
 struct StandResources {
     explicit StandResources(const ForestSimulation& simulation);
+    /// Whether a simulation has the same species and models, in the same season.
+    bool areOf(const ForestSimulation& simulation) const;
 
     /// Makes what species and models lack that were added. In update.
     void addSpecies(const ForestSimulation& simulation);
@@ -35,6 +38,10 @@ struct StandResources {
     std::vector<osg::Object*> glObjects() const;
 
 private:
+    SharedModels _shapes; ///< Whose models these are.
+    std::string _species; ///< Bytes of the fields of the species.
+    float _season = 0.0f;
+
     using Pictures = std::set<std::pair<std::size_t, Tier>>; ///< By model.
     /// Those of them that are not painted yet.
     void paintImpostors(const ForestSimulation& simulation, const Pictures& wanted);
