@@ -13,8 +13,8 @@ set(public_headers
     osgTreeWind/drawing/ForestTechnique.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h
     osgTreeWind/drawing/branchwise/TreeLodRanges.h
-    osgTreeWind/drawing/stand/StandDrawing.h
-    osgTreeWind/drawing/stand/TreeHit.h
+    osgTreeWind/drawing/instanced/InstancedForest.h
+    osgTreeWind/drawing/instanced/TreeHit.h
     osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h

@@ -43,7 +43,7 @@ bool ForestTechnique::unfollow(TreeId, unsigned) {
     return false;
 }
 
-StandDrawing* ForestTechnique::asStandDrawing() {
+InstancedForest* ForestTechnique::asInstancedForest() {
     return nullptr;
 }
 

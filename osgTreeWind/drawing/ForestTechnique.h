@@ -14,7 +14,7 @@ namespace osgTreeWind {
 class BranchTransform;
 class BranchwiseForest;
 class ForestSimulation;
-class StandDrawing;
+class InstancedForest;
 
 /// How a Forest draws its trees: the child of the Forest that holds what is drawn. A host derives its own and
 /// hands it to Forest::setTechnique(). This one draws nothing, and moves the trees.
@@ -60,7 +60,7 @@ public:
     /// Removes it, with what hangs on it. @return false if it was not followed.
     virtual bool unfollow(TreeId tree, unsigned unit);
 
-    virtual StandDrawing* asStandDrawing();         ///< This, if it is one; else null.
+    virtual InstancedForest* asInstancedForest();   ///< This, if it is one; else null.
     virtual BranchwiseForest* asBranchwiseForest(); ///< This, if it is one; else null.
 
 protected:

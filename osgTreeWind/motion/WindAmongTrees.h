@@ -32,11 +32,11 @@ public:
 private:
     std::shared_ptr<const CanopyMap> canopyOfForest(const PlacedForest& forest);
 
-    std::vector<std::optional<StandTree>> _trees; ///< By slot; none of those that changed.
-    std::shared_ptr<const CanopyMap> _canopy;     ///< Null: none yet.
-    bool _changed = true;                         ///< Trees have, since it was made.
-    double _madeAt = 0.0;                         ///< Seconds.
-    CanopyCell _usual;                            ///< Of the first one with trees: else gusts would jump.
+    std::vector<std::optional<CanopyTree>> _trees; ///< By slot; none of those that changed.
+    std::shared_ptr<const CanopyMap> _canopy;      ///< Null: none yet.
+    bool _changed = true;                          ///< Trees have, since it was made.
+    double _madeAt = 0.0;                          ///< Seconds.
+    CanopyCell _usual;                             ///< Of the first one with trees: else gusts would jump.
     WindFieldPtr _given, _met;
     std::shared_ptr<const CanopyWind> _company;
 };

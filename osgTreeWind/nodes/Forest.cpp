@@ -5,7 +5,7 @@
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/branchwise/TextureRoom.h>
 #include <osgTreeWind/drawing/ground/GroundDrawing.h>
-#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -32,7 +32,7 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
+constexpr std::size_t fewTrees = 500; // trees; so few are followed closely from the start
 
 /// What keeps a forest from being as described.
 Diagnostics problemsOf(const ForestDescription& description) {
@@ -69,14 +69,9 @@ osg::ref_ptr<osg::Node> groundOf(const ForestDescription& description, const osg
                                std::max(static_cast<double>(trees.radius()), 0.0));
 }
 
-bool suits(ForestTechnique& technique, const ForestDescription& description) {
-    return description.law == MotionLaw::Modal ? technique.asStandDrawing() != nullptr
-                                               : technique.asBranchwiseForest() != nullptr;
-}
-
 osg::ref_ptr<ForestTechnique> usualTechnique(const std::shared_ptr<ForestSimulation>& simulation) {
     if (simulation->description().law == MotionLaw::Modal)
-        return new StandDrawing(simulation);
+        return new InstancedForest(simulation);
     return new BranchwiseForest(simulation);
 }
 
@@ -173,7 +168,7 @@ void Forest::grow(ForestDescription description) {
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
     options.executor = _executor;
-    if (description.drawing.tiers && (description.tiles || description.trees.size() > smallStand))
+    if (description.drawing.tiers && (description.tiles || description.trees.size() > fewTrees))
         options.distant = true; // until someone sees them
     show(SimulationParts::make(std::move(description), options, _wind));
 }
@@ -200,7 +195,8 @@ void Forest::showTechnique(const osg::ref_ptr<ForestTechnique>& technique) {
 
 void Forest::show(std::shared_ptr<ForestSimulation> simulation) {
     osg::ref_ptr<ForestTechnique> technique = _technique;
-    if (technique && (_isHosts || suits(*technique, simulation->description())))
+    const bool isModal = simulation->description().law == MotionLaw::Modal;
+    if (technique && (_isHosts || isModal == (getInstanced() != nullptr)))
         technique->setSimulation(simulation);
     else
         technique = usualTechnique(simulation);
@@ -314,8 +310,8 @@ bool Forest::unfollow(TreeId tree, unsigned unit) {
     return _technique->unfollow(tree, unit);
 }
 
-StandDrawing* Forest::getStand() const {
-    return _technique->asStandDrawing();
+InstancedForest* Forest::getInstanced() const {
+    return _technique->asInstancedForest();
 }
 
 BranchwiseForest* Forest::getBranchwise() const {
@@ -351,8 +347,8 @@ void Forest::report(osg::NodeVisitor& cullVisitor, double cullTime) const {
     ForestStatistics now{_stepTime, cullTime, _treeCount, {}, {}};
     if (_tiles)
         now.tiles = _tiles->countThere();
-    if (const StandDrawing* stand = getStand())
-        now.drawn = DrawnTrees(StandParts::trees(*stand)->listedTrees());
+    if (const InstancedForest* instanced = getInstanced())
+        now.drawn = DrawnTrees(InstancedParts::trees(*instanced)->listedTrees());
     now.report(*stats, cullVisitor.getFrameStamp()->getFrameNumber());
 }
 
@@ -362,11 +358,11 @@ osg::BoundingSphere Forest::computeBound() const {
 }
 
 /// Tells the wind where the forest is.
-void Forest::stand(const osg::NodePath& path) {
+void Forest::tellPlace(const osg::NodePath& path) {
     _place->update(path);
     osg::Matrix toScene = _place->toScene();
-    const osg::Vec3d stands = toScene.getTrans();
-    if ((stands - getOrigin()).length2() < stands.length2()) // the scene is in world coordinates
+    const osg::Vec3d zero = toScene.getTrans();
+    if ((zero - getOrigin()).length2() < zero.length2()) // the scene is in world coordinates
         toScene.postMultTranslate(-getOrigin());
     _wind->setPlace(glm::make_mat4(toScene.ptr()));
 }
@@ -385,7 +381,7 @@ void Forest::update(osg::NodeVisitor& visitor) {
     }
     _lastFrame = stamp.getFrameNumber();
     const osg::ElapsedTime clock;
-    stand(path);
+    tellPlace(path);
     if (_tiles) {
         const TilePager::Changes changes = _tiles->update(stamp);
         std::for_each(changes.leaving.begin(), changes.leaving.end(), [&](TreeId tree) { unload(tree); });

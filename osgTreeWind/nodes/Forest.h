@@ -23,8 +23,8 @@ class EntryGuard;
 class ForestSimulation;
 class ForestTechnique;
 class GivenWind;
+class InstancedForest;
 class ScenePlace;
-class StandDrawing;
 class TilePager;
 struct ForestDescription;
 struct Species;
@@ -34,9 +34,8 @@ struct TreeUnit;
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's time or
 /// by a fixed step (ForestDescription::step); a paused time holds the trees, and one below a Switch that is
-/// off rests. Under the law `modal` trees are instances (StandDrawing); a law of a branch has them drawn the
-/// thesis' way (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of
-/// where it really stands; with two parents, that of the first one (docs/coordinates.md). Its bounding boxes
+/// off rests. Other nodes may be its children too. Below a transform it gets the wind of where it really is;
+/// with two parents, that of the first one (docs/coordinates.md). Its bounding boxes
 /// (osg::ComputeBoundsVisitor) are of trees at rest, its sphere holds them as they sway.
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
@@ -63,8 +62,7 @@ public:
     WindFieldPtr getWind() const;   ///< Null: calm.
     WindFrame getWindFrame() const; ///< As set.
 
-    /// A host's threads to step it, and to grow descriptions to come (SimulationOptions); null: those of the
-    /// process. In update or between frames.
+    /// A host's threads (SimulationOptions::executor); null: the process's own. In update or between frames.
     void setExecutor(Executor executor);
 
     /// Of the year (species/Season.h): leaves, and how trees sway with them. In update or between frames.
@@ -109,11 +107,10 @@ public:
     bool unfollow(TreeId tree, unsigned unit); ///< With what hangs on it. @return whether it was followed.
     bool isOwnChild(const osg::Node* child) const; ///< A part of the forest; all others are yours.
 
-    /// How its trees, and no other's, are drawn from now on; null: instances under `modal`, else branch by
-    /// branch. In update or between frames. @return the problems.
+    /// Draws its trees, and no other's; null: instances under `modal`, else branch by branch. As setSeason().
     Diagnostics setTechnique(ForestTechnique* technique);
     ForestTechnique* getTechnique() const { return _technique.get(); } ///< Never null.
-    StandDrawing* getStand() const;          ///< The technique, if it draws instances; else null.
+    InstancedForest* getInstanced() const;   ///< The technique, if it draws instances; else null.
     BranchwiseForest* getBranchwise() const; ///< The technique, if it draws branch by branch; else null.
 
     /// Wind, angles and poses behind the picture. Read it between frames.
@@ -132,7 +129,7 @@ private:
     void update(osg::NodeVisitor& visitor);
     void unload(TreeId tree);
     void report(osg::NodeVisitor& cullVisitor, double cullTime) const;
-    void stand(const osg::NodePath& path);
+    void tellPlace(const osg::NodePath& path);
 
     std::shared_ptr<GivenWind> _wind; ///< Of `_simulation` too.
     Executor _executor;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/stand/DrawnTrees.h>
+#include <osgTreeWind/drawing/instanced/DrawnTrees.h>
 
 #include <osg/NodeVisitor>
 #include <osg/Stats>

@@ -2,7 +2,7 @@
 // A technique of a host's own, by the headers that a host has.
 #include <osgTreeWind/drawing/ForestTechnique.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -125,17 +125,17 @@ osg::ref_ptr<Forest> linedForest() {
 TEST(ForestTechniqueTest, aHostsOwnTakesThePlaceOfTheUsualOne) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(3));
     const osg::ref_ptr<ForestTechnique> usual = forest->getTechnique();
-    ASSERT_EQ(usual.get(), forest->getStand());
+    ASSERT_EQ(usual.get(), forest->getInstanced());
     const osg::ref_ptr<LineTechnique> lines = new LineTechnique;
     EXPECT_TRUE(forest->setTechnique(lines).empty());
     EXPECT_EQ(forest->getTechnique(), lines.get());
-    EXPECT_EQ(forest->getStand(), nullptr);
+    EXPECT_EQ(forest->getInstanced(), nullptr);
     EXPECT_TRUE(forest->isOwnChild(lines));
     EXPECT_EQ(forest->getNumChildren(), 1u);
     EXPECT_EQ(usual->getNumParents(), 0u);
     EXPECT_EQ(&forest->getSimulation(), lines->getSimulation());
     EXPECT_TRUE(forest->setTechnique(nullptr).empty());
-    EXPECT_NE(forest->getStand(), nullptr);
+    EXPECT_NE(forest->getInstanced(), nullptr);
     EXPECT_EQ(lines->getNumParents(), 0u);
 }
 

@@ -7,7 +7,7 @@
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/controls/ForestHandler.h>
-#include <osgTreeWind/drawing/stand/TreeHit.h>
+#include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/StandOnGround.h>
@@ -81,8 +81,8 @@ public:
             {"places/FunctionGround.h", {&C::askGround}},
             {"drawing/BranchTransform.h", {&C::turnBranch}},
             {"drawing/ForestTechnique.h", {&C::useTechnique, &C::setTechnique}},
-            {"drawing/stand/StandDrawing.h", {&C::useStand}},
-            {"drawing/stand/TreeHit.h", {&C::hit}},
+            {"drawing/instanced/InstancedForest.h", {&C::useInstanced}},
+            {"drawing/instanced/TreeHit.h", {&C::hit}},
             {"drawing/branchwise/BranchwiseForest.h", {&C::useBranchwise}},
             {"drawing/branchwise/TreeLodRanges.h", {&C::useBranchwise}},
             {"controls/ForestHandler.h", {&C::handle}},
@@ -405,14 +405,14 @@ private:
             technique = any.oneIn(2) ? new ForestTechnique : osg::clone(_forest->getTechnique());
         expect(_forest->setTechnique(any.oneIn(4) ? _forest->getTechnique() : technique.get()));
     }
-    void useStand() {
-        osg::ref_ptr<StandDrawing> own = new StandDrawing(std::shared_ptr<ForestSimulation>());
-        StandDrawing* stand = _forest->getStand() ? _forest->getStand() : own.get();
+    void useInstanced() {
+        osg::ref_ptr<InstancedForest> own = new InstancedForest(std::shared_ptr<ForestSimulation>());
+        InstancedForest* instanced = _forest->getInstanced() ? _forest->getInstanced() : own.get();
         const osg::ref_ptr<osg::StateSet> state = any.oneIn(2) ? nullptr : new osg::StateSet;
         const osg::ref_ptr<osg::Geometry> bark = any.oneIn(2) ? nullptr : new osg::Geometry;
-        stand->setBarkState(any.count(), state);
-        stand->setLeafState(any.below(2), state);
-        stand->setGeometry(any.oneIn(2) ? any.below(3) : any.count(), bark, nullptr);
+        instanced->setBarkState(any.count(), state);
+        instanced->setLeafState(any.below(2), state);
+        instanced->setGeometry(any.oneIn(2) ? any.below(3) : any.count(), bark, nullptr);
     }
     void hit() {
         const osg::ref_ptr<TreeHit> met =

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/drawing/branchwise/PosedTree.h>
 #include <osgTreeWind/drawing/branchwise/TreeStyle.h>
-#include <osgTreeWind/drawing/stand/ModelResources.h>
+#include <osgTreeWind/drawing/instanced/ModelResources.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 
 #include <map>

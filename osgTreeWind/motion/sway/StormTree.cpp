@@ -21,12 +21,12 @@ namespace {
 
 constexpr double longestSampleStep = 0.1; // seconds from one sample of the wind to the next
 
-StandTree standTree(const PlacedForest& forest) {
+CanopyTree standTree(const PlacedForest& forest) {
     const PlacedTree& tree = forest.trees.front();
     return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
 }
 
-WindFieldPtr windInTheStand(const StandTree& tree, const Storm& storm) {
+WindFieldPtr windInTheStand(const CanopyTree& tree, const Storm& storm) {
     const auto spacing = static_cast<float>(storm.spacing);
     return std::make_shared<CanopyWind>(
         std::make_shared<UniformWind>(glm::vec3(storm.speed, 0.0f, 0.0f)),
@@ -34,7 +34,7 @@ WindFieldPtr windInTheStand(const StandTree& tree, const Storm& storm) {
 }
 
 WindFieldPtr windOf(const PlacedForest& forest, const Storm& storm) {
-    const StandTree tree = standTree(forest);
+    const CanopyTree tree = standTree(forest);
     return storm.spacing > 0.0 ? windInTheStand(tree, storm)
                                : openCountryWind(std::max(static_cast<double>(tree.height), 0.1),
                                                  glm::vec3(storm.speed, 0.0f, 0.0f), storm.seed);
