@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/branchwise/TextureRoom.h>
-#include <osgTreeWind/drawing/ground/GroundDrawing.h>
+#include <osgTreeWind/drawing/ground/GroundTile.h>
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
@@ -60,13 +60,6 @@ std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t sl
                          tree.scale.radius * rest.tipRadius, toOsg(base), toOsg(tip), now(base), now(tip)});
     }
     return units;
-}
-
-osg::ref_ptr<osg::Node> groundOf(const ForestDescription& description, const osg::BoundingSphere& trees) {
-    const glm::dvec2 centre(trees.center().x(), trees.center().y());
-    return createGroundDrawing(description.ground, description.origin,
-                               glm::dvec2(description.origin) + centre,
-                               std::max(static_cast<double>(trees.radius()), 0.0));
 }
 
 osg::ref_ptr<ForestTechnique> usualTechnique(const std::shared_ptr<ForestSimulation>& simulation) {
@@ -214,7 +207,7 @@ void Forest::show(std::shared_ptr<ForestSimulation> simulation) {
         });
         insertChild(1, _tiles);
     }
-    _ground = groundOf(getDescription(), _technique->getBound());
+    _ground = createGroundDrawing(getDescription().ground, getDescription().origin, _technique->getBound());
     _treeCount = getTrees().size();
 }
 
