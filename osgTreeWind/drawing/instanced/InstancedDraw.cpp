@@ -24,10 +24,6 @@ InstancedDraw::InstancedDraw() {
     setCullingActive(false);
 }
 
-InstancedDraw::InstancedDraw(const InstancedDraw& other, const osg::CopyOp& copyop)
-    : osg::Drawable(other, copyop), _geometry(other._geometry), _trees(other._trees), _isLast(other._isLast) {
-}
-
 void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees, bool isLast) {
     _geometry = geometry;
     _trees = trees;

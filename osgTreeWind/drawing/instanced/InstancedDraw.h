@@ -12,13 +12,11 @@ namespace osgTreeWind {
 class InstancedDraw : public osg::Drawable {
 public:
     InstancedDraw();
-    InstancedDraw(const InstancedDraw& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
-    META_Node(osgTreeWind, InstancedDraw)
 
-        /// @param geometry of one tree, its vertices in buffer objects; DrawElements and DrawArrays are
-        /// drawn. @param isLast of a batch: the driver is told to begin, as one that draws on processors
-        /// would else wait for the end of the frame.
-        void set(osg::Geometry* geometry, InstanceList* trees, bool isLast = false);
+    /// @param geometry of one tree, its vertices in buffer objects; DrawElements and DrawArrays are drawn.
+    /// @param isLast of a batch: the driver is told to begin, as one that draws on processors would else wait
+    /// for the end of the frame.
+    void set(osg::Geometry* geometry, InstanceList* trees, bool isLast = false);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
 

@@ -40,9 +40,6 @@ InstancedTrees::InstancedTrees(std::shared_ptr<ForestSimulation> simulation, Ins
     updateFlutter(0.0);
 }
 
-InstancedTrees::InstancedTrees(const InstancedTrees& other, const osg::CopyOp&)
-    : InstancedTrees(other._simulation, other._resources) {}
-
 void InstancedTrees::addPasses() {
     const auto& models = SimulationParts::models(*_simulation);
     for (std::size_t model = _passes.size(); model < models.size(); ++model)

@@ -29,13 +29,6 @@ public:
     explicit InstancedTrees(const std::shared_ptr<ForestSimulation>& simulation);
     /// Drawn from the same models and state as another one of the same models and species.
     InstancedTrees(std::shared_ptr<ForestSimulation> simulation, InstancedResources resources);
-    /// Of the same trees, which the original's forest moves.
-    InstancedTrees(const InstancedTrees& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
-    osg::Object* cloneType() const override { return new InstancedTrees; }
-    osg::Object* clone(const osg::CopyOp& copyop) const override { return new InstancedTrees(*this, copyop); }
-    bool isSameKindAs(const osg::Object* other) const override {
-        return dynamic_cast<const InstancedTrees*>(other) != nullptr;
-    }
     const char* libraryName() const override { return "osgTreeWind"; }
     const char* className() const override { return "InstancedTrees"; }
 
