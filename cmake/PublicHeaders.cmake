@@ -10,11 +10,11 @@ set(public_headers
     osgTreeWind/controls/ForestHandler.h
     osgTreeWind/controls/StatisticsLines.h
     osgTreeWind/drawing/BranchTransform.h
-    osgTreeWind/drawing/ForestDrawing.h
+    osgTreeWind/drawing/ForestTechnique.h
     osgTreeWind/drawing/branchwise/BranchwiseForest.h
     osgTreeWind/drawing/branchwise/TreeLodRanges.h
-    osgTreeWind/drawing/stand/StandDrawing.h
-    osgTreeWind/drawing/stand/TreeHit.h
+    osgTreeWind/drawing/instanced/InstancedForest.h
+    osgTreeWind/drawing/instanced/TreeHit.h
     osgTreeWind/forest/CheckForest.h
     osgTreeWind/forest/DrawingOptions.h
     osgTreeWind/forest/ForestDescription.h

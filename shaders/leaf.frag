@@ -1,15 +1,28 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 
-#include "encode.glsl"
+#pragma import_defines(COVERAGE, FADING)
+#ifdef COVERAGE
+#extension GL_ARB_sample_shading : enable
+#endif
+
+#include "dither.glsl"
 #include "leaf_texture.glsl"
+#include "scene.glsl"
 #include "surface.glsl"
 
 in vec2 leafCoord;
 in vec3 leafLight;
+in vec3 scenePosition;
+flat in float treeFade;
 flat in float leafBorne;
 
 void main() {
-    vec3 albedo = leafAlbedo(leafTexel(leafCoord, leafBorne), leafBorne);
-    paintSurface(encoded(albedo * leafLight), albedo);
+    vec2 leaf = leafTexel(leafCoord, leafBorne); // before others discard: it has derivatives
+#ifdef FADING
+    if (dithered(treeFade))
+        discard;
+#endif
+    vec3 albedo = leafAlbedo(leaf, leafBorne);
+    paintSurface(sceneColor(albedo * shadowed(leafLight, sunLight, scenePosition), scenePosition), albedo);
 }

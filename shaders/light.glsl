@@ -9,7 +9,7 @@
 #ifdef SHADOWED
 out
 #endif
-vec3 sunLight; // the sun's part of what barkShade() and leafShade() found last
+vec3 sunLight; // the sun's part of what lightOn() found last
 
 vec3 ambientLight(vec3 eyeNormal) {
     vec3 ambient = gl_LightModel.ambient.rgb;
@@ -57,8 +57,9 @@ float shareOf(vec3 toLight, Shade shade) {
     return shareFrom(vec3(turn.x * d.x + turn.y * d.y, turn.x * d.y - turn.y * d.x, d.z), shade.above, shade.below);
 }
 
-/// Light on bark.
-vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
+/// Light on bark, or on foliage, which is lit from both sides and lets light through. That on foliage is linear in the
+/// normal, so that the mean of normals gives the mean of lights.
+vec3 lightOn(bool leaf, vec3 eyePosition, vec3 eyeNormal, Shade shade) {
     sunLight = vec3(0.0);
 #ifdef UNLIT
     return vec3(1.0);
@@ -67,26 +68,8 @@ vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
     for (int n = 0; n < lights.length(); ++n) {
         int i = lights[n];
         vec4 at = lightAt(i, eyePosition);
-        vec3 part = at.w * shareOf(at.xyz, shade) * max(dot(eyeNormal, at.xyz), 0.0) * gl_LightSource[i].diffuse.rgb;
-        light += part;
-        if (n == 0)
-            sunLight = part;
-    }
-    return light;
-}
-
-/// Light on foliage, which is lit from both sides and lets light through. Linear in the normal, so that the mean of
-/// normals gives the mean of lights.
-vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
-    sunLight = vec3(0.0);
-#ifdef UNLIT
-    return vec3(1.0);
-#endif
-    vec3 light = shade.above.w * ambientLight(eyeNormal);
-    for (int n = 0; n < lights.length(); ++n) {
-        int i = lights[n];
-        vec4 at = lightAt(i, eyePosition);
-        vec3 lit = max(0.5 * dot(eyeNormal, at.xyz) + 0.5, 0.0) + lightThrough(eyePosition, at.xyz);
+        float facing = dot(eyeNormal, at.xyz);
+        vec3 lit = leaf ? max(0.5 * facing + 0.5, 0.0) + lightThrough(eyePosition, at.xyz) : vec3(max(facing, 0.0));
         vec3 part = at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
         light += part;
         if (n == 0)
@@ -94,6 +77,9 @@ vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) {
     }
     return light;
 }
+
+vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) { return lightOn(false, eyePosition, eyeNormal, shade); }
+vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) { return lightOn(true, eyePosition, eyeNormal, shade); }
 
 /// The same for a picture of a tree, which holds its shade (osgTreeWind/drawing/impostors/LightLobe.h); one evaluation serves all
 /// normals: light is `bark` + leaf * `leafMore` +

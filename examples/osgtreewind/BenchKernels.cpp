@@ -106,12 +106,12 @@ GridWind::Grid someGrid(int layers, int times) {
 /// Gusts among trees of 20 m, 5 m apart as far as they are sampled.
 WindFieldPtr inAWood(const WindFieldPtr& gusts) {
     constexpr int rows = 260;
-    StandTree tree;
+    CanopyTree tree;
     tree.height = 20.0f;
     tree.crownArea = 25.0f;
     tree.frontalArea = 50.0f;
     tree.drag.fill(2.0f);
-    std::vector<StandTree> trees(rows * rows, tree);
+    std::vector<CanopyTree> trees(rows * rows, tree);
     for (std::size_t i = 0; i < trees.size(); ++i)
         trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
     auto wood = std::make_shared<CanopyMap>(*canopyOf(trees));

@@ -3,9 +3,9 @@
 
 #include "BenchStage.h"
 
+#include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
-#include <osgTreeWind/drawing/stand/TreeGeometry.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/model/CrownShade.h>

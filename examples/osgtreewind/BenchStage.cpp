@@ -10,6 +10,7 @@
 #include <osgTreeWind/wind/GridWind.h>
 
 #include <osg/Geometry>
+#include <osgUtil/IntersectionVisitor>
 
 #include <cmath>
 #include <limits>
@@ -72,12 +73,14 @@ void drawLinesInsteadOfBark(Forest& forest, const Skeleton& skeleton, bool buffe
         lines.push_back(unitLines(skeleton, unit, 1, buffered));
     for (unsigned i = 0; i < forest.getNumTrees(); ++i) {
         TreeNode& tree = *BranchwiseParts::tree(*forest.getBranchwise(), i);
-        osg::Group& full = *tree.getLod()->level(TreeLod::FULL);
-        for (unsigned child = 0; child < full.getNumChildren(); ++child)
-            if (dynamic_cast<SkinDrawable*>(full.getChild(child)))
-                full.getChild(child)->setNodeMask(0);
-        for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit)
-            tree.getBranch(unit)->addChild(lines[unit]);
+        osgUtil::IntersectionVisitor picking; // for which the tree makes its transforms
+        tree.traverse(picking);
+        for (unsigned unit = 0; unit < tree.getNumBranches(); ++unit) {
+            BranchTransform& branch = *tree.getBranch(unit);
+            for (unsigned child = 0; child < branch.getNumChildren(); ++child)
+                if (dynamic_cast<SkinDrawable*>(branch.getChild(child)))
+                    branch.setChild(child, lines[unit]);
+        }
     }
 }
 
@@ -117,24 +120,12 @@ const std::vector<BenchStage>& benchStages() {
     constexpr auto lines = S::BUFFERED_LINES, leaves = S::BARK_AND_LEAVES;
     constexpr auto way = S::BRANCHWISE;
     constexpr auto cpu = BranchwiseForest::CPU_ANGLES, gpu = BranchwiseForest::GPU_ANGLES;
-    constexpr auto branches = BranchwiseForest::BRANCH_DRAWING, trees = BranchwiseForest::TREE_DRAWING;
-    constexpr auto moved = BranchwiseForest::LEAF_TRANSFORMS;
     static const std::vector<BenchStage> stages = {
-        {"cpu", "skeletons, angles on the CPU", S::LINES, way, "6.1", {10, 5, 3, 2}, cpu, branches},
-        {"cpu-vbo", "the same in vertex buffers", lines, way, "6.2", {12, 5, 3, 2}, cpu, branches},
-        {"gpu", "the same, angles on the GPU", lines, way, "6.3", {105, 60, 40, 31}, gpu, branches},
-        {"gpu-skin", "with bark", S::BARK, way, "6.4", {90, 45, 36, 31}, gpu, branches},
-        {"gpu-leaves",
-         "with bark and a transform per leaf",
-         leaves,
-         way,
-         "6.5",
-         {32, 14, 9, 7},
-         gpu,
-         branches,
-         moved},
-        {"gpu-tree-leaves", "with bark, and leaves in one draw a tree", leaves, way, "", {}, gpu, branches},
-        {"gpu-tree", "bark and leaves in one draw each a tree", leaves, way, "", {}, gpu, trees},
+        {"cpu", "skeletons, angles on the CPU", S::LINES, way, "6.1", {10, 5, 3, 2}, cpu},
+        {"cpu-vbo", "the same in vertex buffers", lines, way, "6.2", {12, 5, 3, 2}, cpu},
+        {"gpu", "the same, angles on the GPU", lines, way, "6.3", {105, 60, 40, 31}, gpu},
+        {"gpu-skin", "with bark", S::BARK, way, "6.4", {90, 45, 36, 31}, gpu},
+        {"gpu-leaves", "with bark and a transform per leaf", leaves, way, "6.5", {32, 14, 9, 7}, gpu},
         {"resident", "instances and tiers, the law modal", leaves, S::INSTANCES},
         {"resident-full", "the same, every tree in full", leaves, S::INSTANCES_IN_FULL},
         {"osganimation-hw", "osgAnimation, skinned by a shader", leaves, S::HARDWARE_RIG},
@@ -155,12 +146,9 @@ BenchScene createBenchScene(const BenchStage& stage, int trees) {
     }
     scene.moving = scene.forest = new Forest(description);
     if (BranchwiseForest* forest = scene.forest->getBranchwise()) {
-        const bool lined = stage.geometry <= BenchStage::BUFFERED_LINES;
         forest->setAngleSource(stage.angles);
         forest->setLodRanges(alwaysFull);
-        forest->setBranchDrawing(lined ? BranchwiseForest::TREE_DRAWING : stage.branches);
-        forest->setLeafDrawing(stage.leaves);
-        if (lined)
+        if (stage.geometry <= BenchStage::BUFFERED_LINES)
             drawLinesInsteadOfBark(*scene.forest, scene.model->skeleton,
                                    stage.geometry == BenchStage::BUFFERED_LINES);
     }

@@ -19,7 +19,7 @@ struct BenchStage {
     };
 
     enum Way {
-        BRANCHWISE,        ///< Forest under the law `thesis`: angles, branches, leaves as below.
+        BRANCHWISE,        ///< Forest under the law `thesis`, angles as below.
         INSTANCES,         ///< Forest under the law `modal`, as it comes: with tiers.
         INSTANCES_IN_FULL, ///< The same without tiers.
         HARDWARE_RIG,      ///< osgAnimation, skinned by a vertex shader.
@@ -33,8 +33,6 @@ struct BenchStage {
     std::string table{};          ///< Of the thesis; empty for a stage it does not have.
     std::vector<int> thesisFps{}; ///< That table: frames a second for 1, 2, 3 and 4 trees.
     osgTreeWind::BranchwiseForest::AngleSource angles = osgTreeWind::BranchwiseForest::GPU_ANGLES;
-    osgTreeWind::BranchwiseForest::BranchDrawing branches = osgTreeWind::BranchwiseForest::TREE_DRAWING;
-    osgTreeWind::BranchwiseForest::LeafDrawing leaves = osgTreeWind::BranchwiseForest::TREE_LEAVES;
 
     /// That moves the trees.
     osgTreeWind::MotionLaw law() const {

@@ -5,9 +5,9 @@
 #include "BenchForests.h"
 #include "DefaultView.h"
 
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
-#include <osgTreeWind/drawing/stand/StandParts.h>
-#include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
@@ -72,7 +72,7 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
         result.archetypes = modal->archetypeCount();
         result.archetypeBytes = modal->archetypeBytes();
         const BenchClock clock;
-        const StandResources painted(simulation);
+        const InstancedResources painted(simulation);
         result.shapesSeconds = clock.seconds();
     }
     return forest;
@@ -90,7 +90,7 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
     result.forest = name;
     result.viewpoint = viewpoint;
     const osg::ref_ptr<Forest> forest = makeForest(make, result);
-    inFull = inFull && forest->getStand();
+    inFull = inFull && forest->getInstanced();
     const BenchScene tree = createBenchScene(stageOfInstances(), 1);
     const osg::Matrixd view = viewOf(forest->getBound(), viewpoint, settings.size);
     std::vector<BenchVariant> variants = {{forest, view},
@@ -121,8 +121,8 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
         if (inFull && round >= 0 && round % BenchView::roundsPerFull == 0)
             viewer.measure(Full, time);
     }
-    if (forest->getStand())
-        result.tiers = StandParts::trees(*forest->getStand())->listedTrees();
+    if (forest->getInstanced())
+        result.tiers = InstancedParts::trees(*forest->getInstanced())->listedTrees();
     std::vector<BenchTimes> times = viewer.times(Tree, time);
     result.drawn = std::move(times[Drawn]);
     result.tree = std::move(times[Tree]);

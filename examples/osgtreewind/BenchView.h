@@ -3,7 +3,7 @@
 
 #include "BenchRun.h"
 
-#include <osgTreeWind/drawing/stand/DrawnTrees.h>
+#include <osgTreeWind/drawing/instanced/DrawnTrees.h>
 
 #include <array>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/drawing/impostors/LeafEdges.h>
 #include <osgTreeWind/drawing/impostors/TreeLooks.h>
-#include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeDetail.h>

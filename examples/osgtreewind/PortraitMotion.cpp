@@ -4,7 +4,7 @@
 #include "Setting.h"
 
 #include <osgTreeWind/drawing/impostors/LeafEdges.h>
-#include <osgTreeWind/drawing/stand/TreeTiers.h>
+#include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>

@@ -9,7 +9,7 @@
 #include "Setting.h"
 #include "VideoWriter.h"
 
-#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -52,13 +52,6 @@ std::string framePath(const std::string& pattern, int frame) {
     if (number.size() < width)
         number.insert(0, width - number.size(), match[1].length() ? '0' : ' ');
     return match.prefix().str() + number + match.suffix().str();
-}
-
-void choosePose(BranchwiseForest& forest, const std::string& pose) {
-    const bool transforms = pose == "scenegraph";
-    forest.setAngleSource(pose == "cpu" ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
-    forest.setBranchDrawing(transforms ? BranchwiseForest::BRANCH_DRAWING : BranchwiseForest::TREE_DRAWING);
-    forest.setLeafDrawing(transforms ? BranchwiseForest::LEAF_TRANSFORMS : BranchwiseForest::TREE_LEAVES);
 }
 
 /// From where the options say (DefaultView.h).
@@ -123,12 +116,21 @@ ExitCode checkOutput(const RenderOptions& options) {
     return Succeeded;
 }
 
-ExitCode writeFrames(OffscreenViewer& drawing, const RenderOptions& options) {
+/// Has trees drawn by their stand-ins, whose leaves are shaded as a crown, in the next frame too.
+void keepStandIns(const BranchwiseForest& forest) {
+    for (unsigned i = 0; i < forest.getNumTrees(); ++i)
+        BranchwiseParts::tree(forest, i)->getLod()->takeWanted();
+}
+
+/// @param posed by shaders in all frames; may be null.
+ExitCode writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const RenderOptions& options) {
     std::unique_ptr<VideoWriter> movie;
     if (isVideo(options))
         movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
     Progress progress("render", static_cast<std::size_t>(options.frames));
     for (int frame = 0; frame < options.frames; ++frame) {
+        if (posed)
+            keepStandIns(*posed);
         osg::Image& image = drawing.frame(options.start + frame / options.fps);
         const std::string path = framePath(options.output, frame);
         if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path))) {
@@ -173,8 +175,12 @@ ExitCode render(const RenderOptions& options) {
         return Failed;
     osgViewer::Viewer& viewer = drawing.viewer();
     placeCamera(*viewer.getCamera(), view, lens);
+    const BranchwiseForest* posed = nullptr;
     if (BranchwiseForest* branchwise = forest->getBranchwise()) {
-        choosePose(*branchwise, options.pose.empty() ? "cpu" : options.pose);
+        const bool onCpu = options.pose.empty() || options.pose == "cpu";
+        branchwise->setAngleSource(onCpu ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
+        if (options.pose != "scenegraph")
+            posed = branchwise;
     } else if (!options.pose.empty()) {
         std::cerr << "--pose " << options.pose << ": for a law of a branch, not \"modal\"\n";
         return BadInput;
@@ -183,7 +189,7 @@ ExitCode render(const RenderOptions& options) {
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);
 
-    return writeFrames(drawing, options);
+    return writeFrames(drawing, posed, options);
 }
 
 void addViewOptions(CLI::App& command, RenderOptions& options) {

@@ -7,11 +7,11 @@
 #include <osgTreeWind/controls/WatchedTree.h>
 #include <osgTreeWind/controls/WindArrows.h>
 #include <osgTreeWind/controls/WindStreaks.h>
-#include <osgTreeWind/drawing/stand/DrawnTrees.h>
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
-#include <osgTreeWind/drawing/stand/StandParts.h>
-#include <osgTreeWind/drawing/stand/TreeHit.h>
-#include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/drawing/instanced/DrawnTrees.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
+#include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/SimulationParts.h>
@@ -98,9 +98,9 @@ osg::Matrix toForest(Forest& forest) {
 
 std::string drawnText(Forest& forest) {
     std::string text = formatted("\ntrees   %zu", forest.getNumTrees());
-    if (!forest.getStand())
+    if (!forest.getInstanced())
         return text;
-    const DrawnTrees drawn(StandParts::trees(*forest.getStand())->listedTrees());
+    const DrawnTrees drawn(InstancedParts::trees(*forest.getInstanced())->listedTrees());
     return text + formatted("; drawn %zu in full, %zu by boughs, %zu as pictures", drawn.full, drawn.byBoughs,
                             drawn.asPictures);
 }

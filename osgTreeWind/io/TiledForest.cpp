@@ -66,7 +66,7 @@ WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std:
     for (std::size_t tile = 0, met = 0; tile < all.tiles.size(); ++tile)
         if (all.tiles[tile].trees > 0 && met++ % every == 0)
             tiles.push_back(tile);
-    std::vector<std::vector<StandTree>> stands(tiles.size());
+    std::vector<std::vector<CanopyTree>> stands(tiles.size());
     runJobs(executor, tiles.size(), [&](std::size_t i) {
         const Result<std::vector<TreePlacement>> trees =
             readTile(shapes.description().species, all, tiles[i]);

@@ -29,11 +29,11 @@ constexpr float mostMapCells = 0x1p20f, farthestCell = 0x1p23f;
 struct StandSum {
     float crownArea = 0.0f;
     float frontalArea = 0.0f, height = 0.0f; ///< The latter times the former.
-    std::array<float, StandTree::layers> drag{};
+    std::array<float, CanopyTree::layers> drag{};
     /// The former three times the latter.
     float streamlining = 0.0f, breezeStreamlining = 0.0f, streamlinedTo = 0.0f, allDrag = 0.0f;
 
-    void add(const StandTree& tree, float share) {
+    void add(const CanopyTree& tree, float share) {
         crownArea += share * tree.crownArea;
         frontalArea += share * tree.frontalArea;
         height += share * tree.frontalArea * tree.height;
@@ -72,8 +72,8 @@ CanopyCell cellOf(const StandSum& sum, float height, float frontalArea, float fa
     cell.profile = CanopyProfile::over(height, frontalArea);
     cell.shelter.fill(1.0f);
     float taken = 0.0f; // over the mean's square at the top, if crowns stood in free air
-    for (std::size_t i = 0; i < StandTree::layers; ++i) {
-        const float z = (static_cast<float>(i) + 0.5f) / static_cast<float>(StandTree::layers) * height;
+    for (std::size_t i = 0; i < CanopyTree::layers; ++i) {
+        const float z = (static_cast<float>(i) + 0.5f) / static_cast<float>(CanopyTree::layers) * height;
         const SwingingWind wind(cell.profile.mean(z), cell.profile.spread(z), cell.profile.skewness(z));
         taken += factor * sum.drag[i] * wind.push();
     }
@@ -90,8 +90,8 @@ CanopyCell cellOf(const StandSum& sum, float height, float frontalArea, float fa
 struct MeanHeight {
     float areas = 0.0f, heights = 0.0f;
 
-    void add(const std::vector<StandTree>& trees) {
-        for (const StandTree& tree : trees) {
+    void add(const std::vector<CanopyTree>& trees) {
+        for (const CanopyTree& tree : trees) {
             areas += tree.frontalArea;
             heights += tree.frontalArea * tree.height;
         }
@@ -101,9 +101,9 @@ struct MeanHeight {
 };
 
 /// Empty cells under the trees; larger ones where they would be too many.
-CanopyMap groundUnder(const std::vector<StandTree>& trees, float reach) {
+CanopyMap groundUnder(const std::vector<CanopyTree>& trees, float reach) {
     glm::vec2 low = trees.front().place, high = low, first, count;
-    for (const StandTree& tree : trees) {
+    for (const CanopyTree& tree : trees) {
         low = glm::min(low, tree.place);
         high = glm::max(high, tree.place);
     }
@@ -125,7 +125,7 @@ CanopyMap groundUnder(const std::vector<StandTree>& trees, float reach) {
 }
 
 /// Adds a tree to the ground around it, most to what is next to it.
-void spread(const StandTree& tree, const CanopyMap& map, std::vector<StandSum>& sums) {
+void spread(const CanopyTree& tree, const CanopyMap& map, std::vector<StandSum>& sums) {
     const glm::vec2 at = tree.place / map.cell;
     const auto cells = static_cast<int>(cellsPerReach);
     const glm::ivec2 place = glm::ivec2(glm::floor(at)) - map.first;
@@ -141,10 +141,10 @@ void spread(const StandTree& tree, const CanopyMap& map, std::vector<StandSum>& 
 }
 
 /// By where they stand, so that sums are the same in whatever order they are given.
-std::vector<const StandTree*> inOneOrder(const std::vector<StandTree>& trees) {
-    std::vector<const StandTree*> order(trees.size());
-    std::transform(trees.begin(), trees.end(), order.begin(), [](const StandTree& tree) { return &tree; });
-    std::sort(order.begin(), order.end(), [](const StandTree* a, const StandTree* b) {
+std::vector<const CanopyTree*> inOneOrder(const std::vector<CanopyTree>& trees) {
+    std::vector<const CanopyTree*> order(trees.size());
+    std::transform(trees.begin(), trees.end(), order.begin(), [](const CanopyTree& tree) { return &tree; });
+    std::sort(order.begin(), order.end(), [](const CanopyTree* a, const CanopyTree* b) {
         return std::tie(a->place.y, a->place.x, a->height, a->frontalArea) <
                std::tie(b->place.y, b->place.x, b->height, b->frontalArea);
     });
@@ -165,9 +165,9 @@ struct UsualStand {
 };
 
 /// Makes the cells of the ground under the trees.
-UsualStand fillCells(CanopyMap& map, const std::vector<StandTree>& trees) {
+UsualStand fillCells(CanopyMap& map, const std::vector<CanopyTree>& trees) {
     std::vector<StandSum> sums(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.length));
-    for (const StandTree* tree : inOneOrder(trees))
+    for (const CanopyTree* tree : inOneOrder(trees))
         spread(*tree, map, sums);
     UsualStand usual;
     map.cells.reserve(sums.size());
@@ -185,8 +185,8 @@ UsualStand fillCells(CanopyMap& map, const std::vector<StandTree>& trees) {
 
 } // namespace
 
-StandTree::StandTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
-                     const glm::vec2& at)
+CanopyTree::CanopyTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
+                       const glm::vec2& at)
     : place(at), height(scale.axes.z * model.skeleton.height()), streamlinedTo(species.wood.streamlinedTo) {
     const float width = measureTree(model, scale).crownWidth;
     crownArea = 0.25f * glm::pi<float>() * width * width;
@@ -206,7 +206,7 @@ StandTree::StandTree(const TreeModel& model, const TreeScale& scale, const Speci
     breezeStreamlining = foliage * species.wood.breezeStreamlining;
 }
 
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, const WindCanopy& canopy) {
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, const WindCanopy& canopy) {
     if (canopy.source == CanopySource::Given)
         return canopyOf(trees, static_cast<float>(canopy.height), static_cast<float>(canopy.frontalArea));
     if (trees.empty())
@@ -225,12 +225,12 @@ std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, c
     return std::make_shared<const CanopyMap>(std::move(map));
 }
 
-WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<StandTree>>& parts) {
+WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<CanopyTree>>& parts) {
     MeanHeight mean;
-    for (const std::vector<StandTree>& part : parts)
+    for (const std::vector<CanopyTree>& part : parts)
         mean.add(part);
     UsualStand usual;
-    for (const std::vector<StandTree>& part : parts) {
+    for (const std::vector<CanopyTree>& part : parts) {
         if (part.empty())
             continue;
         CanopyMap map = groundUnder(part, mean.reach());
@@ -246,10 +246,10 @@ WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<Stan
     return canopy;
 }
 
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, float height,
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, float height,
                                           float frontalArea) {
     StandSum sum;
-    for (const StandTree& tree : trees)
+    for (const CanopyTree& tree : trees)
         sum.add(tree, 1.0f);
     auto map = std::make_shared<CanopyMap>();
     map->usual =

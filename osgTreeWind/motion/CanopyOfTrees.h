@@ -15,7 +15,7 @@
 namespace osgTreeWind {
 
 /// What one tree is to the stand around it.
-struct StandTree {
+struct CanopyTree {
     static constexpr std::size_t layers = 8;
 
     glm::vec2 place{0.0f};            ///< Metres.
@@ -27,9 +27,9 @@ struct StandTree {
     float streamlinedTo = 25.0f;      ///< m/s,
     float breezeStreamlining = 0.0f;  ///< and below 10 m/s.
 
-    StandTree() = default;
-    StandTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
-              const glm::vec2& at);
+    CanopyTree() = default;
+    CanopyTree(const TreeModel& model, const TreeScale& scale, const Species& species, float leaves,
+               const glm::vec2& at);
 };
 
 /// The stands that these trees make around each other.
@@ -38,16 +38,17 @@ struct StandTree {
 /// each other until the mean drag of the trees on the ground that is theirs is rho u*^2. That is solved at
 /// each wind, since crowns streamline. With the reach and the usual stand of `canopy` a place depends on the
 /// trees within shelterReach() of it alone, to the bit. @param canopy where given, one stand for all.
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, const WindCanopy& canopy = {});
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees,
+                                          const WindCanopy& canopy = {});
 
 /// One stand that goes on to all sides, of trees like these. @param height of it, metres.
 /// @param frontalArea its index: m^2 over m^2 of ground.
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<StandTree>& trees, float height,
+std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, float height,
                                           float frontalArea);
 
 /// Has parts of a forest take the stands of all of it. @param parts of it that stand for the whole: their
 /// trees.
-WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<StandTree>>& parts);
+WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<CanopyTree>>& parts);
 
 /// How far trees matter to the wind at others, metres. @param canopy with a reach.
 double shelterReach(const WindCanopy& canopy);

@@ -35,7 +35,7 @@ void WindAmongTrees::reset() {
 
 std::shared_ptr<CanopyMap> WindAmongTrees::canopyOfForest(const PlacedForest& forest) {
     _trees.resize(forest.trees.size());
-    std::vector<StandTree> alive;
+    std::vector<CanopyTree> alive;
     alive.reserve(_trees.size());
     for (std::size_t slot = 0; slot < _trees.size(); ++slot) {
         const PlacedTree& tree = forest.trees[slot];

@@ -3,8 +3,9 @@
 
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/drawing/ground/GroundDrawing.h>
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
+#include <osgTreeWind/drawing/branchwise/TextureRoom.h>
+#include <osgTreeWind/drawing/ground/GroundTile.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
@@ -14,15 +15,13 @@
 #include <osgTreeWind/nodes/Environment.h>
 #include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/Patience.h>
+#include <osgTreeWind/nodes/ScenePlace.h>
 #include <osgTreeWind/nodes/TilePager.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/wind/GivenWind.h>
 
-#include <osg/LOD>
 #include <osg/NodeVisitor>
 #include <osg/Notify>
-#include <osg/Switch>
-#include <osg/Transform>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -33,14 +32,13 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr std::size_t smallStand = 500; // trees; so few are followed closely from the start
-constexpr unsigned framesUnseen = 2;    // below a LOD: until it counts as hidden
+constexpr std::size_t fewTrees = 500; // trees; so few are followed closely from the start
 
 /// What keeps a forest from being as described.
 Diagnostics problemsOf(const ForestDescription& description) {
     if (Diagnostics problems = check(description); !problems.empty())
         return problems;
-    std::string problem = BranchwiseForest::problemOf(description);
+    std::string problem = problemOfTextures(description);
     if (problem.empty())
         problem = problemOfMemory(description, true);
     return problem.empty() ? Diagnostics() : Diagnostics{keyProblem({}, problem)};
@@ -64,16 +62,9 @@ std::vector<TreeUnit> unitsOf(const ForestSimulation& simulation, std::size_t sl
     return units;
 }
 
-osg::ref_ptr<osg::Node> groundOf(const ForestDescription& description, const osg::BoundingSphere& trees) {
-    const glm::dvec2 centre(trees.center().x(), trees.center().y());
-    return createGroundDrawing(description.ground, description.origin,
-                               glm::dvec2(description.origin) + centre,
-                               std::max(static_cast<double>(trees.radius()), 0.0));
-}
-
-osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& simulation) {
+osg::ref_ptr<ForestTechnique> usualTechnique(const std::shared_ptr<ForestSimulation>& simulation) {
     if (simulation->description().law == MotionLaw::Modal)
-        return new StandDrawing(simulation);
+        return new InstancedForest(simulation);
     return new BranchwiseForest(simulation);
 }
 
@@ -81,7 +72,8 @@ osg::ref_ptr<ForestDrawing> drawingFor(const std::shared_ptr<ForestSimulation>& 
 
 Forest::Forest() : Forest(ForestDescription()) {}
 
-Forest::Forest(ForestDescription description) : _wind(std::make_shared<GivenWind>()) {
+Forest::Forest(ForestDescription description)
+    : _wind(std::make_shared<GivenWind>()), _place(std::make_unique<ScenePlace>()) {
     setNumChildrenRequiringUpdateTraversal(1);
     if (const Diagnostics problems = setDescription(std::move(description)); !problems.empty()) {
         OSG_WARN << "osgTreeWind: the forest is left empty: " << linesOf(problems) << std::endl;
@@ -90,13 +82,14 @@ Forest::Forest(ForestDescription description) : _wind(std::make_shared<GivenWind
 }
 
 Forest::Forest(const Forest& other, const osg::CopyOp& copyop)
-    : osg::Group(other, copyop), _executor(other._executor) {
+    : osg::Group(other, copyop), _executor(other._executor), _place(std::make_unique<ScenePlace>()) {
     setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
     for (unsigned i = getNumChildren(); i-- > 0;)
         if (other.isOwnChild(other.getChild(i)))
             removeChild(i);
-    const std::shared_ptr<ForestSimulation> simulation = other._simulation->restarted();
-    show(simulation, other._drawing->again(simulation));
+    _technique = static_cast<ForestTechnique*>(other._technique->clone(copyop));
+    _isHosts = other._isHosts;
+    show(other._simulation->restarted());
     _wind = SimulationParts::wind(*_simulation);
     for (const TreeId tree : getTrees())
         if (SimulationParts::trees(*_simulation)[_simulation->slotOf(tree)].tiled)
@@ -124,9 +117,9 @@ void Forest::setExecutor(Executor executor) {
 Diagnostics Forest::setSeason(float season) {
     if (Diagnostics problems = _simulation->setSeason(season); !problems.empty())
         return problems;
-    _drawing->seasonChanged();
+    _technique->seasonChanged();
     if (_tiles)
-        _tiles->showSeason(season);
+        _tiles->seasonChanged();
     return {};
 }
 
@@ -165,30 +158,53 @@ void Forest::grow(ForestDescription description) {
     SimulationOptions options;
     options.placed = Patience(description.trees.size());
     options.executor = _executor;
-    if (description.drawing.tiers && (description.tiles || description.trees.size() > smallStand))
+    if (description.drawing.tiers && (description.tiles || description.trees.size() > fewTrees))
         options.distant = true; // until someone sees them
-    const auto simulation = SimulationParts::make(std::move(description), options, _wind);
-    const osg::ref_ptr<ForestDrawing> drawing = drawingFor(simulation);
-    if (_drawing)
-        drawing->takeSettings(*_drawing);
-    show(simulation, drawing);
+    show(SimulationParts::make(std::move(description), options, _wind));
 }
 
-void Forest::show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_ptr<ForestDrawing>& drawing) {
-    removeChild(_drawing);
+Diagnostics Forest::setTechnique(ForestTechnique* technique) {
+    return guardedResult([&]() -> Diagnostics {
+        if (technique && technique != _technique) {
+            const osg::ref_ptr<ForestTechnique> given = technique;
+            given->setSimulation(_simulation);
+            showTechnique(given);
+        } else if (!technique && _isHosts) {
+            showTechnique(usualTechnique(_simulation));
+        }
+        _isHosts = technique != nullptr;
+        return {};
+    });
+}
+
+void Forest::showTechnique(const osg::ref_ptr<ForestTechnique>& technique) {
+    removeChild(_technique);
+    _technique = technique;
+    insertChild(0, _technique);
+}
+
+void Forest::show(std::shared_ptr<ForestSimulation> simulation) {
+    osg::ref_ptr<ForestTechnique> technique = _technique;
+    const bool isModal = simulation->description().law == MotionLaw::Modal;
+    if (technique && (_isHosts || isModal == (getInstanced() != nullptr)))
+        technique->setSimulation(simulation);
+    else
+        technique = usualTechnique(simulation);
     removeChild(_tiles);
     _tiles = nullptr;
     _stopped = false;
     _frameStep = frameStepOf(simulation->description());
     _guard = std::make_unique<EntryGuard>();
     _simulation = std::move(simulation);
-    _drawing = drawing;
-    insertChild(0, _drawing);
+    showTechnique(technique);
     if (getDescription().tiles) {
-        _tiles = new TilePager(*getDescription().tiles, getDescription().origin);
+        _tiles = new TilePager(_simulation, [this](const TreePlacement& tree) {
+            const Result<TreeId> id = addTree(tree);
+            return id ? id.value() : noTree;
+        });
         insertChild(1, _tiles);
     }
-    _ground = groundOf(getDescription(), _drawing->getBound());
+    _ground = createGroundDrawing(getDescription().ground, getDescription().origin, _technique->getBound());
     _treeCount = getTrees().size();
 }
 
@@ -196,7 +212,7 @@ Result<std::size_t> Forest::addSpecies(Species species) {
     return guardedResult([&] {
         Result<std::size_t> index = _simulation->addSpecies(std::move(species));
         if (index)
-            _drawing->speciesAdded();
+            _technique->speciesAdded();
         return index;
     });
 }
@@ -206,7 +222,7 @@ Result<TreeId> Forest::addTree(const TreePlacement& placement) {
         Result<TreeId> tree = _simulation->addTree(placement);
         if (tree) {
             ++_treeCount;
-            _drawing->treeChanged(_simulation->slotOf(tree.value()));
+            _technique->treeChanged(_simulation->slotOf(tree.value()));
         }
         return tree;
     });
@@ -216,7 +232,7 @@ Diagnostics Forest::removeTree(TreeId tree) {
     Diagnostics problems = _simulation->removeTree(tree);
     if (problems.empty()) {
         --_treeCount;
-        _drawing->treeChanged(_simulation->slotOf(tree));
+        _technique->treeChanged(_simulation->slotOf(tree));
     }
     return problems;
 }
@@ -225,21 +241,21 @@ void Forest::unload(TreeId tree) {
     if (!SimulationParts::unloadTree(*_simulation, tree).empty())
         return;
     --_treeCount;
-    _drawing->treeChanged(_simulation->slotOf(tree));
+    _technique->treeChanged(_simulation->slotOf(tree));
 }
 
 Diagnostics Forest::changeTree(TreeId tree, const TreePlacement& placement) {
     return guardedResult([&] {
         Diagnostics problems = _simulation->changeTree(tree, placement);
         if (problems.empty())
-            _drawing->treeChanged(_simulation->slotOf(tree));
+            _technique->treeChanged(_simulation->slotOf(tree));
         return problems;
     });
 }
 
 TreeId Forest::findTree(const std::string& name) {
     if (_tiles && !_simulation->findTree(name))
-        _tiles->bring(name, *this);
+        _tiles->bring(name);
     return _simulation->findTree(name).value_or(noTree);
 }
 
@@ -269,28 +285,31 @@ void Forest::setDamageCallback(DamageCallback callback) {
 }
 
 Result<BranchTransform*> Forest::branch(TreeId tree, unsigned unit) {
-    if (BranchTransform* transform = _drawing->follow(tree, unit))
+    if (BranchTransform* transform = _technique->follow(tree, unit))
         return transform;
     if (!_simulation->holds(tree))
         return keyProblem("tree", "no tree has this id, or it is gone");
+    const std::size_t units = getUnits(tree).size();
+    if (unit < units)
+        return keyProblem("technique", "the forest's technique has no transforms that follow branches");
     return keyProblem("unit", "there is no unit " + std::to_string(unit) + "; the tree has " +
-                                  std::to_string(getUnits(tree).size()) + ", from 0 on");
+                                  std::to_string(units) + ", from 0 on");
 }
 
 bool Forest::unfollow(TreeId tree, unsigned unit) {
-    return _drawing->unfollow(tree, unit);
+    return _technique->unfollow(tree, unit);
 }
 
-StandDrawing* Forest::getStand() const {
-    return dynamic_cast<StandDrawing*>(_drawing.get());
+InstancedForest* Forest::getInstanced() const {
+    return _technique->asInstancedForest();
 }
 
 BranchwiseForest* Forest::getBranchwise() const {
-    return dynamic_cast<BranchwiseForest*>(_drawing.get());
+    return _technique->asBranchwiseForest();
 }
 
 bool Forest::isOwnChild(const osg::Node* child) const {
-    return child == _drawing || (child && child == _tiles);
+    return child == _technique || (child && child == _tiles);
 }
 
 osg::Vec3d Forest::getOrigin() const {
@@ -305,36 +324,35 @@ void Forest::traverse(osg::NodeVisitor& visitor) {
         _stopped = !_guard->run("a forest stands still until its next description", [&] { update(visitor); });
     const bool isCull = visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR && stamp;
     if (isCull)
-        _culledFrame = stamp->getFrameNumber();
+        _place->culled(stamp->getFrameNumber());
     osg::Group::traverse(visitor);
     if (isCull)
-        _guard->run("statistics of a forest are missing",
-                    [&] { reportStatistics(*this, visitor, _stepTime, clock.elapsedTime(), _tiles.get()); });
+        _guard->run("statistics of a forest are missing", [&] { report(visitor, clock.elapsedTime()); });
+}
+
+void Forest::report(osg::NodeVisitor& cullVisitor, double cullTime) const {
+    osg::Stats* const stats = statisticsOf(cullVisitor);
+    if (!stats)
+        return;
+    ForestStatistics now{_stepTime, cullTime, _treeCount, {}, {}};
+    if (_tiles)
+        now.tiles = _tiles->countThere();
+    if (const InstancedForest* instanced = getInstanced())
+        now.drawn = DrawnTrees(InstancedParts::trees(*instanced)->listedTrees());
+    now.report(*stats, cullVisitor.getFrameStamp()->getFrameNumber());
 }
 
 osg::BoundingSphere Forest::computeBound() const {
-    return getNumChildren() == 1 && !_tiles ? _drawing->getBound()
+    return getNumChildren() == 1 && !_tiles ? _technique->getBound()
                                             : osg::Group::computeBound(); // no box about a sphere
 }
 
-/// Update visitors enter what a Switch or LOD hides, too.
-bool Forest::isHidden(const osg::NodePath& path, unsigned frame) const {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        if (auto* choice = dynamic_cast<osg::Switch*>(path[i]))
-            if (!choice->getChildValue(path[i + 1]))
-                return true;
-        if (dynamic_cast<osg::LOD*>(path[i]) && _culledFrame != ~0u && frame > _culledFrame + framesUnseen)
-            return true;
-    }
-    return false;
-}
-
 /// Tells the wind where the forest is.
-void Forest::stand(const osg::NodePath& path) {
-    _place = osg::computeLocalToWorld(path);
-    osg::Matrix toScene = _place;
-    const osg::Vec3d stands = _place.getTrans();
-    if ((stands - getOrigin()).length2() < stands.length2()) // the scene is in world coordinates
+void Forest::tellPlace(const osg::NodePath& path) {
+    _place->update(path);
+    osg::Matrix toScene = _place->toScene();
+    const osg::Vec3d zero = toScene.getTrans();
+    if ((zero - getOrigin()).length2() < zero.length2()) // the scene is in world coordinates
         toScene.postMultTranslate(-getOrigin());
     _wind->setPlace(glm::make_mat4(toScene.ptr()));
 }
@@ -342,32 +360,30 @@ void Forest::stand(const osg::NodePath& path) {
 void Forest::update(osg::NodeVisitor& visitor) {
     const osg::FrameStamp& stamp = *visitor.getFrameStamp();
     const osg::NodePath& path = visitor.getNodePath();
-    if (isHidden(path, stamp.getFrameNumber()))
+    if (_place->isHidden(path, stamp.getFrameNumber()))
         return;
     if (stamp.getFrameNumber() == _lastFrame) {
-        if (!_twoPlaces && getNumParents() > 0 && osg::computeLocalToWorld(path) != _place) {
-            _twoPlaces = true;
+        if (getNumParents() > 0 && _place->isSecond(path))
             OSG_WARN << "osgTreeWind: forest \"" << getName()
                      << "\" stands in two places of the scene; both show it "
                      << "in the wind of the first. A copy (osg::clone) would have its own" << std::endl;
-        }
         return;
     }
     _lastFrame = stamp.getFrameNumber();
     const osg::ElapsedTime clock;
-    stand(path);
+    tellPlace(path);
     if (_tiles) {
-        const TilePager::Changes changes = _tiles->update(stamp, *this);
+        const TilePager::Changes changes = _tiles->update(stamp);
         std::for_each(changes.leaving.begin(), changes.leaving.end(), [&](TreeId tree) { unload(tree); });
         _simulation->runUp(changes.near);
     }
     const osg::ref_ptr<osg::FrameStamp> own = new osg::FrameStamp(stamp);
     if (_frameStep > 0.0)
         own->setSimulationTime(_frameStep * stamp.getFrameNumber());
-    _drawing->update(*own);
+    _technique->update(*own);
     const std::vector<TreeDamage> down = _simulation->damage(); // those who are told may change it
     for (const TreeDamage& damage : down)
-        _drawing->treeChanged(_simulation->slotOf(damage.tree));
+        _technique->treeChanged(_simulation->slotOf(damage.tree));
     if (_damageCallback)
         std::for_each(down.begin(), down.end(), _damageCallback);
     _stepTime = clock.elapsedTime();

@@ -9,9 +9,7 @@
 #include <osgTreeWind/wind/Wind.h>
 
 #include <osg/Group>
-#include <osg/Matrix>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,10 +20,11 @@ namespace osgTreeWind {
 class BranchTransform;
 class BranchwiseForest;
 class EntryGuard;
-class ForestDrawing;
 class ForestSimulation;
+class ForestTechnique;
 class GivenWind;
-class StandDrawing;
+class InstancedForest;
+class ScenePlace;
 class TilePager;
 struct ForestDescription;
 struct Species;
@@ -35,9 +34,8 @@ struct TreeUnit;
 /// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
 /// The update traversal moves it on, once per frame number however many views, to the frame stamp's time or
 /// by a fixed step (ForestDescription::step); a paused time holds the trees, and one below a Switch that is
-/// off rests. Under the law `modal` trees are instances (StandDrawing); a law of a branch has them drawn the
-/// thesis' way (BranchwiseForest). Other nodes may be its children too. Below a transform it gets the wind of
-/// where it really stands; with two parents, that of the first one (docs/coordinates.md). Its bounding boxes
+/// off rests. Other nodes may be its children too. Below a transform it gets the wind of where it really is;
+/// with two parents, that of the first one (docs/coordinates.md). Its bounding boxes
 /// (osg::ComputeBoundsVisitor) are of trees at rest, its sphere holds them as they sway.
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
@@ -64,8 +62,7 @@ public:
     Diagnostics setWind(Wind wind);
     Wind getWind() const; ///< As set, with its canopy.
 
-    /// A host's threads to step it, and to grow descriptions to come (SimulationOptions); null: those of the
-    /// process. In update or between frames.
+    /// A host's threads (SimulationOptions::executor); null: the process's own. In update or between frames.
     void setExecutor(Executor executor);
 
     /// Of the year (species/Season.h): leaves, and how trees sway with them. In update or between frames.
@@ -110,8 +107,11 @@ public:
     bool unfollow(TreeId tree, unsigned unit); ///< With what hangs on it. @return whether it was followed.
     bool isOwnChild(const osg::Node* child) const; ///< A part of the forest; all others are yours.
 
-    StandDrawing* getStand() const;          ///< What draws the trees as instances; else null.
-    BranchwiseForest* getBranchwise() const; ///< What draws them branch by branch; else null.
+    /// Draws its trees, and no other's; null: instances under `modal`, else branch by branch. As setSeason().
+    Diagnostics setTechnique(ForestTechnique* technique);
+    ForestTechnique* getTechnique() const { return _technique.get(); } ///< Never null.
+    InstancedForest* getInstanced() const;   ///< The technique, if it draws instances; else null.
+    BranchwiseForest* getBranchwise() const; ///< The technique, if it draws branch by branch; else null.
 
     /// Wind, angles and poses behind the picture. Read it between frames.
     const ForestSimulation& getSimulation() const { return *_simulation; }
@@ -124,27 +124,27 @@ protected:
 
 private:
     void grow(ForestDescription description);
-    void show(std::shared_ptr<ForestSimulation> simulation, const osg::ref_ptr<ForestDrawing>& drawing);
+    void show(std::shared_ptr<ForestSimulation> simulation);
+    void showTechnique(const osg::ref_ptr<ForestTechnique>& technique);
     void update(osg::NodeVisitor& visitor);
     void unload(TreeId tree);
-    bool isHidden(const osg::NodePath& path, unsigned frame) const;
-    void stand(const osg::NodePath& path);
+    void report(osg::NodeVisitor& cullVisitor, double cullTime) const;
+    void tellPlace(const osg::NodePath& path);
 
     std::shared_ptr<GivenWind> _wind; ///< Of `_simulation` too.
     Executor _executor;
     DamageCallback _damageCallback;
     std::shared_ptr<ForestSimulation> _simulation;
-    osg::ref_ptr<ForestDrawing> _drawing;
+    osg::ref_ptr<ForestTechnique> _technique;
     osg::ref_ptr<osg::Node> _ground;
     osg::ref_ptr<TilePager> _tiles; ///< Null: all trees are there.
     std::size_t _treeCount = 0;
     std::unique_ptr<EntryGuard> _guard; ///< Of its traversals.
     unsigned _lastFrame = ~0u;
-    std::atomic<unsigned> _culledFrame{~0u};
-    osg::Matrix _place;                        ///< To the scene's root, in the last update.
-    double _frameStep = 0.0;                   ///< How long a frame lasts, seconds; 0: as its stamp says.
-    double _stepTime = 0.0;                    ///< Of the last update, seconds.
-    bool _stopped = false, _twoPlaces = false; ///< An update has failed; it stands in two places.
+    std::unique_ptr<ScenePlace> _place;
+    double _frameStep = 0.0;                 ///< How long a frame lasts, seconds; 0: as its stamp says.
+    double _stepTime = 0.0;                  ///< Of the last update, seconds.
+    bool _isHosts = false, _stopped = false; ///< A host has set the technique; an update has failed.
 };
 
 } // namespace osgTreeWind

@@ -9,7 +9,6 @@
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/nodes/FileOfTiles.h>
-#include <osgTreeWind/nodes/Forest.h>
 #include <osgTreeWind/nodes/TileReader.h>
 
 #include <osg/Notify>
@@ -38,8 +37,9 @@ constexpr double tallest = 50.0;                           // metres: trees reac
 
 } // namespace
 
-TilePager::TilePager(ForestTiles tiles, const glm::dvec3& origin)
-    : _tiles(std::move(tiles)), _origin(origin) {
+TilePager::TilePager(std::shared_ptr<const ForestSimulation> simulation, AddTree addTree)
+    : _simulation(std::move(simulation)), _addTree(std::move(addTree)),
+      _tiles(*_simulation->description().tiles), _origin(_simulation->description().origin) {
     registerTileReader();
 }
 
@@ -69,9 +69,9 @@ osg::BoundingSphere TilePager::computeBound() const {
     return osg::BoundingSphere(box);
 }
 
-void TilePager::showSeason(float season) {
+void TilePager::seasonChanged() {
     if (_crowns)
-        _crowns->showSeason(season);
+        _crowns->showSeason(_simulation->season());
 }
 
 void TilePager::traverse(osg::NodeVisitor& visitor) {
@@ -139,13 +139,12 @@ void TilePager::failed(Slot& slot, double now) const {
     slot.nextTry = now + slot.wait;
 }
 
-void TilePager::receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::Node>& file,
-                        const Forest& forest, double now) {
+void TilePager::receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::Node>& file, double now) {
     auto* arrived = dynamic_cast<TreeTile*>(file.get());
     slot.arrival = new osg::Group;
     Diagnostics problems = {fileProblem(fileOfTile(_tiles, tile), "expected trees")};
     if (arrived)
-        problems = arrived->content.fit(forest.getDescription().species, _tiles.tiles[tile].trees,
+        problems = arrived->content.fit(_simulation->description().species, _tiles.tiles[tile].trees,
                                         fileOfTile(_tiles, tile));
     if (!problems.empty()) {
         if (_blamed.insert(tile).second)
@@ -158,44 +157,43 @@ void TilePager::receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::No
     std::reverse(slot.coming.begin(), slot.coming.end());
 }
 
-void TilePager::receiveCrowns(const Forest& forest, double now) {
+void TilePager::receiveCrowns(double now) {
     const osg::ref_ptr<CrownFile> arrived = dynamic_cast<CrownFile*>(_crownFile.arrival->getChild(0));
     _crownFile.arrival = new osg::Group;
     if (!arrived)
         return failed(_crownFile, now);
     _crownFile.arrived = true;
-    _crowns = new FarCrowns(arrived->content, forest.getDescription());
-    _crowns->showSeason(forest.getSeason());
+    _crowns = new FarCrowns(arrived->content, _simulation->description());
+    _crowns->showSeason(_simulation->season());
     addChild(_crowns);
     for (const auto& [tile, slot] : _slots)
         _crowns->show(tile, !slot.arrived || !slot.coming.empty());
 }
 
 /// @param until as osg::Timer::time_s() has it.
-void TilePager::putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const {
-    const std::set<std::string>& removed = SimulationParts::forest(forest.getSimulation()).struck();
+void TilePager::putUp(Slot& slot, double until, std::vector<TreeId>& near) const {
+    const std::set<std::string>& removed = SimulationParts::forest(*_simulation).struck();
     while (!slot.coming.empty() && osg::Timer::instance()->time_s() < until) {
         TreePlacement& tree = slot.coming.back();
         tree.tiled = true;
         const bool comes = removed.count(tree.name) == 0 && _damaged.count(tree.name) == 0;
-        if (const Result<TreeId> id = comes ? forest.addTree(tree) : noTree; id && id.value() != noTree) {
-            slot.standing.push_back(id.value());
+        if (const TreeId id = comes ? _addTree(tree) : noTree; id != noTree) {
+            slot.standing.push_back(id);
             if (glm::distance(tree.position - _origin, _eye) < seenFrom)
-                near.push_back(id.value());
+                near.push_back(id);
         }
         slot.coming.pop_back();
     }
 }
 
 /// All but those that wind has damaged: they would come again unharmed.
-void TilePager::leave(Slot& slot, const Forest& forest, std::vector<TreeId>& leaving) {
-    const ForestSimulation& simulation = forest.getSimulation();
+void TilePager::leave(Slot& slot, std::vector<TreeId>& leaving) {
     for (const TreeId tree : slot.standing) {
-        const std::size_t number = simulation.slotOf(tree);
-        if (!simulation.holds(tree) || !SimulationParts::trees(simulation)[number].tiled)
+        const std::size_t number = _simulation->slotOf(tree);
+        if (!_simulation->holds(tree) || !SimulationParts::trees(*_simulation)[number].tiled)
             continue; // its host made it another one
-        if (SimulationParts::modal(simulation)->fall(number))
-            _damaged.insert(simulation.nameOf(tree));
+        if (SimulationParts::modal(*_simulation)->fall(number))
+            _damaged.insert(_simulation->nameOf(tree));
         else
             leaving.push_back(tree);
     }
@@ -218,42 +216,42 @@ std::optional<std::size_t> TilePager::tileWith(const std::string& name) const {
     return place == ids->content.end() ? std::nullopt : tileOfPlace(_tiles, place->second);
 }
 
-void TilePager::bring(const std::string& name, Forest& forest) {
+void TilePager::bring(const std::string& name) {
     const std::optional<std::size_t> tile = tileWith(name);
     const std::lock_guard<std::mutex> lock(_mutex);
     if (!tile || _tiles.tiles[*tile].trees == 0 ||
-        SimulationParts::forest(forest.getSimulation()).struck().count(name) > 0)
+        SimulationParts::forest(*_simulation).struck().count(name) > 0)
         return;
     Slot& slot = _slots[*tile];
     slot.near = _frame;
     slot.nearTime = _now;
     if (!slot.arrived)
-        receive(slot, *tile, osgDB::readRefNodeFile(fileOfTile(_tiles, *tile)), forest, _now);
+        receive(slot, *tile, osgDB::readRefNodeFile(fileOfTile(_tiles, *tile)), _now);
     std::vector<TreeId> near;
-    putUp(slot, forest, std::numeric_limits<double>::infinity(), near);
+    putUp(slot, std::numeric_limits<double>::infinity(), near);
     if (_crowns && slot.arrived)
         _crowns->show(*tile, false);
 }
 
-TilePager::Changes TilePager::update(const osg::FrameStamp& stamp, Forest& forest) {
+TilePager::Changes TilePager::update(const osg::FrameStamp& stamp) {
     const std::lock_guard<std::mutex> lock(_mutex);
     const double now = _now = stamp.getReferenceTime();
     _frame = stamp.getFrameNumber();
     Changes changes;
     if (_crownFile.arrival->getNumChildren() > 0)
-        receiveCrowns(forest, now);
+        receiveCrowns(now);
     std::vector<std::pair<std::size_t, Slot*>> coming;
     for (auto next = _slots.begin(); next != _slots.end();) {
         auto& [tile, slot] = *next;
         if (stamp.getFrameNumber() > slot.near + keptFrames && now > slot.nearTime + keptFor) {
-            leave(slot, forest, changes.leaving);
+            leave(slot, changes.leaving);
             if (_crowns)
                 _crowns->show(tile, true);
             next = _slots.erase(next);
             continue;
         }
         if (slot.arrival->getNumChildren() > 0)
-            receive(slot, tile, slot.arrival->getChild(0), forest, now);
+            receive(slot, tile, slot.arrival->getChild(0), now);
         if (!slot.coming.empty())
             coming.emplace_back(tile, &slot);
         ++next;
@@ -265,7 +263,7 @@ TilePager::Changes TilePager::update(const osg::FrameStamp& stamp, Forest& fores
         until = time + std::clamp(share * (time - _updated), shortestWork, longestWork);
     _updated = time;
     for (auto& [tile, slot] : coming) {
-        putUp(*slot, forest, until, changes.near);
+        putUp(*slot, until, changes.near);
         if (_crowns && slot->coming.empty())
             _crowns->show(tile, false);
     }

@@ -12,7 +12,9 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -22,7 +24,7 @@
 namespace osgTreeWind {
 
 class FarCrowns;
-class Forest;
+class ForestSimulation;
 struct TreePlacement;
 
 /// Has the tiles of a forest come and go with its cameras: each cull traversal asks the viewer's pager
@@ -33,10 +35,13 @@ struct TreePlacement;
 /// what the frustum holds, and ask for a missing file in every frame.
 class TilePager : public osg::Group {
 public:
-    /// @param origin of the forest.
-    TilePager(ForestTiles tiles, const glm::dvec3& origin);
-    /// Of the year (Season.h). In update.
-    void showSeason(float season);
+    /// Puts up a tree in the simulation. @return noTree where it cannot be put up.
+    using AddTree = std::function<TreeId(const TreePlacement&)>;
+
+    /// @param simulation of a forest that has tiles. @param addTree called in update() and bring().
+    TilePager(std::shared_ptr<const ForestSimulation> simulation, AddTree addTree);
+    /// The simulation is in another season. In update.
+    void seasonChanged();
 
     struct Changes {
         std::vector<TreeId> near;    ///< Put up so near an eye that one sees how they begin to sway.
@@ -44,10 +49,10 @@ public:
     };
     /// Puts up trees that have arrived, the nearest tiles first and for a quarter of the time since the last
     /// update at most, but for the first ones. In update.
-    Changes update(const osg::FrameStamp& stamp, Forest& forest);
+    Changes update(const osg::FrameStamp& stamp);
     /// Reads the tile of a tree that is not there, whatever is near, and puts it up. In update or between
     /// frames.
-    void bring(const std::string& name, Forest& forest);
+    void bring(const std::string& name);
     /// Metres from an eye to the nearest tile that is to be there and is not, infinite where all are; those
     /// that cannot be read do not count.
     double nearestMissing() const;
@@ -75,19 +80,20 @@ private:
 
     void askForTiles(osg::NodeVisitor& visitor);
     void ask(Slot& slot, const std::string& file, float priority, osg::NodeVisitor& visitor);
-    void receiveCrowns(const Forest& forest, double now);
+    void receiveCrowns(double now);
     double distanceTo(std::size_t tile, const glm::dvec3& eye) const;
     double nearest() const; ///< nearestMissing()
     void failed(Slot& slot, double now) const;
-    void receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::Node>& file, const Forest& forest,
-                 double now);
-    void putUp(Slot& slot, Forest& forest, double until, std::vector<TreeId>& near) const;
-    void leave(Slot& slot, const Forest& forest, std::vector<TreeId>& leaving);
+    void receive(Slot& slot, std::size_t tile, const osg::ref_ptr<osg::Node>& file, double now);
+    void putUp(Slot& slot, double until, std::vector<TreeId>& near) const;
+    void leave(Slot& slot, std::vector<TreeId>& leaving);
     std::optional<std::size_t> tileWith(const std::string& name) const;
 
     EntryGuard _guard;
+    std::shared_ptr<const ForestSimulation> _simulation;
+    AddTree _addTree;
     ForestTiles _tiles;
-    glm::dvec3 _origin;
+    glm::dvec3 _origin;        ///< Of the forest.
     mutable std::mutex _mutex; // guards all below: cull traversals may run at a time
     std::map<std::size_t, Slot> _slots;
     Slot _crownFile;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/offscreen/PixelContext.h>
 
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osg/GLExtensions>
@@ -14,12 +15,10 @@ std::optional<Diagnostic> PixelContext::sizeProblem(int width, int height) {
     const auto isGood = [](int size) { return size >= 1 && size <= maxOffscreenSize; };
     if (isGood(width) && isGood(height))
         return std::nullopt;
-    Diagnostic problem;
-    problem.key = "size";
-    problem.message = "an offscreen context of " + std::to_string(width) + "x" + std::to_string(height) +
-                      " pixels cannot be made; expected width and height from 1 to " +
-                      std::to_string(maxOffscreenSize);
-    return problem;
+    return keyProblem("size", "an offscreen context of " + std::to_string(width) + "x" +
+                                  std::to_string(height) +
+                                  " pixels cannot be made; expected width and height from 1 to " +
+                                  std::to_string(maxOffscreenSize));
 }
 
 PixelContext::PixelContext(int width, int height) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
+#include <osgTreeWind/drawing/ForestTechnique.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/io/ForestFile.h>
@@ -14,10 +14,9 @@
 
 // A Forest is written to .osgt, .osgb and .osgx as the .treewind document that says what it is now, and grown
 // again when it is read: kilobytes in place of its geometry, and the wind comes along. Children that are not
-// its own are written as they are.
+// its own, and a technique of a host, are written as they are.
 namespace {
 
-using osgTreeWind::BranchwiseForest;
 using osgTreeWind::Forest;
 
 /// Runs an entry of osgDB, which is not to get an exception.
@@ -85,21 +84,28 @@ bool readDocument(osgDB::InputStream& input, Forest& forest) {
     return isRead;
 }
 
-bool checkOtherChildren(const Forest& forest) {
+/// Whether a child is written: one that the document does not bring back, or a host's technique.
+bool isWritten(const Forest& forest, const osg::Node& child) {
+    const bool isUsual = child.libraryName() == std::string("osgTreeWind");
+    return !forest.isOwnChild(&child) || (&child == forest.getTechnique() && !isUsual);
+}
+
+unsigned countOtherChildren(const Forest& forest) {
+    unsigned count = 0;
     for (unsigned i = 0; i < forest.getNumChildren(); ++i)
-        if (!forest.isOwnChild(forest.getChild(i)))
-            return true;
-    return false;
+        count += isWritten(forest, *forest.getChild(i));
+    return count;
+}
+
+bool checkOtherChildren(const Forest& forest) {
+    return countOtherChildren(forest) > 0;
 }
 
 bool writeOtherChildren(osgDB::OutputStream& output, const Forest& forest) {
     return guarded([&] {
-        unsigned count = 0;
+        output << countOtherChildren(forest) << output.BEGIN_BRACKET << std::endl;
         for (unsigned i = 0; i < forest.getNumChildren(); ++i)
-            count += !forest.isOwnChild(forest.getChild(i));
-        output << count << output.BEGIN_BRACKET << std::endl;
-        for (unsigned i = 0; i < forest.getNumChildren(); ++i)
-            if (!forest.isOwnChild(forest.getChild(i)))
+            if (isWritten(forest, *forest.getChild(i)))
                 output << forest.getChild(i);
         output << output.END_BRACKET << std::endl;
     });
@@ -109,32 +115,29 @@ bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
     return guarded([&] {
         unsigned count = 0;
         input >> count >> input.BEGIN_BRACKET;
-        for (unsigned i = 0; i < count; ++i)
-            if (osg::ref_ptr<osg::Node> child = input.readObjectOfType<osg::Node>())
+        for (unsigned i = 0; i < count; ++i) {
+            osg::ref_ptr<osg::Node> child = input.readObjectOfType<osg::Node>();
+            if (auto* technique = dynamic_cast<osgTreeWind::ForestTechnique*>(child.get()))
+                forest.setTechnique(technique);
+            else if (child)
                 forest.addChild(child);
+        }
         input >> input.END_BRACKET;
     });
 }
 
-bool checkBranchwiseDrawing(const Forest& forest) {
-    return forest.getBranchwise() != nullptr;
+// Releases before 2.0 wrote how branches and leaves are drawn, of which they had two ways each.
+bool checkBranchwiseDrawing(const Forest&) {
+    return false;
 }
 
-bool writeBranchwiseDrawing(osgDB::OutputStream& output, const Forest& forest) {
-    output << static_cast<int>(forest.getBranchwise()->getBranchDrawing())
-           << static_cast<int>(forest.getBranchwise()->getLeafDrawing()) << std::endl;
+bool writeBranchwiseDrawing(osgDB::OutputStream&, const Forest&) {
     return true;
 }
 
-bool readBranchwiseDrawing(osgDB::InputStream& input, Forest& forest) {
+bool readBranchwiseDrawing(osgDB::InputStream& input, Forest&) {
     int branches = 0, leaves = 0;
     input >> branches >> leaves;
-    if (BranchwiseForest* branchwise = forest.getBranchwise()) {
-        branchwise->setBranchDrawing(branches ? BranchwiseForest::BRANCH_DRAWING
-                                              : BranchwiseForest::TREE_DRAWING);
-        branchwise->setLeafDrawing(leaves ? BranchwiseForest::LEAF_TRANSFORMS
-                                          : BranchwiseForest::TREE_LEAVES);
-    }
     return true;
 }
 

@@ -14,6 +14,7 @@ uniform float treeOwn; // number of this tree, [0, 1)
 out vec3 barkCoord; // bark_texture.glsl
 out float barkRadius; // metres
 out vec3 barkLight;
+out vec3 scenePosition;
 
 void main() {
     UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
@@ -25,5 +26,6 @@ void main() {
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(gl_MultiTexCoord0.xy, gl_MultiTexCoord0.x - 2.0 * step(1.0, gl_MultiTexCoord0.x));
     barkRadius = treeSizes.x * gl_Vertex.w;
+    scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeOwn);
 }

@@ -18,6 +18,7 @@ uniform int treeFirstLeaf;    // of this tree in leafAngles; negative: leaves st
 
 out vec2 leafCoord;
 out vec3 leafLight;
+out vec3 scenePosition;
 flat out int leafCard;
 flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
@@ -44,5 +45,6 @@ void main() {
 
     leafCoord = gl_MultiTexCoord0.xy;
     leafCard = gl_VertexID / 4;
+    scenePosition = eyePosition.xyz;
     placeSurface(eyePosition, eyeNormal, treeOwn);
 }

@@ -70,13 +70,12 @@ void advance(benchmark::State& state) {
     simulate(state, [](ForestSimulation& simulation, double time) { return simulation.advance(time); });
 }
 
-/// A step and the update traversal around it, under a law of a branch: textures or transforms, and bounds.
-void updateBranchwise(benchmark::State& state, BranchwiseForest::BranchDrawing drawing) {
+/// A step and the update traversal around it, under a law of a branch: textures, transforms and bounds.
+void updateBranchwise(benchmark::State& state) {
     auto description = describe(state);
     if (!description)
         return;
     osg::ref_ptr<Forest> forest = new Forest(std::move(*description));
-    forest->getBranchwise()->setBranchDrawing(drawing);
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     osgUtil::UpdateVisitor visitor;
     visitor.setFrameStamp(stamp);
@@ -99,7 +98,6 @@ void trees(benchmark::internal::Benchmark* benchmark) {
 
 BENCHMARK(sampleWind)->Apply(trees);
 BENCHMARK(advance)->Apply(trees);
-BENCHMARK_CAPTURE(updateBranchwise, treeDrawing, BranchwiseForest::TREE_DRAWING)->Apply(trees);
-BENCHMARK_CAPTURE(updateBranchwise, branchDrawing, BranchwiseForest::BRANCH_DRAWING)->Apply(trees);
+BENCHMARK(updateBranchwise)->Apply(trees);
 
 BENCHMARK_MAIN();

@@ -11,8 +11,8 @@ using namespace osgTreeWind;
 
 namespace {
 
-StandTree treeAt(float x, float y) {
-    StandTree tree;
+CanopyTree treeAt(float x, float y) {
+    CanopyTree tree;
     tree.place = {x, y};
     tree.height = 20.0f;
     tree.frontalArea = 40.0f;
@@ -24,8 +24,8 @@ StandTree treeAt(float x, float y) {
 }
 
 /// 240 m by 240 m, a tree every four metres, with its middle at 0.
-std::vector<StandTree> plantation(float spacing = 4.0f) {
-    std::vector<StandTree> trees;
+std::vector<CanopyTree> plantation(float spacing = 4.0f) {
+    std::vector<CanopyTree> trees;
     for (float x = -120.0f; x <= 120.0f; x += spacing)
         for (float y = -120.0f; y <= 120.0f; y += spacing)
             trees.push_back(treeAt(x, y));
@@ -35,17 +35,17 @@ std::vector<StandTree> plantation(float spacing = 4.0f) {
 /// rho u*^2 over the air's density, and what the trees of a square metre take with that shelter.
 double balance(const CanopyAt& stand, float speed, double trees) {
     double taken = 0.0, pressure = 0.0;
-    for (std::size_t i = 0; i < StandTree::layers; ++i) {
-        const float z = 20.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(StandTree::layers);
+    for (std::size_t i = 0; i < CanopyTree::layers; ++i) {
+        const float z = 20.0f * (static_cast<float>(i) + 0.5f) / static_cast<float>(CanopyTree::layers);
         const SwingingWind wind(stand.profile.mean(z), stand.profile.spread(z), stand.profile.skewness(z));
-        pressure += static_cast<double>(wind.push()) / static_cast<double>(StandTree::layers);
+        pressure += static_cast<double>(wind.push()) / static_cast<double>(CanopyTree::layers);
     }
     const double felt = static_cast<double>(stand.shelter * speed);
     const double typical =
         felt * std::sqrt(pressure); // crowns streamline by it: u^-0.5 from 10 m/s on, u^-0.3 below
     const double left = typical < 10.0 ? std::pow(std::max(typical, 1.6) / 10.0, -0.3)
                                        : std::pow(std::min(typical, 25.0) / 10.0, -0.5);
-    taken = trees * 1.5 * static_cast<double>(StandTree::layers) * pressure * felt * felt * left;
+    taken = trees * 1.5 * static_cast<double>(CanopyTree::layers) * pressure * felt * felt * left;
     const double friction = static_cast<double>(stand.profile.friction * speed);
     return taken / (friction * friction);
 }
@@ -88,8 +88,8 @@ TEST(CanopyOfTrees, ATreeAloneHasTheWindOfTheOpen) {
 }
 
 TEST(CanopyOfTrees, AGapIsOpenAndAnEdgeHalfSo) {
-    std::vector<StandTree> trees;
-    for (const StandTree& tree : plantation())
+    std::vector<CanopyTree> trees;
+    for (const CanopyTree& tree : plantation())
         if (tree.place.x < -60.0f || tree.place.x > 60.0f)
             trees.push_back(tree);
     const auto map = canopyOf(trees);
@@ -121,15 +121,15 @@ void expectSame(const CanopyMap& part, const CanopyMap& whole, const glm::vec2& 
 }
 
 TEST(CanopyOfTrees, OfAPartOfAForestAreThoseOfTheWholeToTheBit) {
-    std::vector<StandTree> trees = plantation();
-    for (StandTree& tree : trees) // as uneven as a forest
+    std::vector<CanopyTree> trees = plantation();
+    for (CanopyTree& tree : trees) // as uneven as a forest
         tree.height += 4.0f * std::sin(tree.place.x) + 2.0f * std::sin(0.01f * tree.place.y);
     for (float x = 500.0f; x < 800.0f; x += 7.0f)
         trees.push_back(treeAt(x, 33.3f));
     const WindCanopy canopy = withUsualStands({}, {trees});
     EXPECT_NEAR(canopy.reach, 40.0, 4.0) << "twice the mean height";
-    std::vector<StandTree> around;
-    for (const StandTree& tree : trees)
+    std::vector<CanopyTree> around;
+    for (const CanopyTree& tree : trees)
         if (static_cast<double>(std::abs(tree.place.x)) < shelterReach(canopy))
             around.push_back(tree);
     ASSERT_LT(around.size(), trees.size());

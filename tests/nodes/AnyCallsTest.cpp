@@ -7,7 +7,7 @@
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/controls/ForestHandler.h>
-#include <osgTreeWind/drawing/stand/TreeHit.h>
+#include <osgTreeWind/drawing/instanced/TreeHit.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/StandOnGround.h>
@@ -80,9 +80,9 @@ public:
             {"places/Ground.h", {&C::askGround}},
             {"places/FunctionGround.h", {&C::askGround}},
             {"drawing/BranchTransform.h", {&C::turnBranch}},
-            {"drawing/ForestDrawing.h", {&C::useDrawing}},
-            {"drawing/stand/StandDrawing.h", {&C::useStand}},
-            {"drawing/stand/TreeHit.h", {&C::hit}},
+            {"drawing/ForestTechnique.h", {&C::useTechnique, &C::setTechnique}},
+            {"drawing/instanced/InstancedForest.h", {&C::useInstanced}},
+            {"drawing/instanced/TreeHit.h", {&C::hit}},
             {"drawing/branchwise/BranchwiseForest.h", {&C::useBranchwise}},
             {"drawing/branchwise/TreeLodRanges.h", {&C::useBranchwise}},
             {"controls/ForestHandler.h", {&C::handle}},
@@ -394,25 +394,31 @@ private:
         own->setRotation(osg::Quat(any.number<double>(), osg::X_AXIS));
         EXPECT_FALSE(own->getMatrix().isNaN());
     }
-    void useDrawing() {
-        ForestDrawing* drawing = _forest->getStand();
-        if (!drawing)
-            drawing = _forest->getBranchwise();
-        drawing->treeChanged(any.oneIn(2) ? any.below(5) : any.count());
-        drawing->unfollow(tree(), unit());
-        EXPECT_TRUE(drawing->again(nullptr));
-        const auto other = std::make_shared<ForestSimulation>(description());
-        EXPECT_TRUE(drawing->again(other));
-        drawing->takeSettings(*osg::ref_ptr<ForestDrawing>(drawing->again(other)));
+    void useTechnique() {
+        ForestTechnique* technique = _forest->getTechnique();
+        technique->treeChanged(any.oneIn(2) ? any.below(5) : any.count());
+        technique->unfollow(tree(), unit());
+        const osg::ref_ptr<ForestTechnique> copy = osg::clone(technique);
+        copy->seasonChanged();
+        copy->treeChanged(any.count());
+        copy->setSimulation(any.oneIn(3) ? nullptr : std::make_shared<ForestSimulation>(description()));
+        copy->follow(tree(), unit());
+        copy->unfollow(tree(), unit());
     }
-    void useStand() {
-        osg::ref_ptr<StandDrawing> own = new StandDrawing(std::shared_ptr<ForestSimulation>());
-        StandDrawing* stand = _forest->getStand() ? _forest->getStand() : own.get();
+    void setTechnique() {
+        osg::ref_ptr<ForestTechnique> technique;
+        if (any.oneIn(2))
+            technique = any.oneIn(2) ? new ForestTechnique : osg::clone(_forest->getTechnique());
+        expect(_forest->setTechnique(any.oneIn(4) ? _forest->getTechnique() : technique.get()));
+    }
+    void useInstanced() {
+        osg::ref_ptr<InstancedForest> own = new InstancedForest(std::shared_ptr<ForestSimulation>());
+        InstancedForest* instanced = _forest->getInstanced() ? _forest->getInstanced() : own.get();
         const osg::ref_ptr<osg::StateSet> state = any.oneIn(2) ? nullptr : new osg::StateSet;
         const osg::ref_ptr<osg::Geometry> bark = any.oneIn(2) ? nullptr : new osg::Geometry;
-        stand->setBarkState(any.count(), state);
-        stand->setLeafState(any.below(2), state);
-        stand->setGeometry(any.oneIn(2) ? any.below(3) : any.count(), bark, nullptr);
+        instanced->setBarkState(any.count(), state);
+        instanced->setLeafState(any.below(2), state);
+        instanced->setGeometry(any.oneIn(2) ? any.below(3) : any.count(), bark, nullptr);
     }
     void hit() {
         const osg::ref_ptr<TreeHit> met =
@@ -425,10 +431,6 @@ private:
         BranchwiseForest* trees = _forest->getBranchwise() ? _forest->getBranchwise() : own.get();
         expect(trees->setLodRanges({any.number<float>(), any.number<float>()}));
         trees->setAngleSource(any.oneIn(2) ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
-        trees->setBranchDrawing(any.oneIn(2) ? BranchwiseForest::TREE_DRAWING
-                                             : BranchwiseForest::BRANCH_DRAWING);
-        trees->setLeafDrawing(any.oneIn(2) ? BranchwiseForest::TREE_LEAVES
-                                           : BranchwiseForest::LEAF_TRANSFORMS);
         trees->getTree(any.count());
     }
     void handle() {

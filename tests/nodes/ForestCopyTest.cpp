@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/NamesInOrder.h>
@@ -25,11 +25,11 @@ TEST_P(ForestCopyTest, hasTreesOfItsOwnAndTheUsersChildren) {
     EXPECT_EQ(copy->getNumTrees(), 3u);
     ASSERT_EQ(copy->getNumChildren(), forest->getNumChildren());
     EXPECT_EQ(copy->getChild(copy->getNumChildren() - 1)->getName(), "house");
-    EXPECT_NE(copy->getStand(), forest->getStand());
-    EXPECT_EQ(copy->getStand()->getNumParents(), 1u);
-    EXPECT_EQ(forest->getStand()->getNumParents(), 1u);
-    EXPECT_TRUE(copy->isOwnChild(copy->getStand()));
-    EXPECT_FALSE(copy->isOwnChild(forest->getStand()));
+    EXPECT_NE(copy->getInstanced(), forest->getInstanced());
+    EXPECT_EQ(copy->getInstanced()->getNumParents(), 1u);
+    EXPECT_EQ(forest->getInstanced()->getNumParents(), 1u);
+    EXPECT_TRUE(copy->isOwnChild(copy->getInstanced()));
+    EXPECT_FALSE(copy->isOwnChild(forest->getInstanced()));
 }
 
 TEST_P(ForestCopyTest, movesOnItsOwn) {
@@ -57,18 +57,18 @@ TEST_P(ForestCopyTest, takesTheWindOfNow) {
 TEST_P(ForestCopyTest, sharesWhatDoesNotChange) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(2));
     osg::ref_ptr<osg::StateSet> own = new osg::StateSet;
-    forest->getStand()->setLeafState(0, own);
+    forest->getInstanced()->setLeafState(0, own);
     osg::ref_ptr<Forest> copy = copyOf(*forest);
     EXPECT_EQ(SimulationParts::models(copy->getSimulation()),
               SimulationParts::models(forest->getSimulation()));
     EXPECT_EQ(&SimulationParts::modal(copy->getSimulation())->archetype(0),
               &SimulationParts::modal(forest->getSimulation())->archetype(0));
-    const StandResources &one = StandParts::trees(*forest->getStand())->resources(),
-                         &other = StandParts::trees(*copy->getStand())->resources();
+    const InstancedResources &one = InstancedParts::trees(*forest->getInstanced())->resources(),
+                             &other = InstancedParts::trees(*copy->getInstanced())->resources();
     EXPECT_EQ(one.models, other.models);
     EXPECT_EQ(one.looks[0].bark, other.looks[0].bark) << "and with it programs and textures";
     EXPECT_EQ(other.looks[0].ownLeaves, own);
-    copy->getStand()->setLeafState(0, nullptr);
+    copy->getInstanced()->setLeafState(0, nullptr);
     EXPECT_EQ(one.looks[0].ownLeaves, own) << "yet each is changed alone";
 }
 

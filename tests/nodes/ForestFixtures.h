@@ -4,8 +4,8 @@
 #include <osgTreeWind/drawing/BranchTransform.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
-#include <osgTreeWind/drawing/stand/StandDrawing.h>
-#include <osgTreeWind/drawing/stand/TreeStand.h>
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>

@@ -17,7 +17,7 @@ std::size_t treesBelow(osg::Node& node) {
         Counter() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
         void apply(osg::Group& node) override {
             const auto* forest = dynamic_cast<Forest*>(&node);
-            if (forest && forest->containsNode(forest->getStand()))
+            if (forest && forest->containsNode(forest->getInstanced()))
                 trees += forest->getNumTrees();
             traverse(node);
         }

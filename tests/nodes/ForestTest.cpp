@@ -4,7 +4,7 @@
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 #include <osgTreeWind/wind/FunctionWind.h>
@@ -110,7 +110,7 @@ TEST(ForestTest, aNewDescriptionReplacesTheTreesAndKeepsOtherChildren) {
     osg::ref_ptr<osg::Group> house = new osg::Group;
     forest->addChild(house);
     updateFrames(*forest, 1, 5);
-    const osg::ref_ptr<TreeStand> former = StandParts::trees(*forest->getStand());
+    const osg::ref_ptr<InstancedTrees> former = InstancedParts::trees(*forest->getInstanced());
     const osg::ref_ptr<BranchTransform> branch = forest->branch(TreeId(0), 2).value();
     EXPECT_TRUE(forest->setDescription(smallForest(5)).empty());
     EXPECT_EQ(forest->getNumTrees(), 5u);
@@ -130,7 +130,7 @@ TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     ForestDescription ofBranches = smallForest(2);
     ofBranches.law = MotionLaw::ThesisSmooth;
     EXPECT_TRUE(forest->setDescription(ofBranches).empty());
-    EXPECT_EQ(forest->getStand(), nullptr);
+    EXPECT_EQ(forest->getInstanced(), nullptr);
     ASSERT_NE(forest->getBranchwise(), nullptr);
     EXPECT_EQ(forest->branch(TreeId(1), 2).value(),
               BranchwiseParts::tree(*forest->getBranchwise(), 1)->getBranch(2));
@@ -138,7 +138,7 @@ TEST(ForestTest, aNewDescriptionMayHaveAnotherKindOfLaw) {
     EXPECT_FALSE(forest->removeTree(TreeId(0)).empty());
     updateFrames(*forest, 1, 5);
     EXPECT_TRUE(forest->setDescription(smallForest(3)).empty());
-    EXPECT_NE(forest->getStand(), nullptr);
+    EXPECT_NE(forest->getInstanced(), nullptr);
     EXPECT_EQ(forest->getBranchwise(), nullptr);
     updateFrames(*forest, 6, 10);
 }

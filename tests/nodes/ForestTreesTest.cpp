@@ -3,7 +3,7 @@
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/nodes/ForestFixtures.h>
 
-#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
@@ -95,7 +95,7 @@ TEST(ForestTreesTest, aTreeThatChangesEveryFrameIsFollowedOnce) {
         update(*forest, frame, frame / 25.0);
         forest->removeTree(other);
     }
-    EXPECT_LE(StandParts::trees(*forest->getStand())->nearTrees(), 5u);
+    EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 5u);
 }
 
 TEST(ForestTreesTest, aTreeThatMovesKeepsItsSway) {
@@ -157,14 +157,14 @@ TEST(ForestTreesTest, aFollowedBranchStandsWhereTheWholeTreeHasIt) {
     ASSERT_GT(branches.size(), 10u);
     updateFrames(*forest, 1, 30);
     const PlacedTree& placed = SimulationParts::trees(forest->getSimulation())[2];
-    const osg::Matrix stand = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
-                              osg::Matrix::translate(toOsg(placed.position));
+    const osg::Matrix toForest = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
+                                 osg::Matrix::translate(toOsg(placed.position));
     UnitValues values;
     const TreeMotion whole = forest->getSimulation().motion(2, values);
     for (std::size_t unit = 0; unit < branches.size(); ++unit) {
         EXPECT_EQ(branches[unit]->getMatrix(),
                   osg::Matrix::rotate(toOsg(whole.poses[unit].rotation)) *
-                      osg::Matrix::translate(toOsg(whole.poses[unit].translation)) * stand)
+                      osg::Matrix::translate(toOsg(whole.poses[unit].translation)) * toForest)
             << unit;
         EXPECT_EQ(branches[unit]->getRotation(), toOsg(whole.rotations[unit])) << "its own turn";
     }
@@ -313,7 +313,7 @@ TEST(ForestTreesTest, aSpeciesThatIsAddedHasTreesFilesAndCopies) {
     const Result<TreeId> tree = forest->addTree(place);
     ASSERT_TRUE(tree) << linesOf(tree.problems());
     EXPECT_TRUE(forest->branch(tree.value(), 4)) << "trunk of 2, 3 branches";
-    EXPECT_TRUE(forest->getStand()->setLeafState(index.value(), new osg::StateSet));
+    EXPECT_TRUE(forest->getInstanced()->setLeafState(index.value(), new osg::StateSet));
     updateFrames(*forest, 1, 10);
     osg::ref_ptr<Forest> copy = osg::clone(forest.get());
     EXPECT_EQ(copy->getDescription().species.size(), 2u);
@@ -329,9 +329,9 @@ TEST(ForestTreesTest, aTreeThatIsFollowedStepsInEveryFrameThoughNobodySeesIt) {
     ForestDescription description = smallForest(1, 20.0f);
     description.trees.resize(600, description.trees[0]); // too many to follow closely from the start
     osg::ref_ptr<Forest> forest = new Forest(description);
-    ASSERT_EQ(StandParts::trees(*forest->getStand())->nearTrees(), 0u);
+    ASSERT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 0u);
     EXPECT_TRUE(forest->branch(TreeId(5), 0));
-    EXPECT_EQ(StandParts::trees(*forest->getStand())->nearTrees(), 1u);
+    EXPECT_EQ(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 1u);
     updateFrames(*forest, 1, 200);
     EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->level(5), ModalMotion::Level::Near);
     EXPECT_EQ(SimulationParts::modal(forest->getSimulation())->level(6), ModalMotion::Level::Far);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One allocation fails, this one or that: the host lives.
-#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <tests/MessageCollector.h>
 #include <tests/io/TemporaryFolder.h>
 #include <tests/nodes/Culling.h>
@@ -150,7 +150,7 @@ TEST_F(OutOfMemoryTest, anUpdateThatFailsLeavesTheForestStill) {
 TEST_F(OutOfMemoryTest, aCullThatFailsLeavesItsVisitorAsItWas) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(8));
     updateFrames(*forest, 1, 2);
-    TreeStand* const stand = StandParts::trees(*forest->getStand());
+    InstancedTrees* const trees = InstancedParts::trees(*forest->getInstanced());
     osg::ref_ptr<osgUtil::CullVisitor> visitor = new osgUtil::CullVisitor;
     osg::ref_ptr<osg::FrameStamp> stamp = new osg::FrameStamp;
     visitor->setFrameStamp(stamp);
@@ -170,7 +170,7 @@ TEST_F(OutOfMemoryTest, aCullThatFailsLeavesItsVisitorAsItWas) {
         bool failed = false;
         {
             const FailingMemory failing(allocations);
-            stand->accept(*visitor);
+            trees->accept(*visitor);
             failed = FailingMemory::hasFailed();
         }
         EXPECT_EQ(visitor->getCurrentStateGraph(), place) << allocations;

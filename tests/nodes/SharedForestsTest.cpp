@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hosts that read each of their objects by itself: forests of the same trees share what they are made of.
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/drawing/stand/StandParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <tests/nodes/ForestFixtures.h>
 
@@ -18,8 +18,8 @@ namespace {
 
 using Forests = std::vector<osg::ref_ptr<Forest>>;
 
-const StandResources& resourcesOf(const Forest& forest) {
-    return StandParts::trees(*forest.getStand())->resources();
+const InstancedResources& resourcesOf(const Forest& forest) {
+    return InstancedParts::trees(*forest.getInstanced())->resources();
 }
 
 /// All that takes time to make or memory to hold.
@@ -85,7 +85,7 @@ TEST(SharedForests, areNotTiedToTheNameOfASpecies) {
 
 TEST(SharedForests, keepGeometryOfTheirHostToThemselves) {
     const osg::ref_ptr<Forest> one = new Forest(smallForest(2)), other = new Forest(smallForest(2));
-    one->getStand()->setGeometry(0, new osg::Geometry, nullptr);
+    one->getInstanced()->setGeometry(0, new osg::Geometry, nullptr);
     EXPECT_NE(resourcesOf(*one).models[0]->bark(Tier::Full), resourcesOf(*other).models[0]->bark(Tier::Full));
     EXPECT_NE(resourcesOf(*other).models[0]->leaves(Tier::Full, 0), nullptr);
 }

@@ -17,6 +17,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 using namespace osgTreeWind;
 
@@ -151,17 +153,6 @@ TEST_P(ForestSerializerTest, keepsTheUsersChildren) {
     EXPECT_EQ(node->asGroup()->getChild(1)->getName(), "house");
 }
 
-TEST_P(ForestSerializerTest, keepsHowItIsDrawn) {
-    osg::ref_ptr<Forest> forest = example("thesis.treewind");
-    forest->getBranchwise()->setBranchDrawing(BranchwiseForest::BRANCH_DRAWING);
-    forest->getBranchwise()->setLeafDrawing(BranchwiseForest::LEAF_TRANSFORMS);
-    osg::ref_ptr<osg::Node> node = thereAndBack(*forest, GetParam());
-    const Forest* const back = dynamic_cast<const Forest*>(node.get());
-    ASSERT_NE(back, nullptr);
-    EXPECT_EQ(back->getBranchwise()->getBranchDrawing(), BranchwiseForest::BRANCH_DRAWING);
-    EXPECT_EQ(back->getBranchwise()->getLeafDrawing(), BranchwiseForest::LEAF_TRANSFORMS);
-}
-
 TEST_P(ForestSerializerTest, bringsBackAForestMadeInCodeAsItIsNow) {
     osg::ref_ptr<Forest> forest = new Forest(smallForest(4));
     const TreeId second = forest->getSimulation().idOf(1);
@@ -220,3 +211,21 @@ TEST_P(ForestSerializerTest, isSmall) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, ForestSerializerTest, ::testing::Values("osgt", "osgb", "osgx"),
                          [](const auto& info) { return std::string(info.param); });
+
+TEST(ForestTextTest, waysOfDrawingThatAreNoMoreLoadAsThePublishedOnes) {
+    usePluginsOfThisBuild();
+    std::ostringstream written;
+    written << std::ifstream(OSGTREEWIND_TEST_DATA "/written-by-1.0/thesis.osgt").rdbuf();
+    for (const std::string ways : {"0 0", "0 1", "1 0"}) { // in one draw; as published
+        std::string text = written.str();
+        const std::string now = "BranchwiseDrawing 1 1";
+        ASSERT_NE(text.find(now), std::string::npos);
+        text.replace(text.find(now), now.size(), "BranchwiseDrawing " + ways);
+        const TemporaryFolder folder;
+        const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(folder.write("a.osgt", text));
+        const auto* forest = dynamic_cast<const Forest*>(node.get());
+        ASSERT_NE(forest, nullptr) << ways;
+        EXPECT_EQ(forest->getNumTrees(), 1u) << ways;
+        EXPECT_NE(forest->getBranchwise(), nullptr) << ways;
+    }
+}

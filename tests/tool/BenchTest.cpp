@@ -16,8 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> stages = {"cpu",        "cpu-vbo",         "gpu",     "gpu-skin",
-                                         "gpu-leaves", "gpu-tree-leaves", "gpu-tree"};
+const std::vector<std::string> stages = {"cpu", "cpu-vbo", "gpu", "gpu-skin", "gpu-leaves"};
 const std::vector<std::string> laterStages = {"resident", "resident-full", "osganimation-hw",
                                               "osganimation-sw"};
 
@@ -100,8 +99,7 @@ TEST_F(BenchTest, CountsOneTreeAsTheThesisDoes) {
     }
     EXPECT_EQ(result("gpu-skin")["counts"]["vertices"], 15616);
     EXPECT_EQ(result("gpu-skin")["counts"]["triangles"], 29280);
-    for (const char* stage :
-         {"gpu-leaves", "gpu-tree-leaves", "gpu-tree", "resident", "osganimation-hw", "osganimation-sw"}) {
+    for (const char* stage : {"gpu-leaves", "resident", "osganimation-hw", "osganimation-sw"}) {
         EXPECT_EQ(result(stage)["counts"]["vertices"], 38656);
         EXPECT_EQ(result(stage)["counts"]["triangles"], 40800);
     }
@@ -112,8 +110,6 @@ TEST_F(BenchTest, MovesWhatTheStageSaysByTransforms) {
     EXPECT_EQ(result("cpu")["counts"]["transforms"], tree + branches);
     EXPECT_EQ(result("gpu-skin")["counts"]["transforms"], tree + branches);
     EXPECT_EQ(result("gpu-leaves")["counts"]["transforms"], tree + branches + leaves);
-    EXPECT_EQ(result("gpu-tree-leaves")["counts"]["transforms"], tree + branches);
-    EXPECT_EQ(result("gpu-tree")["counts"]["transforms"], tree);
     EXPECT_EQ(result("resident")["counts"]["transforms"], 0);
     EXPECT_EQ(result("osganimation-hw")["counts"]["transforms"],
               2 * tree + branches); // its place, its skeleton
@@ -148,7 +144,7 @@ TEST_F(BenchTest, PutsTheThesisTablesBeside) {
         EXPECT_EQ(table["fps"], fps);
         EXPECT_EQ(result(table["stage"])["thesisFps"], fps[0]);
     }
-    EXPECT_TRUE(result("gpu-tree")["thesisFps"].is_null());
+    EXPECT_TRUE(result("resident")["thesisFps"].is_null());
 }
 
 TEST_F(BenchTest, GivesFramesOverSeconds) {
@@ -303,7 +299,7 @@ TEST_F(BenchTest, DrawsAChartOfEveryStage) {
 
 TEST(BenchUsageTest, MeasuresOneStageWithSeveralNumbersOfTrees) {
     const TemporaryFolder folder;
-    const Outcome outcome = runTool({"bench", "--stage", "gpu-tree", "--trees", "2,3", "--frames", "1",
+    const Outcome outcome = runTool({"bench", "--stage", "gpu-skin", "--trees", "2,3", "--frames", "1",
                                      "--size", "32x32", "-o", "results.json"},
                                     folder.path());
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -312,9 +308,9 @@ TEST(BenchUsageTest, MeasuresOneStageWithSeveralNumbersOfTrees) {
     ASSERT_EQ(results.size(), 2u);
     for (const int trees : {2, 3}) {
         const json& result = results[static_cast<std::size_t>(trees - 2)];
-        EXPECT_EQ(result["stage"], "gpu-tree");
+        EXPECT_EQ(result["stage"], "gpu-skin");
         EXPECT_EQ(result["trees"], trees);
-        EXPECT_EQ(result["counts"]["triangles"], trees * 40800);
+        EXPECT_EQ(result["counts"]["triangles"], trees * 29280);
     }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
-#include <osgTreeWind/drawing/branchwise/TreeNode.h>
+#include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
 
 namespace osgTreeWind {
@@ -11,11 +11,11 @@ namespace osgTreeWind {
 struct BranchwiseParts {
     /// In the order that the trees were given in; unchecked.
     static TreeNode* tree(const BranchwiseForest& forest, unsigned index) {
-        return forest._trees[index].get();
+        return forest._trees->nodes()[index].get();
     }
     /// Of a model.
     static const TreeBuffers& buffers(const BranchwiseForest& forest, std::size_t model) {
-        return *forest._buffers[model];
+        return forest._trees->buffers(model);
     }
     /// The passes at work; null with CPU_ANGLES.
     static const AnglePrePass* prePass(const BranchwiseForest& forest) { return forest._prePass.get(); }

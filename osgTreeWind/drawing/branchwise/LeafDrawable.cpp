@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/LeafDrawable.h>
 
-#include <osgTreeWind/drawing/stand/TreeGeometry.h>
+#include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 
 namespace osgTreeWind {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/TreeBuffers.h>
 
-#include <osgTreeWind/drawing/stand/TreeGeometry.h>
+#include <osgTreeWind/drawing/instanced/TreeGeometry.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 

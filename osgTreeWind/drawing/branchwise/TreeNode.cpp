@@ -43,8 +43,6 @@ TreeNode::TreeNode(const TreeNode& other, const osg::CopyOp& copyop)
         _leafShare = other._leafShare;
         build(other._buffers, other._style, other._tree->scale());
         _lod->setRanges(other._lod->getRanges());
-        setBranchwise(other._branchwise);
-        setLeafwise(other._leafwise);
     }
 }
 
@@ -61,8 +59,8 @@ void TreeNode::build(TreeBuffers* buffers, const TreeStyle& style, const TreeSca
         _lod->level(TreeLod::STAND_IN)->addChild(drawable);
     for (osg::Drawable* drawable : {_bareSkin.get(), _leaves.get()})
         _lod->level(TreeLod::LEAVES)->addChild(drawable);
+    _lod->setReady(false);
     addChild(_lod);
-    fillFullLevel();
 
     osg::StateSet* state = getOrCreateStateSet();
     state->addUniform(new osg::Uniform("treeAxes", toOsg(scale.axes)));
@@ -121,64 +119,26 @@ BranchTransform* TreeNode::branch(unsigned unit) {
     return transform.get();
 }
 
-void TreeNode::setBranchwise(bool branchwise) {
-    if (branchwise == _branchwise || !_tree)
-        return;
-    clearFullLevel();
-    _branchwise = branchwise;
-    fillFullLevel();
-}
-
-void TreeNode::setLeafwise(bool leafwise) {
-    if (leafwise == _leafwise || !_tree)
-        return;
-    clearFullLevel();
-    _leafwise = leafwise;
-    fillFullLevel();
-}
-
-/// What needs no transforms; they come when they are looked at.
-void TreeNode::fillFullLevel() {
-    if (!_branchwise)
-        _lod->level(TreeLod::FULL)->addChild(_skin);
-    if (!_leafwise)
-        _lod->level(TreeLod::FULL)->addChild(_leaves);
-    _lod->setReady(!hasTransforms());
-    _full = false;
-}
-
-/// Nodes hung on branches stay.
-void TreeNode::clearFullLevel() {
-    _lod->level(TreeLod::FULL)->removeChild(_skin);
-    _lod->level(TreeLod::FULL)->removeChild(_leaves);
-    for (const Branch& branch : _branches)
-        for (unsigned i = branch.transform ? branch.transform->getNumChildren() : 0; i-- > 0;)
-            if (dynamic_cast<SkinDrawable*>(branch.transform->getChild(i)))
-                branch.transform->removeChild(i);
-    for (const osg::ref_ptr<osg::MatrixTransform>& leaf : _leafTransforms)
-        leaf->getParent(0)->removeChild(leaf);
-    _leafTransforms.clear();
-}
-
 void TreeNode::makeTransforms() {
     if (_full)
         return;
     _full = true;
-    for (unsigned unit = 0; _branchwise && unit < getNumBranches(); ++unit)
+    for (unsigned unit = 0; unit < getNumBranches(); ++unit)
         branch(unit)->addChild(styled(
             new SkinDrawable(_buffers->unitSkin(unit), _tree, static_cast<int>(unit)), _style.branchBark));
-    if (!_leafwise)
-        return;
-    std::size_t index = 0;
     for (const LeafCluster& cluster : _tree->model().leaves) {
-        const bool borne = isBorne(index++, _leafShare);
         osg::ref_ptr<osg::MatrixTransform> leaf = new osg::MatrixTransform;
         leaf->setDataVariance(osg::Object::DYNAMIC);
-        leaf->setStateSet(borne ? _style.leafCluster : _style.bareCluster);
         leaf->addChild(_buffers->leafCluster());
         branch(static_cast<unsigned>(cluster.unit))->addChild(leaf);
         _leafTransforms.push_back(leaf);
     }
+    showLeaves();
+}
+
+void TreeNode::showLeaves() {
+    for (std::size_t i = 0; i < _leafTransforms.size(); ++i)
+        _leafTransforms[i]->setStateSet(isBorne(i, _leafShare) ? _style.leafCluster : _style.bareCluster);
 }
 
 void TreeNode::turnBranches(bool all) {
@@ -218,10 +178,7 @@ void TreeNode::setOwnNumber(float number) {
 void TreeNode::setLeaves(float share) {
     _leafShare = share;
     getOrCreateStateSet()->getOrCreateUniform("treeLeaves", osg::Uniform::FLOAT)->set(share);
-    if (_tree && _leafwise) {
-        clearFullLevel();
-        fillFullLevel();
-    }
+    showLeaves();
 }
 
 void TreeNode::setBillboard(osg::Drawable* picture) {
@@ -238,11 +195,11 @@ void TreeNode::updatePose(bool moved) {
         for (const osg::ref_ptr<osg::Drawable>& drawable : {_skin, _leaves, _bareSkin})
             drawable->dirtyBound();
     const bool wanted = _lod->takeWanted();
-    if (wanted && hasTransforms() && (moved || !_lod->getReady())) {
+    if (wanted && (moved || !_lod->getReady())) {
         bringUpToDate();
     } else if (moved) {
         turnBranches(false);
-        _lod->setReady(!hasTransforms());
+        _lod->setReady(false);
     }
 }
 

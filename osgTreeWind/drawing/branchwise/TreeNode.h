@@ -13,7 +13,8 @@
 
 namespace osgTreeWind {
 
-/// One tree: placed by its position and attitude, drawn from shared buffers, moved by its forest.
+/// One tree: placed by its position and attitude, drawn from shared buffers, moved by its forest. In full,
+/// its bark is drawn below BranchTransforms and each leaf cluster below a MatrixTransform of its branch.
 ///
 /// Any branch can be had as a BranchTransform to hang nodes on. Transforms are made when first asked for, or
 /// first looked at, and turned for cameras and picking that look: a tree far away, or out of sight, costs
@@ -37,15 +38,6 @@ public:
     /// Takes off what hangs on a branch that was asked for, which from then on follows as others do.
     /// @return false where it was not asked for.
     bool letGo(unsigned unit);
-
-    /// Draws the bark branch by branch below BranchTransforms (the thesis' way) instead of in one draw.
-    void setBranchwise(bool branchwise);
-    bool getBranchwise() const { return _branchwise; }
-
-    /// Gives every leaf cluster a MatrixTransform below its branch, over one shared drawable (§2.4.1, as
-    /// published), instead of all of them in one draw.
-    void setLeafwise(bool leafwise);
-    bool getLeafwise() const { return _leafwise; }
 
     /// Levels of detail; null for an empty one.
     TreeLod* getLod() const { return _lod.get(); }
@@ -85,13 +77,11 @@ private:
     BranchTransform* branch(unsigned unit);
     int parentOf(int unit) const;
     bool isOwn(const osg::Node* child) const;
-    void fillFullLevel();
-    void clearFullLevel();
     void makeTransforms();
+    void showLeaves();
     void turnBranches(bool all);
     void turnLeaves();
     void bringUpToDate();
-    bool hasTransforms() const { return _branchwise || _leafwise; }
 
     osg::ref_ptr<TreeBuffers> _buffers;
     TreeStyle _style;
@@ -101,7 +91,6 @@ private:
     std::vector<Branch> _branches;                                   ///< By unit; null those not needed yet.
     std::vector<osg::ref_ptr<osg::MatrixTransform>> _leafTransforms; ///< Empty until they are looked at.
     float _leafShare = 1.0f;
-    bool _branchwise = false, _leafwise = false;
     bool _full = false; ///< Whether the transforms of FULL are there.
 };
 

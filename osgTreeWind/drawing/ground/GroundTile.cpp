@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/ground/GroundTile.h>
 
+#include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
 
 #include <osg/CullStack>
 #include <osg/NodeVisitor>
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +29,6 @@ GroundTile::GroundTile(const GroundTile& other, const osg::CopyOp& copyop)
       _levels(other._levels), _box(other._box) {}
 
 GroundTile::~GroundTile() = default;
-
-osg::ref_ptr<GroundTile> GroundTile::ofAll(const Part& part, double finestSpacing) {
-    const glm::dvec2 extent = part->high - part->low;
-    double spacing = finestSpacing;
-    int levels = 0;
-    for (const double side = std::max(extent.x, extent.y); groundSquares * spacing < side; spacing *= 2.0)
-        ++levels;
-    const osg::ref_ptr<GroundTile> all = new GroundTile(part, part->low, spacing, levels, osg::BoundingBox());
-    std::call_once(all->_once, [&] { all->make(); });
-    return all->_box.valid() ? all : osg::ref_ptr<GroundTile>();
-}
 
 void GroundTile::make() {
     const GroundMesh mesh(*_part, _corner, _spacing);
@@ -104,6 +96,32 @@ void GroundTile::releaseGLObjects(osg::State* state) const {
     for (const osg::ref_ptr<GroundTile>& quarter : _quarters)
         if (quarter)
             quarter->releaseGLObjects(state);
+}
+
+osg::ref_ptr<osg::Node> createGroundDrawing(const GroundPtr& ground, const glm::dvec3& origin,
+                                            const osg::BoundingSphere& trees) {
+    constexpr double beyond = 50000.0, finest = 4.0; // metres
+    constexpr Range cells = within(0.001, 1e8);
+    if (!ground)
+        return {};
+    const GroundArea area = ground->area();
+    const glm::dvec2 centre = glm::dvec2(origin) + glm::dvec2(trees.center().x(), trees.center().y());
+    const double reach = std::max(static_cast<double>(trees.radius()), 0.0) + beyond;
+    const DrawnGround drawn{ground, origin, glm::max(area.low, centre - reach),
+                            glm::min(area.high, centre + reach)};
+    const glm::dvec2 extent = drawn.high - drawn.low;
+    if (!(extent.x > 0.0 && extent.y > 0.0 && cells.contains(area.cell)))
+        return {};
+    double spacing = 0.5 * area.cell; // between cells, too: a bilinear surface is not flat there
+    while (spacing > finest)
+        spacing *= 0.5;
+    int levels = 0;
+    for (const double side = std::max(extent.x, extent.y); groundSquares * spacing < side; spacing *= 2.0)
+        ++levels;
+    const osg::ref_ptr<GroundTile> all =
+        new GroundTile(std::make_shared<const DrawnGround>(drawn), drawn.low, spacing, levels, {});
+    std::call_once(all->_once, [&] { all->make(); });
+    return all->_box.valid() ? all : osg::ref_ptr<GroundTile>();
 }
 
 } // namespace osgTreeWind

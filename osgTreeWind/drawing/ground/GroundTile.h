@@ -19,8 +19,6 @@ public:
     /// @param corner the south-west one, in the world's frame. @param spacing of vertices, metres.
     /// @param levels of halves below it. @param box what holds it, in the forest's frame.
     GroundTile(Part part, const glm::dvec2& corner, double spacing, int levels, const osg::BoundingBox& box);
-    /// One for all of the part, which has its mesh; null where there is no ground.
-    static osg::ref_ptr<GroundTile> ofAll(const Part& part, double finestSpacing);
 
     const char* libraryName() const override { return "osgTreeWind"; }
     const char* className() const override { return "GroundTile"; }
@@ -39,6 +37,8 @@ protected:
     ~GroundTile() override;
 
 private:
+    friend osg::ref_ptr<osg::Node> createGroundDrawing(const GroundPtr&, const glm::dvec3&,
+                                                       const osg::BoundingSphere&);
     GroundTile(const GroundTile& other, const osg::CopyOp& copyop);
     void make();
     bool isFineEnough(osg::NodeVisitor& visitor) const;
@@ -53,5 +53,11 @@ private:
     osg::ref_ptr<osg::Geometry> _mesh;
     std::array<osg::ref_ptr<GroundTile>, 4> _quarters; ///< Null where there is nothing, or no level below.
 };
+
+/// A ground about a forest, up to 50 km beyond it, in the forest's frame: triangles with normals and texture
+/// coordinates in metres, finer where a camera is near. Null where there is none of it.
+/// @param origin of the forest. @param trees what holds them, in the forest's frame.
+osg::ref_ptr<osg::Node> createGroundDrawing(const GroundPtr& ground, const glm::dvec3& origin,
+                                            const osg::BoundingSphere& trees);
 
 } // namespace osgTreeWind

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/ImpostorAtlas.h>
 
-#include <glm/common.hpp>
+#include <osgTreeWind/drawing/looks/ByteOf.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 namespace {
@@ -29,10 +28,6 @@ unsigned char* texels(osg::Image& image, int level) {
     return level ? image.getMipmapData(static_cast<unsigned>(level)) : image.data();
 }
 
-unsigned char byte(float value) {
-    return static_cast<unsigned char>(std::lround(glm::clamp(value, 0.0f, 255.0f)));
-}
-
 void halve(osg::Image& image, int level) {
     const unsigned char* from = texels(image, level - 1);
     unsigned char* to = texels(image, level);
@@ -55,8 +50,8 @@ void ImpostorAtlas::set(int column, int row, int x, int y, const glm::vec4& colo
     unsigned char* a = _colors->data(column * _pixels + x, row * _pixels + y);
     unsigned char* b = _normals->data(column * _pixels + x, row * _pixels + y);
     for (int c = 0; c < 4; ++c) {
-        a[c] = byte(255.0f * color[c]);
-        b[c] = byte(255.0f * normal[c]);
+        a[c] = byteOf(color[c]);
+        b[c] = byteOf(normal[c]);
     }
 }
 

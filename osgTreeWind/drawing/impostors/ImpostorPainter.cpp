@@ -4,7 +4,6 @@
 #include <osgTreeWind/drawing/impostors/ImpostorAtlas.h>
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
-#include <osgTreeWind/drawing/impostors/TreeView.h>
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/model/CrownShade.h>
@@ -68,7 +67,8 @@ public:
                              _crown, appearance, settings.leaves)),
           _bark(barkPieces(model.skeleton, _crown)), _barkColor(meanBark(appearance)),
           _twigColor(appearance.twigs()), _stencils(LeafStencils::ofAtlas(leafImage(appearance))),
-          _raster(settings.pixels * settings.samples), _fronts(_bark.size()), _levels(_leaves.size()) {
+          _raster(settings.pixels * settings.samples), _leafPicture(_leaves, *_stencils),
+          _fronts(_bark.size()) {
         for (const LeafPiece& leaf : _leaves)
             _lobes.emplace_back(leaf.light, leaf.normal, true);
         _solid.fill(1);
@@ -90,8 +90,6 @@ public:
     }
 
 private:
-    const LeafStencils& stencilsOf(const LeafPiece& piece) const { return (*_stencils)[piece.stencils]; }
-
     float elevation(int row) const {
         return glm::half_pi<float>() * static_cast<float>(row) / static_cast<float>(_settings.elevations - 1);
     }
@@ -141,17 +139,8 @@ private:
         const glm::vec3 shift{
             0.5f * static_cast<float>(_raster.size()),
             static_cast<float>(_raster.size()) * ImpostorPictures::margin - scale.y * extent.x, 0.0f};
-        const float pixel = pixelSize();
         _raster.clear();
-        std::uint32_t item = 0;
-        for (const LeafPiece& piece : _leaves) {
-            const glm::vec3 across = view(piece.across), along = view(piece.along);
-            const LeafStencils& stencils = stencilsOf(piece);
-            const std::size_t level = stencils.levelOf(across, along, pixel);
-            _levels[item] = static_cast<std::uint8_t>(level);
-            _raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
-                         piece.borne ? stencils.level(level).leaves : stencils.level(level).twigs, item++);
-        }
+        _leafPicture.draw(view, scale, shift, pixelSize(), _raster);
         for (std::size_t i = 0; i < _bark.size(); ++i) {
             const BarkPiece& piece = _bark[i];
             const glm::vec3 start = view(piece.start), along = view(piece.end) - start;
@@ -199,9 +188,7 @@ private:
             return;
         if (sample.item < _leaves.size()) {
             const LeafPiece& leaf = _leaves[sample.item];
-            const LeafStencils::Level& level = stencilsOf(leaf).level(_levels[sample.item]);
-            const glm::vec3 tint =
-                leaf.borne ? level.tints[static_cast<std::size_t>(sample.cell)] : glm::vec3(1.0f);
+            const glm::vec3 tint = leaf.borne ? _leafPicture.tint(sample) : glm::vec3(1.0f);
             sum.add(tint * leaf.color, _lobes[sample.item], 1.0f);
             return;
         }
@@ -228,8 +215,8 @@ private:
     LeafStencils::Atlas _stencils;
     TreeRaster::Stencil _solid;
     TreeRaster _raster;
+    LeafPicture _leafPicture;
     std::vector<Front> _fronts;
-    std::vector<std::uint8_t> _levels; ///< Of the stencil of each leaf piece in the present view.
     ImpostorPictures _pictures;
 };
 

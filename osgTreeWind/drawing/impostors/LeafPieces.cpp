@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 
-#include <osgTreeWind/drawing/impostors/TreeView.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
@@ -46,37 +45,37 @@ std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
     return pieces;
 }
 
+void LeafPicture::draw(const TreeView& view, const glm::vec3& scale, const glm::vec3& shift, float pixel,
+                       TreeRaster& raster) {
+    for (std::size_t item = 0; item < _pieces.size(); ++item) {
+        const LeafPiece& piece = _pieces[item];
+        const glm::vec3 across = view(piece.across), along = view(piece.along);
+        const std::size_t seen = _stencils[piece.stencils].levelOf(across, along, pixel);
+        _levels[item] = static_cast<std::uint8_t>(seen);
+        raster.draw({scale * view(piece.corner) + shift, scale * across, scale * along},
+                    piece.borne ? level(item).leaves : level(item).twigs, static_cast<std::uint32_t>(item));
+    }
+}
+
 float seenLeafLight(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils,
                     const Appearance& appearance, float height) {
     constexpr int samples = 96, views = 3;
     const float scale = static_cast<float>(samples) / height;
-    std::vector<std::size_t> levels(pieces.size());
+    LeafPicture picture(pieces, stencils);
     TreeRaster raster(samples);
     float sum = 0.0f;
     int count = 0;
     for (int i = 0; i < views; ++i) {
         const TreeView view(6.2831853f * static_cast<float>(i) / views, 0.15f);
-        const auto placed = [&](const glm::vec3& v) { return glm::vec3(scale * v.x, scale * v.y, v.z); };
         raster.clear();
-        std::uint32_t item = 0;
-        for (const LeafPiece& piece : pieces) {
-            const glm::vec3 across = placed(view(piece.across)), along = placed(view(piece.along));
-            const LeafStencils& own = stencils[piece.stencils];
-            levels[item] = own.levelOf(across, along, 1.0f);
-            const LeafStencils::Level& level = own.level(levels[item]);
-            raster.draw({placed(view(piece.corner)) + glm::vec3(0.5f * samples, 0.0f, 0.0f), across, along},
-                        piece.borne ? level.leaves : level.twigs, item++);
-        }
+        picture.draw(view, {scale, scale, 1.0f}, {0.5f * samples, 0.0f, 0.0f}, 1.0f / scale, raster);
         for (int y = 0; y < samples; ++y)
             for (int x = 0; x < samples; ++x)
                 if (const TreeRaster::Sample& sample = raster.sample(x, y);
                     sample.item != TreeRaster::nothing) {
                     const LeafPiece& piece = pieces[sample.item];
                     const float side = glm::dot(piece.blade, view.toEye) < 0.0f ? appearance.underside : 1.0f;
-                    sum += side *
-                           luminance(stencils[piece.stencils]
-                                         .level(levels[sample.item])
-                                         .tints[static_cast<std::size_t>(sample.cell)]) *
+                    sum += side * luminance(picture.tint(sample)) *
                            MeanLight::on(piece.light, piece.normal, true);
                     ++count;
                 }

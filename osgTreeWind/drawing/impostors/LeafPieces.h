@@ -2,10 +2,12 @@
 #pragma once
 
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
+#include <osgTreeWind/drawing/impostors/TreeView.h>
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/model/TreeDetail.h>
 #include <osgTreeWind/species/Appearance.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace osgTreeWind {
@@ -24,6 +26,31 @@ struct LeafPiece {
 std::vector<LeafPiece> leafPieces(const ThinnedLeaves& leaves,
                                   const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                   const CrownShade& crown, const Appearance& appearance, float share);
+
+/// Leaves in a picture, and the level of its stencil that each is drawn at.
+class LeafPicture {
+public:
+    /// @param pieces, stencils LeafStencils::ofAtlas() of the leaves; both outlive this.
+    LeafPicture(const std::vector<LeafPiece>& pieces, const std::vector<LeafStencils>& stencils)
+        : _pieces(pieces), _stencils(stencils), _levels(pieces.size()) {}
+
+    /// Draws them, a piece an item. @param scale, shift from the view, metres, to samples. @param pixel
+    /// metres of a pixel that shows them.
+    void draw(const TreeView& view, const glm::vec3& scale, const glm::vec3& shift, float pixel,
+              TreeRaster& raster);
+    /// What is painted at a sample.
+    glm::vec3 tint(const TreeRaster::Sample& sample) const {
+        return level(sample.item).tints[static_cast<std::size_t>(sample.cell)];
+    }
+
+private:
+    const LeafStencils::Level& level(std::size_t item) const {
+        return _stencils[_pieces[item].stencils].level(_levels[item]);
+    }
+    const std::vector<LeafPiece>& _pieces;
+    const std::vector<LeafStencils>& _stencils;
+    std::vector<std::uint8_t> _levels;
+};
 
 /// Light of a usual day (MeanLight) on the leaves that are seen of a tree from its sides.
 /// @param stencils LeafStencils::ofAtlas() of its leaves. @param height of the tree, metres. 0 where no leaf

@@ -5,14 +5,15 @@
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
 #include <osgTreeWind/drawing/impostors/LeafMasks.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
+#include <osgTreeWind/drawing/impostors/TreeView.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 
 #include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/color_space.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -26,30 +27,18 @@ constexpr int shapes = 3, azimuths = 3, viewPixels = 600;
 constexpr float fromBelow = 25.0f; ///< Degrees below the middle of the crown.
 constexpr int closingPart = 12;    ///< Of the crown's width, by which its outline is closed.
 
-/// The two axes of a picture of the tree, from below.
-struct UpwardView {
-    glm::vec3 right, up;
-
-    explicit UpwardView(float azimuth) {
-        const float elevation = -glm::radians(fromBelow);
-        const glm::vec3 level{glm::cos(azimuth), glm::sin(azimuth), 0.0f};
-        right = {-level.y, level.x, 0.0f};
-        up = glm::vec3(0, 0, 1) * glm::cos(elevation) - level * glm::sin(elevation);
-    }
-    glm::vec2 operator()(const glm::vec3& p) const { return {glm::dot(p, right), glm::dot(p, up)}; }
-};
-
 /// A crown seen from one side.
 class CrownView {
 public:
-    CrownView(const TreeModel& model, float azimuth) : _model(model), _view(azimuth) {
+    CrownView(const TreeModel& model, float azimuth)
+        : _model(model), _view(azimuth, -glm::radians(fromBelow)) {
         _low = glm::vec2(1e9f);
         glm::vec2 high(-1e9f);
         forEachLeafQuad(model, [&](std::size_t, std::size_t, const glm::vec3& corner, const glm::vec3& across,
                                    const glm::vec3& along) {
             for (const glm::vec3& p : {corner, corner + across, corner + along, corner + across + along}) {
-                _low = glm::min(_low, _view(p));
-                high = glm::max(high, _view(p));
+                _low = glm::min(_low, glm::vec2(_view(p)));
+                high = glm::max(high, glm::vec2(_view(p)));
             }
         });
         const glm::vec2 size = high - _low;
@@ -59,7 +48,7 @@ public:
         _closing = static_cast<int>(_scale * size.x / closingPart);
     }
 
-    glm::vec2 operator()(const glm::vec3& p) const { return _scale * (_view(p) - _low); }
+    glm::vec2 operator()(const glm::vec3& p) const { return _scale * (glm::vec2(_view(p)) - _low); }
 
     /// @param mask that is to be taken of them.
     Silhouette leaves(const LeafMasks& masks, const Silhouette::Mask& (LeafMasks::*mask)(int) const) const {
@@ -82,7 +71,7 @@ public:
 
 private:
     const TreeModel& _model;
-    UpwardView _view;
+    TreeView _view;
     glm::vec2 _low;
     float _scale;
     int _closing;
@@ -142,12 +131,6 @@ glm::vec2 quadsOf(const TreeModel& model, const LeafSpray& spray) {
     return sum;
 }
 
-glm::vec3 encoded(const glm::vec3& linear) { // IEC 61966-2-1
-    const glm::vec3 c = glm::clamp(linear, 0.0f, 1.0f);
-    return glm::mix(12.92f * c, 1.055f * glm::pow(c, glm::vec3(1.0f / 2.4f)) - 0.055f,
-                    glm::vec3(glm::greaterThan(c, glm::vec3(0.0031308f))));
-}
-
 /// Degrees, of a colour that is not grey.
 float hueOf(const glm::vec3& c) {
     const float most = std::max({c.r, c.g, c.b}), chroma = most - std::min({c.r, c.g, c.b});
@@ -186,8 +169,8 @@ struct LeafColors {
                 const glm::vec3 way = LightLobe::longest * (2.0f * glm::vec3(light) - 1.0f);
                 const glm::vec3 sky = glm::mix(fromBelow, fromAbove, 0.5f + 0.5f * way.z);
                 const float sunny = 0.5f + 0.5f * glm::dot(way, toSun);
-                const glm::vec3 seen =
-                    encoded(glm::vec3(color) / brighter * glm::max(sky + sunny * sun, 0.0f));
+                const glm::vec3 seen = glm::convertLinearToSRGB(
+                    glm::vec3(color) / brighter * glm::max(sky + sunny * sun, 0.0f), 2.4f);
                 const float sum = seen.r + seen.g + seen.b;
                 if (seen.r == seen.g && seen.g == seen.b)
                     continue;

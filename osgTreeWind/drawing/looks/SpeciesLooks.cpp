@@ -25,8 +25,8 @@ SpeciesLooks makeSpeciesLooks(const Species& species) {
     const Appearance& appearance = species.appearance;
     SpeciesLooks looks{new osg::StateSet, new osg::StateSet, new osg::StateSet,
                        nullptr,           nullptr,           Reconfiguration(species)};
-    showBark(*looks.bark, sharedProgram("instance_bark", "instance_bark"), appearance);
-    showLeaves(*looks.leaves, sharedProgram("instance_leaf", "instance_leaf"), appearance);
+    showBark(*looks.bark, sharedProgram("instance_bark", "bark"), appearance);
+    showLeaves(*looks.leaves, sharedProgram("instance_leaf", "leaf"), appearance);
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double step = 0.2, settling = 60.0, hour = 3600.0; // seconds
 
-std::shared_ptr<const CanopyMap> canopyAround(const std::vector<StandTree>& trees, const WindCanopy& canopy) {
+std::shared_ptr<const CanopyMap> canopyAround(const std::vector<CanopyTree>& trees,
+                                              const WindCanopy& canopy) {
     auto referred = std::make_shared<CanopyMap>(*canopyOf(trees, canopy));
     referred->refer(static_cast<float>(canopy.reference));
     return referred;
@@ -28,7 +29,7 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
                          std::size_t most)
     : _forest(forest), _toward(toward), _executor(executor) {
     std::vector<ModalTree> swaying;
-    std::vector<StandTree> standing;
+    std::vector<CanopyTree> standing;
     for (std::size_t slot = 0; slot < forest.trees.size(); ++slot) {
         const PlacedTree& tree = forest.trees[slot];
         if (!tree.alive)

@@ -20,13 +20,13 @@ namespace {
 
 constexpr double longestSampleStep = 0.1; // seconds from one sample of the wind to the next
 
-StandTree standTree(const PlacedForest& forest) {
+CanopyTree standTree(const PlacedForest& forest) {
     const PlacedTree& tree = forest.trees.front();
     return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
 }
 
 WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
-    const StandTree tree = standTree(forest);
+    const CanopyTree tree = standTree(forest);
     const glm::vec3 mean(storm.speed, 0.0f, 0.0f);
     if (!(storm.spacing > 0.0))
         return WindSampler(std::make_shared<Wind>(

@@ -71,8 +71,6 @@ TEST_F(BranchwiseForestGlTest, theExampleOfTheThesisDoesThePublishedWay) {
     frames(4);
     const BranchwiseForest& branchwise = *forest->getBranchwise();
     ASSERT_NE(BranchwiseParts::prePass(branchwise), nullptr) << "the RTT passes";
-    EXPECT_EQ(branchwise.getBranchDrawing(), BranchwiseForest::BRANCH_DRAWING);
-    EXPECT_EQ(branchwise.getLeafDrawing(), BranchwiseForest::LEAF_TRANSFORMS);
     const osg::Group& full = *BranchwiseParts::tree(branchwise, 0)->getLod()->level(TreeLod::FULL);
     ASSERT_EQ(full.getNumChildren(), 1u);
     const auto* trunk = dynamic_cast<const BranchTransform*>(full.getChild(0));
@@ -119,7 +117,6 @@ TEST_F(BranchwiseForestGlTest, outOfSightItKeepsItsStatesAndGoesOnFromThem) {
 TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
     const ForestDescription description = branchwiseForest(1);
     start(description);
-    forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
     frames(30);
     ForestSimulation oracle(description);
     for (int i = 2; i <= now - 1; ++i) // passes begin in the second frame; what came back is a frame old
@@ -135,23 +132,17 @@ TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
 }
 
 TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
-    for (const bool published : {true, false}) {
-        start(branchwiseForest(2));
-        if (!published) {
-            forest->getBranchwise()->setBranchDrawing(BranchwiseForest::TREE_DRAWING);
-            forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
-        }
-        frames(4);
-        const unsigned context = this->context().getState()->getContextID();
-        const auto* buffers = osg::get<osg::GLBufferObjectManager>(context);
-        const auto* textures = osg::get<osg::TextureObjectManager>(context);
-        const unsigned buffersBefore = buffers->getNumberActiveGLBufferObjects();
-        const unsigned texturesBefore = textures->getNumberActiveTextureObjects();
-        BranchwiseParts::tree(*forest->getBranchwise(), 0)->releaseGLObjects();
-        EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), buffersBefore);
-        EXPECT_EQ(textures->getNumberActiveTextureObjects(), texturesBefore);
-        frames(1);
-    }
+    start(dampedForest(2));
+    frames(4);
+    const unsigned context = this->context().getState()->getContextID();
+    const auto* buffers = osg::get<osg::GLBufferObjectManager>(context);
+    const auto* textures = osg::get<osg::TextureObjectManager>(context);
+    const unsigned buffersBefore = buffers->getNumberActiveGLBufferObjects();
+    const unsigned texturesBefore = textures->getNumberActiveTextureObjects();
+    BranchwiseParts::tree(*forest->getBranchwise(), 0)->releaseGLObjects();
+    EXPECT_EQ(buffers->getNumberActiveGLBufferObjects(), buffersBefore);
+    EXPECT_EQ(textures->getNumberActiveTextureObjects(), texturesBefore);
+    frames(1);
 }
 
 TEST_F(BranchwiseForestGlTest, billboardsLookLikeTheTrees) {

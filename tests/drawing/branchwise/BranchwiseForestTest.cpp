@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/branchwise/TextureRoom.h>
 #include <tests/MessageCollector.h>
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 
@@ -23,16 +24,16 @@ ForestDescription referenceTrees(std::size_t trees) {
 } // namespace
 
 TEST(BranchwiseForestTest, moreThanATextureHoldsIsRefusedByName) {
-    EXPECT_EQ(BranchwiseForest::problemOf(referenceTrees(17476)), "");
-    const std::string problem = BranchwiseForest::problemOf(referenceTrees(17477));
+    EXPECT_EQ(problemOfTextures(referenceTrees(17476)), "");
+    const std::string problem = problemOfTextures(referenceTrees(17477));
     EXPECT_EQ(problem,
               "17477 trees under a law of a branch need 33555840 texels of leaf angles; a texture holds "
               "33554432. The law modal has no such limit");
     ForestDescription bare = referenceTrees(100000);
     bare.species[0].tree.leaves.clustersPerBranch = 0;
-    EXPECT_NE(BranchwiseForest::problemOf(bare).find("branch parameters"), std::string::npos);
+    EXPECT_NE(problemOfTextures(bare).find("branch parameters"), std::string::npos);
     bare.law = MotionLaw::Modal;
-    EXPECT_EQ(BranchwiseForest::problemOf(bare), "");
+    EXPECT_EQ(problemOfTextures(bare), "");
 }
 
 TEST(BranchwiseForestTest, whatIsRefusedLeavesTheForestEmptyWithOneWarning) {

@@ -186,7 +186,6 @@ TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
         description.species[0].tree.leaves.clustersPerBranch = 4;
         description.noiseExponent = exponent;
         osg::ref_ptr<Forest> forest = start(description);
-        forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES); // read back for picking
         ForestSimulation oracle(description);
         oracle.advance(0.0);
         for (int i = 1; i <= 30; ++i) {

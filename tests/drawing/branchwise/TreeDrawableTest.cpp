@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <tests/NamesInOrder.h>
 #include <tests/drawing/branchwise/BranchwiseFixtures.h>
 #include <tests/drawing/branchwise/Onlooker.h>
 
@@ -31,12 +30,11 @@ struct BentTree {
     osg::ref_ptr<Forest> forest;
     osg::Vec3d before, now;
 
-    explicit BentTree(BranchwiseForest::BranchDrawing drawing) {
+    BentTree() {
         Species species = smallSpecies();
         species.tree.leaves.clustersPerBranch = 0;
         species.tree.wood.radius = 0.05f;
         forest = new Forest(branchwise(oneTree(species, 40.0f)));
-        forest->getBranchwise()->setBranchDrawing(drawing);
         before = middle();
         updateFrames(*forest, 1, 60);
         now = middle();
@@ -52,32 +50,23 @@ struct BentTree {
     }
 };
 
-class PickingTest : public ::testing::TestWithParam<BranchwiseForest::BranchDrawing> {};
-
 } // namespace
 
-TEST_P(PickingTest, hitsABranchWhereItIs) {
-    const BentTree tree(GetParam());
+TEST(PickingTest, hitsABranchWhereItIs) {
+    const BentTree tree;
     ASSERT_GT((tree.now - tree.before).length(), 0.5) << "the storm bends the branch away";
     const auto hits = tree.pickAt(tree.now);
     ASSERT_FALSE(hits.empty());
     EXPECT_LT((hits.begin()->getWorldIntersectPoint() - tree.now).length(), 0.1);
 }
 
-TEST_P(PickingTest, doesNotHitABranchWhereItWas) {
-    const BentTree tree(GetParam());
+TEST(PickingTest, doesNotHitABranchWhereItWas) {
+    const BentTree tree;
     EXPECT_TRUE(tree.pickAt(tree.before).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(TreeAndBranch, PickingTest,
-                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING),
-                         NamesInOrder({"Tree", "Branch"}));
-
-class LeafPickingTest : public ::testing::TestWithParam<BranchwiseForest::LeafDrawing> {};
-
-TEST_P(LeafPickingTest, hitsALeafWhereItIs) {
+TEST(PickingTest, hitsALeafWhereItIs) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(smallSpecies())));
-    forest->getBranchwise()->setLeafDrawing(GetParam());
     updateFrames(*forest, 1, 20);
     glm::vec3 corners[verticesPerLeafCluster];
     BranchwiseParts::tree(*forest->getBranchwise(), 0)->getPosedTree()->leafPoints(20, corners);
@@ -85,13 +74,8 @@ TEST_P(LeafPickingTest, hitsALeafWhereItIs) {
     const glm::vec3 across = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     const auto hits = pick(*forest, toOsg(inside + 0.05f * across), toOsg(inside - 0.05f * across));
     ASSERT_FALSE(hits.empty());
-    const std::string hit = hits.begin()->drawable->className();
-    EXPECT_EQ(hit, GetParam() == BranchwiseForest::TREE_LEAVES ? "LeafDrawable" : "LeafClusterDrawable");
+    EXPECT_STREQ(hits.begin()->drawable->className(), "LeafClusterDrawable");
 }
-
-INSTANTIATE_TEST_SUITE_P(TreeAndCluster, LeafPickingTest,
-                         ::testing::Values(BranchwiseForest::TREE_LEAVES, BranchwiseForest::LEAF_TRANSFORMS),
-                         NamesInOrder({"Tree", "Cluster"}));
 
 TEST(BoundsTest, holdEveryPosedPointInAStorm) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(smallForest(3, 45.0f)));
@@ -141,12 +125,8 @@ TEST(BoundsTest, settleInASteadyWind) {
               settled._min);
 }
 
-class StatisticsTest : public ::testing::TestWithParam<BranchwiseForest::BranchDrawing> {};
-
-TEST_P(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
+TEST(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
     osg::ref_ptr<Forest> forest = new Forest(branchwise(oneTree(Species())));
-    forest->getBranchwise()->setBranchDrawing(GetParam());
-    forest->getBranchwise()->setLeafDrawing(BranchwiseForest::TREE_LEAVES);
     Onlooker onlooker(1.0f);
     forest->accept(onlooker);
     updateFrames(*forest, 1, 1);
@@ -154,14 +134,9 @@ TEST_P(StatisticsTest, ofTheReferenceTreeAreThoseOfTheThesis) {
     statistics.setTraversalMode(osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN);
     forest->accept(statistics);
     statistics.totalUpStats();
-    EXPECT_EQ(statistics._uniqueStats._vertexCount, 38656u);
-    EXPECT_EQ(statistics._uniqueStats._primitiveCount[GL_TRIANGLES].second, 3 * 40800u);
+    EXPECT_EQ(statistics._instancedStats._vertexCount, 38656u);
     EXPECT_EQ(statistics._instancedStats._primitiveCount[GL_TRIANGLES].second, 3 * 40800u);
 }
-
-INSTANTIATE_TEST_SUITE_P(TreeAndBranch, StatisticsTest,
-                         ::testing::Values(BranchwiseForest::TREE_DRAWING, BranchwiseForest::BRANCH_DRAWING),
-                         NamesInOrder({"Tree", "Branch"}));
 
 TEST(TreeDrawableTest, emptyOnesHaveNoBoundsAndNoTriangles) {
     for (osg::ref_ptr<osg::Drawable> drawable :

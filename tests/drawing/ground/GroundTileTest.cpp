@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/ground/GroundDrawing.h>
+#include <osgTreeWind/drawing/ground/GroundTile.h>
 #include <osgTreeWind/places/FunctionGround.h>
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ double hills(double x, double y) {
 
 osg::ref_ptr<osg::Node> groundOf(const FunctionGround::Function& function,
                                  const GroundArea& area = kilometres) {
-    return createGroundDrawing(std::make_shared<FunctionGround>(function, area), glm::dvec3(0.0), {0, 0},
-                               10.0);
+    return createGroundDrawing(std::make_shared<FunctionGround>(function, area), glm::dvec3(0.0),
+                               osg::BoundingSphere(osg::Vec3(), 10.0f));
 }
 
 /// What a camera of 1000 by 1000 pixels that looks north from there draws.
@@ -152,7 +152,7 @@ TEST(GroundTile, HasBoundsBeforeAnybodySawIt) {
 }
 
 TEST(GroundTile, IsNoneWhereThereIsNoGround) {
-    EXPECT_FALSE(createGroundDrawing(nullptr, glm::dvec3(0.0), {0, 0}, 10.0));
+    EXPECT_FALSE(createGroundDrawing(nullptr, glm::dvec3(0.0), osg::BoundingSphere()));
     EXPECT_FALSE(groundOf([](double, double) { return std::nan(""); }));
     EXPECT_FALSE(groundOf(hills, {{1e6, 1e6}, {1.1e6, 1.1e6}, 1.0})) << "farther than 50 km";
     EXPECT_TRUE(groundOf(hills, GroundArea())) << "a callable without an end";

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/ForestTechnique.h>
+
+#include <osgTreeWind/motion/ForestSimulation.h>
+
+#include <utility>
+
+namespace osgTreeWind {
+
+ForestTechnique::ForestTechnique() {
+    setDataVariance(osg::Object::DYNAMIC);
+}
+
+ForestTechnique::ForestTechnique(const ForestTechnique& other, const osg::CopyOp& copyop)
+    : osg::Group(other, osg::CopyOp(copyop.getCopyFlags() &
+                                    ~(osg::CopyOp::DEEP_COPY_NODES | osg::CopyOp::DEEP_COPY_DRAWABLES))) {
+    removeChildren(0, getNumChildren());
+}
+
+ForestTechnique::~ForestTechnique() = default;
+
+void ForestTechnique::setSimulation(std::shared_ptr<ForestSimulation> simulation) {
+    removeChildren(0, getNumChildren());
+    _simulation = std::move(simulation);
+}
+
+void ForestTechnique::update(const osg::FrameStamp& stamp) {
+    if (_simulation)
+        _simulation->advance(stamp.getSimulationTime());
+}
+
+void ForestTechnique::treeChanged(std::size_t) {}
+
+void ForestTechnique::speciesAdded() {}
+
+void ForestTechnique::seasonChanged() {}
+
+BranchTransform* ForestTechnique::follow(TreeId, unsigned) {
+    return nullptr;
+}
+
+bool ForestTechnique::unfollow(TreeId, unsigned) {
+    return false;
+}
+
+InstancedForest* ForestTechnique::asInstancedForest() {
+    return nullptr;
+}
+
+BranchwiseForest* ForestTechnique::asBranchwiseForest() {
+    return nullptr;
+}
+
+} // namespace osgTreeWind

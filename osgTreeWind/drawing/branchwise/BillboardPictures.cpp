@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/branchwise/BillboardPictures.h>
+
+#include <osgTreeWind/drawing/branchwise/BillboardDrawable.h>
+#include <osgTreeWind/drawing/looks/SpeciesLooks.h>
+#include <osgTreeWind/model/Random.h>
+
+namespace osgTreeWind {
+
+osg::ref_ptr<osg::Drawable> BillboardPictures::of(const PlacedTree& tree, PosedTree& posed,
+                                                  const Appearance& appearance, float season) {
+    const Tier tier = impostorTier(tree.leaves);
+    auto found = _pictures.find({tree.model, tier});
+    if (found == _pictures.end()) {
+        Picture made;
+        made.strip = sharedImpostor(posed.model(), appearance, tier);
+        made.state = new SharedStateSet(*made.strip->stateSet());
+        made.state->addUniform(new osg::Uniform("leanPower", 1.0f)); // it does not lean
+        found = _pictures.emplace(std::pair(tree.model, tier), made).first;
+    }
+    const Picture& picture = found->second;
+    if (tier != Tier::BareImpostor) // twigs have no colour of leaves
+        picture.state->getOrCreateUniform("leafTint", osg::Uniform::FLOAT_VEC3)
+            ->set(seasonTint(appearance, season));
+    osg::ref_ptr<osg::Drawable> drawable =
+        new BillboardDrawable(picture.strip->geometry(), &posed, Random(tree.seed).uniform());
+    drawable->setStateSet(picture.state);
+    return drawable;
+}
+
+void BillboardPictures::resizeGLObjectBuffers(unsigned maxSize) {
+    for (const auto& [key, picture] : _pictures)
+        picture.strip->geometry()->resizeGLObjectBuffers(maxSize);
+}
+
+void BillboardPictures::releaseGLObjects(osg::State* state) const {
+    for (const auto& [key, picture] : _pictures) {
+        picture.strip->geometry()->releaseGLObjects(state);
+        picture.state->releaseShared(state);
+    }
+}
+
+} // namespace osgTreeWind

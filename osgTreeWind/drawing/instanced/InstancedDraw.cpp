@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/instanced/InstancedDraw.h>
+
+#include <osgTreeWind/gpu/DrawTime.h>
+#include <osgTreeWind/gpu/EntryGuard.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
+#include <osg/GLExtensions>
+#include <osg/State>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// A place in the buffer that is bound, as OpenGL is told it.
+const char* inBuffer(GLsizeiptr offset) {
+    return reinterpret_cast<const char*>(offset); // NOLINT(performance-no-int-to-ptr): OpenGL asks for it
+}
+
+} // namespace
+
+InstancedDraw::InstancedDraw() {
+    setSupportsDisplayList(false);
+    setCullingActive(false);
+}
+
+void InstancedDraw::set(osg::Geometry* geometry, InstanceList* trees, bool isLast) {
+    _geometry = geometry;
+    _trees = trees;
+    _isLast = isLast;
+}
+
+void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
+    osg::State& state = *renderInfo.getState();
+    if (!canRunPrograms(state))
+        return;
+    static const EntryGuard guard;
+    guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    for (unsigned i = 0; i < 3; ++i) {
+        gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
+        gl.glDisableVertexAttribArray(treePlaceLocation + i);
+    }
+    state.unbindVertexBufferObject();
+    state.unbindElementBufferObject();
+    if (_isLast)
+        glFlush();
+}
+
+void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
+    osg::State& state = *renderInfo.getState();
+    const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
+    state.unbindVertexArrayObject(); // where there is one it would be of the geometry drawn before
+    state.setCurrentToGlobalVertexArrayState();
+    if (_trees->page) {
+        const DrawTime time(renderInfo, "Forest pose");
+        _trees->passes->apply(state, *_trees->page);
+    }
+    const DrawTime time(renderInfo, "Forest draw");
+    if (const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject()) {
+        static const unsigned name = osg::Uniform::getNameID("flutterPhases");
+        const GLint location = program->getUniformLocation(name);
+        if (location >= 0)
+            gl.glUniform3fv(location, 1, _trees->flutter.ptr());
+    }
+
+    _geometry->drawVertexArraysImplementation(renderInfo);
+    osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
+    state.bindVertexBufferObject(instances);
+    const char* offset = inBuffer(instances->getOffset(_trees->values->getBufferIndex()));
+    for (unsigned i = 0; i < 3; ++i) {
+        gl.glEnableVertexAttribArray(treePlaceLocation + i);
+        gl.glVertexAttribPointer(treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
+                                 offset + i * 4 * sizeof(float));
+        gl.glVertexAttribDivisor(treePlaceLocation + i, 1);
+    }
+
+    const auto count = static_cast<GLsizei>(_trees->size());
+    for (const osg::ref_ptr<osg::PrimitiveSet>& set : _geometry->getPrimitiveSetList()) {
+        if (osg::DrawElements* elements = set->getDrawElements()) {
+            osg::GLBufferObject* buffer = elements->getOrCreateGLBufferObject(state.getContextID());
+            const void* indices = elements->getDataPointer();
+            if (buffer) {
+                state.bindElementBufferObject(buffer);
+                indices = inBuffer(buffer->getOffset(elements->getBufferIndex()));
+            }
+            gl.glDrawElementsInstanced(elements->getMode(), static_cast<GLsizei>(elements->getNumIndices()),
+                                       elements->getDataType(), indices, count);
+        } else if (const auto* array = dynamic_cast<const osg::DrawArrays*>(set.get())) {
+            gl.glDrawArraysInstanced(array->getMode(), array->getFirst(), array->getCount(), count);
+        }
+    }
+}
+
+} // namespace osgTreeWind

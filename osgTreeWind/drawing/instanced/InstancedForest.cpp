@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+
+#include <osgTreeWind/drawing/instanced/FollowedBranches.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+
+#include <osg/Notify>
+
+#include <utility>
+
+namespace osgTreeWind {
+
+namespace {
+
+std::shared_ptr<ForestSimulation> swaying(const std::shared_ptr<ForestSimulation>& given) {
+    if (given && SimulationParts::modal(*given))
+        return given;
+    OSG_WARN << "osgTreeWind: expected a simulation under the law modal; no trees are drawn" << std::endl;
+    return std::make_shared<ForestSimulation>(ForestDescription());
+}
+
+} // namespace
+
+InstancedForest::InstancedForest()
+    : InstancedForest(std::make_shared<ForestSimulation>(ForestDescription())) {}
+
+InstancedForest::InstancedForest(const std::shared_ptr<ForestSimulation>& simulation) {
+    InstancedForest::setSimulation(simulation);
+}
+
+InstancedForest::InstancedForest(const InstancedForest& other, const osg::CopyOp& copyop)
+    : ForestTechnique(other, copyop), _toShare(std::make_unique<InstancedResources>(
+                                          other._toShare ? *other._toShare : other._trees->resources())) {
+    show(new InstancedTrees, std::make_shared<ForestSimulation>(ForestDescription()));
+}
+
+InstancedForest::~InstancedForest() = default;
+
+bool InstancedForest::setBarkState(std::size_t species, osg::StateSet* state) {
+    return setState(&SpeciesLooks::ownBark, species, state);
+}
+
+bool InstancedForest::setLeafState(std::size_t species, osg::StateSet* state) {
+    return setState(&SpeciesLooks::ownLeaves, species, state);
+}
+
+bool InstancedForest::setState(osg::ref_ptr<osg::StateSet> SpeciesLooks::*own, std::size_t species,
+                               osg::StateSet* state) {
+    std::vector<SpeciesLooks>& looks = _trees->resources().looks;
+    if (species < looks.size())
+        looks[species].*own = state;
+    return species < looks.size();
+}
+
+bool InstancedForest::setGeometry(std::size_t model, osg::Geometry* bark, osg::Geometry* leaves) {
+    std::vector<osg::ref_ptr<ModelResources>>& models = _trees->resources().models;
+    if (model >= models.size())
+        return false;
+    models[model] = new ModelResources(*models[model], bark, leaves);
+    return true;
+}
+
+void InstancedForest::setSimulation(std::shared_ptr<ForestSimulation> given) {
+    const std::shared_ptr<ForestSimulation> simulation = swaying(given);
+    const bool shares = _toShare && _toShare->areOf(*simulation);
+    show(shares ? new InstancedTrees(simulation, *_toShare) : new InstancedTrees(simulation), simulation);
+    _toShare.reset();
+}
+
+void InstancedForest::show(const osg::ref_ptr<InstancedTrees>& trees,
+                           const std::shared_ptr<ForestSimulation>& simulation) {
+    const osg::ref_ptr<FollowedBranches> followed = new FollowedBranches;
+    ForestTechnique::setSimulation(simulation);
+    _trees = trees;
+    _followed = followed;
+    addChild(_trees);
+    addChild(_followed);
+}
+
+void InstancedForest::update(const osg::FrameStamp& stamp) {
+    ForestTechnique::update(stamp);
+    _trees->update(stamp.getFrameNumber(), stamp.getSimulationTime());
+    _followed->update(*getSimulation());
+}
+
+void InstancedForest::treeChanged(std::size_t slot) {
+    if (slot >= getSimulation()->slotCount())
+        return;
+    _trees->treeChanged(slot);
+    _followed->treeChanged(*getSimulation(), getSimulation()->idOf(slot));
+    dirtyBound(); // which the drawable's box is no part of
+}
+
+void InstancedForest::speciesAdded() {
+    _trees->speciesAdded();
+}
+
+void InstancedForest::seasonChanged() {
+    _trees->seasonChanged();
+}
+
+BranchTransform* InstancedForest::follow(TreeId tree, unsigned unit) {
+    BranchTransform* branch = _followed->follow(*getSimulation(), tree, unit);
+    if (branch)
+        _trees->keepNear(getSimulation()->slotOf(tree), true);
+    return branch;
+}
+
+bool InstancedForest::unfollow(TreeId tree, unsigned unit) {
+    if (!_followed->unfollow(tree, unit))
+        return false;
+    if (getSimulation()->holds(tree) && !_followed->follows(tree))
+        _trees->keepNear(getSimulation()->slotOf(tree), false);
+    return true;
+}
+
+osg::BoundingSphere InstancedForest::computeBound() const {
+    osg::BoundingSphere bound(_trees->reach());
+    bound.expandBy(_followed->getBound());
+    return bound;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/drawing/instanced/InstancedResources.h>
+
+#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/damage/LeafFall.h>
+#include <osgTreeWind/motion/modal/ModalLean.h>
+#include <osgTreeWind/species/SpeciesFields.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+/// With what the season leaves a tree, and the wind may. @param wanted models and tiers.
+void want(const ForestSimulation& simulation, std::size_t model, const LeafFall& leaves, float summerLeaves,
+          std::set<std::pair<std::size_t, Tier>>& wanted) {
+    const auto picture = [&](float ahead) {
+        return static_cast<int>(impostorTier(summerLeaves * leaves.share(simulation.season(), ahead)));
+    };
+    const float most = simulation.description().damage ? LeafFall::most : 0.0f;
+    for (int tier = picture(0.0f); tier <= picture(most); ++tier)
+        wanted.emplace(model, static_cast<Tier>(tier));
+}
+
+std::string bytesOf(const std::vector<Species>& all) {
+    std::string bytes;
+    for (const Species& species : all)
+        addFieldBytes(species, bytes);
+    return bytes;
+}
+
+} // namespace
+
+InstancedResources::InstancedResources(const ForestSimulation& simulation)
+    : state(new osg::StateSet), fading(new osg::StateSet), programs(new PosePrograms) {
+    fading->setDefine("FADING");
+    state->addUniform(new osg::Uniform("leanPower", leanPower));
+    state->addUniform(new osg::Uniform("poseRotations", static_cast<int>(PosePass::rotationsUnit)));
+    state->addUniform(new osg::Uniform("poseTranslations", static_cast<int>(PosePass::translationsUnit)));
+    state->addUniform(new osg::Uniform("posePulls", static_cast<int>(PosePass::pullsUnit)));
+    addSpecies(simulation);
+}
+
+bool InstancedResources::areOf(const ForestSimulation& simulation) const {
+    return _season == simulation.season() && _shapes == SimulationParts::models(simulation) &&
+           _species == bytesOf(simulation.description().species);
+}
+
+void InstancedResources::addSpecies(const ForestSimulation& simulation) {
+    const std::vector<Species>& all = simulation.description().species;
+    for (std::size_t i = looks.size(); i < all.size(); ++i)
+        looks.push_back(makeSpeciesLooks(all[i]));
+    _species = bytesOf(all);
+    _shapes = SimulationParts::models(simulation);
+    const std::size_t first = models.size();
+    models.resize(SimulationParts::models(simulation).size());
+    if (models.size() == first) // nor threads
+        return;
+    runJobs(simulation.executor(), models.size() - first, [&](std::size_t i) {
+        const std::size_t model = first + i;
+        const std::size_t species = SimulationParts::forest(simulation).speciesOfModel(model);
+        models[model] =
+            new ModelResources(*SimulationParts::models(simulation)[model], species, all[species].appearance);
+    });
+    followSeason(simulation);
+}
+
+void InstancedResources::followSeason(const ForestSimulation& simulation) {
+    _season = simulation.season();
+    const std::vector<Species>& species = simulation.description().species;
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        looks[i].showSeason(species[i].appearance, simulation.season());
+    std::vector<LeafFall> leaves;
+    for (const Species& each : species)
+        leaves.emplace_back(each);
+    Pictures wanted;
+    for (std::size_t model = 0; model < models.size(); ++model) // of trees that may come
+        want(simulation, model, leaves[SimulationParts::forest(simulation).speciesOfModel(model)], 1.0f,
+             wanted);
+    for (const PlacedTree& tree : SimulationParts::trees(simulation))
+        if (tree.alive)
+            want(simulation, tree.model, leaves[tree.species], tree.summerLeaves, wanted);
+    paintImpostors(simulation, wanted);
+}
+
+void InstancedResources::paintImpostor(const ForestSimulation& simulation, const PlacedTree& tree) {
+    Pictures wanted;
+    want(simulation, tree.model, LeafFall(SimulationParts::forest(simulation).speciesOf(tree)),
+         tree.summerLeaves, wanted);
+    paintImpostors(simulation, wanted);
+}
+
+void InstancedResources::paintImpostors(const ForestSimulation& simulation, const Pictures& wanted) {
+    const DrawingOptions& drawing = simulation.description().drawing;
+    std::vector<std::pair<std::size_t, Tier>> missing;
+    for (const auto& [model, tier] : wanted)
+        if (drawing.tiers && drawing.impostor > 0.0f && !models[model]->impostor(tier))
+            missing.emplace_back(model, tier);
+    const auto paint = [&](std::size_t i) {
+        const auto [model, tier] = missing[i];
+        models[model]->paint(tier, *SimulationParts::models(simulation)[model],
+                             simulation.description().species[models[model]->species()].appearance);
+    };
+    if (missing.size() == 1)
+        paint(0);
+    else if (!missing.empty())
+        runJobs(simulation.executor(), missing.size(), paint);
+}
+
+std::vector<osg::Object*> InstancedResources::glObjects() const {
+    std::vector<osg::Object*> objects = {programs->turns, programs->poses};
+    for (const osg::ref_ptr<ModelResources>& model : models)
+        model->addGLObjects(objects);
+    for (const SpeciesLooks& look : looks)
+        for (const osg::ref_ptr<osg::StateSet>& set :
+             {look.bark, look.leaves, look.impostors, look.ownBark, look.ownLeaves})
+            if (set)
+                objects.push_back(set);
+    return objects;
+}
+
+} // namespace osgTreeWind

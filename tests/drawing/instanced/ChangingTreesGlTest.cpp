@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include <tests/FullTests.h>
+#include <tests/gl/GlTest.h>
+#include <tests/nodes/ForestFixtures.h>
+#include <tests/nodes/Pictures.h>
+
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+
+#include <osg/ContextData>
+#include <osg/DisplaySettings>
+#include <osg/Texture>
+
+#include <cstdlib>
+#include <deque>
+#include <iostream>
+#include <new>
+
+using namespace osgTreeWind;
+
+namespace {
+
+thread_local std::size_t allocations = 0;
+
+} // namespace
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size))
+        return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+#endif
+
+namespace {
+
+/// Counts what is allocated while what is below it is culled.
+class CullMeter : public osg::Group {
+public:
+    std::size_t allocated = 0; ///< In the last cull.
+
+    void traverse(osg::NodeVisitor& visitor) override {
+        const std::size_t before = allocations;
+        osg::Group::traverse(visitor);
+        if (visitor.getVisitorType() == osg::NodeVisitor::CULL_VISITOR)
+            allocated = allocations - before;
+    }
+};
+
+/// In a square, `apart` metres one from another.
+TreePlacement placement(std::size_t number, double apart) {
+    TreePlacement tree;
+    tree.position = {apart * double(number % 16), apart * double(number / 16), 0.0};
+    tree.heading = 0.7f * static_cast<float>(number % 9);
+    tree.size.height = 5.0f;
+    tree.size.crownWidth = 4.0f;
+    tree.seed = static_cast<std::uint32_t>(number);
+    return tree;
+}
+
+ForestDescription squareForest(std::size_t count, double apart) {
+    ForestDescription description = smallForest(0);
+    for (std::size_t i = 0; i < count; ++i)
+        description.trees.push_back(placement(i, apart));
+    return description;
+}
+
+class ChangingTreesGlTest : public GlTest {
+protected:
+    static constexpr int width = 64, height = 48;
+
+    void show(osg::Node* scene, const osg::Vec3& eye, const osg::Vec3& at) {
+        open(width, height);
+        viewer().setSceneData(scene);
+        osg::Camera& camera = *viewer().getCamera();
+        camera.setProjectionMatrixAsPerspective(40, double(width) / height, 1, 1000);
+        camera.setViewMatrixAsLookAt(eye, at, osg::Z_AXIS);
+    }
+    osg::ref_ptr<osg::Image> later(int first, int last) {
+        for (int i = first; i <= last; ++i)
+            frame(i / 25.0);
+        return new osg::Image(image(), osg::CopyOp::DEEP_COPY_ALL);
+    }
+};
+
+} // namespace
+
+// OSGTREEWIND_CHURN_FRAMES=10000 for a long run.
+TEST_F(ChangingTreesGlTest, aThousandTreesASecondComeAndGo) {
+    const char* wanted = std::getenv("OSGTREEWIND_CHURN_FRAMES");
+    const int frames = wanted ? std::atoi(wanted) : casesToRun(400, 100);
+    ForestDescription description = squareForest(200, 2.0);
+    description.drawing.full = 20.0f;
+    description.drawing.reduced = 12.0f;
+    description.drawing.impostor = 8.0f;
+    osg::ref_ptr<Forest> forest = new Forest(description);
+    show(forest, osg::Vec3(16, -25, 8), osg::Vec3(16, 16, 2));
+    std::deque<TreeId> trees;
+    for (std::size_t tree = 0; tree < 200; ++tree)
+        trees.push_back(TreeId(tree));
+    std::size_t settled = 0, number = 200;
+    for (int i = 0; i < frames; ++i) {
+        for (int k = 0; k < 20; ++k) { // 500 come and 500 go
+            trees.push_back(forest->addTree(placement(number++ % 256, 2.0)).value());
+            ASSERT_TRUE(forest->removeTree(trees.front()).empty());
+            ASSERT_FALSE(forest->removeTree(trees.front()).empty()) << "gone already";
+            trees.pop_front();
+            ASSERT_TRUE(
+                forest->changeTree(trees[static_cast<std::size_t>(k)], placement(number % 251, 2.0)).empty());
+        }
+        frame(i / 25.0);
+        ASSERT_FALSE(HasFailure()) << "frame " << i;
+        if (i == frames / 2)
+            settled = residentMemory();
+        if (wanted && i % 500 == 499)
+            std::cout << "frame " << i + 1 << ": " << residentMemory() / 1000 << " kB" << std::endl;
+    }
+    EXPECT_EQ(forest->getNumTrees(), 200u);
+    for (const TreeId tree : trees)
+        EXPECT_TRUE(forest->getSimulation().holds(tree));
+    EXPECT_LE(SimulationParts::trees(forest->getSimulation()).size(), 201u)
+        << "numbers of removed trees are given out again";
+    EXPECT_LE(InstancedParts::trees(*forest->getInstanced())->nearTrees(), 201u);
+    EXPECT_LT(residentMemory(), settled + keptMemory);
+    EXPECT_GT(covered(image()), 0.02);
+}
+
+// A sanitizer keeps for a while what was given back.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_F(ChangingTreesGlTest, aFrameThatIsDrawnAgainAndAgainTakesNoMoreMemory) {
+    osg::ref_ptr<Forest> forest = new Forest(squareForest(200, 2.0));
+    show(forest, osg::Vec3(16, -25, 8), osg::Vec3(16, 16, 2));
+    frame(0.0);
+    const auto listed = InstancedParts::trees(*forest->getInstanced())->listedTrees();
+    std::size_t settled = 0;
+    for (int i = 0; i < 200; ++i) {
+        viewer().renderingTraversals();
+        if (i == 50)
+            settled = residentMemory();
+    }
+    EXPECT_EQ(InstancedParts::trees(*forest->getInstanced())->listedTrees(), listed);
+    EXPECT_LT(residentMemory(), settled + (1u << 20));
+}
+
+TEST_F(ChangingTreesGlTest, cullAllocatesNothingForATree) {
+    std::size_t allocated[2];
+    for (const bool many : {false, true}) {
+        ForestDescription description = squareForest(many ? 60 : 2, many ? 0.1 : 2.0);
+        description.drawing.tiers = false;
+        osg::ref_ptr<CullMeter> meter = new CullMeter;
+        meter->addChild(new Forest(description));
+        show(meter, osg::Vec3(1, -25, 8), osg::Vec3(1, 0, 2));
+        later(0, 8);
+        allocated[many] = meter->allocated;
+    }
+    EXPECT_EQ(allocated[0], allocated[1]);
+    EXPECT_LE(allocated[0], 4u) << "OSG's lists of stages";
+}
+#endif
+
+TEST_F(ChangingTreesGlTest, aSpeciesThatIsAddedLooksAsIfItHadAlwaysBeenThere) {
+    ForestDescription description = squareForest(16, 2.0);
+    description.drawing.full = 20.0f;
+    description.drawing.reduced = 12.0f;
+    description.drawing.impostor = 8.0f;
+    Species red = smallSpecies();
+    red.name = "red";
+    red.tree.wood.childrenPerBranch = 2;
+    red.appearance.leaves = {0.5f, 0.02f, 0.02f};
+    ForestDescription both = description;
+    both.species.push_back(red);
+    for (std::size_t i = 0; i < 16; i += 3)
+        both.trees[i].species = 1;
+    const osg::Vec3 eyes[] = {{16, -12, 4}, {16, -60, 8}};
+    for (const osg::Vec3& eye : eyes) {
+        osg::ref_ptr<Forest> forest = new Forest(description);
+        show(forest, eye, osg::Vec3(16, 10, 2));
+        osg::ref_ptr<osg::Image> before = later(0, 0);
+        const Result<std::size_t> index = forest->addSpecies(red);
+        ASSERT_TRUE(index) << linesOf(index.problems());
+        for (const std::size_t i : {0, 3, 6, 9, 12, 15})
+            ASSERT_TRUE(forest->changeTree(TreeId(i), both.trees[i]).empty());
+        osg::ref_ptr<osg::Image> after = later(1, 1);
+        EXPECT_GT(difference(*before, *after).mean, 0.1);
+        show(new Forest(both), eye, osg::Vec3(16, 10, 2));
+        EXPECT_LT(difference(*after, *later(0, 1)).mean, 0.05);
+    }
+}
+
+TEST_F(ChangingTreesGlTest, vertexArrayObjectsShowTheSamePictures) {
+    osg::ref_ptr<osg::DisplaySettings> settings = osg::DisplaySettings::instance();
+    ForestDescription description = squareForest(16, 2.0);
+    description.drawing.full = 20.0f;
+    description.drawing.reduced = 12.0f;
+    description.drawing.impostor = 8.0f;
+    osg::ref_ptr<osg::Image> pictures[2][2];
+    for (const bool objects : {false, true}) {
+        settings->setVertexBufferHint(objects ? osg::DisplaySettings::VERTEX_ARRAY_OBJECT
+                                              : osg::DisplaySettings::NO_PREFERENCE);
+        osg::ref_ptr<Forest> forest = new Forest(description);
+        show(forest, osg::Vec3(16, -12, 4), osg::Vec3(16, 10, 2));
+        pictures[objects][0] = later(0, 5);
+        viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3(16, -40, 4), osg::Vec3(16, 10, 2), osg::Z_AXIS);
+        pictures[objects][1] = later(6, 10); // other tiers in the draws of before
+        settings->setVertexBufferHint(osg::DisplaySettings::NO_PREFERENCE);
+    }
+    for (const int i : {0, 1}) {
+        EXPECT_GT(covered(*pictures[0][i]), 0.02);
+        EXPECT_EQ(difference(*pictures[0][i], *pictures[1][i]).mean, 0.0) << i;
+    }
+}
+
+TEST_F(ChangingTreesGlTest, texturesThatOpenGLLostAreMadeAnew) {
+    osg::ref_ptr<Forest> forest = new Forest(squareForest(16, 2.0));
+    show(forest, osg::Vec3(16, -12, 4), osg::Vec3(16, 10, 2));
+    osg::ref_ptr<osg::Image> before = later(0, 5);
+    osg::get<osg::TextureObjectManager>(context().getState()->getContextID())->discardAllGLObjects();
+    EXPECT_EQ(difference(*later(5, 5), *before).mean, 0.0);
+}
+
+TEST_F(ChangingTreesGlTest, posesAreRightOnEveryPage) {
+    // One camera sees them all, tree by tree, the other one only the last ones.
+    ForestDescription description = squareForest(4600, 1.0);
+    description.species[0].tree.wood.levels = 1;
+    for (TreePlacement& tree : description.trees)
+        tree.leaves = 0.0f;
+    description.drawing.tiers = false;
+    const osg::Vec3 eye(8, 270, 4), at(8, 286, 2);
+    osg::ref_ptr<Forest> few = new Forest(description);
+    show(few, eye, at);
+    osg::ref_ptr<osg::Image> expected = later(0, 1);
+    ASSERT_GT(covered(*expected), 0.2);
+    EXPECT_LT(InstancedParts::trees(*few->getInstanced())->listedTrees()[0], 1000u);
+
+    osg::ref_ptr<Forest> all = new Forest(description);
+    osg::ref_ptr<osg::Group> scene = new osg::Group;
+    osg::ref_ptr<osg::Camera> overview = new osg::Camera;
+    overview->setReferenceFrame(osg::Transform::ABSOLUTE_RF);
+    overview->setRenderOrder(osg::Camera::PRE_RENDER);
+    overview->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    overview->attach(osg::Camera::COLOR_BUFFER, GL_RGBA);
+    overview->setViewport(0, 0, 16, 16);
+    overview->setProjectionMatrixAsOrtho(-400, 400, -400, 400, 1, 1000);
+    overview->setViewMatrixAsLookAt(osg::Vec3(8, 140, 500), osg::Vec3(8, 140, 0), osg::Y_AXIS);
+    overview->addChild(all);
+    scene->addChild(overview);
+    scene->addChild(all);
+    show(scene, eye, at);
+    osg::ref_ptr<osg::Image> picture = later(0, 1);
+    EXPECT_GE(InstancedParts::trees(*all->getInstanced())->listedTrees()[0], 4600u);
+    EXPECT_EQ(difference(*picture, *expected).mean, 0.0);
+}
