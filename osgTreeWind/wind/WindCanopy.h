@@ -12,7 +12,7 @@ enum class CanopySource {
     Given,  ///< It does not, and is continued into one stand that goes on to all sides.
 };
 
-/// The stand into which a wind from above is continued (CanopyWind).
+/// The stand into which a wind from above is continued (CanopyFlow).
 struct WindCanopy {
     CanopySource source = CanopySource::None; ///< Whose stands they are.
     double height = 20.0;                     ///< Of a given stand, metres.

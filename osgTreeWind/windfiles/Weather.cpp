@@ -8,8 +8,9 @@ namespace osgTreeWind {
 
 namespace {
 
-Result<WindContent> readWeather(const char* format, const std::string& path, const WindRequest& request) {
-    const ReaderProgram reader{"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, "GDAL"};
+Result<WindContent> readWeather(const char* format, const char* libraries, const std::string& path,
+                                const WindRequest& request) {
+    const ReaderProgram reader{"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, libraries};
     std::vector<std::string> wanted = {request.asStored ? "stored" : "grid"};
     if (const auto& area = request.area)
         wanted.insert(wanted.end(), {area->crs, numberText(area->low.x), numberText(area->low.y),
@@ -25,11 +26,11 @@ Result<WindContent> readWeather(const char* format, const std::string& path, con
 } // namespace
 
 Result<WindContent> readNetCdf(const std::string& path, const WindRequest& request) {
-    return readWeather("NetCDF", path, request);
+    return readWeather("NetCDF", "GDAL", path, request);
 }
 
 Result<WindContent> readGrib(const std::string& path, const WindRequest& request) {
-    return readWeather("GRIB", path, request);
+    return readWeather("GRIB", "GDAL and ecCodes", path, request);
 }
 
 } // namespace osgTreeWind

@@ -41,20 +41,20 @@ struct GribParameter {
 
 /// One field of a file: what its sections say of it, but for its numbers.
 struct GribField {
-    std::size_t begin = 0, size = 0; ///< Its message in the file, bytes.
-    int band = 1;                    ///< Its place among the fields of its message, from 1.
+    std::size_t begin = 0, size = 0;     ///< Its message in the file, bytes.
+    int band = 1;                        ///< Its place among the fields of its message, from 1.
+    std::vector<std::string_view> parts; ///< As GribHandle has them.
     GribParameter parameter;
     GribLevel level;
     bool momentary = false; ///< It holds at one time: no mean, no maximum and no probability.
     double reference = 0.0; ///< Seconds since 1970, when its forecast began.
     double valid = 0.0;     ///< Seconds since 1970, when it holds.
     GribGrid grid;
-    std::string packing;    ///< How its numbers are packed, for people: "CCSDS".
-    bool unpackable = true; ///< GDAL unpacks them, or says that it cannot; it does not make some up.
 };
 
 /// The fields of a file of GRIB, both editions, in its order; what is between messages is skipped. A message
 /// that is cut, or whose sections contradict its length, is a problem that names it and its byte.
+/// @param bytes of the file, to which the fields refer.
 Result<std::vector<GribField>> readGribFields(std::string_view bytes, const std::string& file);
 
 } // namespace osgTreeWind

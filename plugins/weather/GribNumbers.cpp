@@ -4,46 +4,25 @@
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
 #include <plugins/weather/GribChoice.h>
-
-#include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/Text.h>
+#include <plugins/weather/GribHandle.h>
 
 #include <cpl_conv.h>
 #include <gdal.h>
+#include <gdal_frmts.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <memory>
 
 namespace osgTreeWind {
 
 namespace {
 
-/// Neighbouring points of an axis that lie one after another in the file.
-struct PointRun {
-    int first = 0, count = 0;
-};
-
-std::vector<PointRun> pointRuns(const std::vector<std::size_t>& indices) {
-    std::vector<PointRun> runs;
-    for (const std::size_t index : indices) {
-        const int at = static_cast<int>(index);
-        if (runs.empty() || at != runs.back().first + runs.back().count)
-            runs.push_back({at, 0});
-        ++runs.back().count;
-    }
-    return runs;
-}
-
 EvenAxis axisOf(double corner, double step, int count) {
     return {corner + 0.5 * step, step, static_cast<std::size_t>(count), 0.0};
 }
-
-constexpr const char* otherPacking =
-    "; `grib_set -r -s packingType=grid_simple` of ecCodes packs them otherwise";
 
 std::string projText(const Crs& crs) {
     const GdalErrors errors;
@@ -55,46 +34,31 @@ std::string projText(const Crs& crs) {
     return name;
 }
 
-} // namespace
+using GdalData = std::unique_ptr<void, decltype(&GDALClose)>;
 
-GribNumbers::GribNumbers(std::string path) : _path(std::move(path)) {
-    registerGdal();
+GdalData openMessage(const std::string& path, const GribField& field) {
+    GDALRegister_GRIB();                          // and none of the others, which takes longer
     CPLSetConfigOption("GDAL_PAM_ENABLED", "NO"); // what stands beside the file is none of it
+    const std::string message =
+        "/vsisubfile/" + std::to_string(field.begin) + '_' + std::to_string(field.size) + ',' + path;
+    const char* const drivers[] = {"GRIB", nullptr};
+    const char* const options[] = {"USE_IDX=NO", nullptr};
+    const char* const siblings[] = {nullptr};
+    return {GDALOpenEx(message.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers, options, siblings),
+            GDALClose};
 }
+
+/// What GDAL says, without the name that it was given.
+std::string reasonOf(std::string text) {
+    for (std::size_t at; (at = text.find("/vsisubfile/")) != std::string::npos;)
+        text.erase(at, text.find(',', at) + 1 - at);
+    return text.empty() ? "" : ": " + text;
+}
+
+} // namespace
 
 Diagnostic GribNumbers::problem(const GribField& field, const std::string& message) const {
     return {_path, 0, 0, textOf(field), message};
-}
-
-void* GribNumbers::open(const GribField& field) {
-    const GdalErrors errors;
-    if (!_data || _begin != field.begin) {
-        const std::string message =
-            "/vsisubfile/" + std::to_string(field.begin) + '_' + std::to_string(field.size) + ',' + _path;
-        const char* const drivers[] = {"GRIB", nullptr};
-        const char* const options[] = {"USE_IDX=NO", nullptr};
-        const char* const siblings[] = {nullptr};
-        _data.reset(
-            GDALOpenEx(message.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers, options, siblings),
-            [](void* data) {
-                if (data)
-                    GDALClose(data);
-            });
-        _begin = field.begin;
-        _warning = errors.warnings().empty() ? "" : ": " + errors.warnings().front();
-    }
-    if (_data && errors.text().empty() && field.band <= GDALGetRasterCount(_data.get()))
-        return _data.get();
-    _data.reset();
-    _reason = "its numbers, packed " + field.packing +
-              ", cannot be read: " + errors.textOr("GDAL does not know what is in it");
-    if (_reason.back() == '.')
-        _reason.pop_back();
-    if (field.packing == "by CCSDS")
-        _reason += otherPacking;
-    for (std::size_t at; (at = _reason.find("/vsisubfile/")) != std::string::npos;)
-        _reason.erase(at, _reason.find(',', at) + 1 - at);
-    return nullptr;
 }
 
 Result<GribPlace> GribNumbers::place(const GribField& field) {
@@ -102,9 +66,11 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
         return problem(field, "its grid is " + field.grid.kind +
                                   ", whose points are not even on longitudes and latitudes or on a map; "
                                   "`cdo remapbil` makes an even grid of it");
-    void* const data = open(field);
+    const GdalErrors errors;
+    const GdalData opened = openMessage(_path, field);
+    void* const data = opened.get();
     if (!data)
-        return problem(field, _reason);
+        return problem(field, "GDAL cannot place its grid, " + field.grid.kind + reasonOf(errors.text()));
     const int columns = GDALGetRasterXSize(data), rows = GDALGetRasterYSize(data);
     if (static_cast<std::uint64_t>(columns) != field.grid.columns ||
         static_cast<std::uint64_t>(rows) != field.grid.rows)
@@ -116,54 +82,50 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
     const bool isPlaced = GDALGetGeoTransform(data, at.data()) == CE_None && reference &&
                           std::all_of(at.begin(), at.end(), [](double each) { return std::isfinite(each); });
     if (!isPlaced || at[1] == 0.0 || at[5] == 0.0 || at[2] != 0.0 || at[4] != 0.0)
-        return problem(field, "GDAL cannot place its grid, " + field.grid.kind + _warning);
+        return problem(field, "GDAL cannot place its grid, " + field.grid.kind +
+                                  reasonOf(errors.warnings().empty() ? "" : errors.warnings().front()));
     const GdalCrs crs(OSRClone(reference));
     OSRSetAxisMappingStrategy(crs.reference(), OAMS_TRADITIONAL_GIS_ORDER);
     GribPlace place{crs.crs(), {}, axisOf(at[0], at[1], columns), axisOf(at[3], at[5], rows)};
     place.name = projText(place.crs);
     if (place.crs.isDegrees())
         place.x.period = 360.0;
-    return place;
+    return _place = place;
 }
 
-Result<std::vector<float>> GribNumbers::read(const GribField& field, const AxisPart& x, const AxisPart& y,
-                                             const std::vector<std::string>& units) {
-    if (!field.unpackable)
-        return problem(field, "its numbers are packed " + field.packing + ", which GDAL does not unpack" +
-                                  otherPacking);
-    void* const data = open(field);
-    if (!data)
-        return problem(field, _reason);
-    const GDALRasterBandH band = GDALGetRasterBand(data, field.band);
-    const GdalErrors errors;
-    const auto [low, high] = std::minmax_element(y.indices.begin(), y.indices.end());
-    const int top = static_cast<int>(*low), rows = static_cast<int>(*high - *low) + 1;
-    const std::size_t columns = x.indices.size();
-    std::vector<double> numbers(columns * static_cast<std::size_t>(rows));
-    double* out = numbers.data();
-    for (const PointRun& run : pointRuns(x.indices)) {
-        const CPLErr error =
-            GDALRasterIO(band, GF_Read, run.first, top, run.count, rows, out, run.count, rows, GDT_Float64,
-                         sizeof(double), static_cast<int>(columns * sizeof(double)));
-        if (error != CE_None || !errors.text().empty())
-            return problem(field, "cannot be read: " + errors.textOr("its numbers are damaged"));
-        out += run.count;
-    }
-    const std::string unit = orEmpty(GDALGetMetadataItem(band, "GRIB_UNIT", nullptr)),
-                      valid = orEmpty(GDALGetMetadataItem(band, "GRIB_VALID_TIME", nullptr));
-    if (std::find(units.begin(), units.end(), unit) == units.end())
-        return problem(field, expectedFound("a unit of " + units.front(), unit));
-    if (const auto time = parseNumber(valid.substr(0, valid.find(' '))); time && *time != field.valid)
-        return problem(field, "GDAL takes it for another time, " + inQuotes(valid));
-    int marked = 0;
-    const double missing = GDALGetRasterNoDataValue(band, &marked);
+Result<std::vector<float>> GribNumbers::read(const GribField& field, const AxisPart& x,
+                                             const AxisPart& y) const {
+    const GribHandle handle(field.parts);
+    const std::size_t columns = field.grid.columns, rows = field.grid.rows;
+    std::vector<double> numbers(columns * rows);
+    if (const auto reason = handle.read(numbers))
+        return problem(field, "its numbers, packed as " + handle.text("packingType") +
+                                  ", cannot be read: " + *reason);
+    const auto is = [&](const char* flag) { return handle.whole(flag).value_or(0) != 0; };
+    const bool westward = is("iScansNegatively"), northward = is("jScansPositively"),
+               byColumns = is("jPointsAreConsecutive"), alternating = is("alternativeRowScanning");
+    const double west =
+        handle.real(westward ? "longitudeOfLastGridPointInDegrees" : "longitudeOfFirstGridPointInDegrees");
+    // GDAL counts longitudes around the globe from -180.
+    const bool isGlobe = _place.x.period > 0.0 &&
+                         std::abs(static_cast<double>(columns) * _place.x.step - 360.0) < 0.5 * _place.x.step;
+    const double turn = isGlobe ? std::round((_place.x.first - west) / _place.x.step) : 0.0;
+    const auto shift = static_cast<std::size_t>(turn - std::floor(turn / static_cast<double>(columns)) *
+                                                           static_cast<double>(columns));
     std::vector<float> values;
-    values.reserve(columns * y.indices.size());
-    for (const std::size_t row : y.indices)
-        for (std::size_t column = 0; column < columns; ++column) {
-            const double number = numbers[(row - *low) * columns + column];
-            values.push_back(marked && number == missing ? std::numeric_limits<float>::quiet_NaN()
-                                                         : static_cast<float>(number));
+    values.reserve(x.indices.size() * y.indices.size());
+    for (const std::size_t southward : y.indices)
+        for (const std::size_t eastward : x.indices) {
+            std::size_t row = northward ? rows - 1 - southward : southward,
+                        column = (eastward + shift) % columns;
+            if (westward)
+                column = columns - 1 - column;
+            if (alternating && !byColumns && row % 2 == 1)
+                column = columns - 1 - column;
+            if (alternating && byColumns && column % 2 == 1)
+                row = rows - 1 - row;
+            values.push_back(
+                static_cast<float>(numbers[byColumns ? column * rows + row : row * columns + column]));
         }
     return values;
 }

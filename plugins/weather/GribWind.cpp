@@ -58,12 +58,6 @@ private:
 using Numbers = std::vector<float>;
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-// As GDAL writes them; "[-]" where it does not know a parameter whose number says it.
-const std::vector<std::string> speeds = {"[m/s]", "[-]"};
-const std::vector<std::string> directions = {"[deg true]", "[deg]", "[degree true]", "[degrees]", "[-]"};
-const std::vector<std::string> heights = {"[gpm]", "[m]", "[-]"};
-const std::vector<std::string> geopotentials = {"[m^2/s^2]", "[(m^2)/(s^2)]", "[m^2/(s^2)]", "[-]"};
-
 class GribReader {
 public:
     GribReader(std::string path, double bytes, GribChoice choice, const WindRequest& request)
@@ -122,7 +116,7 @@ private:
     void place() {
         if (_problem)
             return;
-        constexpr double mostPoints = 1u << 27; // of a field, which GDAL reads as a whole
+        constexpr double mostPoints = 1u << 27; // of a field, which ecCodes reads as a whole
         const GribGrid& grid = first().grid;
         if (grid.even && static_cast<double>(grid.columns) * static_cast<double>(grid.rows) > mostPoints)
             return fail(fileProblem(_path, "expected at most " + numberText(mostPoints) + " points, found " +
@@ -162,10 +156,10 @@ private:
 
     std::size_t perLayer() const { return _x.indices.size() * _y.indices.size(); }
 
-    Numbers numbersOf(const GribField& field, const std::vector<std::string>& units) {
+    Numbers numbersOf(const GribField& field) {
         if (_problem)
             return {};
-        Result<Numbers> numbers = _numbers.read(field, _x, _y, units);
+        Result<Numbers> numbers = _numbers.read(field, _x, _y);
         if (!numbers) {
             fail(numbers.problems().front());
             return {};
@@ -175,7 +169,7 @@ private:
 
     Numbers heightsOf(const GribField& field) {
         const double metres = GribMeaning::of(field).metres;
-        Numbers numbers = numbersOf(field, metres == 1.0 ? heights : geopotentials);
+        Numbers numbers = numbersOf(field);
         for (float& number : numbers)
             number = static_cast<float>(number * metres);
         return numbers;
@@ -241,9 +235,8 @@ private:
 
     void readLayer(std::size_t index) {
         const GribField &east = *_choice.east[index], &north = *_choice.north[index];
-        const Numbers a = numbersOf(east, speeds), b = numbersOf(north, _choice.polar ? directions : speeds),
-                      w = _choice.up.empty() ? Numbers(a.size(), 0.0f)
-                                             : numbersOf(*_choice.up[index], speeds);
+        const Numbers a = numbersOf(east), b = numbersOf(north),
+                      w = _choice.up.empty() ? Numbers(a.size(), 0.0f) : numbersOf(*_choice.up[index]);
         for (std::size_t i = 0; i < a.size() && !_problem; ++i) {
             glm::vec3 velocity(a[i], b[i], w[i]);
             if (_choice.polar && (a[i] < 0.0f || std::abs(b[i]) > maxDirection))

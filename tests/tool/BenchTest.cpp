@@ -2,7 +2,7 @@
 #include <tests/tool/DocumentedFields.h>
 #include <tests/tool/Tool.h>
 
-#include <examples/osgtreewind/BenchStatistics.h>
+#include <examples/osgtreewind/bench/BenchStatistics.h>
 
 #include <osgDB/ReadFile>
 

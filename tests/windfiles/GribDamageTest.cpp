@@ -152,11 +152,12 @@ TEST(GribDamage, DifferentGridsAreNeverReadAsOne) {
 }
 
 TEST(GribDamage, GridsThatAreNotEvenAreRefusedByName) {
-    for (const auto& [number, name] : {std::pair{1, "rotated latitude and longitude"},
-                                       {40, "Gaussian"},
-                                       {50, "spherical harmonics"},
-                                       {101, "unstructured"},
-                                       {999, "template 999"}}) {
+    for (const auto& [number, problem] :
+         {std::pair{1, "message 1, at byte 0: ecCodes cannot decode its grid, of template 1"}, // it is longer
+          {40, "its grid is Gaussian, whose points are not even"},
+          {50, "its grid is spherical harmonics, whose points are not even"},
+          {101, "its grid is unstructured, whose points are not even"},
+          {999, "message 1, at byte 0: ecCodes cannot decode its grid, of template 999"}}) {
         std::string bytes;
         for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
             bytes += message;
@@ -164,9 +165,7 @@ TEST(GribDamage, GridsThatAreNotEvenAreRefusedByName) {
             bytes[grid + 12] = static_cast<char>(number >> 8);
             bytes[grid + 13] = static_cast<char>(number & 0xff);
         }
-        EXPECT_TRUE(
-            has(problemOfGrib(bytes), std::string("its grid is ") + name + ", whose points are not even"))
-            << number;
+        EXPECT_TRUE(has(problemOfGrib(bytes), problem)) << number << problemOfGrib(bytes);
     }
 }
 
@@ -182,7 +181,7 @@ TEST(GribDamage, HugeGridsAreRefusedBeforeMemoryIsAskedFor) {
             "expected at most 134217728 points, found latitude and longitude of 16777220 x 16777219"));
 }
 
-TEST(GribDamage, WhatGdalCannotUnpackIsNamedWithItsField) {
+TEST(GribDamage, PackingThatNobodyKnowsIsNamed) {
     std::string bytes;
     for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         bytes += message;
@@ -194,22 +193,21 @@ TEST(GribDamage, WhatGdalCannotUnpackIsNamedWithItsField) {
     EXPECT_FALSE(has(problem, "/vsi")) << problem;
 }
 
-/// GDAL would give numbers of its own for them.
-TEST(GribDamage, PackingThatGdalMistakesIsRefused) {
+TEST(GribDamage, NumbersThatAreNotWhatTheirSectionSaysAreRefused) {
     std::string first, second;
     for (const std::string& message : {messageOf(edition1()), messageOf(northwardOf(edition1()))}) {
         first += message;
-        first[first.size() - message.size() + sectionsOf(message, 1)[3] + 3] |= 0x40;
+        first[first.size() - message.size() + sectionsOf(message, 1)[3] + 3] |= 0x40; // by second order
     }
     for (const std::string& message : {messageOf({}), messageOf(northwardOf({}))}) {
         second += message;
-        const std::size_t section = second.size() - message.size() + sectionsOf(message, 2)[4];
-        second[section + 10] = 41;
-        second[section + 19] = 13; // bits
+        second[second.size() - message.size() + sectionsOf(message, 2)[4] + 10] = 41; // as PNG
     }
-    EXPECT_TRUE(
-        has(problemOfGrib(first), "its numbers are packed by second order, which GDAL does not unpack"));
-    EXPECT_TRUE(has(problemOfGrib(second), "its numbers are packed as PNG, which GDAL does not unpack"));
+    EXPECT_EQ(problemOfGrib(first), "message 1, at byte 0: ecCodes cannot decode how its numbers are packed");
+    EXPECT_TRUE(has(problemOfGrib(second),
+                    "U at 10 m above ground at 2017-06-03T18:00:00Z: its numbers, packed "
+                    "as grid_png, cannot be read: "))
+        << problemOfGrib(second);
 }
 
 TEST(GribDamage, DamagedFilesAreReadOrRefusedWithAReason) {
@@ -231,7 +229,7 @@ TEST(GribDamage, DamagedFilesAreReadOrRefusedWithAReason) {
 TEST(GribDamage, WithoutItsReaderItSaysWhatIsMissing) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a", messageOf({}));
-    expectReaderMissed("OSGTREEWIND_WEATHER", path, "GRIB", "GDAL",
+    expectReaderMissed("OSGTREEWIND_WEATHER", path, "GRIB", "GDAL and ecCodes",
                        [&] { return firstProblem(readAt(path)); });
 }
 

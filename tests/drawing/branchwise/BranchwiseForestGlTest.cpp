@@ -132,7 +132,7 @@ TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
 }
 
 TEST_F(BranchwiseForestGlTest, aTreeThatIsReleasedTakesNothingFromTheOthers) {
-    start(dampedForest(2));
+    start(branchwiseForest(2));
     frames(4);
     const unsigned context = this->context().getState()->getContextID();
     const auto* buffers = osg::get<osg::GLBufferObjectManager>(context);

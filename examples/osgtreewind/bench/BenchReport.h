@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <examples/osgtreewind/bench/BenchForests.h>
+#include <examples/osgtreewind/bench/BenchKernels.h>
+#include <examples/osgtreewind/bench/BenchRun.h>
+#include <examples/osgtreewind/bench/BenchView.h>
+#include <examples/osgtreewind/output/Json.h>
+
+#include <iosfwd>
+#include <optional>
+
+/// Where and how results were measured.
+struct BenchConditions {
+    std::string date;      ///< ISO 8601, UTC.
+    double loadBefore = 0; ///< Processes that wanted to run in the minute before.
+    std::string backend;
+    BenchDriver driver;
+    BenchSettings settings;
+};
+
+/// A flight through a forest in tiles.
+struct BenchWorld {
+    std::string forest;                   ///< A file.
+    std::size_t trees = 0, mostTrees = 0; ///< In all; at a time.
+    double range = 0.0;                   ///< Metres.
+    /// From the description on: the first frame, and the first with all trees in range.
+    double firstFrameSeconds = 0.0, firstPictureSeconds = 0.0;
+    double flownSeconds = 0.0,
+           missingSeconds = 0.0; ///< The longest that a tile within half the range was missing.
+    std::vector<double> frameMs;
+    double halfwayBytes = 0.0, endBytes = 0.0, mostBytes = 0.0; ///< Main memory of the process.
+    double bytesRead = 0.0;
+};
+
+/// All that was measured; empty where it was not.
+struct BenchReport {
+    std::vector<BenchResult> results;
+    std::vector<BenchKernel> kernels;
+    std::optional<BenchForest> forest;
+    std::vector<BenchScale> scale;
+    std::vector<BenchView> views;
+    std::optional<BenchWorld> world;
+};
+
+/// Takes date and load now.
+BenchConditions benchConditions(const BenchSettings& settings);
+
+/// "AMD EPYC, 2 processors, Linux 6.1.0 x86_64", as far as the system says.
+std::string machineName();
+
+/// Frames over seconds. (Chapter 6 of the thesis prints seconds over frames, but its tables are frames a
+/// second.)
+double framesPerSecond(const BenchTimes& times);
+
+/// What the thesis measured for this stage and number of trees; 0 when it did not.
+int thesisFps(const BenchStage& stage, int trees);
+
+/// The document that docs/results.md describes.
+Json benchReport(const BenchConditions& conditions, const BenchReport& report);
+
+// The same for people, as a Markdown table.
+void printBenchHead(std::ostream& out, const BenchConditions& conditions);
+void printBenchRow(std::ostream& out, const BenchResult& result);
+void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
+                       const std::vector<BenchKernel>& kernels);
+void printBenchForest(std::ostream& out, const BenchConditions& conditions, const BenchForest& forest);
+void printBenchScale(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchScale>& scale);
+void printBenchViews(std::ostream& out, const BenchConditions& conditions,
+                     const std::vector<BenchView>& views);

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/bench/BenchView.h>
+
+#include <examples/osgtreewind/bench/BenchClock.h>
+#include <examples/osgtreewind/bench/BenchForests.h>
+#include <examples/osgtreewind/scene/DefaultView.h>
+
+#include <osgTreeWind/drawing/instanced/InstancedForest.h>
+#include <osgTreeWind/drawing/instanced/InstancedParts.h>
+#include <osgTreeWind/drawing/instanced/InstancedTrees.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <cmath>
+#include <malloc.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int warmUpRounds = 4;
+constexpr std::size_t fewTrees = 100; // all shapes of a wood, and hardly anything beyond
+
+/// What the process has of the allocator; 0 of another one than glibc's.
+double allocatedBytes() {
+    const struct mallinfo2 memory = mallinfo2();
+    return static_cast<double>(memory.uordblks + memory.hblkhd);
+}
+
+const BenchStage& stageOfInstances() {
+    const std::vector<BenchStage>& stages = benchStages();
+    return *std::find_if(stages.begin(), stages.end(),
+                         [](const BenchStage& stage) { return stage.way == BenchStage::INSTANCES; });
+}
+
+osg::Matrixd viewOf(const osg::BoundingSphere& bound, BenchViewpoint viewpoint, const PictureSize& size) {
+    const osg::Vec3d centre = bound.center(), up(0.0, 0.0, 1.0);
+    const double aspect = static_cast<double>(size.width) / size.height;
+    switch (viewpoint) {
+    case BenchViewpoint::Over:
+        return osg::Matrixd::lookAt(defaultEye(centre, bound.radius(), {benchFieldOfView, aspect}), centre,
+                                    up);
+    case BenchViewpoint::Home: { // osgGA::CameraManipulator::computeHomePosition()
+        const double side = std::tan(osg::DegreesToRadians(0.5 * benchFieldOfView)) * std::min(1.0, aspect);
+        const double away = bound.radius() / std::sin(std::atan(side));
+        return osg::Matrixd::lookAt(centre - osg::Vec3d(0.0, away, 0.0), centre, up);
+    }
+    case BenchViewpoint::Inside:
+        break;
+    }
+    const osg::Vec3d eye(centre.x(), centre.y(), 1.7);
+    return osg::Matrixd::lookAt(eye, eye + osg::Vec3d(0.0, 10.0, 0.5), up);
+}
+
+/// A forest, and what it took to make it.
+osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, BenchView& result) {
+    const double before = allocatedBytes();
+    osg::ref_ptr<Forest> forest;
+    {
+        ForestDescription description = make();
+        const BenchClock clock;
+        forest = new Forest(std::move(description));
+        result.forestSeconds = clock.seconds();
+    }
+    if (before > 0.0)
+        result.forestBytes = allocatedBytes() - before;
+    const ForestSimulation& simulation = forest->getSimulation();
+    result.trees = forest->getNumTrees();
+    result.shapes = SimulationParts::models(simulation).size();
+    if (const ModalMotion* modal = SimulationParts::modal(simulation)) {
+        result.archetypes = modal->archetypeCount();
+        result.archetypeBytes = modal->archetypeBytes();
+        const BenchClock clock;
+        const InstancedResources painted(simulation);
+        result.shapesSeconds = clock.seconds();
+    }
+    return forest;
+}
+
+} // namespace
+
+Result<BenchView> runBenchView(const std::string& name, const std::function<ForestDescription()>& make,
+                               BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
+                               BenchDriver& driver) {
+    auto context = createOffscreenContext(settings.size.width, settings.size.height);
+    if (!context)
+        return context.problems();
+    BenchView result;
+    result.forest = name;
+    result.viewpoint = viewpoint;
+    const osg::ref_ptr<Forest> forest = makeForest(make, result);
+    inFull = inFull && forest->getInstanced();
+    const BenchScene tree = createBenchScene(stageOfInstances(), 1);
+    const osg::Matrixd view = viewOf(forest->getBound(), viewpoint, settings.size);
+    std::vector<BenchVariant> variants = {{forest, view},
+                                          {tree.forest, benchView(settings.size, tree.still->getBound())}};
+    enum { Drawn, Tree, Full };
+    if (inFull) {
+        ForestDescription description = make();
+        description.drawing.tiers = false;
+        variants.push_back({new Forest(std::move(description)), view});
+    }
+    BenchViewer viewer(settings.size, *context.value(), driver, variants,
+                       3 * (warmUpRounds + settings.frames));
+    const BenchClock clock;
+    viewer.draw(Drawn, 0.0);
+    result.firstFrameSeconds = clock.seconds();
+    const BenchWinds winds;
+    double time = 0.0;
+    for (int round = -warmUpRounds; round < settings.frames; ++round) {
+        tree.forest->setWind(winds.at(round + warmUpRounds));
+        time += settings.step;
+        for (const int variant : {Drawn, Tree})
+            if (round < 0)
+                viewer.draw(variant, time);
+            else
+                viewer.measure(variant, time);
+        if (inFull && round == -1)
+            viewer.draw(Full, time);
+        if (inFull && round >= 0 && round % BenchView::roundsPerFull == 0)
+            viewer.measure(Full, time);
+    }
+    if (forest->getInstanced())
+        result.tiers = InstancedParts::trees(*forest->getInstanced())->listedTrees();
+    std::vector<BenchTimes> times = viewer.times(Tree, time);
+    result.drawn = std::move(times[Drawn]);
+    result.tree = std::move(times[Tree]);
+    if (inFull)
+        result.inFull = std::move(times[Full]);
+    return result;
+}
+
+Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
+                                              BenchDriver& driver) {
+    BenchView few;
+    makeForest([] { return createWood(fewTrees); },
+               few); // first of all: what every forest shares is there then
+    few = {};
+    makeForest([] { return createWood(fewTrees); }, few);
+    std::vector<BenchScale> results;
+    for (const int count : trees) {
+        Result<BenchView> view = runBenchView(
+            "made trees", [=] { return createWood(static_cast<std::size_t>(count)); }, BenchViewpoint::Over,
+            false, settings, driver);
+        if (!view)
+            return view.problems();
+        BenchScale scale;
+        scale.view = std::move(view.value());
+        const auto own = [](const BenchView& forest) {
+            return forest.forestBytes - static_cast<double>(forest.archetypeBytes);
+        };
+        scale.bytesPerTree =
+            scale.view.trees > fewTrees
+                ? (own(scale.view) - own(few)) / static_cast<double>(scale.view.trees - fewTrees)
+                : std::nan("");
+        results.push_back(std::move(scale));
+    }
+    return results;
+}

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/bench/BenchWorld.h>
+
+#include <examples/osgtreewind/bench/BenchClock.h>
+#include <examples/osgtreewind/bench/BenchStatistics.h>
+#include <examples/osgtreewind/pictures/OffscreenViewer.h>
+
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/nodes/TilePager.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <unistd.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr double speed = 100.0, height = 80.0; // m/s; metres above the highest foot
+constexpr int mostFramesToFirst = 1000;
+
+/// Main memory of the process, bytes.
+double residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    double total = 0.0, resident = 0.0;
+    file >> total >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// That the process has read by now, of files and whatever else.
+double bytesRead() {
+    std::ifstream file("/proc/self/io");
+    std::string key;
+    double bytes = 0.0;
+    file >> key >> bytes;
+    return bytes;
+}
+
+TilePager* pagerOf(Forest& forest) {
+    for (unsigned i = 0; i < forest.getNumChildren(); ++i)
+        if (auto* pager = dynamic_cast<TilePager*>(forest.getChild(i)))
+            return pager;
+    return nullptr;
+}
+
+/// An ellipse about the middle of a box, half as long and wide.
+class Flight {
+public:
+    explicit Flight(const Forest& forest) {
+        const ForestTiles& tiles = *forest.getDescription().tiles;
+        const glm::dvec2 size = tiles.size * glm::dvec2(tiles.columns, tiles.rows());
+        const osg::Vec3d origin = forest.getOrigin();
+        _middle = {tiles.corner.x + 0.5 * size.x - origin.x(), tiles.corner.y + 0.5 * size.y - origin.y(),
+                   forest.getBound().center().z() + height};
+        _half = {0.25 * size.x, 0.25 * size.y};
+    }
+    osg::Matrixd view(double metres) const {
+        const double angle = metres / std::sqrt(0.5 * (_half.x() * _half.x() + _half.y() * _half.y()));
+        const osg::Vec3d eye = _middle +
+                               osg::Vec3d(_half.x() * std::cos(angle), _half.y() * std::sin(angle), 0.0),
+                         ahead(-_half.x() * std::sin(angle), _half.y() * std::cos(angle), 0.0);
+        return osg::Matrixd::lookAt(eye, eye + ahead * (100.0 / ahead.length()) - osg::Vec3d(0.0, 0.0, 12.0),
+                                    osg::Vec3d(0.0, 0.0, 1.0));
+    }
+
+private:
+    osg::Vec3d _middle;
+    osg::Vec2d _half;
+};
+
+/// How long something was missing at a stretch.
+class Stretch {
+public:
+    void at(double time, bool missing) {
+        if (!missing)
+            _since = time;
+        _longest = std::max(_longest, time - _since);
+    }
+    double longest() const { return _longest; }
+
+private:
+    double _since = 0.0, _longest = 0.0;
+};
+
+} // namespace
+
+Result<BenchWorld> runBenchWorld(const std::string& name, const ForestDescription& description,
+                                 const BenchSettings& settings, BenchDriver& driver) {
+    BenchWorld result;
+    result.forest = name;
+    result.trees = description.tiles->treeCount();
+    result.range = description.tiles->range;
+    const double readBefore = bytesRead();
+    const BenchClock clock;
+    const osg::ref_ptr<Forest> forest = new Forest(description);
+    const TilePager* pager = pagerOf(*forest);
+    OffscreenViewer drawing(settings.size.width, settings.size.height, 1);
+    if (!drawing.valid())
+        return Diagnostic{{}, 0, 0, {}, "no context to draw in"};
+    osgViewer::Viewer& viewer = drawing.viewer();
+    viewer.setSceneData(forest);
+    osg::Camera& camera = *viewer.getCamera();
+    camera.setProjectionMatrixAsPerspective(
+        benchFieldOfView, static_cast<double>(settings.size.width) / settings.size.height, 1.0, 20000.0);
+    const Flight flight(*forest);
+    camera.setViewMatrix(flight.view(0.0));
+    viewer.realize();
+    drawing.frame(0.0);
+    result.firstFrameSeconds = clock.seconds();
+    camera.getGraphicsContext()->makeCurrent();
+    driver.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    camera.getGraphicsContext()->releaseContext();
+    for (int i = 0; i < mostFramesToFirst && (pager->nearestMissing() < result.range || i < 2); ++i)
+        drawing.frame(clock.seconds());
+    result.firstPictureSeconds = clock.seconds();
+
+    const BenchClock flown;
+    Stretch missing;
+    for (int i = 0; i < settings.frames; ++i) {
+        camera.setViewMatrix(flight.view(speed * flown.seconds()));
+        const BenchClock frame;
+        drawing.frame(clock.seconds());
+        result.frameMs.push_back(1000.0 * frame.seconds());
+        missing.at(flown.seconds(), pager->nearestMissing() < 0.5 * result.range);
+        result.mostTrees = std::max(result.mostTrees, forest->getNumTrees());
+        const double memory = residentBytes();
+        result.mostBytes = std::max(result.mostBytes, memory);
+        if (i == settings.frames / 2)
+            result.halfwayBytes = memory;
+    }
+    result.endBytes = residentBytes();
+    result.flownSeconds = flown.seconds();
+    result.missingSeconds = missing.longest();
+    result.bytesRead = bytesRead() - readBefore;
+    return result;
+}
+
+Json worldJson(const BenchWorld& world) {
+    return {{"forest", world.forest},
+            {"trees", world.trees},
+            {"range", world.range},
+            {"firstFrameSeconds", world.firstFrameSeconds},
+            {"firstPictureSeconds", world.firstPictureSeconds},
+            {"frames", world.frameMs.size()},
+            {"flownSeconds", world.flownSeconds},
+            {"frameMs",
+             {{"median", quantile(world.frameMs, 0.5)},
+              {"p99", quantile(world.frameMs, 0.99)},
+              {"worst", quantile(world.frameMs, 1.0)}}},
+            {"missingSeconds", world.missingSeconds},
+            {"mostTrees", world.mostTrees},
+            {"halfwayBytes", world.halfwayBytes},
+            {"endBytes", world.endBytes},
+            {"mostBytes", world.mostBytes},
+            {"bytesRead", world.bytesRead}};
+}
+
+void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world) {
+    out << '\n'
+        << conditions.date << ", " << machineName() << ", " << conditions.driver.renderer << ", "
+        << conditions.settings.size.width << "x" << conditions.settings.size.height << ", "
+        << world.frameMs.size() << " frames, " << std::fixed << std::setprecision(0) << world.flownSeconds
+        << " s at " << speed
+        << " m/s\n\n| world | trees | range, m | first frame, s | first picture, s | frame, ms | p99 | worst "
+           "| "
+           "missing, s | most trees | memory halfway, MB | end | most | read, MB |\n"
+           "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
+           "|\n| "
+        << world.forest << " | " << world.trees << " | " << world.range << std::setprecision(2) << " | "
+        << world.firstFrameSeconds << " | " << world.firstPictureSeconds << std::setprecision(0) << " | "
+        << quantile(world.frameMs, 0.5) << " | " << quantile(world.frameMs, 0.99) << " | "
+        << quantile(world.frameMs, 1.0) << " | " << std::setprecision(1) << world.missingSeconds << " | "
+        << world.mostTrees << " | " << std::setprecision(0) << 1e-6 * world.halfwayBytes << " | "
+        << 1e-6 * world.endBytes << " | " << 1e-6 * world.mostBytes << " | " << 1e-6 * world.bytesRead
+        << " |\n";
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/canopy/CanopyGrid.h>
+
+#include <examples/osgtreewind/canopy/CanopyFootprint.h>
+#include <examples/osgtreewind/canopy/TreeBox.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+/// All trees, and the heights they are between.
+TreeBox boxOfAll(const PlacedForest& forest) {
+    TreeBox all{glm::dvec3(nowhere), glm::dvec3(-nowhere)};
+    for (const PlacedTree& tree : forest.trees) {
+        if (!tree.alive)
+            continue;
+        const TreeBox box = treeBox(forest, tree);
+        all.low = glm::min(all.low, box.low);
+        all.high = glm::max(all.high, box.high);
+    }
+    return all;
+}
+
+/// Of the trees that reach a grid, in its heights, of which only the columns count.
+glm::dvec2 heightsOn(const PlacedForest& forest, const CanopyGrid& grid) {
+    double low = nowhere, high = -nowhere;
+    for (const PlacedTree& tree : forest.trees) {
+        if (!tree.alive)
+            continue;
+        const TreeBox box = treeBox(forest, tree);
+        const CanopyFootprint print(grid, box);
+        if (print.isEmpty())
+            continue;
+        low = std::min(low, grid.aboveGround ? 0.0 : box.low.z);
+        high = std::max(high, grid.aboveGround
+                                  ? box.high.z - print.lowestGround(grid, forest.description().ground.get())
+                                  : box.high.z);
+    }
+    return low < high ? glm::dvec2(low, high) : glm::dvec2(0.0);
+}
+
+/// Whole cells from 0; one of width `cell` at least.
+void span(CanopyGrid& grid, int axis, double low, double high) {
+    const double cell = grid.cell[axis], first = std::floor(low / cell);
+    grid.low[axis] = first * cell;
+    grid.cells[axis] = static_cast<int>(std::min(std::max(std::ceil(high / cell) - first, 1.0), 1e9));
+}
+
+Diagnostics problemOfBounds(const CanopyBounds& bounds, const glm::dvec3& cell) {
+    for (int axis = 0; axis < 2; ++axis) {
+        const double cells = (bounds.high[axis] - bounds.low[axis]) / cell[axis];
+        if (!(std::round(cells) >= 1.0) || !(std::abs(cells - std::round(cells)) < 1e-6 * cells))
+            return {keyProblem("bounds", "expected a whole number of cells of " + numberText(cell[axis]) +
+                                             " m, at least 1, between " + numberText(bounds.low[axis]) +
+                                             " and " + numberText(bounds.high[axis]) + ", found " +
+                                             numberText(cells))};
+    }
+    return {};
+}
+
+Diagnostics problemOfCount(const CanopyGrid& grid) {
+    const glm::dvec3 cells(grid.cells);
+    const double count = cells.x * cells.y * cells.z;
+    if (count <= CanopyGrid::mostCells)
+        return {};
+    return {keyProblem("cell", "expected a size that makes at most " + numberText(CanopyGrid::mostCells) +
+                                   " cells, found " + numberText(count))};
+}
+
+} // namespace
+
+std::int64_t CanopyGrid::index(int axis, double coordinate) const {
+    const double at = std::floor((coordinate - low[axis]) / cell[axis]);
+    return static_cast<std::int64_t>(std::clamp(at, -1e15, 1e15));
+}
+
+double CanopyGrid::groundOf(int column, int row, const Ground* ground, double otherwise) const {
+    if (!ground)
+        return otherwise;
+    const glm::dvec2 middle(low.x + (column + 0.5) * cell.x, low.y + (row + 0.5) * cell.y);
+    return ground->height(middle).value_or(otherwise);
+}
+
+Result<CanopyGrid> canopyGridOver(const PlacedForest& forest, const glm::dvec3& cell, bool aboveGround,
+                                  const std::optional<CanopyBounds>& bounds) {
+    CanopyGrid grid;
+    grid.aboveGround = aboveGround;
+    grid.cell = cell;
+    grid.cells.z = 1;
+    if (bounds) {
+        if (Diagnostics problems = problemOfBounds(*bounds, cell); !problems.empty())
+            return problems;
+        for (int axis = 0; axis < 2; ++axis) {
+            grid.low[axis] = bounds->low[axis];
+            grid.cells[axis] = static_cast<int>(
+                std::min(std::round((bounds->high[axis] - bounds->low[axis]) / cell[axis]), 1e9));
+        }
+    } else {
+        const TreeBox all = boxOfAll(forest);
+        if (!(all.low.x <= all.high.x))
+            return keyProblem("bounds", "expected x0, y0, x1 and y1 for a forest without trees");
+        span(grid, 0, all.low.x, all.high.x);
+        span(grid, 1, all.low.y, all.high.y);
+    }
+    if (Diagnostics problems = problemOfCount(grid); !problems.empty())
+        return problems;
+    const glm::dvec2 heights = heightsOn(forest, grid);
+    span(grid, 2, heights.x, heights.y);
+    if (Diagnostics problems = problemOfCount(grid); !problems.empty())
+        return problems;
+    return grid;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/canopy/CanopyFile.h>
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/output/Json.h>
+#include <examples/osgtreewind/output/Progress.h>
+
+#include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/motion/ForestMemory.h>
+
+#include <osgDB/FileNameUtils>
+
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct CanopyOptions {
+    std::string file, output, format;
+    std::vector<double> cell, bounds;
+    std::optional<float> season;
+    TileBox tiles;
+    bool json = false;
+};
+
+std::string formatOf(const CanopyOptions& options) {
+    if (!options.format.empty())
+        return options.format;
+    const std::string extension = osgDB::getFileExtension(options.output);
+    return extension == "nc" ? "palm" : extension == "vti" ? "vtk" : "";
+}
+
+Result<CanopyGrid> gridOf(const CanopyOptions& options, const PlacedForest& forest) {
+    const std::vector<double>& cell = options.cell;
+    std::optional<CanopyBounds> bounds;
+    if (options.bounds.size() == 4)
+        bounds = {{options.bounds[0], options.bounds[1]}, {options.bounds[2], options.bounds[3]}};
+    return canopyGridOver(forest,
+                          cell.size() == 3 ? glm::dvec3(cell[0], cell[1], cell[2]) : glm::dvec3(cell[0]),
+                          formatOf(options) == "palm", bounds);
+}
+
+std::unique_ptr<CanopyFile> create(const std::string& path, const std::string& format,
+                                   const CanopyHead& head) {
+    return format == "vtk"  ? createVtkCanopy(path, head)
+           : format == "cf" ? createCfCanopy(path, head)
+                            : createPalmCanopy(path, head);
+}
+
+/// Of a canopy model, whose force is C lad U^2: half of CdA over the leaves; none without leaves.
+std::optional<double> coefficientOf(const AreaSums& sums) {
+    return sums.leaf > 0.0 ? std::optional(0.5 * sums.drag / sums.leaf) : std::nullopt;
+}
+
+Json toJson(const AreaSums& sums) {
+    return {{"leafArea", sums.leaf}, {"dragArea", sums.drag}};
+}
+
+Json toJson(const CanopyGrid& grid, const CanopyTally& tally) {
+    const auto coefficient = coefficientOf(tally.within);
+    Json json = {{"trees", tally.trees},
+                 {"leafArea", tally.within.leaf},
+                 {"dragArea", tally.within.drag},
+                 {"dragCoefficient", coefficient ? Json(*coefficient) : Json()},
+                 {"beyond", toJson(tally.beyond)},
+                 {"heights", grid.aboveGround ? "above the ground" : "of the world"}};
+    for (int axis = 0; axis < 3; ++axis) {
+        json["low"].push_back(grid.low[axis]);
+        json["cell"].push_back(grid.cell[axis]);
+        json["cells"].push_back(grid.cells[axis]);
+    }
+    return json;
+}
+
+void print(const CanopyGrid& grid, const CanopyTally& tally) {
+    std::ostringstream text;
+    text << "trees        " << tally.trees << "\nleaf area    " << tally.within.leaf << " m2\ndrag area    "
+         << tally.within.drag << " m2 (CdA)\n";
+    if (const auto coefficient = coefficientOf(tally.within))
+        text << "coefficient  " << *coefficient << " of a force C lad U^2: half of CdA over leaf area\n";
+    text << "cells        " << grid.cells.x << " x " << grid.cells.y << " x " << grid.cells.z << ", of "
+         << grid.cell.x << " x " << grid.cell.y << " x " << grid.cell.z << " m\n";
+    text.precision(12);
+    text << "corner       " << grid.low.x << ", " << grid.low.y << ", " << grid.low.z
+         << (grid.aboveGround ? " above the ground\n" : "\n");
+    std::cout << text.str();
+}
+
+void noteWhatIsMissing(const CanopyOptions& options, const ForestDescription& forest,
+                       const CanopyTally& tally) {
+    const double all = tally.within.drag + tally.beyond.drag;
+    if (tally.beyond.drag > 1e-9 * all)
+        std::cerr << options.file << ": note: " << 100.0 * tally.beyond.drag / all
+                  << " % of the trees' drag area lies beyond --bounds\n";
+    if (formatOf(options) == "palm" && forest.crs.empty())
+        std::cerr << options.file
+                  << ": note: the forest has no crs: origin_lat and origin_lon are 0, and there is no crs in "
+                  << options.output << '\n';
+}
+
+/// What is wrong with the name of the output; empty: nothing.
+std::string problemOfOutput(const CanopyOptions& options) {
+    if (formatOf(options).empty())
+        return "--output: expected a name that ends in .nc or .vti, or a --format, found " + options.output;
+    if (WholeFile(options.output).isTaken())
+        return "--output: expected a file or nothing yet at " + options.output + ", found something else";
+    return {};
+}
+
+/// Writes all of the file or nothing, and tells what is in it.
+ExitCode writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const CanopyGrid& grid) {
+    WholeFile whole(options.output);
+    const auto file =
+        create(whole.unfinished(), formatOf(options), {grid, forest.description().crs, forest.season()});
+    Progress progress("canopy", static_cast<std::size_t>(grid.cells.y));
+    const CanopyTally tally = spreadCanopy(forest, grid, [&](const CanopyRow& row) {
+        progress.advance();
+        return file->write(row);
+    });
+    if (!tally.finished || !file->close() || !whole.putInPlace()) {
+        const std::string problem = file->problem();
+        std::cerr << options.output << ": cannot be written" << (problem.empty() ? "" : ": " + problem)
+                  << '\n';
+        return Failed;
+    }
+    noteWhatIsMissing(options, forest.description(), tally);
+    if (options.json)
+        std::cout << toJson(grid, tally).dump(2) << '\n';
+    else
+        print(grid, tally);
+    return Succeeded;
+}
+
+ExitCode run(const CanopyOptions& options) {
+    if (const std::string problem = problemOfOutput(options); !problem.empty()) {
+        std::cerr << problem << '\n';
+        return BadInput;
+    }
+    auto description = loadForest(options.file, options.tiles);
+    if (!description)
+        return BadInput;
+    description->season = options.season.value_or(description->season);
+    const PlacedForest forest(std::move(*description));
+    const Result<CanopyGrid> grid = gridOf(options, forest);
+    const std::string problem =
+        grid ? problemOfMemory("--cell: cells of this size", canopyBytes(forest, grid.value()))
+             : "--" + grid.problems().front().text();
+    if (!problem.empty()) {
+        std::cerr << options.file << ": " << problem << '\n';
+        return BadInput;
+    }
+    return writeCanopy(options, forest, grid.value());
+}
+
+} // namespace
+
+void addCanopyCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("canopy", "Write leaf and drag area on a grid, for flow models (CFD)");
+    auto options = std::make_shared<CanopyOptions>();
+    command->add_option("file", options->file, "A .treewind file")->required();
+    command->add_option("-o,--output", options->output, "A file that ends in .nc or .vti")->required();
+    command
+        ->add_option("--cell", options->cell, "DX[,DY,DZ]: size of a cell, metres; one number: of all sides")
+        ->delimiter(',')
+        ->required()
+        ->check(within(0.01, 1e6))
+        ->expected(1, 3)
+        ->allow_extra_args(false);
+    command
+        ->add_option("--bounds", options->bounds,
+                     "x0,y0,x1,y1: the part of the map that the grid covers, a whole number of cells; by "
+                     "default all trees")
+        ->delimiter(',')
+        ->check(within(-1e9, 1e9))
+        ->expected(4)
+        ->allow_extra_args(false);
+    command
+        ->add_option("--format", options->format,
+                     "palm (a static driver; of .nc), cf (plain CF NetCDF) or vtk (of .vti)")
+        ->check(CLI::IsMember({"palm", "cf", "vtk"}));
+    addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
+    command->add_flag("--json", options->json, "Print JSON");
+    command->footer(
+        "Arrays: lad (leaf area density, m2/m3) and cda (drag area density, m2/m3). Heights are above\n"
+        "the ground in palm, the world's in cf and vtk; docs/cfd.md says more.\n"
+        "Example: osgtreewind canopy forest.treewind -o canopy.nc --cell 2,2,1 --season summer");
+    command->callback([options, &exitCode] {
+        if (options->cell.size() == 2) {
+            std::cerr << "--cell: expected DX or DX,DY,DZ, found two numbers\n";
+            exitCode = BadInput;
+            return;
+        }
+        exitCode = run(*options);
+    });
+}

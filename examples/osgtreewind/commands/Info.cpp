@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/output/Json.h>
+#include <examples/osgtreewind/output/TreeList.h>
+
+#include <osgTreeWind/forest/ShapeFamilies.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/motion/ForestMemory.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/places/Crs.h>
+
+#include <glm/common.hpp>
+
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+namespace {
+
+using namespace osgTreeWind;
+
+Json toJson(const TreeCounts& counts, std::size_t trees) {
+    return {{"trees", trees},
+            {"units", counts.units},
+            {"branches", counts.branches},
+            {"skeletonPoints", counts.skeletonPoints},
+            {"skinVertices", counts.skinVertices},
+            {"skinTriangles", counts.skinTriangles},
+            {"leafVertices", counts.leafVertices},
+            {"leafTriangles", counts.leafTriangles},
+            {"totalVertices", counts.totalVertices()},
+            {"totalTriangles", counts.totalTriangles()}};
+}
+
+Json toJson(const ScanReport& scan) {
+    return {{"source", scan.source},
+            {"cylinders", scan.cylinders},
+            {"taken", scan.taken},
+            {"pruned", scan.cylinders - scan.taken},
+            {"units", scan.units},
+            {"height", scan.height},
+            {"baseDiameter", scan.baseDiameter},
+            {"cylinderVolume", scan.cylinderVolume},
+            {"woodVolume", scan.woodVolume}};
+}
+
+const char* lawName(MotionLaw law) {
+    switch (law) {
+    case MotionLaw::Thesis:
+        return "thesis";
+    case MotionLaw::ThesisSmooth:
+        return "thesis-smooth";
+    case MotionLaw::Modal:
+        break;
+    }
+    return "modal";
+}
+
+/// The trees at rest, in world coordinates.
+Json boundsOf(const ForestDescription& forest) {
+    if (forest.trees.empty())
+        return nullptr;
+    const ShapeFamilies families(forest);
+    std::map<std::pair<std::size_t, std::uint32_t>, TreeSize> natural; // by family and shape
+    glm::dvec3 low = forest.trees.front().position, high = low;
+    for (const TreePlacement& tree : forest.trees) {
+        TreeSize size = tree.size;
+        if (size.height <= 0.0f || size.crownWidth <= 0.0f) { // not given: in proportion to the shape
+            const std::size_t family = families.indexOf(tree);
+            const std::uint32_t shape = tree.seed % families.all()[family].shapes;
+            const auto [found, isNew] = natural.try_emplace({family, shape});
+            if (isNew)
+                found->second = measureTree(makeTreeModel(families.all()[family].tree, shape));
+            const float height = size.height > 0.0f ? size.height : found->second.height;
+            if (size.crownWidth <= 0.0f)
+                size.crownWidth = found->second.crownWidth * height / found->second.height;
+            size.height = height;
+        }
+        const double reach = 0.5 * size.crownWidth;
+        low = glm::min(low, tree.position - glm::dvec3(reach, reach, 0.0));
+        high = glm::max(high, tree.position + glm::dvec3(reach, reach, size.height));
+    }
+    return {{"low", vectorJson(low)}, {"high", vectorJson(high)}};
+}
+
+/// The map that the trees stand on, and whether the file says so or their data did.
+Json crsOf(const ForestDescription& forest) {
+    const Result<Crs> crs = Crs::parseMap(forest.crs);
+    if (forest.crs.empty() || !crs)
+        return nullptr;
+    return {{"text", forest.crs}, {"name", crs.value().name()}, {"chosen", forest.crsChosen}};
+}
+
+Json windOf(const ForestDescription& forest) {
+    const glm::vec3 above{0.0f, 0.0f, 10.0f};
+    const glm::vec3 velocity = forest.wind ? forest.wind->velocity(above, 0.0) : glm::vec3(0.0f);
+    return {{"calm", !forest.wind}, {"velocityAtOrigin10m", vectorJson(velocity)}};
+}
+
+/// Bytes of vertex and index buffers, which grow with shapes, and of state, which grows with trees.
+Json memoryOf(const TreeCounts& shapes, const TreeCounts& all) {
+    constexpr std::uint64_t unitTexels = 32, leafTexel = 16;
+    return {{"shapeBytes", geometryBytes(shapes)},
+            {"textureBytes", all.units * unitTexels + all.leafVertices / verticesPerLeafCluster * leafTexel}};
+}
+
+/// All trees of a species, and the shapes they have.
+struct SpeciesCounts {
+    TreeCounts trees, shapes;
+    std::size_t count = 0; ///< Of trees.
+};
+
+std::vector<SpeciesCounts> countSpecies(const ForestDescription& forest) {
+    const ShapeFamilies families(forest);
+    std::vector<std::vector<std::size_t>> trees; // of each family and shape
+    for (const ShapeFamilies::Family& family : families.all())
+        trees.emplace_back(family.shapes, 0);
+    for (const TreePlacement& tree : forest.trees) {
+        std::vector<std::size_t>& shapes = trees[families.indexOf(tree)];
+        ++shapes[tree.seed % shapes.size()];
+    }
+    std::vector<SpeciesCounts> counts(forest.species.size());
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const ShapeFamilies::Family& family = families.all()[i];
+        SpeciesCounts& sum = counts[family.species];
+        for (std::uint32_t shape = 0; shape < family.shapes; ++shape) {
+            const TreeCounts one = countTree(family.tree, shape);
+            for (std::size_t n = 0; n < trees[i][shape]; ++n)
+                sum.trees += one;
+            sum.shapes += one;
+            sum.count += trees[i][shape];
+        }
+    }
+    return counts;
+}
+
+Json describe(const ForestDescription& forest) {
+    Json species = Json::array();
+    TreeCounts all, shapes;
+    const std::vector<SpeciesCounts> counts = countSpecies(forest);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i].count > 0)
+            shapes += counts[i].shapes;
+        all += counts[i].trees;
+        Json entry = {{"name", forest.species[i].name}, {"shapes", forest.species[i].shapes}};
+        entry.update(toJson(counts[i].trees, counts[i].count));
+        if (const auto& scans = forest.species[i].tree.scans)
+            for (const ScannedTree& scan : *scans)
+                entry["scans"].push_back(toJson(scan.report));
+        species.push_back(entry);
+    }
+
+    Json info = toJson(all, forest.trees.size());
+    info["species"] = species;
+    info["crs"] = crsOf(forest);
+    info["origin"] = vectorJson(forest.origin);
+    info["bounds"] = boundsOf(forest);
+    info["wind"] = windOf(forest);
+    info["motion"] = {{"law", lawName(forest.law)}, {"gain", forest.gain}, {"noise", "perlin"}};
+    if (forest.noiseExponent) {
+        info["motion"]["noise"] = "1/f";
+        info["motion"]["noiseExponent"] = *forest.noiseExponent;
+    }
+    info["memory"] = memoryOf(shapes, all);
+    return info;
+}
+
+/// What became of the scans of a species.
+void printScans(const Json& species) {
+    for (const Json& scan : species["scans"]) {
+        const auto number = [&](const char* key) { return scan[key].get<double>(); };
+        std::cout << "scan    " << species["name"].get<std::string>() << ": "
+                  << scan["source"].get<std::string>() << ", " << scan["cylinders"] << " cylinders, "
+                  << scan["pruned"] << " pruned; " << scan["units"] << " units, " << std::setprecision(3)
+                  << number("height") << " m high, " << number("baseDiameter") << " m thick at the ground, "
+                  << number("woodVolume") << " of " << number("cylinderVolume") << " m3 of wood"
+                  << std::setprecision(6) << '\n';
+    }
+}
+
+void printTable(const Json& info) {
+    const std::vector<std::pair<const char*, const char*>> columns = {{"trees", "trees"},
+                                                                      {"units", "units"},
+                                                                      {"skinTriangles", "skin triangles"},
+                                                                      {"leafTriangles", "leaf triangles"},
+                                                                      {"totalVertices", "vertices"},
+                                                                      {"totalTriangles", "triangles"}};
+    const auto row = [&](const std::string& name, const Json& counts) {
+        std::cout << std::left << std::setw(32) << name << std::right;
+        for (const auto& column : columns)
+            std::cout << std::setw(16) << counts[column.first].get<std::uint64_t>();
+        std::cout << '\n';
+    };
+    std::cout << std::left << std::setw(32) << "species" << std::right;
+    for (const auto& column : columns)
+        std::cout << std::setw(16) << column.second;
+    std::cout << '\n';
+    for (const Json& species : info["species"])
+        row(species["name"], species);
+    row("total", info);
+    for (const Json& species : info["species"])
+        if (species.contains("scans"))
+            printScans(species);
+    const Json& crs = info["crs"];
+    std::cout << "crs     "
+              << (crs.is_null() ? std::string("none: metres")
+                                : crs["name"].get<std::string>() + " (" + crs["text"].get<std::string>() +
+                                      (crs["chosen"] ? "), chosen by its data" : ")"))
+              << '\n';
+    std::cout << "origin  " << info["origin"] << "\nbounds  " << info["bounds"] << "\nwind    "
+              << info["wind"] << "\nmotion  " << info["motion"] << "\nmemory  " << info["memory"] << '\n';
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("info", "Count what a forest is made of");
+    auto file = std::make_shared<std::string>();
+    auto trees = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
+    command->add_option("file", *file, "A .treewind file")->required();
+    command->add_flag("--json", *json, "Print JSON");
+    command->add_option("--trees", *trees, "Write every tree as it stands: a CSV file");
+    auto tiles = std::make_shared<TileBox>();
+    addTilesOption(*command, *tiles);
+    command->footer("Example: osgtreewind info forest.treewind --json");
+    command->callback([=, &exitCode] {
+        const auto forest = loadForest(*file, *tiles);
+        if (!forest) {
+            exitCode = BadInput;
+            return;
+        }
+        const Json info = describe(*forest);
+        if (*json)
+            std::cout << info.dump(2) << '\n';
+        else
+            printTable(info);
+        if (!trees->empty() && !writeTrees(*forest, *trees)) {
+            std::cerr << *trees << ": cannot be written\n";
+            exitCode = Failed;
+        }
+    });
+}

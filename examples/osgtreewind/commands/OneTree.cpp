@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/OneTree.h>
+
+#include <examples/osgtreewind/commands/Command.h>
+
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/species/GrowthLaws.h>
+
+#include <iostream>
+#include <set>
+
+using namespace osgTreeWind;
+
+Species OneTree::kind() const {
+    static std::set<std::string> unknown;
+    const std::optional<Species> known = findSpecies(species);
+    if (!known && unknown.insert(species).second)
+        std::cerr << "note: no built-in species \"" << species << "\"; \"" << defaultSpecies().name
+                  << "\" stands for it\n";
+    return known.value_or(defaultSpecies());
+}
+
+TreePlacement OneTree::grown(const Species& kind) {
+    TreePlacement tree;
+    tree.size.height = static_cast<float>(height);
+    tree.size.trunkDiameter = static_cast<float>(0.01 * diameter);
+    tree.size.crownWidth = static_cast<float>(crownWidth);
+    tree.openGrown = open;
+    tree.leaves = static_cast<float>(leaves);
+    if (diameter > 0.0 && height > 0.0 && crownWidth > 0.0)
+        return tree;
+    const TreeModel model = makeTreeModel(growthOf(kind, open));
+    const TreeSize actual =
+        measureTree(model, fitTree(model, withCrown(tree.size, kind.crown, tree.openGrown)));
+    if (diameter == 0.0)
+        diameter = 100.0 * static_cast<double>(actual.trunkDiameter);
+    if (height == 0.0)
+        height = actual.height;
+    if (crownWidth == 0.0)
+        crownWidth = actual.crownWidth;
+    return tree;
+}
+
+void addTreeOptions(CLI::App& command, OneTree& tree) {
+    command.add_option("--species", tree.species, "Common or scientific name of a built-in species")
+        ->capture_default_str();
+    command.add_option("--dbh", tree.diameter, "Diameter of the trunk at breast height, cm")
+        ->check(within(0.1, 2000.0));
+    command.add_option("--height", tree.height, "Height of the tree, m")->check(within(0.1, 150.0));
+    command.add_option("--crown-width", tree.crownWidth, "Mean width of the crown, m")
+        ->check(within(0.1, 150.0));
+    command.add_flag("--open", tree.open, "It stands by itself: its crown is wider than in a forest");
+    command.add_option("--leaves", tree.leaves, "Share of its leaves that it bears, 0 to 1")
+        ->check(within(0.0, 1.0))
+        ->capture_default_str();
+}

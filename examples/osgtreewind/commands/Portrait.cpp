@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/output/Json.h>
+#include <examples/osgtreewind/pictures/Offscreen.h>
+#include <examples/osgtreewind/portraits/PortraitMotion.h>
+#include <examples/osgtreewind/portraits/PortraitSheet.h>
+
+#include <examples/osgtreewind/portraits/LeafEdges.h>
+#include <examples/osgtreewind/portraits/TreeLooks.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/drawing/instanced/TreeTiers.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/TreeDetail.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+#include <osgTreeWind/species/GrowthLaws.h>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/WriteFile>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct PortraitOptions {
+    std::string species, output, backend = offscreenBackendName();
+    bool json = false, edges = false, motion = false, forest = false;
+    int panel = 256;
+    std::optional<float> season;
+};
+
+/// What it is shown grown in.
+const char* companyOf(const PortraitOptions& options) {
+    return options.forest ? "a forest" : "the open";
+}
+
+/// A built-in species, or FILE.treewind:name. Nothing, said on standard error, where there is none.
+std::optional<Species> speciesCalled(const std::string& name) {
+    const std::size_t colon = name.rfind(".treewind:");
+    if (colon == std::string::npos) {
+        if (std::optional<Species> species = findSpecies(name))
+            return species;
+        std::cerr << "no built-in species \"" << name << "\"; osgtreewind sway --list names them\n";
+        return {};
+    }
+    const std::string file = name.substr(0, colon + 9), own = name.substr(colon + 10);
+    const auto forest = loadForest(file);
+    if (!forest)
+        return {};
+    for (const Species& species : forest->species)
+        if (species.name == own)
+            return species;
+    std::cerr << file << ": no species \"" << own << "\"\n";
+    return {};
+}
+
+Json toJson(const Species& species, const TreeLooks& looks) {
+    const auto rounded = [](float value) { return std::round(1000.0 * static_cast<double>(value)) / 1000.0; };
+    return {{"species", species.name},
+            {"skyThroughCrown",
+             {{"summer", rounded(looks.skyThroughCrownSummer)},
+              {"winter", rounded(looks.skyThroughCrownWinter)}}},
+            {"crownOverStem", rounded(looks.crownOverStem)},
+            {"leafInclination", rounded(looks.leafInclination)},
+            {"leafAreaDrawn", rounded(looks.leafAreaDrawn)},
+            {"leafAreaMechanics", rounded(looks.leafAreaMechanics)},
+            {"hueSpread", rounded(looks.hueSpread)},
+            {"greenShare", rounded(looks.greenShare)}};
+}
+
+/// How finely the first shape is cut against the sky, as forests show it from some distances, beside single
+/// leaves in the same places.
+Json edgesJson(const Species& species) {
+    const auto rounded = [](float value) {
+        return std::round(10000.0 * static_cast<double>(value)) / 10000.0;
+    };
+    const TreeModel model = makeTreeModel(species.tree);
+    Json rows = Json::array();
+    for (const float distance : {10.0f, 20.0f, 40.0f, 80.0f}) {
+        if (model.leaves.empty())
+            break;
+        const EdgePicture picture(model, species.appearance, distance, 0.3f);
+        const float pixels = EdgePicture::pixelsPerMetreAt1m / distance;
+        const Tier tier = TreeTiers().choose(pixels * measureTree(model).height).tier;
+        const LeafEdges drawn = picture.cards(std::min(static_cast<int>(tier), TreeDetail::reductions)),
+                        single = picture.singleLeaves();
+        const float centimetres = 100.0f / pixels;
+        rows.push_back({{"distance", distance},
+                        {"tier", static_cast<int>(tier)},
+                        {"leafEdges", rounded(drawn.edges)},
+                        {"leafEdgesSingle", rounded(single.edges)},
+                        {"leafRun", rounded(centimetres * drawn.leafRun)},
+                        {"leafRunSingle", rounded(centimetres * single.leafRun)},
+                        {"skyRun", rounded(centimetres * drawn.skyRun)},
+                        {"skyRunSingle", rounded(centimetres * single.skyRun)},
+                        {"slope", rounded(drawn.slope)},
+                        {"slopeSingle", rounded(single.slope)}});
+    }
+    return rows;
+}
+
+Json toJson(const PortraitMotion& motion) {
+    const auto rounded = [](double value) { return std::round(1000.0 * value) / 1000.0; };
+    Json pops = Json::array();
+    for (const PortraitMotion::Pop& pop : motion.pops)
+        pops.push_back({{"pixels", pop.pixels}, {"apart", rounded(pop.apart)}, {"pop", rounded(pop.pop)}});
+    return {{"flicker", rounded(motion.flicker)}, {"pops", pops}};
+}
+
+void print(const Species& species, const char* company, const TreeLooks& looks) {
+    const auto line = [](const char* name, float value) {
+        std::printf("%-24s %8.3f\n", name, static_cast<double>(value));
+    };
+    std::printf("%s\ngrown in %s\n", species.name.c_str(), company);
+    line("skyThroughCrown, summer", looks.skyThroughCrownSummer);
+    line("skyThroughCrown, winter", looks.skyThroughCrownWinter);
+    line("crownOverStem", looks.crownOverStem);
+    line("leafInclination, deg", looks.leafInclination);
+    line("leafAreaDrawn, m2", looks.leafAreaDrawn);
+    line("leafAreaMechanics, m2", looks.leafAreaMechanics);
+    line("hueSpread, deg", looks.hueSpread);
+    line("greenShare", looks.greenShare);
+}
+
+ExitCode portrait(const PortraitOptions& options) {
+    std::optional<Species> species = speciesCalled(options.species);
+    if (!species)
+        return BadInput;
+    species->tree = growthOf(*species, !options.forest);
+    if ((!options.output.empty() || options.motion) && options.backend != offscreenBackendName())
+        return runOtherBackend(options.backend);
+    if (!options.output.empty()) {
+        const osg::ref_ptr<osg::Image> sheet =
+            drawPortrait(*species, !options.forest, options.panel, options.season.value_or(midspring));
+        if (!sheet)
+            return Failed;
+        if (!osgDB::writeImageFile(*sheet, options.output)) {
+            std::cerr << options.output << ": cannot be written\n";
+            return Failed;
+        }
+    }
+    const TreeLooks looks = measureLooks(*species);
+    Json json = toJson(*species, looks);
+    json["grown"] = companyOf(options);
+    if (options.edges)
+        json["edges"] = edgesJson(*species);
+    if (options.motion) {
+        const std::optional<PortraitMotion> motion = measureMotion(*species);
+        if (!motion)
+            return Failed;
+        json["motion"] = toJson(*motion);
+    }
+    if (options.json || options.edges || options.motion)
+        std::cout << json.dump(2) << '\n';
+    else
+        print(*species, companyOf(options), looks);
+    return Succeeded;
+}
+
+} // namespace
+
+void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("portrait", "Draw a species on a sheet, and measure its looks");
+    auto options = std::make_shared<PortraitOptions>();
+    command->add_option("species", options->species, "A built-in species, or FILE.treewind:name")->required();
+    command->add_flag("--forest", options->forest,
+                      "As it grows in a forest, with what is left of its crown there; else as in the open");
+    command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag(
+        "--edges", options->edges,
+        "Print JSON, also of how finely the crown is cut against the sky at 10, 20, 40 and 80 m, and "
+        "single leaves in its place: seconds");
+    command->add_flag(
+        "--motion", options->motion,
+        "Print JSON, also of how restless its picture is: flicker in a breeze at 40 m over that "
+        "of ever so many samples a pixel, and what changes from tier to tier: a minute");
+    command->add_option("-o,--output", options->output, "sheet.png; without it nothing is drawn")
+        ->check([](const std::string& name) {
+            return osgDB::getLowerCaseFileExtension(name) == "png"
+                       ? std::string()
+                       : expectedFound("a name that ends in .png", name);
+        });
+    command->add_option("--panel", options->panel, "Width and height of each picture on the sheet, pixels")
+        ->check(CLI::Range(16, 2048))
+        ->capture_default_str();
+    addSeasonOption(*command, options->season);
+    addBackendOption(*command, options->backend);
+    command->footer(std::string(portraitLayout) +
+                    "\nThe numbers are means over three shapes; docs/species.md says what they should be.\n"
+                    "Example: osgtreewind portrait oak -o oak.png --json");
+    command->callback([options, &exitCode] { exitCode = portrait(*options); });
+}

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/commands/LightOptions.h>
+#include <examples/osgtreewind/commands/Setting.h>
+#include <examples/osgtreewind/output/Progress.h>
+#include <examples/osgtreewind/pictures/Offscreen.h>
+#include <examples/osgtreewind/pictures/OffscreenViewer.h>
+#include <examples/osgtreewind/pictures/VideoWriter.h>
+#include <examples/osgtreewind/scene/DefaultView.h>
+#include <examples/osgtreewind/scene/FeetGround.h>
+
+#include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/WriteFile>
+#include <osgUtil/UpdateVisitor>
+
+#include <cmath>
+#include <iostream>
+#include <regex>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct RenderOptions {
+    std::string file, output = "forest.png", size = "1280x720", backend = offscreenBackendName(), pose, tiers,
+                      view = "eye";
+    Shadows shadows = Shadows::Soft;
+    int frames = 1, samples = 4, width = 0, height = 0;
+    double fps = 30.0, start = 0.0, fov = 40.0;
+    std::vector<double> eye, center;
+    std::optional<float> season;
+    TileBox tiles;
+    osg::Vec3 sun = Daylight::usualSun;
+};
+
+int samplesAcross(const RenderOptions& options) {
+    return static_cast<int>(std::lround(std::sqrt(options.samples)));
+}
+
+/// The name with "%04d" or its like (the first, if there are several) replaced; as it is when there is none.
+std::string framePath(const std::string& pattern, int frame) {
+    static const std::regex field("%(0?)([0-9]?)d");
+    std::smatch match;
+    if (!std::regex_search(pattern, match, field))
+        return pattern;
+    std::string number = std::to_string(frame);
+    const std::size_t width = match[2].length() ? std::stoul(match[2]) : 0;
+    if (number.size() < width)
+        number.insert(0, width - number.size(), match[1].length() ? '0' : ' ');
+    return match.prefix().str() + number + match.suffix().str();
+}
+
+/// From where the options say (DefaultView.h).
+ForestView viewOf(const RenderOptions& options, const Forest& forest, const Lens& lens) {
+    const osg::BoundingSphere& bound = forest.getBound();
+    const auto given = [](const std::vector<double>& v) { return osg::Vec3d(v[0], v[1], v[2]); };
+    if (options.eye.empty() && options.center.empty() && options.view == "eye")
+        return viewAtEyeLevel(forest, lens, options.sun);
+    if (options.eye.empty() && options.center.empty() && options.view == "portrait")
+        return viewOfOneTree(forest, lens);
+    const osg::Vec3d center = options.center.empty() ? osg::Vec3d(bound.center()) : given(options.center);
+    if (!options.eye.empty())
+        return {given(options.eye), center};
+    osg::Vec3d eye = defaultEye(center, bound.radius(), lens);
+    if (forest.getGround()) // above the hills between
+        eye.z() = std::max(eye.z(), groundHeight(forest, {eye.x(), eye.y()}, eye.z()) + 0.1 * bound.radius());
+    return {eye, center};
+}
+
+void placeCamera(osg::Camera& camera, const ForestView& view, const Lens& lens) {
+    const osg::Vec3d way = view.center - view.eye;
+    const bool vertical = way.x() == 0.0 && way.y() == 0.0;
+    camera.setViewMatrixAsLookAt(view.eye, view.center, vertical ? osg::Y_AXIS : osg::Z_AXIS);
+    camera.setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
+    camera.setNearFarRatio(2e-5); // 6 cm before the eye, with the ground's rim at 3 km
+}
+
+/// Moves the forest on to `start` without drawing, in the steps that frames would have taken.
+void runUp(osg::Node& scene, osg::FrameStamp& stamp, const RenderOptions& options) {
+    const auto steps = static_cast<std::size_t>(std::llround(options.start * options.fps));
+    osgUtil::UpdateVisitor visitor;
+    visitor.setFrameStamp(&stamp);
+    Progress progress("run up", steps);
+    for (std::size_t i = 0; i < steps; ++i) {
+        stamp.setFrameNumber(stamp.getFrameNumber() + 1);
+        stamp.setSimulationTime(static_cast<double>(i) / options.fps);
+        scene.accept(visitor);
+        progress.advance();
+    }
+}
+
+bool isVideo(const RenderOptions& options) {
+    return osgDB::getLowerCaseFileExtension(options.output) == "mp4";
+}
+
+/// Says what is wrong with the name of the output.
+ExitCode checkOutput(const RenderOptions& options) {
+    if (options.frames > 1 && !isVideo(options) && framePath(options.output, 0) == options.output) {
+        std::cerr << "--output: " << options.frames
+                  << " frames need a name with %04d in it, or one that ends in .mp4\n";
+        return BadInput;
+    }
+    if (isVideo(options) && !VideoWriter::available()) {
+        std::cerr << options.output
+                  << ": MP4 needs the ffmpeg program; render PNG frames with -o 'frame_%04d.png'\n";
+        return Failed;
+    }
+    if (!isVideo(options) && osgDB::getLowerCaseFileExtension(options.output) != "png") {
+        std::cerr << "--output: expected a name that ends in .png or .mp4, found " << options.output << '\n';
+        return BadInput;
+    }
+    return Succeeded;
+}
+
+/// Has trees drawn by their stand-ins, whose leaves are shaded as a crown, in the next frame too.
+void keepStandIns(const BranchwiseForest& forest) {
+    for (unsigned i = 0; i < forest.getNumTrees(); ++i)
+        BranchwiseParts::tree(forest, i)->getLod()->takeWanted();
+}
+
+/// @param posed by shaders in all frames; may be null.
+ExitCode writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const RenderOptions& options) {
+    std::unique_ptr<VideoWriter> movie;
+    if (isVideo(options))
+        movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
+    Progress progress("render", static_cast<std::size_t>(options.frames));
+    for (int frame = 0; frame < options.frames; ++frame) {
+        if (posed)
+            keepStandIns(*posed);
+        osg::Image& image = drawing.frame(options.start + frame / options.fps);
+        const std::string path = framePath(options.output, frame);
+        if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path))) {
+            std::cerr << path << ": cannot be written\n";
+            return Failed;
+        }
+        progress.advance();
+    }
+    if (movie && !movie->close()) {
+        std::cerr << options.output << ": ffmpeg failed\n";
+        return Failed;
+    }
+    return Succeeded;
+}
+
+ExitCode render(const RenderOptions& options) {
+    if (options.backend != offscreenBackendName())
+        return runOtherBackend(options.backend);
+    if (const ExitCode problem = checkOutput(options); problem != Succeeded)
+        return problem;
+    auto description = loadForest(options.file, options.tiles);
+    if (!description)
+        return BadInput;
+    if (!options.tiers.empty())
+        description->drawing.tiers = options.tiers == "on";
+    description->season = options.season.value_or(description->season);
+    if (!description->ground)
+        description->ground = groundThroughFeet(*description);
+    const Result<osg::ref_ptr<Forest>> made = Forest::create(std::move(*description));
+    if (!made) {
+        std::cerr << options.file << ": " << made.problems().front().text() << '\n';
+        return BadInput;
+    }
+    const osg::ref_ptr<Forest>& forest = made.value();
+    const Lens lens{options.fov, static_cast<double>(options.width) / options.height};
+    const ForestView view = viewOf(options, *forest, lens);
+    osg::ref_ptr<osg::Group> scene =
+        createSetting(*forest, {options.shadows, Daylight(options.sun), view.eye});
+
+    OffscreenViewer drawing(options.width, options.height, samplesAcross(options));
+    if (!drawing.valid())
+        return Failed;
+    osgViewer::Viewer& viewer = drawing.viewer();
+    placeCamera(*viewer.getCamera(), view, lens);
+    const BranchwiseForest* posed = nullptr;
+    if (BranchwiseForest* branchwise = forest->getBranchwise()) {
+        const bool onCpu = options.pose.empty() || options.pose == "cpu";
+        branchwise->setAngleSource(onCpu ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
+        if (options.pose != "scenegraph")
+            posed = branchwise;
+    } else if (!options.pose.empty()) {
+        std::cerr << "--pose " << options.pose << ": for a law of a branch, not \"modal\"\n";
+        return BadInput;
+    }
+    viewer.setSceneData(scene);
+    viewer.realize();
+    runUp(*scene, *viewer.getFrameStamp(), options);
+
+    return writeFrames(drawing, posed, options);
+}
+
+void addViewOptions(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--view", options.view,
+                    "eye: as a person stands before the forest; above: all of it from above its crowns;\n"
+                    "portrait: the tree nearest to its middle")
+        ->check(CLI::IsMember({"eye", "above", "portrait"}))
+        ->capture_default_str();
+    command.add_option("--eye", options.eye, "Where the camera is instead: x,y,z in the scene, metres")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(within(-1e7, 1e7));
+    command.add_option("--center", options.center, "Where it looks")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(within(-1e7, 1e7));
+    command.add_option("--fov", options.fov, "Vertical field of view, degrees")
+        ->check(within(1.0, 170.0))
+        ->capture_default_str();
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("render", "Draw frames without a display");
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("file", options->file, "A .treewind file")->required();
+    command->add_option("-o,--output", options->output, "out.png, frames_%04d.png or clip.mp4")
+        ->capture_default_str();
+    command->add_option("--size", options->size, "Width and height in pixels")->capture_default_str();
+    command->add_option("--frames", options->frames, "Number of frames")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_option("--fps", options->fps, "Frames a second of simulation time")
+        ->check(within(0.001, 10000.0))
+        ->capture_default_str();
+    command
+        ->add_option("--start", options->start,
+                     "Simulation time of the first frame, seconds; the forest moves there from rest")
+        ->check(within(0.0, 1e6))
+        ->capture_default_str();
+    addViewOptions(*command, *options);
+    addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
+    addSunOption(*command, options->sun);
+    command
+        ->add_option("--samples", options->samples,
+                     "Samples a pixel, each with all that is drawn, for smooth edges: 1, 4, 9 or 16")
+        ->check(CLI::IsMember({1, 4, 9, 16}))
+        ->capture_default_str();
+    addBackendOption(*command, options->backend);
+    addShadowsOption(*command, options->shadows);
+    command->add_option("--tiers", options->tiers, "Under the law modal: off draws everything in full")
+        ->check(CLI::IsMember({"on", "off"}));
+    command
+        ->add_option(
+            "--pose", options->pose,
+            "Under a law of a branch: where angles come from, and whether transforms move branches;\n"
+            "all as published when not given")
+        ->check(CLI::IsMember({"cpu", "gpu", "scenegraph"}));
+    command->footer(
+        "The same file and arguments give the same pixels.\n"
+        "Example: osgtreewind render forest.treewind -o clip.mp4 --size 1920x1080 --frames 300 --fps 30");
+    command->callback([options, &exitCode] {
+        const PictureSize size = parsePictureSize(options->size, maxOffscreenSize / samplesAcross(*options));
+        options->width = size.width;
+        options->height = size.height;
+        if (!options->eye.empty() && options->eye == options->center)
+            throw CLI::ValidationError("--eye", "expected another place than --center");
+        exitCode = render(*options);
+    });
+}

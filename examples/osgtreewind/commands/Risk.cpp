@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/output/Progress.h>
+
+#include <examples/osgtreewind/storm/CriticalSpeeds.h>
+#include <examples/osgtreewind/storm/ForestStorm.h>
+#include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/places/PointTable.h>
+#include <osgTreeWind/wind/WindDirection.h>
+
+#include <osgDB/FileNameUtils>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+/// Mean winds 10 m above open country: from where few trees fall to where few stand, m/s.
+constexpr double ladder[] = {12.0, 20.0, 34.0};
+
+struct RiskOptions {
+    std::string file, output;
+    std::optional<double> speed;
+    double direction = 270.0;
+    std::uint32_t seed = 1;
+    std::optional<float> season;
+    TileBox tiles;
+};
+
+/// What comes of storms, by slot.
+struct Risk {
+    std::vector<Storms> feet, boughs; ///< Moments at the foot; shares of what boughs bear.
+    std::vector<float> topWinds;
+};
+
+/// Of the first trees of the forest.
+Risk riskOf(const RiskOptions& options, const PlacedForest& forest, std::size_t count) {
+    std::vector<double> speeds(std::begin(ladder), std::end(ladder));
+    if (options.speed)
+        speeds.push_back(*options.speed);
+    const glm::vec3 toward = windVelocity({1.0, options.direction}, DirectionSense::From);
+    const ForestStorm storm(forest, toward, ThreadPool::executor(), count);
+    Risk risk{std::vector<Storms>(count), std::vector<Storms>(count), storm.topWinds()};
+    Progress progress("storms", speeds.size());
+    for (const double speed : speeds) { // of the same gusts, so that moments grow with the wind
+        const std::vector<ForestStorm::Loads> loads = storm.hourOf(speed, options.seed);
+        for (std::size_t slot = 0; slot < count; ++slot) {
+            risk.feet[slot][speed] = loads[slot].foot;
+            risk.boughs[slot][speed] = loads[slot].bough;
+        }
+        progress.advance();
+    }
+    return risk;
+}
+
+std::optional<double> share(double moment, double limit) {
+    return limit > 0.0 ? std::optional(moment / limit) : std::nullopt;
+}
+
+PointTable tableOf(const RiskOptions& options, const PlacedForest& forest, const Risk& risk) {
+    PointTable table;
+    table.name = "risk";
+    table.crs = forest.description().crs;
+    table.texts = {"id", "species"};
+    table.numbers = {"height_m", "dbh_cm", "uproot_ms", "break_ms", "bough_ms", "top_wind"};
+    if (options.speed)
+        table.numbers.insert(table.numbers.end(), {"uproot_ratio", "break_ratio", "bough_ratio"});
+    for (std::size_t slot = 0; slot < risk.feet.size(); ++slot) {
+        const PlacedTree& tree = forest.trees[slot];
+        const TreePlacement placement = forest.placementOf(slot);
+        const TreeSize size = forest.measured(tree);
+        const Species& species = forest.speciesOf(tree);
+        const TreeStrength strength(forest.modelOf(tree), tree.scale, species);
+        const CriticalSpeeds critical = criticalSpeeds(risk.feet[slot], strength);
+        PointTable::Row row{placement.position,
+                            {placement.name.empty() ? std::to_string(slot) : placement.name, species.name},
+                            {size.height, 100.0 * static_cast<double>(size.trunkDiameter), critical.uproot,
+                             critical.breaking, criticalSpeed(risk.boughs[slot], 1.0), risk.topWinds[slot]}};
+        if (options.speed) {
+            const double moment = risk.feet[slot].at(*options.speed);
+            row.numbers.push_back(share(moment, strength.uproot));
+            row.numbers.push_back(share(moment, strength.breaking));
+            const double bough = risk.boughs[slot].at(*options.speed);
+            row.numbers.push_back(bough > 0.0 ? std::optional(bough) : std::nullopt);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+bool writeCsv(const PointTable& table, const std::string& path) {
+    std::ofstream output(path, std::ios::binary);
+    output << "id,species,x,y";
+    for (const std::string& column : table.numbers)
+        output << ',' << column;
+    output << '\n';
+    char number[32];
+    for (const PointTable::Row& row : table.rows) {
+        output << csvCell(row.texts[0]) << ',' << csvCell(row.texts[1]);
+        for (int axis = 0; axis < 2; ++axis) {
+            std::snprintf(number, sizeof number, ",%.3f", row.position[axis]);
+            output << number;
+        }
+        for (const std::optional<double>& value : row.numbers) {
+            std::snprintf(number, sizeof number, value ? ",%.4g" : ",", value.value_or(0.0));
+            output << number;
+        }
+        output << '\n';
+    }
+    return static_cast<bool>(output.flush());
+}
+
+/// Writes all of it or nothing.
+ExitCode write(const PointTable& table, const std::string& output) {
+    WholeFile whole(output);
+    Diagnostics problems;
+    const bool written = osgDB::getLowerCaseFileExtension(output) == "gpkg"
+                             ? (problems = writeGeoPackage(table, whole.unfinished())).empty()
+                             : writeCsv(table, whole.unfinished());
+    if (!written || !whole.putInPlace()) {
+        std::cerr << output << ": " << (problems.empty() ? "cannot be written" : problems.front().message)
+                  << '\n';
+        return Failed;
+    }
+    std::cout << table.rows.size() << " trees in " << output << '\n';
+    return Succeeded;
+}
+
+ExitCode run(const RiskOptions& options) {
+    const std::string extension = osgDB::getLowerCaseFileExtension(options.output);
+    if (extension != "csv" && extension != "gpkg") {
+        std::cerr << "--output: expected a name that ends in .csv or .gpkg, found " << options.output << '\n';
+        return BadInput;
+    }
+    if (WholeFile(options.output).isTaken()) {
+        std::cerr << "--output: expected a file or nothing yet at " << options.output
+                  << ", found something else\n";
+        return BadInput;
+    }
+    auto part = loadPart(options.file, options.tiles);
+    if (!part)
+        return BadInput;
+    part->forest.season = options.season.value_or(part->forest.season);
+    const PlacedForest forest(std::move(part->forest));
+    return write(tableOf(options, forest, riskOf(options, forest, part->wanted)), options.output);
+}
+
+} // namespace
+
+void addRiskCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("risk", "Write in which winds each tree overturns, breaks or loses boughs");
+    auto options = std::make_shared<RiskOptions>();
+    command->add_option("file", options->file, "A .treewind file")->required();
+    command->add_option("-o,--output", options->output, "A file that ends in .csv or .gpkg")->required();
+    command
+        ->add_option(
+            "--speed", options->speed,
+            "Mean wind of a storm 10 m above open country, m/s: adds the ratios of the largest moment "
+            "in an hour of it to those the tree bears")
+        ->check(within(1.0, 80.0));
+    command->add_option("--direction", options->direction, "Where the wind comes from, degrees from north")
+        ->check(within(-360.0, 360.0))
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
+    addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
+    command->footer(
+        "Columns: id, species, place, height, diameter; uproot_ms, break_ms and bough_ms, the mean winds\n"
+        "10 m above open country in which the largest moment in an hour is what the roots, the stem and\n"
+        "the first of its boughs bear; top_wind, the mean wind at the top of the trees over that. An\n"
+        "empty cell: not known, or beyond 80 m/s.\n"
+        "What it reckons with and what not: docs/risk.md.\n"
+        "Example: osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225");
+    command->callback([options, &exitCode] { exitCode = run(*options); });
+}

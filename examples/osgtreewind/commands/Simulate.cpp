@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/output/Progress.h>
+
+#include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/motion/damage/TreeDamage.h>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct SimulateOptions {
+    std::string file, output = "-";
+    double duration = 10.0, fps = 60.0;
+    bool tips = false, damage = false;
+    std::optional<float> season;
+    TileBox tiles;
+};
+
+/// Of the first trees.
+void writeFrame(std::FILE* out, const ForestSimulation& simulation, std::size_t count, double time,
+                bool tips) {
+    UnitValues values;
+    for (std::size_t t = 0; t < count; ++t) {
+        const PlacedTree& tree = SimulationParts::trees(simulation)[t];
+        const std::vector<BranchUnit>& units =
+            SimulationParts::models(simulation)[tree.model]->skeleton.units;
+        const TreeMotion motion = simulation.motion(t, values);
+        const glm::quat heading = glm::angleAxis(tree.heading, glm::vec3(0, 0, 1));
+        for (std::size_t u = 0; u < units.size(); ++u) {
+            const glm::vec3& wind = motion.winds[u];
+            const glm::vec4& state = motion.states[u];
+            std::fprintf(out, "%.6g,%zu,%zu,%d,%.6g,%.6g,%.6g,%.6g,%.6g", time, t, u, units[u].level, wind.x,
+                         wind.y, wind.z, state.x, state.y);
+            if (tips) {
+                const glm::vec3 tip =
+                    tree.position + heading * motion.poses[u].apply(tree.scale.axes * units[u].tip);
+                std::fprintf(out, ",%.6f,%.6f,%.6f", tip.x, tip.y, tip.z);
+            }
+            std::fputc('\n', out);
+        }
+    }
+}
+
+void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t count, double time) {
+    for (const TreeDamage& damage : simulation.damage()) {
+        if (simulation.slotOf(damage.tree) >= count)
+            continue;
+        const PlacedTree& tree = SimulationParts::trees(simulation)[simulation.slotOf(damage.tree)];
+        const char* const kind = damage.kind == DamageKind::Snapped ? "snapped" : "uprooted";
+        std::fprintf(out, "%.6g,%zu,%s,%s,%s,%u,%.6g,%.6g,%.6g,%.6g,%.6g\n", time,
+                     simulation.slotOf(damage.tree), csvCell(simulation.nameOf(damage.tree)).c_str(),
+                     csvCell(SimulationParts::forest(simulation).speciesOf(tree).name).c_str(), kind,
+                     damage.unit, static_cast<double>(damage.moment), static_cast<double>(damage.limit),
+                     static_cast<double>(damage.wind.x), static_cast<double>(damage.wind.y),
+                     static_cast<double>(damage.wind.z));
+    }
+}
+
+ExitCode simulate(const SimulateOptions& options) {
+    auto part = loadPart(options.file, options.tiles);
+    if (!part)
+        return BadInput;
+    ForestDescription* const description = &part->forest;
+    if (description->wind.canopy.value_or(WindCanopy()).source != CanopySource::Forest)
+        description->trees.resize(part->wanted); // nothing shelters them
+    description->season = options.season.value_or(description->season);
+    if (options.damage && description->law != MotionLaw::Modal) {
+        std::cerr << options.file << ": --damage expects a forest under the law \"modal\"\n";
+        return BadInput;
+    }
+    description->damage = description->damage || options.damage;
+    auto growing = std::make_optional<Progress>("grow", description->trees.size());
+    SimulationOptions simulationOptions;
+    simulationOptions.leaves = false;
+    simulationOptions.placed = [&] { growing->advance(); };
+    ForestSimulation simulation(std::move(*description), simulationOptions);
+    growing.reset();
+
+    const bool toFile = options.output != "-";
+    std::FILE* out = toFile ? std::fopen(options.output.c_str(), "w") : stdout;
+    if (!out) {
+        std::cerr << options.output << ": cannot be written\n";
+        return Failed;
+    }
+    if (options.damage)
+        std::fputs("time,tree,name,species,kind,unit,moment,limit,wind_x,wind_y,wind_z\n", out);
+    else
+        std::fprintf(out, "time,tree,unit,level,wind_x,wind_y,wind_z,angle_a,angle_b%s\n",
+                     options.tips ? ",tip_x,tip_y,tip_z" : "");
+    const auto frames = static_cast<std::size_t>(std::llround(options.duration * options.fps)) + 1;
+    Progress progress("simulate", frames);
+    for (std::size_t frame = 0; frame < frames && !std::ferror(out); ++frame) {
+        const double time = static_cast<double>(frame) / options.fps;
+        simulation.advance(time);
+        if (options.damage)
+            writeDamage(out, simulation, part->wanted, time);
+        else
+            writeFrame(out, simulation, part->wanted, time, options.tips);
+        progress.advance();
+    }
+    const bool failed = std::fflush(out) != 0 || std::ferror(out);
+    if (toFile)
+        std::fclose(out);
+    if (failed)
+        std::cerr << options.output << ": writing failed\n";
+    return failed ? Failed : Succeeded;
+}
+
+} // namespace
+
+void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("simulate", "Compute the motion without graphics, as CSV");
+    auto options = std::make_shared<SimulateOptions>();
+    command->add_option("file", options->file, "A .treewind file")->required();
+    command->add_option("--duration", options->duration, "Seconds to simulate, from time 0")
+        ->check(within(0.0, 1e6))
+        ->capture_default_str();
+    command->add_option("--fps", options->fps, "Steps a second")
+        ->check(within(1e-3, 1e5))
+        ->capture_default_str();
+    command->add_option("-o,--output", options->output, "CSV file, or - for standard output")
+        ->capture_default_str();
+    addSeasonOption(*command, options->season);
+    addTilesOption(*command, options->tiles);
+    command->add_flag("--tips", options->tips, "Add the position of each branch tip, metres in the scene");
+    command->add_flag(
+        "--damage", options->damage,
+        "Trees and boughs that the wind brings down instead, as with damage = true in [motion]");
+    command->footer(
+        "Columns: time (s), tree, unit, level, wind (m/s: x east, y north, z up), angle_a and angle_b\n"
+        "(radians: angleXY and angleYZ of the thesis).\n"
+        "With --damage: time (s), tree, name, species, kind (uprooted, snapped, bough), unit about whose "
+        "base\n"
+        "it falls, moment and limit at the foot or at that base (N m), wind in the crown (m/s).\n"
+        "Example: osgtreewind simulate thesis.treewind --duration 5 --fps 30 --tips -o motion.csv");
+    command->callback([options, &exitCode] { exitCode = simulate(*options); });
+}

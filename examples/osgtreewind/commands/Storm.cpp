@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/commands/OneTree.h>
+#include <examples/osgtreewind/commands/TreeTable.h>
+#include <examples/osgtreewind/output/Json.h>
+
+#include <examples/osgtreewind/storm/StormTree.h>
+#include <examples/osgtreewind/storm/SwayFeatures.h>
+#include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/base/WholeFile.h>
+#include <osgTreeWind/motion/sway/PullAndRelease.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+constexpr double settling = 60.0; // seconds before the first that counts
+
+struct StormOptions : OneTree {
+    double spacing = 0.0, speed = 10.0, duration = 3600.0, step = 0.125;
+    std::uint32_t seed = 1;
+    std::string output, table;
+    bool json = false, critical = true;
+};
+
+/// One of them, ready to be put into it.
+struct StormJob {
+    StormOptions options;
+    Species species;
+    TreePlacement tree;
+
+    explicit StormJob(const StormOptions& given)
+        : options(given), species(given.kind()), tree(options.grown(species)) {
+        if (options.spacing == 0.0) // their crowns are as large as the ground: sqrt(pi / 4)
+            options.spacing = 0.886 * options.crownWidth;
+    }
+};
+
+/// Mean, deviation and largest of the way along and across the wind together.
+class Extent {
+public:
+    void add(const glm::dvec2& value) {
+        _sum += value;
+        _squares += glm::dot(value, value);
+        _max = std::max(_max, glm::length(value));
+        ++_count;
+    }
+    double mean() const { return glm::length(_sum) / count(); }
+    double deviation() const { return std::sqrt(std::max(_squares / count() - mean() * mean(), 0.0)); }
+    double max() const { return _max; }
+    Json json() const { return {{"mean", mean()}, {"sd", deviation()}, {"max", _max}}; }
+
+private:
+    double count() const { return static_cast<double>(std::max<std::size_t>(_count, 1)); }
+
+    glm::dvec2 _sum{0.0};
+    double _squares = 0.0, _max = 0.0;
+    std::size_t _count = 0;
+};
+
+void writeRow(std::FILE* trace, double time, const StormMoment& m) {
+    std::fprintf(trace, "%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", time, m.wind.x, m.wind.y,
+                 m.strain.x, m.strain.y, m.tilt.x, m.tilt.y, m.tip.x, m.tip.y);
+}
+
+/// Null where there are none.
+Json json(const std::optional<SwayFeatures>& features) {
+    if (!features)
+        return nullptr;
+    Json object{{"snr", features->signalToNoise},
+                {"f0_hz", features->frequency},
+                {"damping", nullptr},
+                {"skewness", features->skewness},
+                {"kurtosis", features->kurtosis},
+                {"p999_over_sd", features->peak},
+                {"f0_share", features->share},
+                {"along_over_across", features->alongOverAcross}};
+    if (features->damping)
+        object["damping"] = *features->damping;
+    return object;
+}
+
+/// Null where it is not known, or faster than any wind.
+Json json(const std::optional<double>& speed) {
+    return speed ? Json(*speed) : nullptr;
+}
+
+/// Puts the tree into its storm. @param trace null: none.
+Json measured(const StormJob& job, std::FILE* trace) {
+    const StormOptions& options = job.options;
+    const Storm company{options.speed, options.open ? 0.0 : options.spacing, options.seed};
+    StormTree stormy(job.species, job.tree, company);
+    stormy.advance(settling);
+    Extent moment, tip;
+    std::vector<glm::dvec2> strains;
+    const auto rows = static_cast<std::size_t>(std::llround(options.duration / options.step));
+    for (std::size_t row = 1; row <= rows; ++row) {
+        const double time = options.step * static_cast<double>(row);
+        const StormMoment now = stormy.advance(settling + time);
+        moment.add(now.moment);
+        tip.add(glm::dvec2(now.tip));
+        strains.push_back(now.strain);
+        if (trace)
+            writeRow(trace, time, now);
+    }
+    const std::optional<FreeSway> free = pullAndRelease(job.species, job.tree);
+    const CriticalSpeeds critical =
+        options.critical ? criticalSpeedsOf(job.species, job.tree, company) : CriticalSpeeds();
+    return {
+        {"species", job.species.name},
+        {"dbh_cm", options.diameter},
+        {"height_m", options.height},
+        {"crown_width_m", options.crownWidth},
+        {"spacing_m", options.open ? Json() : Json(options.spacing)},
+        {"leaves", options.leaves},
+        {"speed_ms", options.speed},
+        {"moment", moment.json()},
+        {"tip", tip.json()},
+        {"features", json(free ? swayFeatures(strains, 1.0 / options.step, free->frequency) : std::nullopt)},
+        {"frequency_hz", free ? Json(free->frequency) : Json()},
+        {"critical", {{"uproot", json(critical.uproot)}, {"break", json(critical.breaking)}}}};
+}
+
+void print(const Json& storm) {
+    const auto extent = [&](const char* name, const char* unit) {
+        const Json& of = storm[name];
+        std::printf("%-6s %9.4g %9.4g %9.4g %s\n", name, of["mean"].get<double>(), of["sd"].get<double>(),
+                    of["max"].get<double>(), unit);
+    };
+    const auto critical = [&](const char* name) {
+        const Json& speed = storm["critical"][name];
+        if (speed.is_null())
+            std::printf(" %9s", "-");
+        else
+            std::printf(" %9.3g", speed.get<double>());
+    };
+    std::printf("%s, %.4g cm, %.4g m, %s, %.4g m/s at the top\n", storm["species"].get<std::string>().c_str(),
+                storm["dbh_cm"].get<double>(), storm["height_m"].get<double>(),
+                storm["spacing_m"].is_null() ? "in the open" : "in a stand", storm["speed_ms"].get<double>());
+    std::printf("            mean        sd       max\n");
+    extent("moment", "N m at the ground");
+    extent("tip", "m");
+    std::printf("          uproot     break\ncritical");
+    critical("uproot");
+    critical("break");
+    std::printf(" m/s at the top\n");
+}
+
+ExitCode storm(const StormOptions& options) {
+    const StormJob job(options);
+    std::FILE* trace = options.output.empty() ? nullptr : std::fopen(options.output.c_str(), "w");
+    if (!options.output.empty() && !trace) {
+        std::cerr << options.output << ": cannot be written\n";
+        return Failed;
+    }
+    if (trace)
+        std::fprintf(trace, "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");
+    const Json object = measured(job, trace);
+    bool failed = trace && (std::fflush(trace) != 0 || std::ferror(trace) != 0);
+    if (trace)
+        failed |= std::fclose(trace) != 0;
+    if (failed) {
+        std::cerr << options.output << ": writing failed\n";
+        return Failed;
+    }
+    if (options.json)
+        std::cout << object.dump(2) << '\n';
+    else
+        print(object);
+    return Succeeded;
+}
+
+/// What a table has of each storm: the places in its object, which are called as they are, "moment_max".
+const char* const stormColumns[] = {"/species",
+                                    "/dbh_cm",
+                                    "/height_m",
+                                    "/crown_width_m",
+                                    "/spacing_m",
+                                    "/leaves",
+                                    "/speed_ms",
+                                    "/moment/mean",
+                                    "/moment/sd",
+                                    "/moment/max",
+                                    "/tip/mean",
+                                    "/tip/sd",
+                                    "/tip/max",
+                                    "/features/snr",
+                                    "/features/f0_hz",
+                                    "/features/damping",
+                                    "/features/skewness",
+                                    "/features/kurtosis",
+                                    "/features/p999_over_sd",
+                                    "/features/f0_share",
+                                    "/features/along_over_across",
+                                    "/frequency_hz",
+                                    "/critical/uproot",
+                                    "/critical/break"};
+
+std::string headOfTable() {
+    std::string head;
+    for (const std::string column : stormColumns)
+        head += (head.empty() ? "" : ",") + column.substr(1);
+    std::replace(head.begin(), head.end(), '/', '_');
+    return head + '\n';
+}
+
+std::string rowOfTable(const Json& storm) {
+    std::string row;
+    for (const char* const column : stormColumns) {
+        const Json::json_pointer place(column);
+        const Json value = storm.contains(place) ? storm[place] : Json();
+        row += column == stormColumns[0] ? "" : ",";
+        row += value.is_string() ? csvCell(value.get<std::string>()) : value.is_null() ? "" : value.dump();
+    }
+    return row + '\n';
+}
+
+ExitCode stormTable(const StormOptions& usual) {
+    const std::optional<TreeTable> table = TreeTable::read(usual.table);
+    if (!table)
+        return BadInput;
+    std::vector<StormJob> jobs;
+    std::vector<std::string> ids;
+    for (const CsvTable::Row& row : table->rows()) {
+        StormOptions options = usual;
+        if (!table->read(row, options) || !table->read(row, "spacing_m", 0.1, 1000.0, options.spacing) ||
+            !table->read(row, "speed_ms", 0.0, 80.0, options.speed))
+            return BadInput;
+        jobs.emplace_back(options);
+        ids.push_back(table->hasIds() ? csvCell(table->id(row)) + ',' : "");
+    }
+    std::vector<std::string> rows(jobs.size());
+    ThreadPool::executor()(jobs.size(),
+                           [&](std::size_t i) { rows[i] = ids[i] + rowOfTable(measured(jobs[i], nullptr)); });
+    std::string text = (table->hasIds() ? "id," : "") + headOfTable();
+    for (const std::string& row : rows)
+        text += row;
+    if (usual.output.empty()) {
+        std::cout << text;
+        return Succeeded;
+    }
+    WholeFile whole(usual.output);
+    std::ofstream file(whole.unfinished(), std::ios::binary);
+    if (!(file << text).flush() || !whole.putInPlace()) {
+        std::cerr << usual.output << ": cannot be written\n";
+        return Failed;
+    }
+    return Succeeded;
+}
+
+} // namespace
+
+void addStormCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand(
+        "storm", "Stand one tree in a storm, among its like or alone, and measure its sway");
+    auto options = std::make_shared<StormOptions>();
+    addTreeOptions(*command, *options);
+    command
+        ->add_option("--spacing", options->spacing,
+                     "From tree to tree of the stand, m; without it their crowns just fill the ground")
+        ->check(within(0.1, 1000.0))
+        ->excludes("--open");
+    command
+        ->add_option("--speed", options->speed,
+                     "Mean wind at the top of the canopy, with --open at the top of the tree, m/s")
+        ->check(within(0.0, 80.0))
+        ->capture_default_str();
+    command->add_option("--duration", options->duration, "Seconds that count, after a minute that does not")
+        ->check(within(1.0, 1e6))
+        ->capture_default_str();
+    command->add_option("--step", options->step, "Seconds from row to row of the trace")
+        ->check(within(1e-3, 0.125))
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
+    command->add_option("-o,--output", options->output,
+                        "CSV file for the trace of wind and sway; with --table for its rows");
+    CLI::Option* const json = command->add_flag("--json", options->json, "Print an object instead of lines");
+    command->add_flag("!--no-critical", options->critical, "Leave out critical winds, which take longest");
+    command
+        ->add_option(
+            "--table", options->table,
+            "CSV file of trees, put into storms on all processors: species, dbh_cm, height_m, "
+            "crown_width_m, open, leaves, spacing_m, speed_ms, or what info --trees writes; prints one of "
+            "what --json says")
+        ->excludes(json);
+    command->footer(
+        "The trace: time (s), wind at the top (m/s), strain of the wood at the foot of the trunk, tilt of "
+        "the\n"
+        "trunk at half its height (sine), shift of its top (m); x along the mean wind, y across it.\n"
+        "Features are those of the strain, from twenty minutes on, at steps of 1/8 s or other parts of 1/4 "
+        "s.\n"
+        "Critical: the mean winds at the top in which the largest moment in an hour is what roots and stem "
+        "bear;\n"
+        "the mean of three hours.\n"
+        "Example: osgtreewind storm --species \"Sitka spruce\" --dbh 24 --height 20 --speed 10 --json");
+    command->callback(
+        [options, &exitCode] { exitCode = options->table.empty() ? storm(*options) : stormTable(*options); });
+}

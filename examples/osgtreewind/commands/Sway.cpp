@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/commands/OneTree.h>
+#include <examples/osgtreewind/commands/TreeTable.h>
+#include <examples/osgtreewind/output/Json.h>
+
+#include <examples/osgtreewind/storm/SwayModes.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/motion/sway/PullAndRelease.h>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct SwayOptions : OneTree {
+    double pull = 0.05;
+    bool json = false;
+    std::optional<float> season;
+    std::string table;
+};
+
+void listSpecies() {
+    for (const Species& species : SpeciesCatalogue::current().species()) {
+        std::printf("%s", species.name.c_str());
+        for (const std::string& alias : species.aliases)
+            std::printf(", %s", alias.c_str());
+        std::printf("\n  %s\n", species.source.c_str());
+    }
+}
+
+/// The tree that the options ask for; fills in what they leave open.
+TreePlacement treeOf(SwayOptions& options, const Species& species) {
+    TreePlacement tree = options.grown(species);
+    if (options.season)
+        tree.leaves *= leafShare(species.appearance, *options.season);
+    return tree;
+}
+
+void printObject(const SwayOptions& options, const Species& species, const FreeSway& free,
+                 const std::vector<SwayMode>& modes) {
+    Json list = Json::array();
+    for (const SwayMode& mode : modes)
+        list.push_back({{"hz", mode.frequency}, {"damping", mode.dampingRatio}, {"share", mode.share}});
+    std::cout << Json{{"species", species.name},
+                      {"dbh_cm", options.diameter},
+                      {"height_m", options.height},
+                      {"crown_width_m", options.crownWidth},
+                      {"open_grown", options.open},
+                      {"leaves", options.leaves},
+                      {"frequency_hz", free.frequency},
+                      {"damping_ratio", free.dampingRatio},
+                      {"modes", list}}
+                     .dump(2)
+              << '\n';
+}
+
+void printLines(const SwayOptions& options, const Species& species, const FreeSway& free,
+                const std::vector<SwayMode>& modes) {
+    std::printf("%s, %.4g cm, %.4g m: frequency %.4f Hz, damping ratio %.3f\n\n", species.name.c_str(),
+                options.diameter, options.height, free.frequency, free.dampingRatio);
+    std::printf("modes      Hz  damping  share of gusts\n");
+    for (std::size_t k = 0; k < modes.size(); ++k)
+        std::printf("%5zu %7.3f  %7.3f  %14.3f\n", k + 1, modes[k].frequency, modes[k].dampingRatio,
+                    modes[k].share);
+}
+
+ExitCode sway(SwayOptions options) {
+    const Species species = options.kind();
+    const TreePlacement tree = treeOf(options, species);
+    const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
+    if (!free) {
+        std::cerr << "the tree does not swing: three periods take more than ten minutes\n";
+        return Failed;
+    }
+    (options.json ? printObject : printLines)(options, species, *free, swayModes(species, tree));
+    return Succeeded;
+}
+
+/// A tree for each row; what a row or the table does not say is as in the options.
+ExitCode swayTable(const SwayOptions& usual) {
+    const std::optional<TreeTable> table = TreeTable::read(usual.table);
+    if (!table)
+        return BadInput;
+    std::printf("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,damping_ratio\n");
+    for (const CsvTable::Row& row : table->rows()) {
+        SwayOptions options = usual;
+        if (!table->read(row, options))
+            return BadInput;
+        const Species species = options.kind();
+        const TreePlacement tree = treeOf(options, species);
+        const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
+        std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
+                    options.crownWidth, options.open ? 1 : 0, options.leaves);
+        if (free)
+            std::printf("%.4f,%.4f\n", free->frequency, free->dampingRatio);
+        else
+            std::printf(",\n"); // it does not swing
+    }
+    return Succeeded;
+}
+
+} // namespace
+
+void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("sway", "Pull one tree, let go in a calm and measure how it sways");
+    auto options = std::make_shared<SwayOptions>();
+    addTreeOptions(*command, *options);
+    addSeasonOption(*command, options->season);
+    command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
+        ->check(within(1e-4, 0.2))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print an object instead of a line");
+    command->add_option(
+        "--table", options->table,
+        "CSV file of trees: species, dbh_cm, height_m, crown_width_m, open, leaves, or what info --trees "
+        "writes; prints one "
+        "with their frequencies and damping ratios");
+    auto list = std::make_shared<bool>(false);
+    command->add_flag("--list", *list, "List the built-in species and their sources");
+    command->footer(
+        "The frequency is that of the top of the trunk; method and validation: docs/validation.md.\n"
+        "A crown that is not given follows the diameter, another size the shape of the species.\n"
+        "Example: osgtreewind sway --species oak --dbh 40 --height 18 --json");
+    command->callback([options, list, &exitCode] {
+        if (*list)
+            listSpecies();
+        else if (!options->table.empty())
+            exitCode = swayTable(*options);
+        else
+            exitCode = sway(*options);
+    });
+}

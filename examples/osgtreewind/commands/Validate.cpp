@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+
+#include <osgTreeWind/io/TiledForest.h>
+
+#include <iostream>
+
+void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command = app.add_subcommand("validate", "List every problem of a file, with line and column");
+    auto file = std::make_shared<std::string>();
+    command->add_option("file", *file, "A .treewind file")->required();
+    command->footer("Example: osgtreewind validate forest.treewind");
+    command->callback([file, &exitCode] {
+        auto forest = osgTreeWind::readForestFile(*file);
+        osgTreeWind::Diagnostics problems = forest.problems();
+        if (forest)
+            problems = loadTiles(forest.value()).problems();
+        if (problems.empty()) {
+            for (const std::string& note : forest.value().notes)
+                std::cout << *file << ": note: " << note << '\n';
+            std::cout << *file << ": good, " << forest.value().trees.size() << " trees\n";
+            return;
+        }
+        for (const osgTreeWind::Diagnostic& problem : problems)
+            std::cerr << problem.text() << '\n';
+        exitCode = BadInput;
+    });
+}

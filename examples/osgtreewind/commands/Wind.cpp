@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/output/Json.h>
+#include <examples/osgtreewind/scene/Arrows.h>
+
+#include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/windfiles/WindFile.h>
+
+#include <glm/geometric.hpp>
+#include <osgDB/WriteFile>
+
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+namespace {
+
+using namespace osgTreeWind;
+
+struct WindArguments {
+    std::vector<std::string> files;
+    std::vector<double> times;
+    std::string unit = "m/s";
+    std::string crs;
+    std::vector<double> at;
+    std::string time = "0";
+    std::string picture;
+    bool json = false;
+};
+
+const char* heightsOf(const WindSummary& summary) {
+    return summary.aboveGround ? "above the ground" : "above the zero of the file";
+}
+
+Json toJson(const WindSummary& summary) {
+    Json times = {{"count", std::max<std::size_t>(1, summary.times.size())}};
+    if (!summary.times.empty())
+        times.update({{"first", summary.times.front()}, {"last", summary.times.back()}});
+    if (!summary.start.empty())
+        times["start"] = summary.start;
+    return {{"format", summary.format},
+            {"points", {summary.points.x, summary.points.y, summary.points.z}},
+            {"extent", {{"low", vectorJson(summary.low)}, {"high", vectorJson(summary.high)}}},
+            {"coordinates", summary.coordinates},
+            {"crs", summary.crs},
+            {"heights", heightsOf(summary)},
+            {"unit", summary.unit},
+            {"direction", summary.direction},
+            {"times", times},
+            {"speed", {{"slowest", summary.slowest}, {"fastest", summary.fastest}}},
+            {"notes", summary.notes}};
+}
+
+/// With as many digits as are worth reading.
+std::string text(double number, int digits) {
+    std::ostringstream out;
+    out << std::setprecision(digits) << number;
+    return out.str();
+}
+
+std::string text(const glm::dvec3& v, int digits) {
+    return text(v.x, digits) + ", " + text(v.y, digits) + ", " + text(v.z, digits);
+}
+
+void print(const WindSummary& summary) {
+    const auto row = [](const char* name) -> std::ostream& {
+        return std::cout << std::left << std::setw(12) << name;
+    };
+    row("format") << summary.format << '\n';
+    row("points") << summary.points.x << " east, " << summary.points.y << " north, " << summary.points.z
+                  << " up\n";
+    row("extent") << text(summary.low, 9) << " to " << text(summary.high, 9) << '\n';
+    row("heights") << heightsOf(summary) << ", m\n";
+    if (!summary.coordinates.empty())
+        row("coordinates") << summary.coordinates << '\n';
+    row("unit") << (summary.unit.empty() ? "not in the file" : summary.unit) << '\n';
+    row("direction") << summary.direction << '\n';
+    if (summary.times.empty())
+        row("times") << "1\n";
+    else
+        row("times") << summary.times.size() << ", " << text(summary.times.front(), 9) << " to "
+                     << text(summary.times.back(), 9) << " s\n";
+    if (!summary.start.empty())
+        row("start") << summary.start << '\n';
+    row("speed") << text(summary.slowest, 4) << " to " << text(summary.fastest, 4) << " m/s\n";
+    for (const std::string& note : summary.notes)
+        row("note") << note << '\n';
+}
+
+/// The wind with the map place `origin` at the scene's middle, where floats are exact; else its problem is
+/// printed.
+std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& origin) {
+    WindFileOptions options;
+    options.speedUnit = arguments.unit;
+    options.origin = origin;
+    options.crs = arguments.crs;
+    options.low = glm::dvec2(-1000.0);
+    options.high = glm::dvec2(1000.0);
+    options.asStored = arguments.crs.empty();
+    const bool alone = arguments.files.size() == 1 && arguments.times.empty();
+    Result<WindFile> wind = alone ? readWindFile(arguments.files.front(), options)
+                                  : readWindFiles(arguments.files, arguments.times, options);
+    if (wind)
+        return std::move(wind.value());
+    std::cerr << wind.problems().front().text() << '\n';
+    return {};
+}
+
+/// Seconds of a wind's own time; nothing where its file does not say when that is.
+std::optional<double> secondsOf(const std::string& time, const WindSummary& summary) {
+    if (const auto seconds = parseNumber(time))
+        return seconds;
+    const auto asked = parseIsoTime(time), start = parseIsoTime(summary.start);
+    return asked && start ? std::optional<double>(*asked - *start) : std::nullopt;
+}
+
+ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
+    const std::vector<double>& at = arguments.at;
+    const auto time = secondsOf(arguments.time, wind.summary);
+    if (!time) {
+        std::cerr << "--time: expected seconds, or a date and time of a file that says its own; found "
+                  << arguments.time << '\n';
+        return BadInput;
+    }
+    const glm::dvec3 velocity = asField(wind.wind)->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, *time);
+    if (!wind.covers(glm::dvec2(0.0)))
+        std::cerr << arguments.files.front()
+                  << ": note: the place lies outside its grid; the wind at its edge holds\n";
+    if (arguments.json) {
+        std::cout << Json{{"at", {at[0], at[1], at[2]}},
+                          {"crs", arguments.crs.empty() ? wind.summary.crs : arguments.crs},
+                          {"heights", heightsOf(wind.summary)},
+                          {"time", *time},
+                          {"velocity", vectorJson(velocity)},
+                          {"speed", glm::length(velocity)},
+                          {"notes", wind.summary.notes}}
+                         .dump(2)
+                  << '\n';
+        return Succeeded;
+    }
+    std::cout << text(velocity, 6) << " m/s toward east, north, up\n";
+    for (const std::string& note : wind.summary.notes)
+        std::cerr << arguments.files.front() << ": note: " << note << '\n';
+    return Succeeded;
+}
+
+ExitCode drawPicture(const WindArguments& arguments, const WindSummary& summary) {
+    const glm::dvec3 corner{summary.low.x, summary.low.y, 0.0};
+    const auto wind = load(arguments, corner);
+    if (!wind)
+        return BadInput;
+    const auto image =
+        drawArrows(*asField(wind->wind), summary.low - corner, summary.high - corner, summary.fastest);
+    if (osgDB::writeImageFile(*image, arguments.picture))
+        return Succeeded;
+    std::cerr << arguments.picture << ": cannot be written\n";
+    return Failed;
+}
+
+ExitCode run(const WindArguments& arguments) {
+    glm::dvec3 origin(0.0);
+    if (!arguments.at.empty())
+        origin = {arguments.at[0], arguments.at[1], 0.0};
+    const auto wind = load(arguments, origin);
+    if (!wind)
+        return BadInput;
+    if (!arguments.at.empty()) {
+        if (const ExitCode problem = printVelocity(*wind, arguments); problem != Succeeded)
+            return problem;
+    } else if (arguments.json)
+        std::cout << toJson(wind->summary).dump(2) << '\n';
+    else
+        print(wind->summary);
+    return arguments.picture.empty() ? Succeeded : drawPicture(arguments, wind->summary);
+}
+
+} // namespace
+
+void addWindCommand(CLI::App& app, ExitCode& exitCode) {
+    CLI::App* command =
+        app.add_subcommand("wind", "Show what a file of wind data says, or the wind at a place");
+    auto arguments = std::make_shared<WindArguments>();
+    command
+        ->add_option("file", arguments->files,
+                     "ESRI ASCII or GeoTIFF pair, VTK, NetCDF, GRIB, TurbSim, TOA5, QES XML or CSV; several "
+                     "in the order of their times")
+        ->required();
+    command
+        ->add_option("--times", arguments->times,
+                     "t1,t2,...: seconds at which several files of one time each hold, if not when they say")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    CLI::Option* at =
+        command
+            ->add_option(
+                "--at", arguments->at,
+                "x,y,z: the wind there. In the file's own coordinates, or on --crs; z in metres above what "
+                "the file's heights are above")
+            ->delimiter(',')
+            ->expected(3)
+            ->check(within(-1e15, 1e15))
+            ->allow_extra_args(false);
+    command
+        ->add_option("--time", arguments->time,
+                     "Seconds since the file's first time, or a date and time: 2017-10-26T15:00Z")
+        ->needs(at);
+    command
+        ->add_option("--crs", arguments->crs,
+                     "Map of --at, in metres: EPSG:32611, say; velocities are turned to it")
+        ->needs(at);
+    command->add_option("--unit", arguments->unit,
+                        "Of speeds where the file does not say: m/s, km/h, kn, mph, ft/s");
+    command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->footer("Example: osgtreewind wind wind.vtk --at 120,40,10");
+    command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/pictures/Offscreen.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <regex>
+#include <unistd.h>
+
+PictureSize parsePictureSize(const std::string& text, int largest) {
+    static const std::regex form("([0-9]{1,5})x([0-9]{1,5})");
+    std::smatch match;
+    if (!std::regex_match(text, match, form))
+        throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, found " + text);
+    const PictureSize size{std::stoi(match[1]), std::stoi(match[2])};
+    if (std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > largest)
+        throw CLI::ValidationError("--size",
+                                   "expected sides from 1 to " + std::to_string(largest) + ", found " + text);
+    return size;
+}
+
+void addBackendOption(CLI::App& command, std::string& backend) {
+    command.add_option("--backend", backend, "Where OpenGL comes from")
+        ->check(CLI::IsMember({"osmesa", "egl"}))
+        ->capture_default_str();
+}
+
+ExitCode runOtherBackend(const std::string& backend) {
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+    const std::filesystem::path other =
+        self.parent_path() / (backend == "egl" ? "osgtreewind-egl" : "osgtreewind");
+    if (other == self) {
+        std::cerr << "osgtreewind was built without the backend \"" << backend << "\"\n";
+        return Failed;
+    }
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(file, word, '\0');)
+        words.push_back(word);
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execv(other.c_str(), arguments.data());
+    std::cerr << other.string() << ": cannot be run, so there is no backend \"" << backend << "\"\n";
+    return Failed;
+}

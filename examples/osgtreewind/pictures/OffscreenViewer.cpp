@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/pictures/OffscreenViewer.h>
+
+#include <osgTreeWind/offscreen/FrameImage.h>
+#include <osgTreeWind/offscreen/OffscreenContext.h>
+
+#include <glm/gtc/color_space.hpp>
+
+#include <array>
+#include <cmath>
+#include <iostream>
+
+namespace {
+
+/// Between sRGB bytes and linear light.
+struct SrgbTables {
+    std::array<float, 256> linear;
+    std::array<unsigned char, 16384> bytes; ///< By linear light, fine enough for the darkest byte.
+
+    SrgbTables() {
+        for (std::size_t i = 0; i < linear.size(); ++i)
+            linear[i] = glm::convertSRGBToLinear(glm::vec3(static_cast<float>(i) / 255.0f)).x;
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            const float light = static_cast<float>(i) / static_cast<float>(bytes.size() - 1);
+            bytes[i] = static_cast<unsigned char>(
+                std::lround(255.0f * glm::convertLinearToSRGB(glm::vec3(light)).x));
+        }
+    }
+    unsigned char byte(float light) const {
+        return bytes[static_cast<std::size_t>(light * static_cast<float>(bytes.size() - 1) + 0.5f)];
+    }
+};
+
+/// The mean light of factor x factor pixels. Edges of leaves are as smooth as all others without OpenGL's own
+/// samples.
+void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
+    static const SrgbTables tables;
+    const int count = factor * factor;
+    for (int y = 0; y < to.t(); ++y)
+        for (int x = 0; x < to.s(); ++x) {
+            float sum[3] = {};
+            for (int i = 0; i < count; ++i) {
+                const unsigned char* pixel = from.data(x * factor + i % factor, y * factor + i / factor);
+                for (int channel = 0; channel < 3; ++channel)
+                    sum[channel] += tables.linear[pixel[channel]];
+            }
+            for (int channel = 0; channel < 3; ++channel)
+                to.data(x, y)[channel] = tables.byte(sum[channel] / static_cast<float>(count));
+            to.data(x, y)[3] = 255;
+        }
+}
+
+} // namespace
+
+OffscreenViewer::OffscreenViewer(int width, int height, int samplesAcross)
+    : _samplesAcross(samplesAcross), _image(new osg::Image) {
+    _image->allocateImage(width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    auto context = osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross);
+    if (!context) {
+        std::cerr << context.problems().front().text() << '\n';
+        return;
+    }
+    _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
+    _viewer.setKeyEventSetsDone(0);
+    _viewer.setLightingMode(osg::View::NO_LIGHT);
+    _drawn = osgTreeWind::attachFrameImage(*_viewer.getCamera(), *context.value());
+    _viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
+    // Pixels are those of the picture, not samples.
+    _viewer.getCamera()->setLODScale(static_cast<float>(samplesAcross));
+}
+
+osg::Image& OffscreenViewer::frame(double time) {
+    _viewer.frame(time);
+    averagePixels(*_drawn, *_image, _samplesAcross);
+    return *_image;
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Setting.h>
+#include <examples/osgtreewind/pictures/OffscreenViewer.h>
+#include <examples/osgtreewind/portraits/PortraitMotion.h>
+
+#include <examples/osgtreewind/portraits/LeafEdges.h>
+#include <osgTreeWind/drawing/instanced/TreeTiers.h>
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace {
+
+using namespace osgTreeWind;
+
+using Luminance = std::vector<double>; ///< By pixel, [0, 255].
+
+/// A box about a tree, from a distance.
+class TreeInView {
+public:
+    TreeInView(const Species& species, double distance, int samplesAcross)
+        : _forest(new Forest(describe(species))), _size(sizeOf(*_forest)), _samplesAcross(samplesAcross),
+          _perMetre(static_cast<double>(EdgePicture::pixelsPerMetreAt1m) / distance),
+          _viewer(pixels(1.1f * _size.crownWidth), pixels(1.1f * _size.height), samplesAcross) {
+        if (!_viewer.valid())
+            return;
+        osg::Camera& camera = *_viewer.viewer().getCamera();
+        const double height = camera.getViewport()->height(), width = camera.getViewport()->width();
+        const double half =
+            0.5 * height / (samplesAcross * static_cast<double>(EdgePicture::pixelsPerMetreAt1m));
+        camera.setProjectionMatrixAsFrustum(-half * width / height, half * width / height, -half, half, 1.0,
+                                            2.0 * distance + 1000.0);
+        const double middle = 0.5 * static_cast<double>(_size.height);
+        camera.setViewMatrixAsLookAt({0.36 * distance, -0.93 * distance, middle}, {0.0, 0.0, middle},
+                                     osg::Z_AXIS);
+        _viewer.viewer().setSceneData(createSetting(*_forest));
+    }
+
+    bool valid() const { return _viewer.valid(); }
+
+    /// @param seenAs height on the screen by which its tier is chosen, over what it is.
+    Luminance frame(double time, double seenAs = 1.0) {
+        _viewer.viewer().getCamera()->setLODScale(static_cast<float>(_samplesAcross / seenAs));
+        const osg::Image& image = _viewer.frame(time);
+        Luminance luminance;
+        for (int y = 0; y < image.t(); ++y)
+            for (int x = 0; x < image.s(); ++x) {
+                const unsigned char* rgb = image.data(static_cast<unsigned>(x), static_cast<unsigned>(y));
+                luminance.push_back(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
+            }
+        return luminance;
+    }
+
+private:
+    static ForestDescription describe(const Species& species) {
+        ForestDescription forest;
+        forest.species = {species};
+        forest.trees.resize(1);
+        forest.wind = std::make_shared<UniformWind>(glm::vec3(2.0f, 0.0f, 0.0f));
+        return forest;
+    }
+    static TreeSize sizeOf(const Forest& forest) {
+        const ForestSimulation& simulation = forest.getSimulation();
+        return SimulationParts::forest(simulation).measured(SimulationParts::trees(simulation).front());
+    }
+    int pixels(float metres) const {
+        return static_cast<int>(std::lround(_perMetre * static_cast<double>(metres)));
+    }
+
+    osg::ref_ptr<Forest> _forest;
+    TreeSize _size;
+    int _samplesAcross;
+    double _perMetre;
+    OffscreenViewer _viewer;
+};
+
+/// Root mean square from frame to frame.
+std::optional<double> changeOf(const Species& species, int samplesAcross) {
+    constexpr int frames = 4;
+    TreeInView tree(species, 40.0, samplesAcross);
+    if (!tree.valid())
+        return {};
+    double time = 0.0, sum = 0.0;
+    for (; time < 2.5; time += 1.0) // it begins at rest
+        tree.frame(time);
+    Luminance before = tree.frame(time);
+    for (int i = 0; i < frames; ++i) {
+        const Luminance now = tree.frame(time += 1.0 / 30.0);
+        for (std::size_t pixel = 0; pixel < now.size(); ++pixel)
+            sum +=
+                (now[pixel] - before[pixel]) * (now[pixel] - before[pixel]) / static_cast<double>(now.size());
+        before = now;
+    }
+    return std::sqrt(sum / frames);
+}
+
+/// Heights, whole pixels, below which the next tier begins.
+std::vector<double> thresholds() {
+    const TreeTiers tiers;
+    std::vector<double> heights;
+    for (float pixels = DrawingOptions().full; pixels > 0.0f; --pixels)
+        if (tiers.choose(pixels).fade == 1.0f && tiers.choose(pixels - 1.0f).fade < 1.0f)
+            heights.push_back(pixels);
+    return heights;
+}
+
+double changedShare(const Luminance& a, const Luminance& b) {
+    std::size_t changed = 0;
+    for (std::size_t pixel = 0; pixel < a.size(); ++pixel)
+        changed += std::abs(a[pixel] - b[pixel]) > 16.0;
+    return static_cast<double>(changed) / static_cast<double>(a.size());
+}
+
+std::optional<PortraitMotion::Pop> popAt(const Species& species, double height, double pixels) {
+    const double distance = static_cast<double>(EdgePicture::pixelsPerMetreAt1m) * height / pixels;
+    TreeInView tree(species, distance, 2);
+    if (!tree.valid())
+        return {};
+    const auto seen = [&](double seenAs) {
+        tree.frame(0.0, seenAs); // what is seen for the first time is there from the next one on
+        return tree.frame(0.0, seenAs);
+    };
+    const double blend = DrawingOptions().blend, nearer = 1.0 + 2.0 / 30.0 / distance;
+    PortraitMotion::Pop pop{pixels, changedShare(seen(1.01), seen(0.99 * (1.0 - blend))), 0.0};
+    for (const double fade : {0.02, 0.25, 0.5, 0.75, 0.98}) {
+        const double at = 1.0 - blend * fade;
+        pop.pop = std::max(pop.pop, changedShare(seen(at), seen(at * nearer)));
+    }
+    return pop;
+}
+
+} // namespace
+
+std::optional<PortraitMotion> measureMotion(const Species& species) {
+    PortraitMotion motion;
+    const std::optional<double> coarse = changeOf(species, 2), fine = changeOf(species, 8);
+    if (!coarse || !fine)
+        return {};
+    motion.flicker = *coarse / std::max(*fine, 1e-9);
+    const double height = measureTree(makeTreeModel(species.tree)).height;
+    for (const double pixels : thresholds()) {
+        const auto pop = popAt(species, height, pixels);
+        if (!pop)
+            return {};
+        motion.pops.push_back(*pop);
+    }
+    return motion;
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/commands/Setting.h>
+#include <examples/osgtreewind/pictures/OffscreenViewer.h>
+#include <examples/osgtreewind/pictures/PanelLabel.h>
+#include <examples/osgtreewind/portraits/PortraitSheet.h>
+
+#include <osgTreeWind/motion/ForestSimulation.h>
+#include <osgTreeWind/motion/SimulationParts.h>
+#include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/SizeLaws.h>
+
+#include <osg/Math>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+const char* const portraitLayout =
+    "The sheet, from left to right:\n"
+    "  summer: bark at 3 m, leaves at 3 m, the tree lit from the front, from behind, its silhouette\n"
+    "  winter: the same\n"
+    "  three shapes at 10, 50 and 200 m through the tiers, the tree in --season and in autumn\n"
+    "Each says what it is where that fits, from --panel 128 on.";
+
+namespace {
+
+using namespace osgTreeWind;
+
+constexpr int sheetColumns = 5, sheetRows = 3, panelSamplesAcross = 3;
+
+/// Of a tree in a forest by the species' own laws, as high as it grows; nothing where they do not tell.
+TreeSize forestSize(Species species) {
+    species.height.spread = species.crown.spread = 0.0f;
+    return species.tree.grown && species.height.scale > 0.0f
+               ? estimateSize({species.tree.grown->height, 0.0f, 0.0f}, species, false, "").size
+               : TreeSize{};
+}
+
+/// Trees of different shapes side by side across the view, the first at the origin.
+osg::ref_ptr<Forest> row(const Species& species, bool openGrown, int trees, bool tiers) {
+    ForestDescription forest;
+    forest.species = {species};
+    forest.species[0].shapes = std::max(species.shapes, trees);
+    const double apart = 1.25 * static_cast<double>(measureTree(makeTreeModel(species.tree)).crownWidth);
+    for (int i = 0; i < trees; ++i) {
+        TreePlacement tree;
+        const int pair = (i + 1) / 2;
+        const double place = apart * pair * (i % 2 ? 1.0 : -1.0);
+        tree.position = {0.74 * place, 0.67 * place, 0.0};
+        tree.seed = static_cast<std::uint32_t>(i);
+        tree.openGrown = openGrown;
+        if (!openGrown)
+            tree.size = forestSize(species);
+        forest.trees.push_back(tree);
+    }
+    forest.drawing.tiers = tiers;
+    return new Forest(std::move(forest));
+}
+
+class Sheet {
+public:
+    Sheet(const Species& species, bool openGrown, int panel)
+        : _company(openGrown ? "open" : "forest"), _drawing(panel, panel, panelSamplesAcross),
+          _tree(row(species, openGrown, 1, false)), _trees(row(species, openGrown, 3, true)),
+          _treeSetting(createSetting(*_tree)), _treesSetting(createSetting(*_trees)), _image(new osg::Image) {
+        const PlacedTree& tree = SimulationParts::trees(_tree->getSimulation()).front();
+        _size = SimulationParts::forest(_tree->getSimulation()).measured(tree);
+        const auto& leaves = SimulationParts::models(_tree->getSimulation()).front()->leaves;
+        for (const LeafCluster& leaf : leaves)
+            _leaves +=
+                osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());
+        _image->allocateImage(sheetColumns * panel, sheetRows * panel, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    }
+
+    bool valid() const { return _drawing.valid(); }
+
+    osg::ref_ptr<osg::Image> draw(float season) {
+        _drawing.viewer().getCamera()->setProjectionMatrixAsPerspective(fieldOfView, 1.0, 0.5, 10000.0);
+        drawSeason("summer", midsummer, 0);
+        drawSeason("winter", midwinter, 1);
+        far(10, 0);
+        far(50, 1);
+        far(200, 2);
+        _tree->setSeason(season);
+        whole(lit, nameOf(season), 3, 2);
+        _tree->setSeason(midautumn);
+        whole(lit, "autumn", 4, 2);
+        return _image;
+    }
+
+private:
+    static constexpr double fieldOfView = 36.0;
+    static inline const osg::Vec3d lit{0.36, -0.93,
+                                       0.0}; ///< Toward an eye that has the sun beside and behind it.
+    static inline const osg::Vec3d against{-0.67, 0.74, 0.0};
+
+    static std::string nameOf(float season) {
+        std::ostringstream number;
+        number << "season " << std::setprecision(3) << season;
+        return season == midspring ? "spring" : number.str();
+    }
+
+    void drawSeason(const std::string& name, float season, int row) {
+        _tree->setSeason(season);
+        look(_treeSetting, lit * (3.0 + 0.5 * static_cast<double>(_size.trunkDiameter)) + up(1.6), up(1.9));
+        put(shot(), "bark, " + name, 0, row);
+        const osg::Vec3d edge = lit * (0.5 * static_cast<double>(_size.crownWidth));
+        look(_treeSetting, edge + lit * 3.0 + _leaves - up(1.0), edge * 0.8 + _leaves);
+        put(shot(), "leaves, " + name, 1, row);
+        whole(lit, name + ", " + _company, 2, row);
+        whole(against, "against the sun", 3, row);
+        silhouette(name, row);
+    }
+
+    void far(int metres, int column) {
+        const double distance = metres;
+        const double rise = std::min(0.45 * static_cast<double>(_size.height), 1.6 + 0.22 * distance);
+        look(_treesSetting, lit * distance + up(1.6), up(rise));
+        put(shot(), "at " + std::to_string(metres) + " m", column, 2);
+    }
+
+    void whole(const osg::Vec3d& toEye, const std::string& label, int column, int row) {
+        lookAtWhole(_treeSetting, toEye);
+        put(shot(), label, column, row);
+    }
+
+    /// Black is what hides a white background and not a black one.
+    void silhouette(const std::string& name, int row) {
+        lookAtWhole(_tree, lit);
+        osg::ref_ptr<osg::Image> white, black;
+        for (osg::ref_ptr<osg::Image>* image : {&white, &black}) {
+            const float grey = image == &white ? 1.0f : 0.0f;
+            const osg::Vec4 former = _drawing.viewer().getCamera()->getClearColor();
+            _drawing.viewer().getCamera()->setClearColor(osg::Vec4(grey, grey, grey, 1.0f));
+            *image = new osg::Image(shot());
+            _drawing.viewer().getCamera()->setClearColor(former);
+        }
+        for (unsigned i = 0; i < white->getTotalSizeInBytes(); ++i)
+            white->data()[i] = static_cast<unsigned char>(white->data()[i] - black->data()[i]);
+        put(*white, "outline, " + name, 4, row);
+    }
+
+    static osg::Vec3d up(double metres) { return {0.0, 0.0, metres}; }
+
+    void lookAtWhole(osg::Node* scene, const osg::Vec3d& toEye) {
+        const double height = _size.height, size = std::max(height, static_cast<double>(_size.crownWidth));
+        const double distance = 0.51 * size / std::tan(osg::DegreesToRadians(0.5 * fieldOfView));
+        look(scene, toEye * (distance + 0.25 * static_cast<double>(_size.crownWidth)) + up(1.6),
+             up(0.47 * height));
+    }
+
+    void look(osg::Node* scene, const osg::Vec3d& eye, const osg::Vec3d& center) {
+        if (_drawing.viewer().getSceneData() != scene)
+            _drawing.viewer().setSceneData(scene);
+        _drawing.viewer().getCamera()->setViewMatrixAsLookAt(eye, center, osg::Z_AXIS);
+    }
+
+    osg::Image& shot() {
+        _drawing.frame(0.0); // what is seen for the first time is there from the next one on
+        return _drawing.frame(0.0);
+    }
+
+    void put(osg::Image& panel, const std::string& label, int column, int row) {
+        writeLabel(panel, label);
+        for (int y = 0; y < panel.t(); ++y)
+            for (int x = 0; x < panel.s(); ++x)
+                std::copy_n(panel.data(static_cast<unsigned>(x), static_cast<unsigned>(y)), 3,
+                            _image->data(static_cast<unsigned>(column * panel.s() + x),
+                                         static_cast<unsigned>((sheetRows - 1 - row) * panel.t() + y)));
+    }
+
+    std::string _company;
+    OffscreenViewer _drawing;
+    osg::ref_ptr<Forest> _tree, _trees;
+    osg::ref_ptr<osg::Group> _treeSetting, _treesSetting;
+    osg::ref_ptr<osg::Image> _image;
+    TreeSize _size;
+    osg::Vec3d _leaves; ///< Middle of them.
+};
+
+} // namespace
+
+osg::ref_ptr<osg::Image> drawPortrait(const Species& species, bool openGrown, int panel, float season) {
+    Sheet sheet(species, openGrown, panel);
+    return sheet.valid() ? sheet.draw(season) : osg::ref_ptr<osg::Image>();
+}

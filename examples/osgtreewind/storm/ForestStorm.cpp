@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/storm/ForestStorm.h>
+
+#include <examples/osgtreewind/storm/OpenCountry.h>
+#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/wind/WindSampler.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double step = 0.2, settling = 60.0, hour = 3600.0; // seconds
+
+std::shared_ptr<const CanopyMap> canopyAround(const std::vector<CanopyTree>& trees,
+                                              const WindCanopy& canopy) {
+    auto referred = std::make_shared<CanopyMap>(*canopyOf(trees, canopy));
+    referred->refer(static_cast<float>(canopy.reference));
+    return referred;
+}
+
+} // namespace
+
+ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor,
+                         std::size_t most)
+    : _forest(forest), _toward(toward), _executor(executor) {
+    std::vector<ModalTree> swaying;
+    std::vector<CanopyTree> standing;
+    for (std::size_t slot = 0; slot < forest.trees.size(); ++slot) {
+        const PlacedTree& tree = forest.trees[slot];
+        if (!tree.alive)
+            continue;
+        const TreeModel& model = forest.modelOf(tree);
+        const Species& species = forest.speciesOf(tree);
+        standing.emplace_back(model, tree.scale, species, tree.leaves, glm::vec2(tree.position));
+        if (slot >= most)
+            continue;
+        _slots.push_back(slot);
+        swaying.push_back(
+            {{&model, &species, tree.scale, tree.leaves}, tree.position, tree.heading, ModalLevel::Far});
+        const SwayingTree& form = swaying.back().form;
+        const std::vector<UnitLoad> loads = makeUnitLoads(model, form.scale, species, form.leaves);
+        _joints.push_back({{0, loads[0].stiffness, 0.0f}, thickestBoughs(form, loads)});
+    }
+    _canopy = canopyAround(standing, forest.description().wind.canopy.value_or(WindCanopy()));
+    auto resting = std::make_shared<ModalMotion>(swaying, 1.0f, std::move(executor));
+    resting->stepTogether();
+    _resting = std::move(resting);
+}
+
+std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t seed) const {
+    auto above = std::make_shared<Wind>(openCountryWind(10.0, static_cast<float>(speed) * _toward, seed));
+    above->canopy.emplace().seed = seed;
+    const WindSampler wind(above, glm::dmat4(1.0), _canopy);
+    ModalMotion motion(*_resting);
+    for (std::size_t i = 0; i < _slots.size(); ++i)
+        motion.setCompany(i, wind.canopy()->companyAt(glm::vec2(_forest.trees[_slots[i]].position)));
+    motion.meet(&wind, 0.0);
+    std::vector<float> leans(_slots.size(), 0.0f);
+    std::vector<Loads> largest(_slots.size());
+    const auto meet = [&](std::size_t i) {
+        const float lean = glm::length(motion.lean(i));
+        if (lean < 0.8f * leans[i]) // no moment is at its largest where the top is not nearly so
+            return;
+        leans[i] = std::max(leans[i], lean);
+        float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+        motion.poseVector(i, vector);
+        const auto momentAt = [&](const HeldJoint& base) {
+            return static_cast<double>(base.moment(motion, i, vector));
+        };
+        largest[i].foot = std::max(largest[i].foot, momentAt(_joints[i].foot));
+        for (const HeldJoint& bough : _joints[i].boughs)
+            if (bough.limit > 0.0f)
+                largest[i].bough =
+                    std::max(largest[i].bough, momentAt(bough) / static_cast<double>(bough.limit));
+    };
+    const int steps = static_cast<int>((settling + hour) / step);
+    for (int i = 1; i <= steps; ++i) {
+        motion.step(&wind, step * i, static_cast<float>(step));
+        if (step * i > settling)
+            runInBatches(_executor, _slots.size(), meet);
+    }
+    std::vector<Loads> bySlot(_forest.trees.size());
+    for (std::size_t i = 0; i < _slots.size(); ++i)
+        bySlot[_slots[i]] = largest[i];
+    return bySlot;
+}
+
+std::vector<float> ForestStorm::topWinds() const {
+    std::vector<float> winds(_forest.trees.size(), 0.0f);
+    const LogProfile open = openCountry(10.0);
+    for (const std::size_t slot : _slots) {
+        const PlacedTree& tree = _forest.trees[slot];
+        const CanopyAt stand = _canopy->at(glm::vec2(tree.position - _canopy->fetch * _toward), 10.0f);
+        const double above = open.factor(_canopy->reference) * static_cast<double>(stand.top),
+                     alone = open.factor(_forest.measured(tree).height);
+        winds[slot] = static_cast<float>(alone + static_cast<double>(stand.closure) * (above - alone));
+    }
+    return winds;
+}
+
+} // namespace osgTreeWind

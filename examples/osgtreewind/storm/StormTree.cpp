@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/storm/StormTree.h>
+
+#include <examples/osgtreewind/storm/OpenCountry.h>
+#include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/motion/laws/UnitPose.h>
+#include <osgTreeWind/motion/sway/LoneTree.h>
+#include <osgTreeWind/wind/UniformWind.h>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+
+namespace {
+
+constexpr double longestSampleStep = 0.1; // seconds from one sample of the wind to the next
+
+CanopyTree standTree(const PlacedForest& forest) {
+    const PlacedTree& tree = forest.trees.front();
+    return {forest.modelOf(tree), tree.scale, forest.speciesOf(tree), tree.leaves, glm::vec2(0.0f)};
+}
+
+WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
+    const CanopyTree tree = standTree(forest);
+    const glm::vec3 mean(storm.speed, 0.0f, 0.0f);
+    if (!(storm.spacing > 0.0))
+        return WindSampler(std::make_shared<Wind>(
+            openCountryWind(std::max(static_cast<double>(tree.height), 0.1), mean, storm.seed)));
+    auto wind = std::make_shared<Wind>(std::make_shared<UniformWind>(mean));
+    wind->canopy.emplace().seed = storm.seed;
+    const auto spacing = static_cast<float>(storm.spacing);
+    auto stand =
+        std::make_shared<CanopyMap>(*canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing)));
+    stand->refer(tree.height);
+    return WindSampler(wind, glm::dmat4(1.0), stand);
+}
+
+} // namespace
+
+StormTree::StormTree(const Species& species, const TreePlacement& given, const Storm& storm)
+    : _forest(loneTree(species, given)), _motion({swayingTree(_forest)}, 1.0f, {}, true),
+      _wind(windOf(_forest, storm)), _foot(swayingTree(_forest).form) {
+    const PlacedTree& tree = _forest.trees.front();
+    const TreeModel& model = _forest.modelOf(tree);
+    const std::vector<UnitLoad> loads = makeUnitLoads(model, tree.scale, species, tree.leaves);
+    const std::vector<BranchUnit>& units = model.skeleton.units;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (units[i].level == 0) {
+            _top = i;
+            if (units[i].base.z <= 0.5f * model.skeleton.height())
+                _middle = i;
+        }
+    _stiffness = static_cast<double>(loads.front().stiffness);
+    const double diameter = breastDiameter(model, tree.scale);
+    _strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads.front().modulus) * diameter * diameter *
+                      diameter);
+    if (_wind.canopy())
+        _motion.setCompany(0, _wind.canopy()->companyAt(glm::vec2(0.0f)));
+    _motion.meet(&_wind, 0.0);
+}
+
+void StormTree::advance(double time, const std::function<void()>& stepped) {
+    const double from = _time;
+    const int steps = std::max(static_cast<int>(std::ceil((time - from) / longestSampleStep - 1e-6)), 1);
+    for (int i = 1; i <= steps; ++i) {
+        const double next = from + (time - from) * i / steps;
+        _motion.step(&_wind, next, static_cast<float>(next - _time));
+        _time = next;
+        stepped();
+    }
+}
+
+double StormTree::largestMoment(double time) {
+    double largest = 0.0;
+    advance(time, [&] { largest = std::max(largest, _foot.of(_motion, 0)); });
+    return largest;
+}
+
+TreeStrength StormTree::strength() const {
+    const PlacedTree& tree = _forest.trees.front();
+    return {_forest.modelOf(tree), tree.scale, _forest.speciesOf(tree)};
+}
+
+StormMoment StormTree::advance(double time) {
+    advance(time, [] {});
+    const PlacedTree& tree = _forest.trees.front();
+    const Skeleton& skeleton = _forest.modelOf(tree).skeleton;
+    const std::size_t count = skeleton.units.size();
+    std::vector<glm::vec2> angles(count);
+    std::vector<glm::quat> rotations(count);
+    std::vector<UnitPose> poses(count);
+    _motion.angles(0, angles.data());
+    swingPoses(skeleton, tree.scale, angles.data(), rotations.data(), poses.data());
+    const auto turned = [&](std::size_t unit) {
+        const glm::vec3 up(0.0f, 0.0f, 1.0f);
+        return glm::vec2(poses[unit].rotation * up - up);
+    };
+    StormMoment now;
+    const glm::dvec2 foot(turned(0));
+    const double sine = std::min(glm::length(foot), 1.0);
+    now.moment = foot * (_stiffness * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
+    now.strain = now.moment * _strain;
+    now.tilt = turned(_middle);
+    const glm::vec3 top = tree.scale.axes * skeleton.units[_top].tip;
+    now.tip = glm::vec2(poses[_top].apply(top) - top);
+    now.wind = glm::vec2(_wind.velocity(WindPlace(0.0f, 0.0f, tree.scale.axes.z * skeleton.height()), time));
+    return now;
+}
+
+CriticalSpeeds criticalSpeedsOf(const Species& species, const TreePlacement& tree, const Storm& storm) {
+    constexpr std::uint32_t hours = 3;
+    constexpr double settling = 60.0, hour = 3600.0; // seconds
+    const auto largest = [&](double speed) {
+        double mean = 0.0;
+        for (std::uint32_t i = 0; i < hours; ++i) {
+            StormTree stormy(species, tree, {speed, storm.spacing, storm.seed + i});
+            stormy.advance(settling);
+            mean += stormy.largestMoment(settling + hour) / hours;
+        }
+        return mean;
+    };
+    return findCriticalSpeeds(largest, StormTree(species, tree, storm).strength());
+}
+
+} // namespace osgTreeWind

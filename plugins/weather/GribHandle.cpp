@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/weather/GribHandle.h>
+
+#include <array>
+#include <limits>
+
+namespace osgTreeWind {
+
+namespace {
+
+codes_context* quietContext() {
+    static codes_context* const context = [] {
+        codes_context* const made = codes_context_get_default();
+        codes_context_set_logging_proc(made, [](const codes_context*, int, const char*) {});
+        return made;
+    }();
+    return context;
+}
+
+} // namespace
+
+GribHandle::GribHandle(const std::vector<std::string_view>& parts) : _handle(nullptr, codes_handle_delete) {
+    std::string_view message = parts.front();
+    if (parts.size() > 1) {
+        for (const std::string_view part : parts)
+            _copy += part;
+        message = _copy;
+        for (std::size_t octet = 0; octet < 8; ++octet) // its length, which was that of all fields together
+            _copy[8 + octet] = static_cast<char>(_copy.size() >> (8 * (7 - octet)) & 0xff);
+    }
+    _handle.reset(codes_handle_new_from_message(quietContext(), message.data(), message.size()));
+}
+
+std::optional<long> GribHandle::whole(const char* key) const {
+    long value = 0;
+    int error = 0;
+    if (codes_get_long(_handle.get(), key, &value) != CODES_SUCCESS ||
+        codes_is_missing(_handle.get(), key, &error))
+        return {};
+    return value;
+}
+
+double GribHandle::real(const char* key) const {
+    double value = 0.0;
+    codes_get_double(_handle.get(), key, &value);
+    return value;
+}
+
+std::string GribHandle::text(const char* key) const {
+    std::array<char, 256> value{};
+    std::size_t size = value.size() - 1;
+    return codes_get_string(_handle.get(), key, value.data(), &size) == CODES_SUCCESS ? value.data() : "";
+}
+
+std::optional<std::size_t> GribHandle::offset(const char* key) const {
+    std::size_t at = 0;
+    if (grib_get_offset(_handle.get(), key, &at) != CODES_SUCCESS) // ecCodes 2.28 has no codes_get_offset()
+        return {};
+    return at;
+}
+
+std::optional<std::string> GribHandle::read(std::vector<double>& numbers) const {
+    constexpr double missing = 1e35; // no wind and no height
+    std::size_t count = 0;
+    int error = codes_get_size(_handle.get(), "values", &count);
+    if (error == CODES_SUCCESS && count != numbers.size())
+        return "expected " + std::to_string(numbers.size()) + " numbers, found " + std::to_string(count);
+    if (error == CODES_SUCCESS)
+        error = codes_set_double(_handle.get(), "missingValue", missing);
+    if (error == CODES_SUCCESS)
+        error = codes_get_double_array(_handle.get(), "values", numbers.data(), &count);
+    if (error != CODES_SUCCESS)
+        return codes_get_error_message(error);
+    for (double& number : numbers)
+        if (number == missing)
+            number = std::numeric_limits<double>::quiet_NaN();
+    return {};
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/portraits/LeafEdges.h>
+
+#include <tests/drawing/impostors/SolidMask.h>
+
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+using namespace osgTreeWind;
+
+namespace {
+
+constexpr int size = 256, closing = 8;
+/// Bars as wide as the gaps between them, across half of the picture.
+Silhouette bars(int width) {
+    Silhouette picture(size);
+    for (int x = 64; x < 192; x += 2 * width)
+        picture.draw({x, 64}, {width, 0}, {0, 128}, solidMask);
+    return picture;
+}
+
+} // namespace
+
+TEST(LeafEdges, CountChangesAndRunsAlongLines) {
+    for (const int width : {1, 2, 4}) {
+        const LeafEdges edges = measureEdges(bars(width), closing);
+        EXPECT_NEAR(edges.edges, 1.0f / static_cast<float>(width), 0.06f) << width;
+        EXPECT_NEAR(edges.leafRun, static_cast<float>(width), 0.01f) << width;
+        EXPECT_NEAR(edges.skyRun, static_cast<float>(width), 0.2f) << width;
+    }
+}
+
+TEST(LeafEdges, OfWhatIsSolidThereAreNone) {
+    Silhouette square(size);
+    square.draw({64, 64}, {128, 0}, {0, 128}, solidMask);
+    const LeafEdges edges = measureEdges(square, closing);
+    EXPECT_EQ(edges.edges, 0.0f);
+    EXPECT_EQ(edges.leafRun, 128.0f);
+    EXPECT_NEAR(edges.slope, 1.0f, 0.1f) << "its edge is a line";
+    EXPECT_EQ(measureEdges(Silhouette(size), closing).edges, 0.0f);
+}
+
+TEST(LeafEdges, OfFineBarsThatFillAnAreaHaveItsDimension) {
+    EXPECT_NEAR(measureEdges(bars(1), closing).slope, 2.0f, 0.15f);
+}
+
+/// 0.85 to 1.25 are wanted.
+TEST(LeafEdges, CrownsAreCutAsFinelyAsSingleLeavesInTheirPlaces) {
+    for (const char* name : {"oak", "beech", "silver birch", "sycamore", "Norway spruce", "Scots pine"}) {
+        const Species species = *findSpecies(name);
+        const TreeModel model = makeTreeModel(species.tree);
+        for (const auto& [reductions, distance] : {std::pair(0, 20.0f), {2, 40.0f}, {3, 40.0f}, {5, 80.0f}}) {
+            const EdgePicture picture(model, species.appearance, distance, 0.3f);
+            const LeafEdges single = picture.singleLeaves(), drawn = picture.cards(reductions);
+            EXPECT_GT(drawn.edges / single.edges, 0.83f) << name << ", " << reductions;
+            EXPECT_LT(drawn.edges / single.edges, 1.27f) << name << ", " << reductions;
+            EXPECT_LT(drawn.leafRun / single.leafRun, 1.4f) << name << ", " << reductions;
+            EXPECT_GT(drawn.skyRun / single.skyRun, 0.6f) << name << ", " << reductions;
+        }
+    }
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/storm/ForestStorm.h>
+
+#include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/wind/LogProfile.h>
+
+#include <gtest/gtest.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+const glm::vec3 toEast(1.0f, 0.0f, 0.0f);
+
+/// Spruces of 24 cm and 20 m, one to the west of a wood of 9 x 9 that stand 5 m apart.
+ForestDescription wood() {
+    ForestDescription forest;
+    forest.species = {*findSpecies("Sitka spruce")};
+    TreePlacement tree;
+    tree.size.height = 20.0f;
+    tree.size.trunkDiameter = 0.24f;
+    tree.position = {-300.0, 20.0, 0.0};
+    forest.trees.push_back(tree);
+    for (int i = 0; i < 81; ++i) {
+        tree.position = {5.0 * (i % 9), 5.0 * (i / 9), 0.0};
+        forest.trees.push_back(tree);
+    }
+    return forest;
+}
+
+constexpr std::size_t alone = 0, windward = 1 + 9 * 4, leeward = windward + 8;
+
+/// Moments at the feet of trees.
+std::vector<double> feetOf(const std::vector<ForestStorm::Loads>& loads) {
+    std::vector<double> moments;
+    for (const ForestStorm::Loads& tree : loads)
+        moments.push_back(tree.foot);
+    return moments;
+}
+
+} // namespace
+
+TEST(ForestStorm, PullsMostAtTreesThatStandAlone) {
+    const PlacedForest forest(wood());
+    const std::vector<double> moments = feetOf(ForestStorm(forest, toEast, runInTurn).hourOf(20.0, 1));
+    ASSERT_EQ(moments.size(), 82u);
+    EXPECT_GT(moments[leeward], 1e3);
+    EXPECT_GT(moments[windward], 1.2 * moments[leeward]);
+    EXPECT_GT(moments[alone], 1.2 * moments[leeward]);
+}
+
+TEST(ForestStorm, DoesNotDependOnThreadsAndLeavesOutWhatIsGone) {
+    ForestDescription few = wood();
+    few.trees.resize(4);
+    PlacedForest forest(few);
+    forest.remove(2);
+    const auto moments = [&](const Executor& executor) {
+        return feetOf(ForestStorm(forest, toEast, executor).hourOf(15.0, 1));
+    };
+    const std::vector<double> one = moments(runInTurn);
+    EXPECT_EQ(one, moments(ThreadPool::executor(3)));
+    EXPECT_EQ(one[2], 0.0);
+    EXPECT_GT(one[1], 0.0);
+}
+
+TEST(ForestStorm, KnowsTheWindAtTheTopOfATreeAlone) {
+    const PlacedForest forest(wood());
+    const std::vector<float> winds = ForestStorm(forest, toEast, runInTurn).topWinds();
+    EXPECT_NEAR(winds[alone], LogProfile({10.0, 0.03}).factor(20.0), 0.01);
+    EXPECT_LT(winds[leeward], winds[alone]);
+}
+
+} // namespace osgTreeWind
