@@ -88,13 +88,13 @@ BlastWave::Front BlastWave::front(double distance) const {
 }
 
 double BlastWave::reach(double wind) const {
-    double near = 0.0, far = _scale;
-    while (front(far).wind > wind && far < 1e7)
-        near = far, far *= 2.0;
-    for (int i = 0; i < 30; ++i) {
-        const double middle = 0.5 * (near + far);
-        (front(middle).wind > wind ? near : far) = middle;
-    }
+    const auto isFaster = [&](double distance) {
+        const Front at = front(distance);
+        return square(at.wind) * at.duration / averaged * pushed(1.0) > square(wind);
+    };
+    double far = _scale;
+    while (isFaster(far) && far < 1e7)
+        far *= 1.1;
     return far;
 }
 

@@ -22,7 +22,7 @@ public:
     };
     /// @param distance from the charge, metres.
     Front front(double distance) const;
-    /// How far the front goes until the air behind it is no faster than `wind`, m/s above 0; metres.
+    /// How far it goes until wind() is nowhere above `wind`, m/s above 0; metres.
     double reach(double wind) const;
 
     /// Away from the charge, m/s, within 200: the wind whose drag is the mean drag of the last 0.2 s. A blast

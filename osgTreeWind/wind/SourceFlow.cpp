@@ -95,15 +95,17 @@ SourceFlow::SourceFlow(const WindSource& source) : _source(clampedFields(source)
     _reach = std::min(reachOf(), farthestFlow);
 }
 
-/// Where the wake is slower, which is widest for the vehicle that meets the most air.
+/// That of the wake against the wind, and at least as far as wakes were measured (Eskridge and Thompson
+/// 1982).
 double SourceFlow::wakeReach() const {
-    constexpr double headwind = 20.0; // m/s
-    const double pace = glm::dot(_source.velocity, _along) + headwind;
+    constexpr double headwind = 20.0, measured = 100.0; // m/s, heights
+    const double speed = glm::dot(_source.velocity, _along), pace = speed + headwind;
+    if (!(speed > 0.0))
+        return _source.length;
     const double fastest = 0.25 * _source.dragArea * _source.height * std::exp(-0.5) / glm::pi<double>();
-    const double wake = std::pow(fastest * pace / least, 4.0 / 3.0) / (4.0 * eddyViscosity * fastest);
-    const double section = 2.0 * _source.radius * _source.height,
-                 around = std::sqrt(pace * section / (glm::two_pi<double>() * least));
-    return _source.length + std::max(fastest > 0.0 ? wake : 0.0, around);
+    const double wake =
+        fastest > 0.0 ? std::pow(fastest * pace / least, 4.0 / 3.0) / (4.0 * eddyViscosity * fastest) : 0.0;
+    return _source.length + std::max(wake, measured * _source.height);
 }
 
 double SourceFlow::reachOf() const {

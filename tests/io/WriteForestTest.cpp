@@ -198,7 +198,7 @@ TEST(WriteForest, ScansPicturesAndWindOfFilesAreFoundAgain) {
     ASSERT_EQ(back.species.size(), 1u) << document;
     EXPECT_EQ(back.species[0].tree.scans->size(), 2u);
     EXPECT_EQ(back.species[0].appearance.leafImage, folder.path() + "/leaf.png");
-    EXPECT_EQ(back.wind->velocity({}, 1.0), asField(forest.value().wind)->velocity({}, 1.0));
+    EXPECT_EQ(asField(back.wind)->velocity({}, 1.0), asField(forest.value().wind)->velocity({}, 1.0));
     EXPECT_EQ(written(back), document);
 }
 

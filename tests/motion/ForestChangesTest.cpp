@@ -247,7 +247,7 @@ TEST(ForestChanges, TheForestOfNowCanBeDescribed) {
 
     const ForestDescription now = simulation.describe();
     EXPECT_EQ(now.source, "") << "no file says this";
-    EXPECT_EQ(now.wind, storm);
+    EXPECT_EQ(now.wind.field, storm);
     EXPECT_EQ(now.season, midwinter);
     EXPECT_EQ(now.origin, given.origin);
     EXPECT_EQ(now.gain, 2.0f);

@@ -82,7 +82,7 @@ RC_GTEST_PROP(ForestProperty, AForestElsewhereInItsWindDoesTheSame, ()) {
     const glm::dvec3 moved(*rc::gen::inRange(-4096, 4096), *rc::gen::inRange(-4096, 4096), 0.0);
     ForestDescription there = anyForest(moved), here = there;
     const glm::vec3 shift(moved);
-    const WindFieldPtr wind = there.wind;
+    const WindFieldPtr wind = there.wind.field;
     here.wind = std::make_shared<TestWind>([=](const glm::vec3& place, double time) {
         return wind->velocity(WindPlace(place + shift, 0.0f), time);
     });

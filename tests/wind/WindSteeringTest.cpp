@@ -75,7 +75,7 @@ TEST(WindSteering, AnotherWindIsMadeStrongerAndTurned) {
     steering.strengthen(1.0);
     const Wind again = steered(wind, steering);
     EXPECT_EQ(again.field, given);
-    EXPECT_EQ(again.adjustment.strength, 1.4) << "once, not twice";
+    EXPECT_DOUBLE_EQ(again.adjustment.strength, 1.4) << "once, not twice";
 }
 
 } // namespace

@@ -93,8 +93,9 @@ Json crsOf(const ForestDescription& forest) {
 
 Json windOf(const ForestDescription& forest) {
     const glm::vec3 above{0.0f, 0.0f, 10.0f};
-    const glm::vec3 velocity = forest.wind ? forest.wind->velocity(above, 0.0) : glm::vec3(0.0f);
-    return {{"calm", !forest.wind}, {"velocityAtOrigin10m", vectorJson(velocity)}};
+    const WindFieldPtr wind = asField(forest.wind);
+    const glm::vec3 velocity = wind ? wind->velocity(above, 0.0) : glm::vec3(0.0f);
+    return {{"calm", !wind}, {"velocityAtOrigin10m", vectorJson(velocity)}};
 }
 
 /// Bytes of vertex and index buffers, which grow with shapes, and of state, which grows with trees.
