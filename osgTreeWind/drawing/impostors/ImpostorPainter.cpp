@@ -29,14 +29,6 @@ struct BarkPiece {
     CrownShade::Light light;
 };
 
-ImpostorSettings clamped(ImpostorSettings s) {
-    s.azimuths = glm::clamp(s.azimuths, 4, 32);
-    s.elevations = glm::clamp(s.elevations, 2, 8);
-    s.pixels = 1 << static_cast<int>(std::log2(glm::clamp(s.pixels, 32, 512)));
-    s.samples = glm::clamp(s.samples, 1, 4);
-    return s;
-}
-
 std::vector<BarkPiece> barkPieces(const Skeleton& skeleton, const CrownShade& crown) {
     std::vector<BarkPiece> pieces;
     const int last = skeleton.ringsPerBranch - 1, stretches = glm::min(last, 5);
@@ -228,7 +220,7 @@ int ImpostorPictures::levels() const {
 
 ImpostorPictures paintImpostor(const TreeModel& model, const Appearance& appearance,
                                const ImpostorSettings& settings) {
-    return Painter(model, appearance, clamped(settings)).pictures();
+    return Painter(model, appearance, settings).pictures();
 }
 
 } // namespace osgTreeWind

@@ -12,7 +12,7 @@
 
 namespace osgTreeWind {
 
-/// From where and how finely pictures of a tree are painted.
+/// From where and how finely pictures of a tree are painted; ranges are not checked.
 struct ImpostorSettings {
     int azimuths = 8;    ///< Evenly around the tree, [4, 32].
     int elevations = 4;  ///< Evenly from the horizon to the zenith, [2, 8].

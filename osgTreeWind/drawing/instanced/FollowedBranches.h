@@ -11,7 +11,7 @@
 namespace osgTreeWind {
 
 /// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A
-/// part of a InstancedForest.
+/// part of an InstancedForest.
 class FollowedBranches : public osg::Group {
 public:
     FollowedBranches();

@@ -24,7 +24,14 @@ public:
         glm::vec3 toEye{}; ///< From its middle; forests' frame.
     };
 
-    void clear();
+    void clear() {
+        for (std::vector<Tree>& trees : _waiting)
+            trees.clear();
+        _step = 0;
+        _pictures.clear();
+        _pending.clear();
+        _cover.clear();
+    }
     /// @param distance from the eye, metres; not nearer than what was taken.
     void put(const Tree& tree, float distance) {
         _waiting[std::max(_step, stepOf(distance))].push_back(tree);
@@ -44,15 +51,21 @@ public:
     const ScreenCover& cover() const { return _cover; }
 
 private:
-    static std::size_t stepOf(float distance);
-    void finishStep();
+    static std::size_t stepOf(float distance) {
+        constexpr float depth = 6.0f; // metres
+        constexpr float last = std::tuple_size_v<decltype(_waiting)> - 1;
+        return static_cast<std::size_t>(std::clamp(distance / depth, 0.0f, last));
+    }
 
     template <typename See>
     void takeSteps(std::size_t end, See see) {
         for (; _step < end; ++_step) {
             for (const Tree& tree : _waiting[_step])
                 _pictures.push_back(see(tree));
-            finishStep();
+            for (const ScreenCover::Picture& picture : _pending)
+                _cover.add(picture);
+            _pending.swap(_pictures);
+            _pictures.clear();
         }
     }
 

@@ -20,12 +20,23 @@ struct TreeInstance {
 /// Trees of one model and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at
 /// a time.
 struct InstanceList : osg::Referenced {
-    InstanceList();
-    void add(const TreeInstance& tree);
+    InstanceList() {
+        osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
+        buffer->setUsage(GL_STREAM_DRAW_ARB);
+        values->setVertexBufferObject(buffer);
+    }
+    void add(const TreeInstance& tree) {
+        const float* first = tree.place;
+        values->insert(values->end(), first, first + sizeof tree / sizeof(float));
+    }
     std::size_t size() const { return values->size() * sizeof(float) / sizeof(TreeInstance); }
-    void clear();
+    void clear() {
+        values->clear();
+        passes = nullptr;
+        page = nullptr;
+    }
 
-    osg::ref_ptr<osg::FloatArray> values;
+    osg::ref_ptr<osg::FloatArray> values = new osg::FloatArray;
     osg::ref_ptr<const PosePass> passes; ///< None for impostors.
     osg::ref_ptr<PosePage> page;
     osg::Vec3 flutter; ///< Phases of the leaves' waves.

@@ -6,7 +6,7 @@
 
 namespace osgTreeWind {
 
-/// What a InstancedForest is made of: for the library's own files and its tests.
+/// What an InstancedForest is made of: for the library's own files and its tests.
 struct InstancedParts {
     /// The one drawable of all trees.
     static InstancedTrees* trees(const InstancedForest& forest) { return forest._trees.get(); }

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 class ForestSimulation;
 
 /// A tree as an intersection visitor met it: posed as it stood then, in the forest's frame. The `drawable` of
-/// a hit on a tree of a InstancedForest:
+/// a hit on a tree of an InstancedForest:
 ///
 ///     if (auto* tree = dynamic_cast<const TreeHit*>(hit.drawable.get()))
 ///         use(tree->getTree(), tree->getUnit(hit.primitiveIndex));

@@ -132,10 +132,3 @@ TEST(ImpostorPainter, ThreadsPaintTheSame) {
                   0);
     }
 }
-
-TEST(ImpostorPainter, SettingsAreBroughtIntoTheirRanges) {
-    const ImpostorPictures small = paintImpostor(tree(), {}, {-1, 99, 33, 0, -1.0f});
-    EXPECT_EQ(small.azimuths, 4);
-    EXPECT_EQ(small.elevations, 8);
-    EXPECT_EQ(small.pixels, 32);
-}
