@@ -23,11 +23,11 @@ class InstancedForest;
 ///     public:
 ///         void setSimulation(std::shared_ptr<osgTreeWind::ForestSimulation> simulation) override {
 ///             ForestTechnique::setSimulation(simulation); // removes the children
-///             addChild(linesOf(*simulation));
+///             addChild(drawingOf(*simulation));
 ///         }
 ///         void update(const osg::FrameStamp& stamp) override {
 ///             ForestTechnique::update(stamp); // moves the trees
-///             moveLines(*getSimulation());
+///             moveDrawing(*getSimulation());
 ///         }
 ///     };
 ///

@@ -27,6 +27,12 @@ struct TreeDamage;
 /// A forest in motion, without graphics (docs/frame.md).
 ///
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
+///
+///     ForestSimulation simulation(description);
+///     for (double time = 0.0; time < 60.0; time += 0.1) {
+///         simulation.advance(time);
+///         use(simulation.motion(0)); // of the first tree
+///     }
 class OSGTREEWIND_EXPORT ForestSimulation {
 public:
     /// Grows the shapes and places the trees at rest. A description for which check() finds something is

@@ -31,12 +31,15 @@ struct Species;
 struct TreePlacement;
 struct TreeUnit;
 
-/// A forest moving in a given wind. Add it to a scene, hand it the wind, and let a viewer run.
-/// The update traversal moves it on, once per frame number however many views, to the frame stamp's time or
-/// by a fixed step (ForestDescription::step); a paused time holds the trees, and one below a Switch that is
-/// off rests. Other nodes may be its children too. Below a transform it gets the wind of where it really is;
-/// with two parents, that of the first one (docs/coordinates.md). Its bounding boxes
-/// (osg::ComputeBoundsVisitor) are of trees at rest, its sphere holds them as they sway.
+/// A forest moving in a given wind.
+///
+///     scene->addChild(forest = new Forest(description));
+///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f)));
+///
+/// The update traversal moves it on, once per frame number, to the frame stamp's time or by a fixed step
+/// (ForestDescription::step); below a Switch that is off it rests. Below a transform it gets the wind of
+/// where it really is (docs/coordinates.md). Its boxes are of trees at rest, its sphere holds them as they
+/// sway.
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();
@@ -56,9 +59,7 @@ public:
     const ForestDescription& getDescription() const;
 
     /// The wind from the next frame on; a field by itself is one, null is a calm. One without a canopy keeps
-    /// that of the wind before. Any thread, any time, also while a description is set: the last of both
-    /// counts.
-    /// @return the problems that check() finds, and the wind stays as it was; empty when all is well.
+    /// that of the wind before. Any thread, any time. @return what check() finds; then the wind stays.
     Diagnostics setWind(Wind wind);
     Wind getWind() const; ///< As set, with its canopy.
 

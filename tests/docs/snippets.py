@@ -15,6 +15,9 @@ headers = re.findall(r"osgTreeWind/\S+\.h", (source / "cmake/PublicHeaders.cmake
 given = """
 extern osg::ref_ptr<osg::Group> root, scene;
 extern osg::ref_ptr<osg::Node> nest;
+extern osg::ref_ptr<osg::StateSet> ours;
+osg::Node* drawingOf(const ForestSimulation& simulation);
+void moveDrawing(const ForestSimulation& simulation);
 extern osg::ref_ptr<Forest> forest;
 extern osgViewer::Viewer viewer;
 extern osgUtil::LineSegmentIntersector::Intersection hit;

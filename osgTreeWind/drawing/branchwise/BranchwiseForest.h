@@ -16,6 +16,10 @@ class FloatTargetProbe;
 
 /// Trees drawn as the thesis published it: each branch below a BranchTransform of its own (§3.1.3), each leaf
 /// cluster below a transform over one shared drawable (§2.4.1).
+///
+///     description.law = MotionLaw::Thesis;
+///     forest = new Forest(description);
+///     forest->getBranchwise()->setAngleSource(BranchwiseForest::CPU_ANGLES);
 class OSGTREEWIND_EXPORT BranchwiseForest : public ForestTechnique {
 public:
     /// Where the angles of branches and leaves are worked out.

@@ -13,6 +13,9 @@ struct SpeciesLooks;
 struct InstancedResources;
 
 /// Trees under the law `modal`: instances, and transforms for the branches that someone follows.
+///
+///     if (InstancedForest* instances = forest->getInstanced())
+///         instances->setLeafState(0, ours); // of the first species
 class OSGTREEWIND_EXPORT InstancedForest : public ForestTechnique {
 public:
     /// No trees.
