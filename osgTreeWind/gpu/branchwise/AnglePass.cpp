@@ -40,8 +40,7 @@ public:
             state.applyTextureAttribute(0, _states);
             const osg::Image& size = *_states->getImage();
             glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, size.s(), size.t());
-            if (_readback)
-                _readback->read(state, size.s(), size.t());
+            _readback->read(state, size.s(), size.t());
         });
     }
 
@@ -80,11 +79,11 @@ osg::ref_ptr<osg::Camera> createCamera(osg::Texture2D* target) {
 
 } // namespace
 
-AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states, AngleReadback* readback)
-    : _states(shader, states.size()), _target(shader, states.size()),
+AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states)
+    : _states(shader, states.size()), _target(shader, states.size()), _readback(new AngleReadback),
       _camera(createCamera(_target.texture())) {
-    startFrom(states);
-    _camera->addChild(new StateQuad(_states.texture(), readback));
+    _states.write(states);
+    _camera->addChild(new StateQuad(_states.texture(), _readback));
     osg::StateSet& state = *_camera->getOrCreateStateSet();
     state.setDataVariance(osg::Object::DYNAMIC);
     computeOnly(state);
@@ -93,8 +92,11 @@ AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states, A
     state.addUniform(new osg::Uniform("previousAngles", 0));
 }
 
-void AnglePass::startFrom(const std::vector<glm::vec4>& texels) {
+bool AnglePass::take(std::vector<glm::vec4>& texels) {
+    if (!_readback->take(texels))
+        return false;
     _states.write(texels); // not dirty: contexts that have them go on from their own
+    return true;
 }
 
 } // namespace osgTreeWind

@@ -16,8 +16,7 @@ namespace osgTreeWind {
 class AnglePass {
 public:
     /// @param shader fragment shader, e.g. "branchwise/branch_angles". @param states to start from.
-    /// @param readback given the states after each drawing, in the draw thread; may be null.
-    AnglePass(const char* shader, const std::vector<glm::vec4>& states, AngleReadback* readback = nullptr);
+    AnglePass(const char* shader, const std::vector<glm::vec4>& states);
 
     /// State of the pass: bind its inputs here, from texture unit 1 on; unit 0 holds the states before.
     osg::StateSet& inputs() { return *_camera->getStateSet(); }
@@ -31,12 +30,14 @@ public:
 
     osg::Texture2D* states() const { return _states.texture(); }
 
-    /// Has a context that comes later, or one that was lost, start from these states.
-    /// @param texels of states(), as many as there are at most.
-    void startFrom(const std::vector<glm::vec4>& texels);
+    /// The states of the frame drawn last, unless they were taken before; a context that comes later, or one
+    /// that was lost, starts from them. @param texels become all texels of states(), padding included.
+    /// @return whether there were any.
+    bool take(std::vector<glm::vec4>& texels);
 
 private:
     DataTexture _states, _target;
+    osg::ref_ptr<AngleReadback> _readback;
     osg::ref_ptr<osg::Camera> _camera;
 };
 

@@ -12,8 +12,8 @@
 namespace osgTreeWind {
 
 /// Brings the states of a pass back to the CPU: the draw thread copies them when the pass is drawn; take()
-/// hands the newest copy over in update. Two buffers and a lock keep a copy whole; each is stamped with the
-/// frame that drew it, so that update of frame N gets frame N - 1.
+/// hands the copy over in update. It is stamped with the frame that drew it, so that update of frame N gets
+/// frame N - 1.
 class AngleReadback : public osg::Referenced {
 public:
     /// Copies the texture of that many texels that is bound to the active texture unit. In the draw thread.
@@ -25,10 +25,8 @@ public:
     bool take(std::vector<glm::vec4>& states);
 
 private:
-    std::mutex _drawing; // one context at a time; guards _back
-    std::vector<glm::vec4> _back;
     std::mutex _mutex; // guards all below
-    std::vector<glm::vec4> _front;
+    std::vector<glm::vec4> _states;
     unsigned _frame = 0;
     bool _fresh = false;
 };
