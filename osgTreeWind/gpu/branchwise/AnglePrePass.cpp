@@ -41,10 +41,10 @@ void AnglePrePass::hold() {
 
 bool AnglePrePass::readBack(BranchwiseMotion& motion) {
     if (_leaves.take(_states))
-        motion.leaves().takeStates(_states);
+        motion.leaves().setStates(_states);
     if (!_branches.take(_states))
         return false;
-    motion.takeStates(_states);
+    motion.setStates(_states);
     return true;
 }
 
