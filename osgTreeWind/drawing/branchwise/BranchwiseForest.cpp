@@ -146,6 +146,10 @@ void BranchwiseForest::showSeason() {
 
 void BranchwiseForest::seasonChanged() {
     showSeason();
+    if (_prePass) { // as those of a forest made in that season
+        useCpuAngles();
+        startPasses();
+    }
 }
 
 osg::Node* BranchwiseForest::getTree(unsigned index) const {
