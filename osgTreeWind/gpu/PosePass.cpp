@@ -104,9 +104,10 @@ struct PosePass::Context {
 };
 
 PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
-    : _programs(programs), _units(static_cast<int>(skeleton.units.size())), _layout(skeleton.units.size()),
-      _pageTrees(std::clamp<std::size_t>(static_cast<std::size_t>(DataTexture::mostRows / _layout.rows), 1,
-                                         mostPageTrees)) {
+    : PoseRows(std::clamp<std::size_t>(
+          static_cast<std::size_t>(DataTexture::mostRows / PoseLayout(skeleton.units.size()).rows), 1,
+          mostPageTrees)),
+      _programs(programs), _units(static_cast<int>(skeleton.units.size())), _layout(skeleton.units.size()) {
     _unitTexels.reserve(2 * skeleton.units.size());
     for (const BranchUnit& unit : skeleton.units) {
         _unitTexels.emplace_back(unit.base, static_cast<float>(unit.parent));
@@ -116,7 +117,7 @@ PosePass::PosePass(const Skeleton& skeleton, PosePrograms* programs)
 
 PosePass::~PosePass() = default;
 
-void PosePass::ask(const ModalMotion& motion, std::size_t tree, const TreeScale& scale,
+void PosePass::ask(const ModalReader& motion, std::size_t tree, const TreeScale& scale,
                    const Reconfiguration& foliage, PoseRequest& request) {
     const ModalModel& model = motion.model(tree);
     refer(model, request);
@@ -169,58 +170,6 @@ void PosePass::refer(const ModalModel& model, PoseRequest& request) {
         if (joint % 2 == 1)
             _matrices.emplace_back(static_cast<float>(model.patchOfLink[joint / 2]), 0.0f, 0.0f, 0.0f);
     }
-}
-
-/// The entry of a tree in this frame, or the one to take for it.
-PosePass::Entry& PosePass::entry(std::uint32_t tree) {
-    if (_entries.size() < 2 * (_asked + 1)) {
-        std::vector<Entry> before(std::max<std::size_t>(2 * _entries.size(), 64));
-        before.swap(_entries);
-        for (const Entry& kept : before)
-            if (kept.frame == _frame)
-                entry(kept.tree) = kept;
-    }
-    const std::size_t mask = _entries.size() - 1;
-    std::size_t at = (tree * 2654435761u >> 7u) & mask;
-    while (_entries[at].frame == _frame && _entries[at].tree != tree)
-        at = (at + 1) & mask;
-    return _entries[at];
-}
-
-PosePage* PosePass::freshPage() {
-    osg::ref_ptr<PosePage> fresh;
-    for (osg::ref_ptr<PosePage>& page : _spare)
-        if (page->referenceCount() == 1) { // nobody draws from it any more
-            std::swap(page, _spare.back());
-            fresh = _spare.back();
-            _spare.pop_back();
-            break;
-        }
-    if (!fresh)
-        fresh = new PosePage;
-    fresh->requests.clear();
-    fresh->filling = ++_fillings;
-    _pages.push_back(fresh);
-    return _pages.back();
-}
-
-PosePass::Row PosePass::rowOf(unsigned frame, std::uint32_t tree, bool& isNew) {
-    if (frame != _frame) {
-        _frame = frame;
-        _asked = 0;
-        _spare.insert(_spare.end(), _pages.begin(), _pages.end());
-        _pages.clear();
-    }
-    Entry& known = entry(tree);
-    isNew = known.frame != frame;
-    if (isNew) {
-        known.tree = tree;
-        known.frame = frame;
-        known.place = _asked++;
-        if (known.place % _pageTrees == 0)
-            freshPage();
-    }
-    return {_pages[known.place / _pageTrees], static_cast<int>(known.place % _pageTrees)};
 }
 
 void PosePass::apply(osg::State& state, const PosePage& page) const {

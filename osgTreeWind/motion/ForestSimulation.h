@@ -93,7 +93,7 @@ public:
     Diagnostics setSeason(float season);
     float season() const; ///< Of the year.
 
-    /// The wind from the next advance() on; laws in SI units go to it evenly within that step. Null: calm.
+    /// The wind from the next advance() on; under `modal` trees go to it evenly within that step.
     void setWind(Wind wind);
     Wind wind() const; ///< As set.
 
@@ -105,9 +105,9 @@ public:
     /// Moves on to `time` (seconds): samples the wind, takes one step of the law, flutters the leaves,
     /// composes the poses. The first call, and a call with an unchanged or earlier time, keeps the state (a
     /// pause holds), and a time that is not finite is ignored. The laws of the thesis take one step however
-    /// much time has passed. For the others a jump of more than maxStep seconds counts as maxStep; the wind
-    /// goes evenly from the sample before to this one, under `modal` with one every tenth of a second on its
-    /// way. Does not allocate in steady state. @return whether a step was taken.
+    /// much time has passed. Under `modal` a jump of more than maxStep seconds counts as maxStep; the wind
+    /// goes evenly from the sample before to this one, with one every tenth of a second on its way. Does not
+    /// allocate in steady state. @return whether a step was taken.
     bool advance(double time);
     static constexpr double maxStep = 1.0; ///< Seconds.
 

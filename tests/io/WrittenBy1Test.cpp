@@ -20,11 +20,11 @@ namespace {
 
 const std::string folder = OSGTREEWIND_TEST_DATA "/written-by-1.0/";
 
-/// A forest that reads without a problem or a note.
-ForestDescription writtenForest(const std::string& name) {
+/// A forest that reads without a problem. @param notes that it is read with.
+ForestDescription writtenForest(const std::string& name, const std::vector<std::string>& notes = {}) {
     const Result<ForestDescription> forest = readForestFile(folder + name);
     EXPECT_TRUE(forest) << linesOf(forest.problems());
-    EXPECT_EQ(forest.value().notes, std::vector<std::string>()) << name;
+    EXPECT_EQ(forest.value().notes, notes) << name;
     return forest.value();
 }
 
@@ -121,9 +121,9 @@ TEST(WrittenBy1, forestOfEverything) {
 }
 
 TEST(WrittenBy1, windOnAGrid) {
-    const ForestDescription forest = writtenForest("grid.treewind");
+    const ForestDescription forest =
+        writtenForest("grid.treewind", {"motion.law: \"damped\" is no more; read as \"modal\""});
     EXPECT_EQ(forest.law, MotionLaw::Modal);
-    EXPECT_EQ(forest.notes, std::vector<std::string>{"motion.law: \"damped\" is no more; read as \"modal\""});
     EXPECT_EQ(forest.gain, 2.0f);
     ASSERT_EQ(forest.trees.size(), 2u);
     EXPECT_EQ(forest.trees[1].size.height, 5.0f);

@@ -321,36 +321,6 @@ TEST(ForestSimulation, WindMayBeReplacedFromAnotherThread) {
     feeder.join();
 }
 
-TEST(ForestSimulation, DeflectionGrowsWithTheWindAsMeasured) {
-    // RMS tip deflection as speed to the power 1.6 to 2.1 between 3 and 12 m/s, in gusts of a quarter of the
-    // mean.
-    const auto rms = [](float speed) {
-        ForestDescription forest;
-        forest.species = {defaultSpecies()};
-        forest.trees.resize(1);
-        forest.trees[0].size.height = 15.0f;
-        forest.trees[0].size.trunkDiameter = 0.3f;
-        forest.wind = std::make_shared<TestWind>([speed](const glm::vec3&, double t) {
-            const double gust =
-                0.2 * std::sin(0.7 * t) + 0.15 * std::sin(1.9 * t + 1) + 0.1 * std::sin(4.1 * t + 2);
-            return glm::vec3(speed * static_cast<float>(1.0 + gust), 0, 0);
-        });
-        ForestSimulation simulation(forest);
-        const std::size_t top = simulation.motion(0).poses.size - 1;
-        const glm::vec3 rest = tip(simulation, top);
-        double sum = 0.0;
-        for (int i = 0; i < 3600; ++i) {
-            simulation.advance(i / 30.0);
-            const double shift = glm::length(tip(simulation, top) - rest);
-            sum += i > 300 ? shift * shift : 0.0;
-        }
-        return std::sqrt(sum / 3299);
-    };
-    const double exponent = std::log(rms(12.0f) / rms(3.0f)) / std::log(4.0);
-    EXPECT_GE(exponent, 1.6);
-    EXPECT_LE(exponent, 2.1);
-}
-
 TEST(ForestSimulation, UnderModalHasNoStatePerBranchUntilATreeIsAskedFor) {
     ForestDescription forest = oneTree(MotionLaw::Modal);
     forest.wind = uniform({4, 0, 0});

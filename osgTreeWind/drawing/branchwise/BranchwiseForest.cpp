@@ -53,6 +53,10 @@ void BranchwiseForest::setSimulation(std::shared_ptr<ForestSimulation> simulatio
 
 void BranchwiseForest::seasonChanged() {
     _trees->showSeason();
+    if (_prePass) { // as those of a forest made in that season
+        useCpuAngles();
+        startPasses();
+    }
 }
 
 unsigned BranchwiseForest::getNumTrees() const {

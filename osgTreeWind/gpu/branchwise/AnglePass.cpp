@@ -9,47 +9,12 @@
 #include <osg/Geometry>
 #include <osg/PolygonMode>
 
+#include <mutex>
+
 namespace osgTreeWind {
 namespace {
 
 constexpr auto firmly = osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-
-/// Draws every texel of the target, and copies it back to where the states are kept. It is dynamic: the next
-/// update waits until that is done, however many threads draw.
-class StateQuad : public osg::Geometry {
-public:
-    StateQuad(osg::Texture2D* states, AngleReadback* readback) : _states(states), _readback(readback) {
-        osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-        for (const osg::Vec3& corner :
-             {osg::Vec3(-1, -1, 0), osg::Vec3(1, -1, 0), osg::Vec3(-1, 1, 0), osg::Vec3(1, 1, 0)})
-            corners->push_back(corner);
-        setUseDisplayList(false);
-        setUseVertexBufferObjects(true);
-        setVertexArray(corners);
-        makeArraysDistinct(*this);
-        addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
-        setCullingActive(false);
-        setDataVariance(osg::Object::DYNAMIC);
-    }
-
-    void drawImplementation(osg::RenderInfo& renderInfo) const override {
-        _guard.run("branches may stand still", [&] {
-            osg::Geometry::drawImplementation(renderInfo);
-            osg::State& state = *renderInfo.getState();
-            state.setActiveTextureUnit(0);
-            state.applyTextureAttribute(0, _states);
-            const osg::Image& size = *_states->getImage();
-            glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, size.s(), size.t());
-            if (_readback)
-                _readback->read(state, size.s(), size.t());
-        });
-    }
-
-private:
-    EntryGuard _guard;
-    osg::ref_ptr<osg::Texture2D> _states;
-    osg::ref_ptr<AngleReadback> _readback;
-};
 
 /// Nothing that a scene may set above it gets between a fragment and its texel.
 void computeOnly(osg::StateSet& state) {
@@ -80,11 +45,72 @@ osg::ref_ptr<osg::Camera> createCamera(osg::Texture2D* target) {
 
 } // namespace
 
-AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states, AngleReadback* readback)
-    : _states(shader, states.size()), _target(shader, states.size()),
+/// Draws every texel of the target, and copies it back to where the states are kept, and to the CPU. It is
+/// dynamic: the next update waits until that is done, however many threads draw.
+class AnglePass::Quad : public osg::Geometry {
+public:
+    explicit Quad(osg::Texture2D* states) : _states(states) {
+        osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+        for (const osg::Vec3& corner :
+             {osg::Vec3(-1, -1, 0), osg::Vec3(1, -1, 0), osg::Vec3(-1, 1, 0), osg::Vec3(1, 1, 0)})
+            corners->push_back(corner);
+        setUseDisplayList(false);
+        setUseVertexBufferObjects(true);
+        setVertexArray(corners);
+        makeArraysDistinct(*this);
+        addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
+        setCullingActive(false);
+        setDataVariance(osg::Object::DYNAMIC);
+    }
+
+    void drawImplementation(osg::RenderInfo& renderInfo) const override {
+        _guard.run("branches may stand still", [&] {
+            osg::Geometry::drawImplementation(renderInfo);
+            osg::State& state = *renderInfo.getState();
+            state.setActiveTextureUnit(0);
+            state.applyTextureAttribute(0, _states);
+            const osg::Image& size = *_states->getImage();
+            glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, size.s(), size.t());
+            read(state, static_cast<std::size_t>(size.s()) * static_cast<std::size_t>(size.t()));
+        });
+    }
+
+    bool take(std::vector<glm::vec4>& texels) {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        if (!_fresh)
+            return false;
+        texels.swap(_texels);
+        _fresh = false;
+        return true;
+    }
+
+private:
+    void read(const osg::State& state, std::size_t count) const {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        const unsigned frame = state.getFrameStamp() ? state.getFrameStamp()->getFrameNumber() : 0;
+        if (_fresh && frame <= _frame)
+            return; // another context was first
+        _texels.resize(count);
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, _texels.data());
+        _frame = frame;
+        _fresh = true;
+    }
+
+    EntryGuard _guard;
+    osg::ref_ptr<osg::Texture2D> _states;
+    mutable std::mutex _mutex; // guards all below
+    mutable std::vector<glm::vec4> _texels;
+    mutable unsigned _frame = 0;
+    mutable bool _fresh = false;
+};
+
+AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states)
+    : _states(shader, states.size()), _target(shader, states.size()), _quad(new Quad(_states.texture())),
       _camera(createCamera(_target.texture())) {
-    startFrom(states);
-    _camera->addChild(new StateQuad(_states.texture(), readback));
+    _states.write(states);
+    _camera->addChild(_quad);
     osg::StateSet& state = *_camera->getOrCreateStateSet();
     state.setDataVariance(osg::Object::DYNAMIC);
     computeOnly(state);
@@ -93,8 +119,13 @@ AnglePass::AnglePass(const char* shader, const std::vector<glm::vec4>& states, A
     state.addUniform(new osg::Uniform("previousAngles", 0));
 }
 
-void AnglePass::startFrom(const std::vector<glm::vec4>& texels) {
+AnglePass::~AnglePass() = default;
+
+bool AnglePass::take(std::vector<glm::vec4>& texels) {
+    if (!_quad->take(texels))
+        return false;
     _states.write(texels); // not dirty: contexts that have them go on from their own
+    return true;
 }
 
 } // namespace osgTreeWind

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <osgTreeWind/gpu/DataTexture.h>
-#include <osgTreeWind/gpu/branchwise/AngleReadback.h>
 
 #include <osg/Camera>
 
@@ -12,12 +11,13 @@ namespace osgTreeWind {
 
 /// A pre-render pass that works out the next state of every element from the one before: one quad whose
 /// fragments are the elements (thesis §5.2). It is drawn into a second texture, and its own draw puts the
-/// result back into states(): what no context draws leaves them as they are. Changed in update only.
+/// result back into states(): what no context draws leaves them as they are. It also copies them to the CPU,
+/// stamped with the frame, so that update of frame N takes the states of frame N - 1. Changed in update only.
 class AnglePass {
 public:
     /// @param shader fragment shader, e.g. "branchwise/branch_angles". @param states to start from.
-    /// @param readback given the states after each drawing, in the draw thread; may be null.
-    AnglePass(const char* shader, const std::vector<glm::vec4>& states, AngleReadback* readback = nullptr);
+    AnglePass(const char* shader, const std::vector<glm::vec4>& states);
+    ~AnglePass();
 
     /// State of the pass: bind its inputs here, from texture unit 1 on; unit 0 holds the states before.
     osg::StateSet& inputs() { return *_camera->getStateSet(); }
@@ -31,12 +31,16 @@ public:
 
     osg::Texture2D* states() const { return _states.texture(); }
 
-    /// Has a context that comes later, or one that was lost, start from these states.
-    /// @param texels of states(), as many as there are at most.
-    void startFrom(const std::vector<glm::vec4>& texels);
+    /// The states of the frame drawn last, unless they were taken before; a context that comes later, or one
+    /// that was lost, starts from them. @param texels become all texels of states(), padding included.
+    /// @return whether there were any.
+    bool take(std::vector<glm::vec4>& texels);
 
 private:
+    class Quad;
+
     DataTexture _states, _target;
+    osg::ref_ptr<Quad> _quad;
     osg::ref_ptr<osg::Camera> _camera;
 };
 

@@ -6,10 +6,9 @@
 namespace osgTreeWind {
 
 AnglePrePass::AnglePrePass(const BranchwiseMotion& motion)
-    : _node(new OncePerFrame), _branchReadback(new AngleReadback), _leafReadback(new AngleReadback),
-      _branches("branchwise/branch_angles", motion.states(), _branchReadback),
-      _leaves("branchwise/leaf_angles", motion.leaves().states(), _leafReadback),
-      _wind("wind", motion.forest().units), _branchParameters("branch parameters", 3 * motion.forest().units),
+    : _node(new OncePerFrame), _branches("branchwise/branch_angles", motion.states()),
+      _leaves("branchwise/leaf_angles", motion.leaves().states()), _wind("wind", motion.forest().units),
+      _branchParameters("branch parameters", 3 * motion.forest().units),
       _leafParameters("leaf parameters", motion.forest().leaves),
       _species("species", speciesTexels(motion.forest().description(), 0.0).size()) {
     _branchParameters.fill(branchTexels(motion.forest(), motion));
@@ -41,14 +40,11 @@ void AnglePrePass::hold() {
 }
 
 bool AnglePrePass::readBack(BranchwiseMotion& motion) {
-    if (_leafReadback->take(_states)) {
-        _leaves.startFrom(_states);
-        motion.leaves().takeStates(_states);
-    }
-    if (!_branchReadback->take(_states))
+    if (_leaves.take(_states))
+        motion.leaves().setStates(_states);
+    if (!_branches.take(_states))
         return false;
-    _branches.startFrom(_states);
-    motion.takeStates(_states);
+    motion.setStates(_states);
     return true;
 }
 

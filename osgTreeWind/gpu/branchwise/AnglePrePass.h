@@ -2,7 +2,6 @@
 #pragma once
 
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
-#include <osgTreeWind/gpu/branchwise/AngleReadback.h>
 #include <osgTreeWind/gpu/branchwise/OncePerFrame.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
@@ -32,13 +31,11 @@ public:
 
     /// Leaf angles, as the frame draws them.
     osg::Texture2D* leafAngles() const { return _leaves.states(); }
-    /// Branch angles, likewise; and the wind they come from.
-    osg::Texture2D* branchAngles() const { return _branches.states(); }
+    /// The wind that branch angles come from.
     osg::Texture2D* wind() const { return _wind.texture(); }
 
 private:
     osg::ref_ptr<OncePerFrame> _node;
-    osg::ref_ptr<AngleReadback> _branchReadback, _leafReadback;
     AnglePass _branches, _leaves;
     DataTexture _wind, _branchParameters, _leafParameters, _species;
     std::vector<glm::vec4> _states; ///< As read back.

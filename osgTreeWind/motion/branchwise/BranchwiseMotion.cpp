@@ -64,9 +64,8 @@ void BranchwiseMotion::step(const WindField* wind, double time, float) {
     _leaves.step(time);
 }
 
-void BranchwiseMotion::takeStates(std::vector<glm::vec4>& states) {
-    states.resize(_states.size());
-    _states.swap(states);
+void BranchwiseMotion::setStates(const std::vector<glm::vec4>& states) {
+    std::copy_n(states.begin(), _states.size(), _states.begin()); // where they are: motion() points to them
     for (const PlacedTree& tree : _forest.trees)
         pose(tree);
 }

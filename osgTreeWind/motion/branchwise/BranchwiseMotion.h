@@ -35,8 +35,7 @@ public:
     }
 
     /// Takes over states computed elsewhere, at least one per unit, and composes the poses.
-    /// @param states becomes those of before.
-    void takeStates(std::vector<glm::vec4>& states);
+    void setStates(const std::vector<glm::vec4>& states);
 
     const PlacedForest& forest() const { return _forest; }
     LeafFlutter& leaves() { return _leaves; }

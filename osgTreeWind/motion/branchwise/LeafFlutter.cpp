@@ -35,9 +35,8 @@ void LeafFlutter::step(double time) {
     }
 }
 
-void LeafFlutter::takeStates(std::vector<glm::vec4>& states) {
-    states.resize(_states.size());
-    _states.swap(states);
+void LeafFlutter::setStates(const std::vector<glm::vec4>& states) {
+    std::copy_n(states.begin(), _states.size(), _states.begin()); // where they are: motion() points to them
 }
 
 } // namespace osgTreeWind

@@ -18,8 +18,8 @@ public:
     void reset();
     /// One step. Does not allocate.
     void step(double time);
-    /// Takes over states computed elsewhere, at least one per cluster. @param states becomes those of before.
-    void takeStates(std::vector<glm::vec4>& states);
+    /// Takes over states computed elsewhere, at least one per cluster.
+    void setStates(const std::vector<glm::vec4>& states);
 
     /// (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame.
     const std::vector<glm::vec4>& states() const { return _states; }

@@ -82,21 +82,26 @@ glm::dvec3 lever(const TreeMode& mode, const std::vector<glm::dvec3>& torques) {
     return sum;
 }
 
-double dragOf(const ModalModel::Patch& patch) {
-    return static_cast<double>(patch.woodDrag + patch.leafDrag);
-}
-
-/// Static energy of a mode under horizontal gusts as large at each patch, half of them of the whole crown at
+/// Square of what pushes under horizontal gusts as large at each patch, half of them of the whole crown at
 /// once.
-double energyUnderGusts(const TreeMode& mode, const Patches& patches) {
+/// @param leverOf of a patch.
+template <typename LeverOf>
+double squareUnderGusts(const Patches& patches, const LeverOf& leverOf) {
     double alone = 0.0;
     glm::dvec3 together(0.0);
     for (std::size_t p = 0; p < patches.list.size(); ++p) {
-        const glm::dvec3 force = dragOf(patches.list[p]) * lever(mode, patches.torques[p]);
+        const ModalModel::Patch& patch = patches.list[p];
+        const glm::dvec3 force = static_cast<double>(patch.woodDrag + patch.leafDrag) * leverOf(p);
         alone += force.x * force.x + force.y * force.y;
         together += force;
     }
-    return (alone + together.x * together.x + together.y * together.y) / (mode.speed * mode.speed);
+    return alone + together.x * together.x + together.y * together.y;
+}
+
+/// Static energy of a mode under gusts.
+double energyUnderGusts(const TreeMode& mode, const Patches& patches) {
+    return squareUnderGusts(patches, [&](std::size_t p) { return lever(mode, patches.torques[p]); }) /
+           (mode.speed * mode.speed);
 }
 
 /// Modes in the order of the energy with which gusts make them swing: slow ones are met by more of their
@@ -113,17 +118,9 @@ std::vector<std::size_t> byEnergy(const std::vector<TreeMode>& modes, const std:
 /// Static energy of all modes, kept or not.
 double wholeEnergy(const JointTree& tree, const Patches& patches) {
     double energy = 0.0;
-    std::vector<glm::dvec3> together(tree.jointCount(), glm::dvec3(0.0));
-    for (std::size_t i = 0; i < tree.jointCount(); ++i) {
-        double alone = 0.0;
-        for (std::size_t p = 0; p < patches.list.size(); ++p) {
-            const glm::dvec3 torque = dragOf(patches.list[p]) * patches.torques[p][i];
-            alone += torque.x * torque.x + torque.y * torque.y;
-            together[i] += torque;
-        }
-        energy += (alone + together[i].x * together[i].x + together[i].y * together[i].y) /
+    for (std::size_t i = 0; i < tree.jointCount(); ++i)
+        energy += squareUnderGusts(patches, [&](std::size_t p) { return patches.torques[p][i]; }) /
                   tree.links[i / 2].stiffness;
-    }
     return energy;
 }
 

@@ -119,7 +119,7 @@ void krylovSpace(const Eigen::SparseMatrix<double>& a, std::size_t size, Eigen::
 
 } // namespace
 
-JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()), _first(tree.links.size()) {
+JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()) {
     const std::size_t count = tree.links.size();
     std::vector<CarriedMass> own(count);                  // points of the link itself
     std::vector<CarriedMass> beyond(count);               // all that is carried by links fixed to it
@@ -140,8 +140,7 @@ JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()), _fir
             all.add(beyond[i]);
             beyond[parent].add(all.from(tree.links[i].base - tree.links[parent].base));
         }
-    for (std::size_t i = 0; i < count; ++i) {
-        _first[i] = _blocks.size();
+    for (std::size_t i = 0; i < count; ++i)
         for (int c = static_cast<int>(i); c >= 0; c = tree.links[static_cast<std::size_t>(c)].parent) {
             const auto carrier = static_cast<std::size_t>(c);
             const glm::dvec3 shift = tree.links[i].base - tree.links[carrier].base;
@@ -159,16 +158,6 @@ JointMasses::JointMasses(const JointTree& tree) : _size(tree.jointCount()), _fir
                 }
             _blocks.push_back(block);
         }
-    }
-}
-
-double JointMasses::at(std::size_t i, std::size_t j) const {
-    const std::size_t link = std::max(i, j) / 2, carrier = std::min(i, j) / 2;
-    const std::size_t end = link + 1 < _first.size() ? _first[link + 1] : _blocks.size();
-    for (std::size_t b = _first[link]; b < end; ++b)
-        if (_blocks[b].carrier == carrier)
-            return i / 2 >= j / 2 ? _blocks[b].m[i % 2][j % 2] : _blocks[b].m[j % 2][i % 2];
-    return 0.0;
 }
 
 std::vector<double> JointMasses::times(const std::vector<double>& x) const {

@@ -21,8 +21,6 @@ class JointMasses {
 public:
     explicit JointMasses(const JointTree& tree);
 
-    /// Element of the matrix; 0 where neither joint carries the other.
-    double at(std::size_t i, std::size_t j) const;
     /// M x. Both have jointCount() elements.
     std::vector<double> times(const std::vector<double>& x) const;
 
@@ -33,8 +31,7 @@ private:
         double m[2][2];
     };
     std::size_t _size;
-    std::vector<Block> _blocks;      ///< By link, from itself down to the ground.
-    std::vector<std::size_t> _first; ///< Per link, its first block.
+    std::vector<Block> _blocks; ///< By link, from itself down to the ground.
 };
 
 /// The slowest modes of a tree, slowest first: K phi = M phi omega^2 with phi^T M phi = 1.

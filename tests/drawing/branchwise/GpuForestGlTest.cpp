@@ -148,7 +148,7 @@ TEST_F(GpuForestGlTest, WindShowsInItsOwnFrameAndInTransformsOneFrameLater) {
     osg::ref_ptr<Forest> forest = start(calm);
     const auto windTexel = [&] {
         return reinterpret_cast<const float*>(
-            BranchwiseParts::prePass(*forest->getBranchwise())->wind()->getImage()->data())[4];
+            BranchwiseParts::prePass(*forest->getBranchwise())->wind()->getImage()->data())[0];
     };
     BranchTransform* branch = BranchwiseParts::tree(*forest->getBranchwise(), 0)->getBranch(1);
     frame(0.1);

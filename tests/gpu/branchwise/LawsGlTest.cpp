@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
-#include <osgTreeWind/gpu/branchwise/AngleReadback.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
@@ -25,8 +24,7 @@ class LawsGlTest : public GlTest {
 protected:
     /// @param inputs name and one texel a state. @param body of the expression, which finds them by name.
     Texels step(const Texels& states, const Inputs& inputs, const std::string& body) {
-        osg::ref_ptr<AngleReadback> readback = new AngleReadback;
-        AnglePass pass("branchwise/branch_angles", states, readback);
+        AnglePass pass("branchwise/branch_angles", states);
         unsigned unit = 1;
         std::string declared;
         std::vector<DataTexture> textures;
@@ -45,7 +43,7 @@ protected:
         viewer().setSceneData(pass.node());
         frame(0.0);
         Texels result;
-        EXPECT_TRUE(readback->take(result));
+        EXPECT_TRUE(pass.take(result));
         result.resize(states.size());
         return result;
     }

@@ -85,10 +85,12 @@ public:
         const auto size = static_cast<Eigen::Index>(joints.jointCount());
         Eigen::MatrixXd mass(size, size), stiffness = Eigen::MatrixXd::Zero(size, size);
         const JointMasses masses(joints);
-        for (Eigen::Index i = 0; i < size; ++i) {
-            stiffness(i, i) = joints.links[static_cast<std::size_t>(i) / 2].stiffness;
-            for (Eigen::Index j = 0; j < size; ++j)
-                mass(i, j) = masses.at(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        for (std::size_t i = 0; i < joints.jointCount(); ++i) {
+            const auto column = static_cast<Eigen::Index>(i);
+            stiffness(column, column) = joints.links[i / 2].stiffness;
+            std::vector<double> one(joints.jointCount(), 0.0);
+            one[i] = 1.0;
+            mass.col(column) = Eigen::Map<const Eigen::VectorXd>(masses.times(one).data(), size);
         }
         stiffness -= weightOf(joints);
         const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
