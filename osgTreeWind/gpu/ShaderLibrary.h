@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osg/Program>
+#include <osg/StateSet>
 
 #include <string>
 

@@ -65,7 +65,7 @@ InventoryColumns::InventoryColumns()
 
 void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
     table.table("columns", [&](TableReader& columns) {
-        for (Measure* measure : {&x, &y, &z, &height, &trunkDiameter, &circumference, &crownWidth})
+        for (Measure* measure : measures())
             measure->column = find(columns, measure->key, rows);
         id = find(columns, "id", rows);
         if (const auto given = find(columns, "species", rows))
@@ -108,23 +108,24 @@ void InventoryColumns::takeKnown(const TreeRows& rows) {
         } else if (known.key == std::string("id")) {
             id = id ? id : column;
         } else
-            for (Measure* measure : {&height, &trunkDiameter, &circumference, &crownWidth})
+            for (Measure* measure : measures())
                 if (measure->key == std::string(known.key) && !measure->column)
                     measure->column = column;
     }
 }
 
 void InventoryColumns::readUnits(TableReader& units) {
-    for (Measure* measure : {&x, &y, &z, &height, &trunkDiameter, &circumference, &crownWidth})
+    for (Measure* measure : measures())
         units.readChoice<double>(measure->key, measure->unit, lengthUnits());
 }
 
-std::vector<std::size_t> InventoryColumns::all() const {
+std::vector<std::size_t> InventoryColumns::all() {
     std::vector<std::size_t> columns = species;
-    for (const auto& column : {x.column, y.column, z.column, height.column, trunkDiameter.column,
-                               circumference.column, crownWidth.column, id})
-        if (column)
-            columns.push_back(*column);
+    for (const Measure* measure : measures())
+        if (measure->column)
+            columns.push_back(*measure->column);
+    if (id)
+        columns.push_back(*id);
     return columns;
 }
 

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/io/TreeRows.h>
 
+#include <array>
 #include <utility>
 
 namespace osgTreeWind {
@@ -31,7 +32,7 @@ public:
     /// Whether places are those of `x` and `y`, not of the rows themselves.
     bool hasXY() const { return x.column.has_value(); }
     /// All columns that are read.
-    std::vector<std::size_t> all() const;
+    std::vector<std::size_t> all();
     /// Whether `x` and `y` are called longitude and latitude.
     bool areDegrees(const TreeRows& rows) const;
 
@@ -43,6 +44,9 @@ public:
     InventoryColumns();
 
 private:
+    std::array<Measure*, 7> measures() {
+        return {&x, &y, &z, &height, &trunkDiameter, &circumference, &crownWidth};
+    }
     std::optional<std::size_t> find(TableReader& columns, const std::string& key, const TreeRows* rows);
     void takeKnown(const TreeRows& rows);
     void readUnits(TableReader& units);

@@ -127,7 +127,7 @@ std::optional<InventoryPlaces> InventoryPlaces::find(TableReader& table, TreeRow
     return found;
 }
 
-void InventoryPlaces::rewind(TreeRows& rows, const InventoryColumns& columns) const {
+void InventoryPlaces::rewind(TreeRows& rows, InventoryColumns& columns) const {
     rows.rewind(_way, columns.all());
 }
 

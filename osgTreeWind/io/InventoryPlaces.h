@@ -17,7 +17,7 @@ public:
                                                const InventoryColumns& columns, ForestReading& reading);
 
     /// Makes the first row the next one, with what find() was asked about.
-    void rewind(TreeRows& rows, const InventoryColumns& columns) const;
+    void rewind(TreeRows& rows, InventoryColumns& columns) const;
     /// Where a row is, by its columns or by itself. @param index of the row, from 0.
     Result<VectorPlace> of(const TreeRows& rows, const InventoryColumns& columns, std::size_t index) const;
 

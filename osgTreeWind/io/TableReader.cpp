@@ -170,59 +170,41 @@ bool TableReader::readDegrees(const std::string& key, float& radians, const Rang
     return true;
 }
 
-bool TableReader::read(const std::string& key, int& field, const Range& range) {
+template <typename Given, typename T, typename Fits>
+bool TableReader::readExact(const std::string& key, T& field, const std::string& expected, Fits fits) {
     const toml::node* node = find(key);
     if (!node)
         return false;
-    const auto whole = node->value_exact<std::int64_t>();
-    const Range allowed = {std::max<double>(range.min, std::numeric_limits<int>::min()),
-                           std::min<double>(range.max, std::numeric_limits<int>::max()), range.aboveMin};
-    if (!whole || !allowed.contains(static_cast<double>(*whole))) {
-        const std::string limits = allowed.text();
-        problemAt(*node, key, "expected a whole number " + limits + ", found " + describe(*node));
+    auto given = node->value_exact<Given>();
+    if (!given || !fits(*given)) {
+        problemAt(*node, key, "expected " + expected + ", found " + describe(*node));
         return false;
     }
-    field = static_cast<int>(*whole);
+    field = static_cast<T>(std::move(*given));
     return true;
+}
+
+bool TableReader::read(const std::string& key, int& field, const Range& range) {
+    const Range allowed = {std::max<double>(range.min, std::numeric_limits<int>::min()),
+                           std::min<double>(range.max, std::numeric_limits<int>::max()), range.aboveMin};
+    return readExact<std::int64_t>(key, field, "a whole number " + allowed.text(), [&](std::int64_t whole) {
+        return allowed.contains(static_cast<double>(whole));
+    });
 }
 
 bool TableReader::read(const std::string& key, std::uint32_t& field) {
-    const toml::node* node = find(key);
-    if (!node)
-        return false;
-    const auto whole = node->value_exact<std::int64_t>();
-    if (!whole || *whole < 0 || *whole > std::numeric_limits<std::uint32_t>::max()) {
-        problemAt(*node, key, "expected a whole number in [0, 4294967295], found " + describe(*node));
-        return false;
-    }
-    field = static_cast<std::uint32_t>(*whole);
-    return true;
+    return readExact<std::int64_t>(key, field, "a whole number in [0, 4294967295]", [](std::int64_t whole) {
+        return whole >= 0 && whole <= std::numeric_limits<std::uint32_t>::max();
+    });
 }
 
 bool TableReader::read(const std::string& key, bool& field) {
-    const toml::node* node = find(key);
-    if (!node)
-        return false;
-    const auto flag = node->value_exact<bool>();
-    if (!flag) {
-        problemAt(*node, key, "expected true or false, found " + describe(*node));
-        return false;
-    }
-    field = *flag;
-    return true;
+    return readExact<bool>(key, field, "true or false", [](bool) { return true; });
 }
 
 bool TableReader::read(const std::string& key, std::string& field) {
-    const toml::node* node = find(key);
-    if (!node)
-        return false;
-    auto text = node->value_exact<std::string>();
-    if (!text || text->empty()) {
-        problemAt(*node, key, "expected a text in quotes, found " + describe(*node));
-        return false;
-    }
-    field = std::move(*text);
-    return true;
+    return readExact<std::string>(key, field, "a text in quotes",
+                                  [](const std::string& text) { return !text.empty(); });
 }
 
 bool TableReader::readScalar(const std::string& key, std::string& field) {

@@ -96,6 +96,9 @@ private:
     const toml::node* find(const std::string& key);
     std::string dotted(const std::string& key) const;
     void problemAt(const toml::node& node, const std::string& key, const std::string& message);
+    /// Reads a value that is of a type of TOML's and fits.
+    template <typename Given, typename T, typename Fits>
+    bool readExact(const std::string& key, T& field, const std::string& expected, Fits fits);
     bool readNumber(const toml::node& node, const std::string& key, double& field, const Range& range);
     bool readArray(const toml::node& node, const std::string& key, std::vector<double>& field,
                    std::size_t least, std::size_t most, const Range& range);

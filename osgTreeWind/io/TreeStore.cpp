@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/TreeStore.h>
 
-#include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -10,55 +10,38 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A tree as bytes; its name follows.
-struct StoredTree {
-    glm::dvec3 position;
-    std::uint64_t species;
-    TreeSize size;
-    float heading, leaves;
-    std::uint32_t seed, nameLength;
-    bool openGrown, onGround, heightEstimated, trunkEstimated, crownEstimated;
-};
-static_assert(std::is_trivially_copyable_v<StoredTree>);
+/// All of a tree but its name.
+template <typename Tree>
+auto storedParts(Tree& tree) {
+    return std::tie(tree.position, tree.species, tree.size, tree.heading, tree.leaves, tree.seed,
+                    tree.openGrown, tree.estimated);
+}
 
 void append(std::string& bytes, const TreePlacement& tree, bool onGround) {
-    StoredTree row;
-    std::memset(static_cast<void*>(&row), 0, sizeof row); // no bytes of old memory in a file
-    row.position = tree.position;
-    row.species = tree.species;
-    row.size = tree.size;
-    row.heading = tree.heading;
-    row.leaves = tree.leaves;
-    row.seed = tree.seed;
-    row.nameLength = static_cast<std::uint32_t>(tree.name.size());
-    row.openGrown = tree.openGrown;
-    row.onGround = onGround;
-    row.heightEstimated = tree.estimated.height;
-    row.trunkEstimated = tree.estimated.trunkDiameter;
-    row.crownEstimated = tree.estimated.crownWidth;
-    bytes.append(reinterpret_cast<const char*>(&row), sizeof row).append(tree.name);
+    const auto add = [&](const auto&... parts) {
+        static_assert((std::is_trivially_copyable_v<std::decay_t<decltype(parts)>> && ...));
+        (bytes.append(reinterpret_cast<const char*>(&parts), sizeof parts), ...);
+    };
+    std::apply(add, storedParts(tree));
+    add(onGround, tree.name.size());
+    bytes += tree.name;
 }
 
 /// @return where the next one begins.
 const char* take(const char* bytes, TreePlacement& tree, bool& onGround) {
-    StoredTree row;
-    std::memcpy(static_cast<void*>(&row), bytes, sizeof row);
-    tree.position = row.position;
-    tree.species = static_cast<std::size_t>(row.species);
-    tree.size = row.size;
-    tree.heading = row.heading;
-    tree.leaves = row.leaves;
-    tree.seed = row.seed;
-    tree.openGrown = row.openGrown;
-    tree.estimated = {row.heightEstimated, row.trunkEstimated, row.crownEstimated};
-    tree.name.assign(bytes + sizeof row, row.nameLength);
-    onGround = row.onGround;
-    return bytes + sizeof row + row.nameLength;
+    const auto read = [&](auto&... parts) {
+        ((std::memcpy(static_cast<void*>(&parts), bytes, sizeof parts), bytes += sizeof parts), ...);
+    };
+    std::size_t length = 0;
+    std::apply(read, storedParts(tree));
+    read(onGround, length);
+    tree.name.assign(bytes, length);
+    return bytes + length;
 }
 
 std::string bytesOf(const TreeStore::Trees& trees, const std::vector<std::size_t>& onGround) {
     std::string bytes;
-    bytes.reserve(trees.size() * (sizeof(StoredTree) + 8));
+    bytes.reserve(trees.size() * sizeof(TreePlacement));
     auto next = onGround.begin();
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const bool isOnGround = next != onGround.end() && *next == i;

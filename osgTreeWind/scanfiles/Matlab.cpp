@@ -18,7 +18,7 @@ Result<ScanFile> readMatlab(const std::string& path) {
     constexpr ReaderProgram reader{"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"};
     std::optional<Result<ScanFile>> scan;
     const auto problem = runReader(reader, path, {"trees"}, [&](int answer) {
-        scan = ScanWire::receive(answer);
+        scan = Wire::receive<ScanFile>(answer);
         return scan.has_value();
     });
     if (problem)

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Wire.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
-#include <optional>
+namespace osgTreeWind {
 
-/// The way of trees, or of what is wrong with them, from a process that reads them to the one that wants
-/// them; both of the same build. Not part of the interface.
-namespace osgTreeWind::ScanWire {
+/// Has Wire pass trees from the process that reads them.
+inline bool passMembers(Wire& wire, ScanFile& scan) {
+    return wire.pass(scan.format, scan.trees);
+}
 
-/// Writes to a file descriptor. False when nobody takes it any more.
-bool send(int descriptor, Result<ScanFile>& scan);
-/// Reads what send() wrote: nothing where it ends too early or makes no sense.
-std::optional<Result<ScanFile>> receive(int descriptor);
-
-} // namespace osgTreeWind::ScanWire
+} // namespace osgTreeWind

@@ -17,7 +17,7 @@ Result<WindContent> readWeather(const char* format, const char* libraries, const
                                      numberText(area->high.x), numberText(area->high.y)});
     std::optional<Result<WindContent>> content;
     const auto problem = runReader(reader, path, wanted, [&](int answer) {
-        content = WindWire::receive(answer);
+        content = Wire::receive<WindContent>(answer);
         return content.has_value();
     });
     return problem ? Result<WindContent>(*problem) : std::move(*content);

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/base/Wire.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 
-#include <optional>
+namespace osgTreeWind {
 
-/// The way of a grid, or of what is wrong with it, from a process that reads it to the one that wants it;
-/// both of the same build. Not part of the interface.
-namespace osgTreeWind::WindWire {
+/// Has Wire pass a grid from the process that reads it.
+inline bool passMembers(Wire& wire, WindContent& content) {
+    WindSummary& summary = content.summary;
+    auto& grid = std::get<GridWind::Grid>(content.data);
+    unsigned char aboveGround = grid.aboveGround ? 1 : 0;
+    const bool good = wire.pass(summary.format, summary.unit, summary.direction, summary.coordinates,
+                                summary.crs, summary.start, summary.notes, grid.points, grid.origin,
+                                grid.cell, grid.times, grid.heights, aboveGround, grid.values);
+    grid.aboveGround = aboveGround != 0;
+    return good;
+}
 
-/// Writes to a file descriptor. False when nobody takes it any more.
-bool send(int descriptor, Result<WindContent>& content);
-/// Reads what send() wrote: nothing where it ends too early or makes no sense.
-std::optional<Result<WindContent>> receive(int descriptor);
-
-} // namespace osgTreeWind::WindWire
+} // namespace osgTreeWind

@@ -21,7 +21,7 @@ std::string path;
 
 /// Ends this process at once: what was damaged is not tidied up.
 [[noreturn]] void answer(Result<ScanFile> scan) {
-    _exit(ScanWire::send(STDOUT_FILENO, scan) ? 0 : 1);
+    _exit(Wire::send(STDOUT_FILENO, scan) ? 0 : 1);
 }
 
 void fail(const std::string& reason) {

@@ -172,8 +172,8 @@ private:
         if (size < 20 || _bytes.substr(_end - end.size(), end.size()) != end)
             return "it does not end where it says, after " + std::to_string(size) + " bytes";
         _field = {};
-        _field.begin = _at;
-        _field.size = static_cast<std::size_t>(size);
+        _begin = _at;
+        _fieldsBefore = _fields.size();
         _field.parameter.edition = edition;
         _sections = {};
         _sections[0] = _bytes.substr(_at, edition == 1 ? 8 : 16);
@@ -232,14 +232,13 @@ private:
                 return "numbers without sections 1, 3 and 4";
             if (Problem problem = addField(_sections[3]))
                 return problem;
-            ++_field.band;
         }
         return hasProduct ? Problem("section 4 without numbers") : Problem();
     }
 
     Problem addField(std::string_view grid) {
-        if (_field.band == 1 && _at == _end)
-            _field.parts = {_bytes.substr(_field.begin, _field.size)};
+        if (_field.parameter.edition == 1 || (_fields.size() == _fieldsBefore && _at == _end))
+            _field.parts = {_bytes.substr(_begin, _end + end.size() - _begin)};
         else {
             _field.parts.assign(_sections.begin(), _sections.end());
             _field.parts.push_back(end);
@@ -270,7 +269,7 @@ private:
     }
 
     std::string_view _bytes;
-    std::size_t _at = 0, _end = 0, _message = 0;
+    std::size_t _at = 0, _begin = 0, _end = 0, _message = 0, _fieldsBefore = 0;
     std::array<std::string_view, 8> _sections;
     GribField _field;
     std::vector<GribField> _fields;

@@ -41,8 +41,6 @@ struct GribParameter {
 
 /// One field of a file: what its sections say of it, but for its numbers.
 struct GribField {
-    std::size_t begin = 0, size = 0;     ///< Its message in the file, bytes.
-    int band = 1;                        ///< Its place among the fields of its message, from 1.
     std::vector<std::string_view> parts; ///< As GribHandle has them.
     GribParameter parameter;
     GribLevel level;

@@ -59,6 +59,21 @@ std::optional<std::size_t> GribHandle::offset(const char* key) const {
     return at;
 }
 
+std::string GribHandle::emptied(std::size_t numbers) const {
+    const std::unique_ptr<codes_handle, int (*)(codes_handle*)> copy(codes_handle_clone(_handle.get()),
+                                                                     codes_handle_delete);
+    std::size_t count = 0, length = 0;
+    const void* message = nullptr;
+    if (!copy || codes_get_size(copy.get(), "values", &count) != CODES_SUCCESS || count != numbers)
+        return {};
+    const std::vector<double> zeros(count, 0.0);
+    if (codes_set_string(copy.get(), "packingType", "grid_simple", &length) != CODES_SUCCESS ||
+        codes_set_double_array(copy.get(), "values", zeros.data(), count) != CODES_SUCCESS ||
+        codes_get_message(copy.get(), &message, &length) != CODES_SUCCESS)
+        return {};
+    return {static_cast<const char*>(message), length};
+}
+
 std::optional<std::string> GribHandle::read(std::vector<double>& numbers) const {
     constexpr double missing = 1e35; // no wind and no height
     std::size_t count = 0;

@@ -26,6 +26,8 @@ public:
     std::string text(const char* key) const;
     /// The byte of the message where a key is; nothing where there is none.
     std::optional<std::size_t> offset(const char* key) const;
+    /// A message on the same grid, simply packed, whose so many numbers are 0; empty where it cannot be made.
+    std::string emptied(std::size_t numbers) const;
     /// Numbers in the order of the file, NaN where there are none. @return the reason where they cannot be
     /// read.
     std::optional<std::string> read(std::vector<double>& numbers) const;

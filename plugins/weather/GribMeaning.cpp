@@ -90,24 +90,9 @@ Meaning of(const GribField& field) {
 }
 
 std::string nameOf(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::East:
-        return "U";
-    case Quantity::North:
-        return "V";
-    case Quantity::Up:
-        return "W";
-    case Quantity::PressureChange:
-        return "omega";
-    case Quantity::Speed:
-        return "wind speed";
-    case Quantity::Direction:
-        return "wind direction";
-    case Quantity::Height:
-        return "geopotential height";
-    default:
-        return "no wind";
-    }
+    constexpr const char* names[] = {
+        "no wind", "U", "V", "W", "omega", "wind speed", "wind direction", "geopotential height"};
+    return names[static_cast<std::size_t>(quantity)];
 }
 
 std::string nameOf(const GribLevel& level) {
@@ -129,20 +114,10 @@ std::string nameOf(const GribLevel& level) {
 }
 
 std::string nameOf(GribLevelKind kind) {
-    switch (kind) {
-    case GribLevelKind::AboveGround:
-        return "heights above ground";
-    case GribLevelKind::AboveSea:
-        return "heights above sea level";
-    case GribLevelKind::Isobaric:
-        return "isobaric levels";
-    case GribLevelKind::Model:
-        return "model levels";
-    case GribLevelKind::Surface:
-        return "the surface";
-    default:
-        return "levels of other kinds";
-    }
+    constexpr const char* names[] = {"heights above ground", "heights above sea level",
+                                     "isobaric levels",      "model levels",
+                                     "the surface",          "levels of other kinds"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 } // namespace osgTreeWind::GribMeaning

@@ -7,6 +7,7 @@
 #include <plugins/weather/GribHandle.h>
 
 #include <cpl_conv.h>
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <gdal_frmts.h>
 #include <ogr_srs_api.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 namespace osgTreeWind {
@@ -34,24 +36,37 @@ std::string projText(const Crs& crs) {
     return name;
 }
 
-using GdalData = std::unique_ptr<void, decltype(&GDALClose)>;
+/// A message as GDAL reads it, which holds on to its bytes.
+class GdalMessage {
+public:
+    explicit GdalMessage(std::string bytes) : _bytes(std::move(bytes)) {
+        GDALRegister_GRIB();                          // and none of the others, which takes longer
+        CPLSetConfigOption("GDAL_PAM_ENABLED", "NO"); // what stands beside the file is none of it
+        const char* const drivers[] = {"GRIB", nullptr};
+        const char* const options[] = {"USE_IDX=NO", nullptr};
+        VSIFCloseL(VSIFileFromMemBuffer(name, reinterpret_cast<GByte*>(_bytes.data()), _bytes.size(), FALSE));
+        _data = GDALOpenEx(name, GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers, options, nullptr);
+    }
+    GdalMessage(const GdalMessage&) = delete;
+    GdalMessage& operator=(const GdalMessage&) = delete;
+    ~GdalMessage() {
+        if (_data)
+            GDALClose(_data);
+        VSIUnlink(name);
+    }
 
-GdalData openMessage(const std::string& path, const GribField& field) {
-    GDALRegister_GRIB();                          // and none of the others, which takes longer
-    CPLSetConfigOption("GDAL_PAM_ENABLED", "NO"); // what stands beside the file is none of it
-    const std::string message =
-        "/vsisubfile/" + std::to_string(field.begin) + '_' + std::to_string(field.size) + ',' + path;
-    const char* const drivers[] = {"GRIB", nullptr};
-    const char* const options[] = {"USE_IDX=NO", nullptr};
-    const char* const siblings[] = {nullptr};
-    return {GDALOpenEx(message.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers, options, siblings),
-            GDALClose};
-}
+    void* get() const { return _data; }
+
+private:
+    static constexpr const char* name = "/vsimem/field";
+    std::string _bytes;
+    void* _data;
+};
 
 /// What GDAL says, without the name that it was given.
 std::string reasonOf(std::string text) {
-    for (std::size_t at; (at = text.find("/vsisubfile/")) != std::string::npos;)
-        text.erase(at, text.find(',', at) + 1 - at);
+    for (std::size_t at; (at = text.find("/vsimem/")) != std::string::npos;)
+        text.erase(at, std::strlen("/vsimem/"));
     return text.empty() ? "" : ": " + text;
 }
 
@@ -66,9 +81,13 @@ Result<GribPlace> GribNumbers::place(const GribField& field) {
         return problem(field, "its grid is " + field.grid.kind +
                                   ", whose points are not even on longitudes and latitudes or on a map; "
                                   "`cdo remapbil` makes an even grid of it");
+    std::string bytes = GribHandle(field.parts).emptied(field.grid.columns * field.grid.rows);
+    if (bytes.empty())
+        if (const auto numbers = read(field, {}, {}); !numbers)
+            return numbers.problems();
     const GdalErrors errors;
-    const GdalData opened = openMessage(_path, field);
-    void* const data = opened.get();
+    const GdalMessage message(std::move(bytes));
+    void* const data = message.get();
     if (!data)
         return problem(field, "GDAL cannot place its grid, " + field.grid.kind + reasonOf(errors.text()));
     const int columns = GDALGetRasterXSize(data), rows = GDALGetRasterYSize(data);

@@ -18,8 +18,8 @@ struct GribPlace {
     EvenAxis x, y;
 };
 
-/// Places of fields through GDAL, and their numbers through ecCodes. GDAL is given one message, so that it
-/// reads nothing that is not asked for.
+/// Places of fields through GDAL, and their numbers through ecCodes. GDAL is given one message
+/// without its numbers, so that it need not know how they are packed.
 class GribNumbers {
 public:
     /// @param path of the file that the fields are of.

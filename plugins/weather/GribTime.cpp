@@ -17,29 +17,16 @@ std::optional<double> secondsOf(const Date& date) {
 }
 
 std::optional<double> secondsOfUnit(int edition, int unit) {
-    constexpr double minute = 60.0, hour = 3600.0, day = 86400.0;
-    switch (unit) {
-    case 0:
-        return minute;
-    case 1:
-        return hour;
-    case 2:
-        return day;
-    case 10:
-        return 3.0 * hour;
-    case 11:
-        return 6.0 * hour;
-    case 12:
-        return 12.0 * hour;
-    default:
-        break;
-    }
-    if (edition == 1 && unit == 13)
-        return 15.0 * minute;
-    if (edition == 1 && unit == 14)
-        return 30.0 * minute;
-    if (unit == (edition == 1 ? 254 : 13))
-        return 1.0;
+    struct Unit {
+        int edition, number; // edition 0: both
+        double seconds;
+    };
+    constexpr Unit units[] = {{0, 0, 60.0},     {0, 1, 3600.0},   {0, 2, 86400.0}, {0, 10, 10800.0},
+                              {0, 11, 21600.0}, {0, 12, 43200.0}, {1, 13, 900.0},  {1, 14, 1800.0},
+                              {1, 254, 1.0},    {2, 13, 1.0}};
+    for (const Unit& each : units)
+        if (each.number == unit && (each.edition == 0 || each.edition == edition))
+            return each.seconds;
     return std::nullopt;
 }
 

@@ -64,5 +64,5 @@ int main(int argc, char** argv) {
     const int answer = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); // what a library prints is no part of the answer
     Result<WindContent> content = readWeather(argv[1], requestOf(argv + 2, argc == 8));
-    _exit(WindWire::send(answer, content) ? 0 : 1); // at once: what was damaged is not tidied up
+    _exit(Wire::send(answer, content) ? 0 : 1); // at once: what was damaged is not tidied up
 }

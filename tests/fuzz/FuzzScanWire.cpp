@@ -12,7 +12,7 @@ using namespace osgTreeWind;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const int file = memfd_create("fuzz", 0);
     if (write(file, data, size) == static_cast<ssize_t>(size) && lseek(file, 0, SEEK_SET) == 0) {
-        const auto scan = ScanWire::receive(file);
+        const auto scan = Wire::receive<ScanFile>(file);
         if (scan && scan->ok())
             for (const ScanCylinders& tree : scan->value().trees)
                 if (!problemOfScan(tree))

@@ -31,8 +31,8 @@ class BenchTest : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
         folder = std::make_unique<TemporaryFolder>();
-        outcome = runTool({"bench", "--trees", "1", "--frames", "2", "--size", "64x64", "--forest-trees",
-                           "300", "--scale-trees", "300", "-o", "results.json", "--chart", "chart.svg"},
+        outcome = runTool({"bench", "--trees", "1", "--frames", "2", "--size", "64x64", "--scale-trees",
+                           "300", "-o", "results.json", "--chart", "chart.svg"},
                           folder->path());
         report = json::parse(contentOf(folder->path() + "/results.json"), nullptr, false);
     }
@@ -174,45 +174,6 @@ TEST_F(BenchTest, PrintsARowForEachResult) {
         EXPECT_NE(outcome.out.find("| `" + stage + "` | 1 |"), std::string::npos) << stage;
 }
 
-TEST_F(BenchTest, MeasuresLawsAndWinds) {
-    std::map<std::string, int> groups;
-    for (const json& kernel : report["kernels"]) {
-        ++groups[kernel["group"]];
-        EXPECT_GT(kernel["nanoseconds"]["median"].get<double>(), 0.1) << kernel;
-        EXPECT_LE(kernel["nanoseconds"]["p10"], kernel["nanoseconds"]["p90"]);
-        EXPECT_GE(kernel["threads"], 1);
-        EXPECT_NE(outcome.out.find("| " + kernel["name"].get<std::string>() + " | "), std::string::npos);
-    }
-    EXPECT_GE(groups["laws"], 10); // and one for each set of instructions beyond the first
-    EXPECT_EQ(groups["winds"], 11);
-}
-
-TEST_F(BenchTest, MeasuresWholeTrees) {
-    std::map<std::string, json> kernels;
-    for (const json& kernel : report["kernels"])
-        kernels[kernel["name"]] = kernel;
-    for (const char* name : {"modal", "modal, gusts", "modal, all cores", "modal, gusts, all cores",
-                             "modal, poses", "modal step, baseline"}) {
-        ASSERT_EQ(kernels.count(name), 1u) << name;
-        EXPECT_EQ(kernels[name]["group"], "laws") << name;
-        EXPECT_EQ(kernels[name]["element"], "tree") << name;
-    }
-    EXPECT_EQ(kernels["modal, gusts"]["threads"], 1);
-}
-
-TEST_F(BenchTest, StepsAForest) {
-    const json& forest = report["forests"];
-    EXPECT_EQ(forest["forest"], "made trees");
-    EXPECT_EQ(forest["trees"], 300);
-    EXPECT_EQ(forest["nearTrees"], 6);
-    EXPECT_GT(forest["archetypes"], 5);
-    EXPECT_GT(forest["archetypeBytes"], forest["archetypes"]);
-    EXPECT_GT(forest["stateBytesPerTree"], 100);
-    for (const char* time : {"stepMs", "oneCoreStepMs"})
-        EXPECT_LE(forest[time]["p10"], forest[time]["p90"]);
-    EXPECT_NE(outcome.out.find("\n| made trees | 300 | "), std::string::npos) << outcome.out;
-}
-
 /// Trees drawn by all tiers.
 std::size_t drawnTrees(const json& view) {
     std::size_t trees = 0;
@@ -247,7 +208,6 @@ TEST(BenchUsageTest, DrawsTheForestOfAFileAndNothingElse) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
     EXPECT_TRUE(report["results"].empty());
-    EXPECT_TRUE(report["kernels"].empty());
     ASSERT_EQ(report["views"].size(), 3u);
     EXPECT_EQ(report["views"][0]["view"], "over");
     EXPECT_EQ(report["views"][1]["view"], "home");
@@ -263,28 +223,6 @@ TEST(BenchUsageTest, AViewIsThatOfAFile) {
     const Outcome refused = runTool({"bench", "--stage", "view"});
     EXPECT_EQ(refused.exitCode, 2);
     EXPECT_EQ(refused.err, "--stage view: expected --forest FILE\n");
-}
-
-TEST(BenchUsageTest, LawsNeedNoGraphics) {
-    const TemporaryFolder folder;
-    const Outcome outcome =
-        runTool({"bench", "--stage", "laws", "--frames", "1", "-o", "r.json"}, folder.path());
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const json report = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false);
-    EXPECT_TRUE(report["results"].empty());
-    EXPECT_GE(report["kernels"].size(), 10u);
-    EXPECT_TRUE(report["forests"].is_null());
-}
-
-TEST(BenchUsageTest, StepsTheForestOfAFile) {
-    const TemporaryFolder folder;
-    const Outcome outcome = runTool({"bench", "--stage", "forests", "--frames", "1", "--forest",
-                                     example("thesis.treewind"), "-o", "r.json"},
-                                    folder.path());
-    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const json forests = json::parse(contentOf(folder.path() + "/r.json"), nullptr, false)["forests"];
-    EXPECT_EQ(forests["forest"], example("thesis.treewind"));
-    EXPECT_EQ(forests["units"], 122);
 }
 
 TEST_F(BenchTest, DrawsAChartOfEveryStage) {
@@ -316,8 +254,8 @@ TEST(BenchUsageTest, MeasuresOneStageWithSeveralNumbersOfTrees) {
 
 TEST(BenchUsageTest, RefusesWhatItCannotMeasure) {
     const std::vector<std::vector<std::string>> cases = {
-        {"--trees", "0"},    {"--trees", "x"},         {"--frames", "0"},       {"--size", "0x9"},
-        {"--stage", "fast"}, {"--chart", "chart.gif"}, {"--forest-trees", "0"}, {"--scale-trees", "0"}};
+        {"--trees", "0"},    {"--trees", "x"},         {"--frames", "0"},     {"--size", "0x9"},
+        {"--stage", "fast"}, {"--chart", "chart.gif"}, {"--scale-trees", "0"}};
     for (const std::vector<std::string>& words : cases) {
         std::vector<std::string> line = {"bench"};
         line.insert(line.end(), words.begin(), words.end());
@@ -328,7 +266,7 @@ TEST(BenchUsageTest, RefusesWhatItCannotMeasure) {
 }
 
 TEST(BenchUsageTest, RefusesAForestThatIsNotThere) {
-    const Outcome refused = runTool({"bench", "--stage", "forests", "--forest", "nowhere.treewind"});
+    const Outcome refused = runTool({"bench", "--stage", "view", "--forest", "nowhere.treewind"});
     EXPECT_EQ(refused.exitCode, 2);
     EXPECT_NE(refused.err.find("nowhere.treewind"), std::string::npos) << refused.err;
 }

@@ -129,6 +129,15 @@ TEST_P(GribEditions, ABulletinHeadingAndPaddingAreSkipped) {
 INSTANTIATE_TEST_SUITE_P(Both, GribEditions, testing::Values(1, 2),
                          [](const auto& info) { return "Edition" + std::to_string(info.param); });
 
+/// small.grib2 through `grib_set -r -s packingType=grid_ccsds`.
+TEST(Grib, PackedByCcsdsItSaysTheSame) {
+    const auto file = readGribBytes(fileBytes(smallNetCdf("ccsds.grib2")));
+    ASSERT_TRUE(file) << firstProblem(file);
+    EXPECT_EQ(file.value().summary.points, glm::ivec3(4, 3, 1));
+    expectSpot(file.value(), {10, 50, 10}, 0, {1, -0.5, 0});
+    expectSpot(file.value(), {11.5, 49, 10}, 0, {24, -12, 0});
+}
+
 TEST(Grib, NamesOfEcmwfMeanTheirHeight) {
     grib::Field field;
     field.edition = 1;

@@ -35,7 +35,7 @@ WindContent someGrid() {
 std::optional<Result<WindContent>> receiveFirst(const MemoryFile& file, off_t length) {
     EXPECT_EQ(ftruncate(file.descriptor, length), 0);
     lseek(file.descriptor, 0, SEEK_SET);
-    return WindWire::receive(file.descriptor);
+    return Wire::receive<WindContent>(file.descriptor);
 }
 
 } // namespace
@@ -43,7 +43,7 @@ std::optional<Result<WindContent>> receiveFirst(const MemoryFile& file, off_t le
 TEST(WindWire, WhatIsSentArrives) {
     const MemoryFile file;
     Result<WindContent> sent = someGrid();
-    ASSERT_TRUE(WindWire::send(file.descriptor, sent));
+    ASSERT_TRUE(Wire::send(file.descriptor, sent));
     const auto received = receiveFirst(file, lseek(file.descriptor, 0, SEEK_CUR));
     ASSERT_TRUE(received && *received);
     const WindContent& content = received->value();
@@ -61,7 +61,7 @@ TEST(WindWire, WhatIsSentArrives) {
 TEST(WindWire, ProblemsArriveToo) {
     const MemoryFile file;
     Result<WindContent> sent = Diagnostic{"a.nc", 0, 0, "u", "is wrong"};
-    ASSERT_TRUE(WindWire::send(file.descriptor, sent));
+    ASSERT_TRUE(Wire::send(file.descriptor, sent));
     const auto received = receiveFirst(file, lseek(file.descriptor, 0, SEEK_CUR));
     ASSERT_TRUE(received);
     EXPECT_EQ(firstProblem(*received), "a.nc: u: is wrong");
@@ -70,7 +70,7 @@ TEST(WindWire, ProblemsArriveToo) {
 TEST(WindWire, CutAnywhereNothingArrives) {
     const MemoryFile file;
     Result<WindContent> sent = someGrid();
-    ASSERT_TRUE(WindWire::send(file.descriptor, sent));
+    ASSERT_TRUE(Wire::send(file.descriptor, sent));
     for (off_t length = lseek(file.descriptor, 0, SEEK_CUR) - 1; length >= 0; --length)
         EXPECT_FALSE(receiveFirst(file, length)) << length;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/bench/BenchReport.h>
 
-#include <examples/osgtreewind/bench/BenchWorld.h>
-
 #include <examples/osgtreewind/bench/BenchStatistics.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
@@ -40,21 +38,6 @@ Json timesJson(const BenchTimes& times) {
             {"gpuMs", spread(times.gpu)}};
 }
 
-Json forestJson(const BenchForest& forest) {
-    return {{"forest", forest.name},
-            {"threads", forest.threads},
-            {"trees", forest.trees},
-            {"nearTrees", forest.nearTrees},
-            {"units", forest.units},
-            {"loadSeconds", number(forest.loadSeconds)},
-            {"loadProcessorSeconds", number(forest.loadProcessorSeconds)},
-            {"archetypes", forest.archetypes},
-            {"archetypeBytes", forest.archetypeBytes},
-            {"stateBytesPerTree", number(forest.stateBytesPerTree)},
-            {"stepMs", spread(forest.stepMs)},
-            {"oneCoreStepMs", spread(forest.oneCoreStepMs)}};
-}
-
 Json resultJson(const BenchResult& result) {
     const BenchCounts& counts = result.counts;
     const int thesis = thesisFps(result.stage, result.trees);
@@ -85,16 +68,29 @@ std::vector<double> inFullRatios(const BenchView& view) {
     return ratios(view.inFull.frame, trees);
 }
 
+Json worldJson(const BenchWorld& world) {
+    return {{"forest", world.forest},
+            {"trees", world.trees},
+            {"range", world.range},
+            {"firstFrameSeconds", world.firstFrameSeconds},
+            {"firstPictureSeconds", world.firstPictureSeconds},
+            {"frames", world.frameMs.size()},
+            {"flownSeconds", world.flownSeconds},
+            {"frameMs",
+             {{"median", quantile(world.frameMs, 0.5)},
+              {"p99", quantile(world.frameMs, 0.99)},
+              {"worst", quantile(world.frameMs, 1.0)}}},
+            {"missingSeconds", world.missingSeconds},
+            {"mostTrees", world.mostTrees},
+            {"halfwayBytes", world.halfwayBytes},
+            {"endBytes", world.endBytes},
+            {"mostBytes", world.mostBytes},
+            {"bytesRead", world.bytesRead}};
+}
+
 const char* nameOf(BenchViewpoint viewpoint) {
-    switch (viewpoint) {
-    case BenchViewpoint::Over:
-        return "over";
-    case BenchViewpoint::Home:
-        return "home";
-    case BenchViewpoint::Inside:
-        break;
-    }
-    return "inside";
+    constexpr const char* names[] = {"over", "home", "inside"};
+    return names[static_cast<std::size_t>(viewpoint)];
 }
 
 Json viewJson(const BenchView& view) {
@@ -122,6 +118,29 @@ Json viewJson(const BenchView& view) {
             {"inFullRatioToTree", spread(inFullRatios(view))}};
 }
 
+/// When and on what, of a table.
+std::string whereMeasured(const BenchConditions& conditions, const std::string& backend = "") {
+    const PictureSize& size = conditions.settings.size;
+    return conditions.date + ", " + machineName() + ", " + conditions.driver.renderer + backend + ", " +
+           std::to_string(size.width) + "x" + std::to_string(size.height) + ", ";
+}
+
+using Row = std::vector<std::string>;
+
+void printRow(std::ostream& out, const Row& cells) {
+    for (const std::string& cell : cells)
+        out << "| " << cell << ' ';
+    out << '|' << std::endl; // seen at once: the next result takes its time
+}
+
+/// @param words how many of the columns have words, not numbers.
+void printHead(std::ostream& out, const Row& columns, std::size_t words) {
+    printRow(out, columns);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        out << (i < words ? "| --- " : "| ---: ");
+    out << "|\n";
+}
+
 /// Fixed, with `digits` behind the point; a dash for what was not measured.
 std::string fixed(double value, int digits) {
     if (!std::isfinite(value))
@@ -129,6 +148,10 @@ std::string fixed(double value, int digits) {
     std::ostringstream text;
     text << std::fixed << std::setprecision(digits) << value;
     return text.str();
+}
+
+std::string median(const std::vector<double>& values, int digits = 2) {
+    return fixed(quantile(values, 0.5), digits);
 }
 
 } // namespace
@@ -188,19 +211,10 @@ Json benchReport(const BenchConditions& conditions, const BenchReport& report) {
     json["results"] = Json::array();
     for (const BenchResult& result : report.results)
         json["results"].push_back(resultJson(result));
-    json["kernels"] = Json::array();
-    for (const BenchKernel& kernel : report.kernels)
-        json["kernels"].push_back({{"group", kernel.group},
-                                   {"name", kernel.name},
-                                   {"element", kernel.element},
-                                   {"elements", kernel.elements},
-                                   {"threads", kernel.threads},
-                                   {"nanoseconds", spread(kernel.nanoseconds)}});
-    json["forests"] = report.forest ? forestJson(*report.forest) : Json(nullptr);
     json["scale"] = Json::array();
-    for (const BenchScale& scale : report.scale) {
-        json["scale"].push_back(viewJson(scale.view));
-        json["scale"].back()["bytesPerTree"] = number(scale.bytesPerTree);
+    for (const BenchView& view : report.scale) {
+        json["scale"].push_back(viewJson(view));
+        json["scale"].back()["bytesPerTree"] = number(view.bytesPerTree);
     }
     json["views"] = Json::array();
     for (const BenchView& view : report.views)
@@ -216,120 +230,63 @@ Json benchReport(const BenchConditions& conditions, const BenchReport& report) {
 }
 
 void printBenchHead(std::ostream& out, const BenchConditions& conditions) {
-    out << conditions.date << ", " << machineName() << ", " << conditions.driver.renderer << " ("
-        << conditions.backend << "), " << conditions.settings.size.width << "x"
-        << conditions.settings.size.height << ", " << conditions.settings.frames
-        << " pairs of frames, times in ms (medians)\n\n| stage | trees";
-    for (const char* column : {"fps", "frame", "p10", "p90", "update", "cull", "draw", "GPU", "static",
-                               "ratio", "p10", "p90", "thesis fps"})
-        out << " | " << column;
-    out << " |\n| --- |";
-    for (int column = 0; column < 14; ++column)
-        out << " ---: |";
-    out << '\n';
+    out << whereMeasured(conditions, " (" + conditions.backend + ')') << conditions.settings.frames
+        << " pairs of frames, times in ms (medians)\n\n";
+    printHead(out,
+              {"stage", "trees", "fps", "frame", "p10", "p90", "update", "cull", "draw", "GPU", "static",
+               "ratio", "p10", "p90", "thesis fps"},
+              1);
 }
 
 void printBenchRow(std::ostream& out, const BenchResult& result) {
     const BenchTimes& times = result.moving;
     const std::vector<double> paired = ratios(times.frame, result.still.frame);
     const int thesis = thesisFps(result.stage, result.trees);
-    out << "| `" << result.stage.name << "` | " << result.trees;
-    for (const std::string& cell :
-         {fixed(framesPerSecond(times), 1), fixed(quantile(times.frame, 0.5), 2),
-          fixed(quantile(times.frame, 0.1), 2), fixed(quantile(times.frame, 0.9), 2),
-          fixed(quantile(times.update, 0.5), 2), fixed(quantile(times.cull, 0.5), 2),
-          fixed(quantile(times.draw, 0.5), 2), fixed(quantile(times.gpu, 0.5), 2),
-          fixed(quantile(result.still.frame, 0.5), 2), fixed(quantile(paired, 0.5), 2),
-          fixed(quantile(paired, 0.1), 2), fixed(quantile(paired, 0.9), 2),
-          thesis > 0 ? std::to_string(thesis) : std::string("-")})
-        out << " | " << cell;
-    out << " |" << std::endl; // seen at once: the next result takes its time
-}
-
-void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
-                       const std::vector<BenchKernel>& kernels) {
-    out << '\n'
-        << conditions.date << ", " << machineName() << ", " << conditions.settings.frames
-        << " rounds\n\n| kernel | of | threads | ns | p10 | p90 | millions a second |\n"
-           "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n";
-    for (const BenchKernel& kernel : kernels) {
-        const double median = quantile(kernel.nanoseconds, 0.5);
-        out << "| " << kernel.name << " | " << kernel.element << " | " << kernel.threads << " | "
-            << fixed(median, 1) << " | " << fixed(quantile(kernel.nanoseconds, 0.1), 1) << " | "
-            << fixed(quantile(kernel.nanoseconds, 0.9), 1) << " | "
-            << fixed(1000.0 / median, median < 1000.0 ? 1 : 4) << " |\n";
-    }
-}
-
-namespace {
-
-/// @param bytes a tree, NaN where not known.
-void printView(std::ostream& out, const BenchView& view, double bytes) {
-    const osgTreeWind::DrawnTrees trees = view.drawnTrees();
-    out << "| " << view.forest << " | " << nameOf(view.viewpoint) << " | " << view.trees;
-    for (const std::string& cell :
-         {fixed(view.loadSeconds(), 2), fixed(view.forestSeconds, 2), fixed(view.shapesSeconds, 2),
-          fixed(view.firstFrameSeconds, 2), fixed(bytes, 0), std::to_string(trees.full),
-          std::to_string(trees.byBoughs), std::to_string(trees.asPictures),
-          fixed(quantile(view.drawn.update, 0.5), 2), fixed(quantile(view.drawn.cull, 0.5), 2),
-          fixed(quantile(view.drawn.draw, 0.5), 2), fixed(quantile(view.drawn.frame, 0.5), 2),
-          fixed(quantile(view.tree.frame, 0.5), 2),
-          fixed(quantile(ratios(view.drawn.frame, view.tree.frame), 0.5), 2),
-          fixed(quantile(ratios(view.drawn.processor, view.tree.processor), 0.5), 2),
-          fixed(quantile(inFullRatios(view), 0.5), 1)})
-        out << " | " << cell;
-    out << " |" << std::endl;
-}
-
-void printViewHead(std::ostream& out, const BenchConditions& conditions) {
-    out << '\n'
-        << conditions.date << ", " << machineName() << ", " << conditions.driver.renderer << ", "
-        << conditions.settings.size.width << "x" << conditions.settings.size.height << ", "
-        << conditions.settings.frames
-        << " rounds, times in ms (medians); over: frame over that of one reference tree that fills the "
-           "view\n\n"
-           "| forest | view | trees | load, s | forest | its shapes | first frame | bytes a tree | full | "
-           "boughs | "
-           "impostors | update | cull | draw | frame | tree | over | over, processor | in full, over "
-           "|\n"
-           "| --- | ---";
-    for (int column = 0; column < 17; ++column)
-        out << " | ---:";
-    out << " |\n";
-}
-
-} // namespace
-
-void printBenchScale(std::ostream& out, const BenchConditions& conditions,
-                     const std::vector<BenchScale>& scale) {
-    printViewHead(out, conditions);
-    for (const BenchScale& each : scale)
-        printView(out, each.view, each.bytesPerTree);
+    printRow(out,
+             {'`' + result.stage.name + '`', std::to_string(result.trees), fixed(framesPerSecond(times), 1),
+              median(times.frame), fixed(quantile(times.frame, 0.1), 2), fixed(quantile(times.frame, 0.9), 2),
+              median(times.update), median(times.cull), median(times.draw), median(times.gpu),
+              median(result.still.frame), median(paired), fixed(quantile(paired, 0.1), 2),
+              fixed(quantile(paired, 0.9), 2), thesis > 0 ? std::to_string(thesis) : "-"});
 }
 
 void printBenchViews(std::ostream& out, const BenchConditions& conditions,
                      const std::vector<BenchView>& views) {
-    printViewHead(out, conditions);
-    for (const BenchView& view : views)
-        printView(out, view, std::nan(""));
+    out << '\n'
+        << whereMeasured(conditions) << conditions.settings.frames
+        << " rounds, times in ms (medians); over: frame over that of one reference tree that fills the "
+           "view\n\n";
+    printHead(out,
+              {"forest", "view", "trees", "load, s", "forest", "its shapes", "first frame", "bytes a tree",
+               "full", "boughs", "impostors", "update", "cull", "draw", "frame", "tree", "over",
+               "over, processor", "in full, over"},
+              2);
+    for (const BenchView& view : views) {
+        const osgTreeWind::DrawnTrees trees = view.drawnTrees();
+        printRow(out,
+                 {view.forest, nameOf(view.viewpoint), std::to_string(view.trees),
+                  fixed(view.loadSeconds(), 2), fixed(view.forestSeconds, 2), fixed(view.shapesSeconds, 2),
+                  fixed(view.firstFrameSeconds, 2), fixed(view.bytesPerTree, 0), std::to_string(trees.full),
+                  std::to_string(trees.byBoughs), std::to_string(trees.asPictures), median(view.drawn.update),
+                  median(view.drawn.cull), median(view.drawn.draw), median(view.drawn.frame),
+                  median(view.tree.frame), median(ratios(view.drawn.frame, view.tree.frame)),
+                  median(ratios(view.drawn.processor, view.tree.processor)), median(inFullRatios(view), 1)});
+    }
 }
 
-void printBenchForest(std::ostream& out, const BenchConditions& conditions, const BenchForest& forest) {
+void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world) {
     out << '\n'
-        << conditions.date << ", " << machineName() << ", " << forest.stepMs.size() << " rounds, "
-        << forest.threads
-        << " threads, without leaves and poses\n\n"
-           "| forest | trees | step, ms | p10 | p90 | one core, ms | load, s | processor, s | archetypes | "
-           "their MB | bytes a tree |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
-           "| "
-           "---: |\n| "
-        << forest.name << " | " << forest.trees;
-    for (const std::string& cell :
-         {fixed(quantile(forest.stepMs, 0.5), 2), fixed(quantile(forest.stepMs, 0.1), 2),
-          fixed(quantile(forest.stepMs, 0.9), 2), fixed(quantile(forest.oneCoreStepMs, 0.5), 2),
-          fixed(forest.loadSeconds, 2), fixed(forest.loadProcessorSeconds, 2),
-          std::to_string(forest.archetypes), fixed(1e-6 * static_cast<double>(forest.archetypeBytes), 1),
-          fixed(forest.stateBytesPerTree, 0)})
-        out << " | " << cell;
-    out << " |\n";
+        << whereMeasured(conditions) << world.frameMs.size() << " frames, " << fixed(world.flownSeconds, 0)
+        << " s at " << fixed(BenchWorld::speed, 0) << " m/s\n\n";
+    printHead(out,
+              {"world", "trees", "range, m", "first frame, s", "first picture, s", "frame, ms", "p99",
+               "worst", "missing, s", "most trees", "memory halfway, MB", "end", "most", "read, MB"},
+              1);
+    printRow(out, {world.forest, std::to_string(world.trees), fixed(world.range, 0),
+                   fixed(world.firstFrameSeconds, 2), fixed(world.firstPictureSeconds, 2),
+                   median(world.frameMs, 0), fixed(quantile(world.frameMs, 0.99), 0),
+                   fixed(quantile(world.frameMs, 1.0), 0), fixed(world.missingSeconds, 1),
+                   std::to_string(world.mostTrees), fixed(1e-6 * world.halfwayBytes, 0),
+                   fixed(1e-6 * world.endBytes, 0), fixed(1e-6 * world.mostBytes, 0),
+                   fixed(1e-6 * world.bytesRead, 0)});
 }

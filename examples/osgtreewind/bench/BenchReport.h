@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/bench/BenchForests.h>
-#include <examples/osgtreewind/bench/BenchKernels.h>
 #include <examples/osgtreewind/bench/BenchRun.h>
 #include <examples/osgtreewind/bench/BenchView.h>
 #include <examples/osgtreewind/output/Json.h>
@@ -21,9 +19,10 @@ struct BenchConditions {
 
 /// A flight through a forest in tiles.
 struct BenchWorld {
-    std::string forest;                   ///< A file.
-    std::size_t trees = 0, mostTrees = 0; ///< In all; at a time.
-    double range = 0.0;                   ///< Metres.
+    static constexpr double speed = 100.0; ///< m/s
+    std::string forest;                    ///< A file.
+    std::size_t trees = 0, mostTrees = 0;  ///< In all; at a time.
+    double range = 0.0;                    ///< Metres.
     /// From the description on: the first frame, and the first with all trees in range.
     double firstFrameSeconds = 0.0, firstPictureSeconds = 0.0;
     double flownSeconds = 0.0,
@@ -36,10 +35,7 @@ struct BenchWorld {
 /// All that was measured; empty where it was not.
 struct BenchReport {
     std::vector<BenchResult> results;
-    std::vector<BenchKernel> kernels;
-    std::optional<BenchForest> forest;
-    std::vector<BenchScale> scale;
-    std::vector<BenchView> views;
+    std::vector<BenchView> scale, views;
     std::optional<BenchWorld> world;
 };
 
@@ -62,10 +58,6 @@ Json benchReport(const BenchConditions& conditions, const BenchReport& report);
 // The same for people, as a Markdown table.
 void printBenchHead(std::ostream& out, const BenchConditions& conditions);
 void printBenchRow(std::ostream& out, const BenchResult& result);
-void printBenchKernels(std::ostream& out, const BenchConditions& conditions,
-                       const std::vector<BenchKernel>& kernels);
-void printBenchForest(std::ostream& out, const BenchConditions& conditions, const BenchForest& forest);
-void printBenchScale(std::ostream& out, const BenchConditions& conditions,
-                     const std::vector<BenchScale>& scale);
 void printBenchViews(std::ostream& out, const BenchConditions& conditions,
                      const std::vector<BenchView>& views);
+void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world);

@@ -2,7 +2,7 @@
 #include <examples/osgtreewind/bench/BenchStage.h>
 
 #include <examples/osgtreewind/bench/BenchRig.h>
-#include <examples/osgtreewind/bench/BenchRows.h>
+#include <examples/osgtreewind/bench/BenchWood.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>

@@ -2,7 +2,7 @@
 #include <examples/osgtreewind/bench/BenchView.h>
 
 #include <examples/osgtreewind/bench/BenchClock.h>
-#include <examples/osgtreewind/bench/BenchForests.h>
+#include <examples/osgtreewind/bench/BenchWood.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
@@ -131,30 +131,26 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
     return result;
 }
 
-Result<std::vector<BenchScale>> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
-                                              BenchDriver& driver) {
+Result<std::vector<BenchView>> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
+                                             BenchDriver& driver) {
+    const auto ownBytes = [](const BenchView& forest) {
+        return forest.forestBytes - static_cast<double>(forest.archetypeBytes);
+    };
     BenchView few;
-    makeForest([] { return createWood(fewTrees); },
-               few); // first of all: what every forest shares is there then
-    few = {};
-    makeForest([] { return createWood(fewTrees); }, few);
-    std::vector<BenchScale> results;
+    for (int i = 0; i < 2; ++i) { // the second time all is there that every forest shares
+        few = {};
+        makeForest([] { return createWood(fewTrees); }, few);
+    }
+    std::vector<BenchView> results;
     for (const int count : trees) {
         Result<BenchView> view = runBenchView(
             "made trees", [=] { return createWood(static_cast<std::size_t>(count)); }, BenchViewpoint::Over,
             false, settings, driver);
         if (!view)
             return view.problems();
-        BenchScale scale;
-        scale.view = std::move(view.value());
-        const auto own = [](const BenchView& forest) {
-            return forest.forestBytes - static_cast<double>(forest.archetypeBytes);
-        };
-        scale.bytesPerTree =
-            scale.view.trees > fewTrees
-                ? (own(scale.view) - own(few)) / static_cast<double>(scale.view.trees - fewTrees)
-                : std::nan("");
-        results.push_back(std::move(scale));
+        results.push_back(std::move(view.value()));
+        if (BenchView& wood = results.back(); wood.trees > fewTrees)
+            wood.bytesPerTree = (ownBytes(wood) - ownBytes(few)) / static_cast<double>(wood.trees - fewTrees);
     }
     return results;
 }

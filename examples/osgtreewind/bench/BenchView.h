@@ -26,6 +26,8 @@ struct BenchView {
     double firstFrameSeconds = 0.0; ///< Shaders compile, buffers and textures go to the GPU.
     /// Main memory that the Forest took, before anything was drawn; NaN where the allocator does not say.
     double forestBytes = std::nan("");
+    /// Of it a tree, beyond shapes and archetypes; NaN where not known or for too few trees.
+    double bytesPerTree = std::nan("");
     std::array<std::size_t, osgTreeWind::tierCount>
         tiers{};                    ///< Trees drawn by tier; one across two counts twice.
     BenchTimes drawn, inFull, tree; ///< Round by round; `inFull` in each 10th, or none.
@@ -41,13 +43,6 @@ osgTreeWind::Result<BenchView> runBenchView(const std::string& name,
                                             BenchViewpoint viewpoint, bool inFull,
                                             const BenchSettings& settings, BenchDriver& driver);
 
-/// A wood of `trees` trees (createWood()).
-struct BenchScale {
-    BenchView view;
-    double bytesPerTree =
-        0.0; ///< Of main memory, beyond shapes and archetypes; NaN where not known or for too few trees.
-};
-
-/// @return one for each number of trees.
-osgTreeWind::Result<std::vector<BenchScale>>
-runBenchScale(const std::vector<int>& trees, const BenchSettings& settings, BenchDriver& driver);
+/// Woods of so many trees each (createWood()), with what each takes of main memory.
+osgTreeWind::Result<std::vector<BenchView>> runBenchScale(const std::vector<int>& trees,
+                                                          const BenchSettings& settings, BenchDriver& driver);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/pictures/Offscreen.h>
+#include <examples/osgtreewind/options/Offscreen.h>
 
 #include <osg/Light>
 #include <osgViewer/Viewer>

@@ -10,15 +10,13 @@
 
 #include <cmath>
 #include <fstream>
-#include <iomanip>
-#include <iostream>
 #include <unistd.h>
 
 using namespace osgTreeWind;
 
 namespace {
 
-constexpr double speed = 100.0, height = 80.0; // m/s; metres above the highest foot
+constexpr double speed = BenchWorld::speed, height = 80.0; // metres above the highest foot
 constexpr int mostFramesToFirst = 1000;
 
 /// Main memory of the process, bytes.
@@ -135,44 +133,4 @@ Result<BenchWorld> runBenchWorld(const std::string& name, const ForestDescriptio
     result.missingSeconds = missing.longest();
     result.bytesRead = bytesRead() - readBefore;
     return result;
-}
-
-Json worldJson(const BenchWorld& world) {
-    return {{"forest", world.forest},
-            {"trees", world.trees},
-            {"range", world.range},
-            {"firstFrameSeconds", world.firstFrameSeconds},
-            {"firstPictureSeconds", world.firstPictureSeconds},
-            {"frames", world.frameMs.size()},
-            {"flownSeconds", world.flownSeconds},
-            {"frameMs",
-             {{"median", quantile(world.frameMs, 0.5)},
-              {"p99", quantile(world.frameMs, 0.99)},
-              {"worst", quantile(world.frameMs, 1.0)}}},
-            {"missingSeconds", world.missingSeconds},
-            {"mostTrees", world.mostTrees},
-            {"halfwayBytes", world.halfwayBytes},
-            {"endBytes", world.endBytes},
-            {"mostBytes", world.mostBytes},
-            {"bytesRead", world.bytesRead}};
-}
-
-void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world) {
-    out << '\n'
-        << conditions.date << ", " << machineName() << ", " << conditions.driver.renderer << ", "
-        << conditions.settings.size.width << "x" << conditions.settings.size.height << ", "
-        << world.frameMs.size() << " frames, " << std::fixed << std::setprecision(0) << world.flownSeconds
-        << " s at " << speed
-        << " m/s\n\n| world | trees | range, m | first frame, s | first picture, s | frame, ms | p99 | worst "
-           "| "
-           "missing, s | most trees | memory halfway, MB | end | most | read, MB |\n"
-           "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: "
-           "|\n| "
-        << world.forest << " | " << world.trees << " | " << world.range << std::setprecision(2) << " | "
-        << world.firstFrameSeconds << " | " << world.firstPictureSeconds << std::setprecision(0) << " | "
-        << quantile(world.frameMs, 0.5) << " | " << quantile(world.frameMs, 0.99) << " | "
-        << quantile(world.frameMs, 1.0) << " | " << std::setprecision(1) << world.missingSeconds << " | "
-        << world.mostTrees << " | " << std::setprecision(0) << 1e-6 * world.halfwayBytes << " | "
-        << 1e-6 * world.endBytes << " | " << 1e-6 * world.mostBytes << " | " << 1e-6 * world.bytesRead
-        << " |\n";
 }

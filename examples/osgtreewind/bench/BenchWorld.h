@@ -2,7 +2,6 @@
 #pragma once
 
 #include <examples/osgtreewind/bench/BenchReport.h>
-#include <examples/osgtreewind/output/Json.h>
 
 #include <osgTreeWind/forest/ForestDescription.h>
 
@@ -14,6 +13,3 @@
 osgTreeWind::Result<BenchWorld> runBenchWorld(const std::string& name,
                                               const osgTreeWind::ForestDescription& forest,
                                               const BenchSettings& settings, BenchDriver& driver);
-
-Json worldJson(const BenchWorld& world);
-void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world);

@@ -3,7 +3,7 @@
 #include <examples/osgtreewind/bench/BenchReport.h>
 #include <examples/osgtreewind/bench/BenchRun.h>
 #include <examples/osgtreewind/bench/BenchWorld.h>
-#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/options/Command.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -25,7 +25,7 @@ struct BenchOptions {
     std::string output, chart, size = "1280x720", backend = offscreenBackendName();
     std::vector<std::string> stages;
     std::vector<int> trees = {1, 2, 3, 4, 16, 64}, scaleTrees = {1000, 10000, 100000};
-    int frames = 60, forestTrees = 100000;
+    int frames = 60;
     std::string forest;
 };
 
@@ -56,9 +56,8 @@ bool writeChart(const std::string& path, const std::string& svg) {
     return false;
 }
 
-// Stages of their own. The first three without frames.
-const std::vector<std::string> kernelGroups = {"laws", "winds"};
-const std::string forestsStage = "forests", scaleStage = "scale", viewStage = "view", worldStage = "world";
+// Stages of their own.
+const std::string scaleStage = "scale", viewStage = "view", worldStage = "world";
 
 /// All but the view of a file and a flight, or that view only where a file is given.
 bool isAsked(const BenchOptions& options, const std::string& stage) {
@@ -113,23 +112,12 @@ bool measure(const BenchOptions& options, const std::optional<ForestDescription>
              BenchConditions& conditions, BenchReport& report) {
     if (!runStages(options, conditions, report.results))
         return false;
-    std::vector<std::string> groups;
-    std::copy_if(kernelGroups.begin(), kernelGroups.end(), std::back_inserter(groups),
-                 [&](const std::string& group) { return isAsked(options, group); });
-    report.kernels = runBenchKernels(groups, options.frames);
-    if (!report.kernels.empty())
-        printBenchKernels(std::cout, conditions, report.kernels);
-    if (isAsked(options, forestsStage)) {
-        report.forest = runBenchForest(forest, options.forest, static_cast<std::size_t>(options.forestTrees),
-                                       options.frames);
-        printBenchForest(std::cout, conditions, *report.forest);
-    }
     if (isAsked(options, scaleStage)) {
         auto scale = runBenchScale(options.scaleTrees, conditions.settings, conditions.driver);
         if (!succeeded(scale))
             return false;
         report.scale = std::move(scale.value());
-        printBenchScale(std::cout, conditions, report.scale);
+        printBenchViews(std::cout, conditions, report.scale);
     }
     if (isAsked(options, viewStage)) {
         auto views = runBenchViews(options, *forest, conditions.settings, conditions.driver);
@@ -164,8 +152,8 @@ bool load(const BenchOptions& options, std::optional<ForestDescription>& forest)
             return false;
         }
         forest = std::move(world.value());
-    } else if ((drawn || isAsked(options, forestsStage)) && !options.forest.empty()) {
-        forest = loadForest(options.forest, {}, drawn);
+    } else if (drawn) {
+        forest = loadForest(options.forest, {}, true);
         return forest.has_value();
     }
     return true;
@@ -209,8 +197,7 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
     std::vector<std::string> names;
     for (const BenchStage& stage : benchStages())
         names.push_back(stage.name);
-    names.insert(names.end(), kernelGroups.begin(), kernelGroups.end());
-    names.insert(names.end(), {forestsStage, scaleStage, viewStage, worldStage});
+    names.insert(names.end(), {scaleStage, viewStage, worldStage});
     command
         ->add_option("--stage", options->stages, "Stages to measure; all but view and world when not given")
         ->delimiter(',')
@@ -219,20 +206,14 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
         ->delimiter(',')
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    command
-        ->add_option("--frames", options->frames,
-                     "Pairs of frames, one in motion and one at rest; rounds of laws, winds and forests")
+    command->add_option("--frames", options->frames, "Pairs of frames, one in motion and one at rest")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     command
         ->add_option("--forest", options->forest,
                      "A .treewind file: drawn by stage view, the only one then when none is given;\n"
-                     "flown through by stage world;\n"
-                     "stepped under modal by stage forests, which makes trees without one")
+                     "flown through by stage world")
         ->type_name("FILE");
-    command->add_option("--forest-trees", options->forestTrees, "Stage forests: trees that it makes")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
     command
         ->add_option("--scale-trees", options->scaleTrees, "Stage scale: trees of the woods that are drawn")
         ->delimiter(',')
@@ -246,7 +227,6 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
                     "Every stage is drawn in turns with the same trees at rest (static), so that what else\n"
                     "the machine does falls on both; ratios are medians of such pairs.\n"
                     "Example: osgtreewind bench --trees 1,4 --stage gpu,gpu-leaves -o results.json\n"
-                    "         osgtreewind bench --forest campus.treewind\n"
-                    "         osgtreewind bench --stage laws,forests --forest campus.treewind");
+                    "         osgtreewind bench --forest campus.treewind");
     command->callback([options, &exitCode] { exitCode = bench(*options); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyFile.h>
-#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/Progress.h>
 

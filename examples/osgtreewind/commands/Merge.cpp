@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/options/Command.h>
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/options/Offscreen.h>
 #include <examples/osgtreewind/output/Json.h>
-#include <examples/osgtreewind/pictures/Offscreen.h>
 #include <examples/osgtreewind/portraits/PortraitMotion.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 

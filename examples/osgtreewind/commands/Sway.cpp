@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/Command.h>
-#include <examples/osgtreewind/commands/OneTree.h>
-#include <examples/osgtreewind/commands/TreeTable.h>
+#include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/options/OneTree.h>
+#include <examples/osgtreewind/options/TreeTable.h>
 #include <examples/osgtreewind/output/Json.h>
 
 #include <examples/osgtreewind/storm/SwayModes.h>

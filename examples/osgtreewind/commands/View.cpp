@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/Command.h>
-#include <examples/osgtreewind/commands/LightOptions.h>
-#include <examples/osgtreewind/commands/Setting.h>
+#include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/options/LightOptions.h>
+#include <examples/osgtreewind/options/Offscreen.h>
+#include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/pictures/ClipRecorder.h>
-#include <examples/osgtreewind/pictures/Offscreen.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/FeetGround.h>
 

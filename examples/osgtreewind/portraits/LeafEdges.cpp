@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/portraits/LeafEdges.h>
 
-#include <osgTreeWind/drawing/impostors/CrownDrawing.h>
-#include <osgTreeWind/drawing/impostors/LeafMasks.h>
+#include <examples/osgtreewind/portraits/CrownDrawing.h>
+#include <examples/osgtreewind/scene/LeafMasks.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/Setting.h>
+#include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 #include <examples/osgtreewind/pictures/PanelLabel.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>

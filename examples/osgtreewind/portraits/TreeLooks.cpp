@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/portraits/TreeLooks.h>
 
-#include <osgTreeWind/drawing/impostors/CrownDrawing.h>
+#include <examples/osgtreewind/portraits/CrownDrawing.h>
+#include <examples/osgtreewind/scene/LeafMasks.h>
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
-#include <osgTreeWind/drawing/impostors/LeafMasks.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
 #include <osgTreeWind/drawing/impostors/TreeView.h>
 #include <osgTreeWind/drawing/looks/LeafSpray.h>

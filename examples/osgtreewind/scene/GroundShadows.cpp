@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/GroundShadows.h>
 
-#include <osgTreeWind/drawing/impostors/LeafMasks.h>
+#include <examples/osgtreewind/scene/LeafMasks.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/gpu/DataTexture.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>

@@ -11,11 +11,11 @@
 
 namespace {
 
-constexpr int texels = 4096; // of a shadow map, each way
+constexpr int shadowTexels = 4096; // of a shadow map, each way
 
 osg::ref_ptr<osg::Texture2D> depthTexture() {
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
-    texture->setTextureSize(texels, texels);
+    texture->setTextureSize(shadowTexels, shadowTexels);
     texture->setInternalFormat(GL_DEPTH_COMPONENT);
     texture->setShadowComparison(true);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
@@ -53,7 +53,7 @@ SunShadows::SunShadows(osg::Node* casters, const osg::Vec3& toSun) : _casters(ca
         map.camera->setComputeNearFarMode(osg::Camera::DO_NOT_COMPUTE_NEAR_FAR);
         map.camera->setRenderOrder(osg::Camera::PRE_RENDER);
         map.camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-        map.camera->setViewport(0, 0, texels, texels);
+        map.camera->setViewport(0, 0, shadowTexels, shadowTexels);
         map.camera->setClearMask(GL_DEPTH_BUFFER_BIT);
         map.camera->attach(osg::Camera::DEPTH_BUFFER, texture);
         map.camera->addChild(casters);
@@ -85,7 +85,7 @@ void SunShadows::follow(Map& map, const osg::CullStack& view) const {
     osg::Camera& camera = *map.camera;
     camera.setViewMatrixAsLookAt(all.center() + _toSun, all.center(),
                                  std::abs(_toSun.z()) < 0.99 ? osg::Z_AXIS : osg::Y_AXIS);
-    const double texel = 2.0 * seen.radius() / texels;
+    const double texel = 2.0 * seen.radius() / shadowTexels;
     const osg::Vec3d middle = seen.center() * camera.getViewMatrix();
     const double x = texel *
                      std::round(middle.x() / texel), // edges of shadows stand still when the eye moves

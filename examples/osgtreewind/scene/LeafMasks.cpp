@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/drawing/impostors/LeafMasks.h>
+#include <examples/osgtreewind/scene/LeafMasks.h>
 
 namespace osgTreeWind {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/commands/OneTree.h>
+#include <examples/osgtreewind/options/OneTree.h>
 
 #include <osgTreeWind/base/CsvTable.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/commands/Setting.h>
+#include <examples/osgtreewind/options/Setting.h>
 
 namespace CLI {
 class App;

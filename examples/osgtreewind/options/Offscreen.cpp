@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/pictures/Offscreen.h>
+#include <examples/osgtreewind/options/Offscreen.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/OneTree.h>
+#include <examples/osgtreewind/options/OneTree.h>
 
-#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/options/Command.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/TreeTable.h>
+#include <examples/osgtreewind/options/TreeTable.h>
 
 #include <fstream>
 #include <iostream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <examples/osgtreewind/commands/Command.h>
+#include <examples/osgtreewind/options/Command.h>
 
 // What the commands that draw without a display share.
 

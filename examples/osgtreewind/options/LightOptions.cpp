@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/commands/LightOptions.h>
+#include <examples/osgtreewind/options/LightOptions.h>
 
 #include <examples/osgtreewind/scene/SolarPosition.h>
 #include <osgTreeWind/base/IsoTime.h>
