@@ -14,12 +14,12 @@
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
-#include <osgTreeWind/wind/CanopyWind.h>
 #include <osgTreeWind/wind/FunctionWind.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/StreamedWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindSampler.h>
 
 #include <benchmark/benchmark.h>
 
@@ -114,15 +114,17 @@ GridWind::Grid someGrid(int layers, int times) {
 /// Gusts among trees of 20 m, 5 m apart as far as they are sampled.
 WindFieldPtr gustsInAWood() {
     constexpr int rows = 260;
-    StandTree tree;
+    CanopyTree tree;
     tree.height = 20.0f;
     tree.crownArea = 25.0f;
     tree.frontalArea = 50.0f;
     tree.drag.fill(2.0f);
-    std::vector<StandTree> trees(rows * rows, tree);
+    std::vector<CanopyTree> trees(rows * rows, tree);
     for (std::size_t i = 0; i < trees.size(); ++i)
         trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
-    return std::make_shared<CanopyWind>(gusts(), *canopyOf(trees), 60.0f, 1);
+    auto wood = std::make_shared<CanopyMap>(*canopyOf(trees));
+    wood->refer(60.0f);
+    return std::make_shared<WindSampler>(std::make_shared<Wind>(gusts()), glm::dmat4(1.0), wood);
 }
 
 /// Samples in groups of 128 within a tree, over 1.3 km.
@@ -233,6 +235,30 @@ void wood(benchmark::State& state) {
         static_cast<double>(motion.stateBytes()) / static_cast<double>(state.range(0));
 }
 
+/// A step of 1,000 trees beside each of which something moves the air. The argument is the number of sources.
+void woodAmongSources(benchmark::State& state) {
+    constexpr std::size_t trees = 1000;
+    const auto sources = static_cast<std::size_t>(state.range(0));
+    ForestDescription description = createWood(trees);
+    for (std::size_t i = 0; i < sources; ++i) {
+        WindSource source;
+        source.kind = static_cast<WindSource::Kind>(i % 6);
+        source.position = description.trees[i * trees / sources].position + glm::dvec3(3.0, 4.0, 8.0);
+        source.velocity.x = i % 2 == 0 ? 10.0 : 0.0;
+        source.thrust = 200.0; // a drone
+        source.dragArea = 0.7; // a car
+        source.height = 1.5;
+        source.radius = 1.0;
+        source.charge = 0.1;
+        source.time = 1.0;
+        description.wind.sources.push_back(source);
+    }
+    SimulationOptions options;
+    options.leaves = false;
+    ForestSimulation simulation(std::move(description), options);
+    measure(state, trees, [&](double time) { return simulation.advance(time); });
+}
+
 } // namespace
 
 BENCHMARK_CAPTURE(thesisLaw, thesis, MotionLaw::Thesis, &Laws::thesisBranchStep);
@@ -247,6 +273,7 @@ BENCHMARK_CAPTURE(modalStep, baseline, InstructionSet::Baseline);
 BENCHMARK_CAPTURE(modalStep, avx2, InstructionSet::Avx2);
 BENCHMARK_CAPTURE(modalStep, avx512, InstructionSet::Avx512);
 BENCHMARK(wood)->Args({100000, 0})->Args({100000, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(woodAmongSources)->Arg(1)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(sample, uniform, std::make_shared<UniformWind>(glm::vec3(5.0f, 0.0f, 0.0f)));
 BENCHMARK_CAPTURE(sample, gusts, gusts());
 BENCHMARK_CAPTURE(sample, gustsInAWood, gustsInAWood());
