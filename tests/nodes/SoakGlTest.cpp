@@ -139,7 +139,7 @@ protected:
     /// As a file has it.
     void readWhatIsWritten() {
         ForestDescription description = forest->getSimulation().describe();
-        if (dynamic_cast<const FunctionWind*>(description.wind.get()))
+        if (dynamic_cast<const FunctionWind*>(description.wind.field.get()))
             description.wind = nullptr;
         std::stringstream text;
         const Diagnostics problems = writeForest(description, text);
