@@ -29,10 +29,9 @@ struct TreeDamage;
 /// Not thread-safe, but for setWind() and wind(), which any thread may call at any time.
 ///
 ///     ForestSimulation simulation(description);
-///     for (double time = 0.0; time < 60.0; time += 0.1) {
+///     for (double time = 0.0; time < 60.0; time += 0.1)
 ///         simulation.advance(time);
-///         use(simulation.motion(0)); // of the first tree
-///     }
+///     use(simulation.motion(0)); // of the first tree
 class OSGTREEWIND_EXPORT ForestSimulation {
 public:
     /// Grows the shapes and places the trees at rest. A description for which check() finds something is
@@ -52,10 +51,8 @@ public:
     std::size_t modelCount() const; ///< Shapes, which trees of a species share.
     /// The wood of a shape at rest, before it is stretched by scaleOf() a tree. @param model unchecked.
     const Skeleton& skeleton(std::size_t model) const;
-    /// The shape of the tree in a slot; unchecked.
-    std::size_t modelOf(std::size_t slot) const;
-    /// How its shape is stretched.
-    TreeScale scaleOf(std::size_t slot) const;
+    std::size_t modelOf(std::size_t slot) const; ///< The shape of the tree in a slot; unchecked.
+    TreeScale scaleOf(std::size_t slot) const;   ///< How its shape is stretched.
 
     // Trees come and go in a time that does not depend on the forest. It is a problem, and nothing is
     // changed, under a law of a branch, where there is no such tree, and where check() finds something.
@@ -63,10 +60,8 @@ public:
     /// Grows the shapes of a species, of which trees may then be added. The reference that description() gave
     /// before is no longer valid. @return its index there, or also a name that is taken, and no memory.
     Result<std::size_t> addSpecies(Species species);
-    /// Puts up a tree at rest.
-    Result<TreeId> addTree(const TreePlacement& placement);
-    /// @return the problems; empty when it is done.
-    Diagnostics removeTree(TreeId tree);
+    Result<TreeId> addTree(const TreePlacement& placement); ///< Puts up a tree at rest.
+    Diagnostics removeTree(TreeId tree);                    ///< @return the problems; empty when it is done.
     /// Moves it, or makes it another one, in full sway; one of a tile becomes the forest's own. @return as
     /// removeTree().
     Diagnostics changeTree(TreeId tree, const TreePlacement& placement);
@@ -97,10 +92,8 @@ public:
     void setWind(Wind wind);
     Wind wind() const; ///< As set.
 
-    /// As SimulationOptions::executor, from the next step on.
-    void setExecutor(Executor executor);
-    /// The threads that a host lends, else those of the process.
-    Executor executor() const;
+    void setExecutor(Executor executor); ///< As SimulationOptions::executor, from the next step on.
+    Executor executor() const;           ///< The threads that a host lends, else those of the process.
 
     /// Moves on to `time` (seconds): samples the wind, takes one step of the law, flutters the leaves,
     /// composes the poses. The first call, and a call with an unchanged or earlier time, keeps the state (a

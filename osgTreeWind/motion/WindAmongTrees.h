@@ -33,14 +33,14 @@ public:
 private:
     std::shared_ptr<CanopyMap> canopyOfForest(const PlacedForest& forest);
 
-    WindCanopy _asked;                            ///< What the wind asks for.
+    WindCanopy _asked;                             ///< What the wind asks for.
     std::vector<std::optional<CanopyTree>> _trees; ///< By slot; none of those that changed.
-    std::shared_ptr<const CanopyMap> _canopy;     ///< Null: none yet.
-    bool _changed = true;                         ///< Trees have, since it was made.
-    double _madeAt = 0.0;                         ///< Seconds.
-    CanopyCell _usual;                            ///< Of the first one with trees: else gusts would jump.
-    std::shared_ptr<const Wind> _given;           ///< What `_met` was made of,
-    glm::dmat4 _place{1.0};                       ///< where,
+    std::shared_ptr<const CanopyMap> _canopy;      ///< Null: none yet.
+    bool _changed = true;                          ///< Trees have, since it was made.
+    double _madeAt = 0.0;                          ///< Seconds.
+    CanopyCell _usual;                             ///< Of the first one with trees: else gusts would jump.
+    std::shared_ptr<const Wind> _given;            ///< What `_met` was made of,
+    glm::dmat4 _place{1.0};                        ///< where,
     std::shared_ptr<const WindSampler> _met;
     std::shared_ptr<const CanopyFlow> _company;
 };

@@ -37,9 +37,8 @@ struct TreeUnit;
 ///     forest->setWind(std::make_shared<UniformWind>(glm::vec3(6.0f, 0.0f, 0.0f)));
 ///
 /// The update traversal moves it on, once per frame number, to the frame stamp's time or by a fixed step
-/// (ForestDescription::step); below a Switch that is off it rests. Below a transform it gets the wind of
-/// where it really is (docs/coordinates.md). Its boxes are of trees at rest, its sphere holds them as they
-/// sway.
+/// (ForestDescription::step). It rests below a Switch that is off, and meets the wind of where it really is
+/// (docs/coordinates.md). Its boxes are of trees at rest, its sphere holds them as they sway.
 class OSGTREEWIND_EXPORT Forest : public osg::Group {
 public:
     Forest();

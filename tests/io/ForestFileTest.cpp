@@ -89,7 +89,8 @@ TEST(ForestFile, ForestExampleKeepsItsSpacing) {
     }
     EXPECT_GT(oaks, 10u); // three of six, give or take
     EXPECT_LT(oaks, 30u);
-    EXPECT_NE(asField(forest.wind)->velocity({0, 0, 10}, 3.0), asField(forest.wind)->velocity({0, 0, 10}, 9.0));
+    EXPECT_NE(asField(forest.wind)->velocity({0, 0, 10}, 3.0),
+              asField(forest.wind)->velocity({0, 0, 10}, 9.0));
 }
 
 TEST(ForestFile, ScatterIsTheSameOnEveryMachine) {
