@@ -150,7 +150,7 @@ TEST(Render, Mp4ThatCannotBeWrittenIsExitCode1) {
 
 TEST(Render, BothBackendsDrawTheSame) {
     if (!std::filesystem::exists(std::string(OSGTREEWIND_TOOL) + "-egl"))
-        GTEST_SKIP() << "built without EGL";
+        GTEST_SKIP() << "built with one backend";
     const TemporaryFolder folder;
     EXPECT_EQ(render(folder, "osmesa.png", {"--start", "0.5", "--backend", "osmesa"}).exitCode, 0);
     const Outcome egl = render(folder, "egl.png", {"--start", "0.5", "--backend", "egl"});

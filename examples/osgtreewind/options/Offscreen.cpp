@@ -21,9 +21,8 @@ PictureSize parsePictureSize(const std::string& text, int largest) {
 }
 
 void addBackendOption(CLI::App& command, std::string& backend) {
-    command.add_option("--backend", backend, "Where OpenGL comes from")
-        ->check(CLI::IsMember({"osmesa", "egl"}))
-        ->capture_default_str();
+    command.add_option("--backend", backend, "Where OpenGL comes from; osmesa where it was built")
+        ->check(CLI::IsMember({"osmesa", "egl"}));
 }
 
 ExitCode runOtherBackend(const std::string& backend) {
