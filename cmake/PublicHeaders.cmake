@@ -44,6 +44,7 @@ set(public_headers
     osgTreeWind/species/Appearance.h
     osgTreeWind/species/Season.h
     osgTreeWind/species/Species.h
+    osgTreeWind/wind/ForestWind.h
     osgTreeWind/wind/FunctionWind.h
     osgTreeWind/wind/GridWind.h
     osgTreeWind/wind/GustWind.h

@@ -23,11 +23,13 @@ class InstancedForest;
 ///     public:
 ///         void setSimulation(std::shared_ptr<osgTreeWind::ForestSimulation> simulation) override {
 ///             ForestTechnique::setSimulation(simulation); // removes the children
-///             addChild(drawingOf(*simulation));
+///             if (simulation)
+///                 addChild(drawingOf(*simulation));
 ///         }
 ///         void update(const osg::FrameStamp& stamp) override {
 ///             ForestTechnique::update(stamp); // moves the trees
-///             moveDrawing(*getSimulation());
+///             if (getSimulation())
+///                 moveDrawing(*getSimulation());
 ///         }
 ///     };
 ///
@@ -35,8 +37,8 @@ class InstancedForest;
 class OSGTREEWIND_EXPORT ForestTechnique : public osg::Group {
 public:
     ForestTechnique();
-    /// The settings of another technique, for a Forest that is yet to call setSimulation(). Children are not
-    /// copied, since setSimulation() makes them.
+    /// Copies the settings; the Forest that gets the copy calls its setSimulation(), which makes the
+    /// children.
     ForestTechnique(const ForestTechnique& other, const osg::CopyOp& copyop = osg::CopyOp::SHALLOW_COPY);
     META_Node(osgTreeWind, ForestTechnique)
 
@@ -47,7 +49,7 @@ public:
         virtual void setSimulation(std::shared_ptr<ForestSimulation> simulation);
     ForestSimulation* getSimulation() const { return _simulation.get(); } ///< May be null.
 
-    /// Moves the simulation on to the simulation time of a frame, and what is drawn with it.
+    /// Advances the simulation to the frame's simulation time, and updates what is drawn.
     virtual void update(const osg::FrameStamp& stamp);
     /// A tree was added, moved, changed or removed. @param slot of ForestSimulation.
     virtual void treeChanged(std::size_t slot);
@@ -57,7 +59,7 @@ public:
     /// The transform that moves with a unit of a tree, always the same one; null where there is no such unit,
     /// or the technique has no transforms, as this one.
     virtual BranchTransform* follow(TreeId tree, unsigned unit);
-    /// Removes it, with what hangs on it. @return false if it was not followed.
+    /// Removes the transform that follow() made, and its children. @return false if it was not followed.
     virtual bool unfollow(TreeId tree, unsigned unit);
 
     virtual InstancedForest* asInstancedForest();   ///< This, if it is one; else null.

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/wind/WindFiles.h>
+#include <osgTreeWind/wind/WindParts.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
@@ -125,7 +125,7 @@ Wind readWindData(TableReader& table, ForestReading& reading) {
     for (const std::string& note : wind.value().summary.notes)
         reading.forest.notes.push_back(paths.front() + ": " + note);
     noteTreesOutside(wind.value(), offset, paths.front(), reading);
-    wind.value().wind.files = std::make_shared<const WindFiles>(
+    WindParts::files(wind.value().wind) = std::make_shared<const WindFiles>(
         WindFiles{paths, table.has("files"), times, offset, reading.forest.origin, options.crs,
                   options.roughness, options.height, options.speedUnit});
     return std::move(wind.value().wind);

@@ -6,7 +6,7 @@
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindFields.h>
-#include <osgTreeWind/wind/WindFiles.h>
+#include <osgTreeWind/wind/WindParts.h>
 
 #include <filesystem>
 #include <utility>
@@ -23,15 +23,14 @@ public:
 
     /// The field, with the clock and the adjustment.
     std::string write(const Wind& wind) {
-        if (wind.files)
-            kind("file");
-        std::string problem = wind.files ? ofFiles(*wind.files) : std::visit(*this, wind.field->kind());
+        const WindFiles* const files = WindParts::files(wind);
+        std::string problem = files ? ofFiles(*files) : std::visit(*this, wind.field->kind());
         const WindClock usual;
         if (wind.clock.start != usual.start || wind.clock.scale != usual.scale)
             take(problem, fields(wind.clock));
         if (!wind.adjustment.isNone())
             take(problem, fields(wind.adjustment));
-        if (!wind.files && (wind.map || wind.clock.isCarried()))
+        if (!files && (WindParts::map(wind) || wind.clock.isCarried()))
             take(problem,
                  "a wind on a map of its own, or carried past a plane, that was not read from a file");
         return problem;
@@ -88,6 +87,7 @@ private:
     }
 
     std::string ofFiles(const WindFiles& source) {
+        kind("file");
         std::vector<std::string> files;
         for (const std::string& file : source.files) {
             if (std::string problem = problemOfFile(file); !problem.empty())

@@ -47,7 +47,7 @@ private:
     std::unique_ptr<std::uint32_t[]> _pixels; ///< Mesa's colour buffer, width x height RGBA8.
 };
 
-/// The file of the library that a symbol of the global scope comes from; empty when it is not there.
+/// The path of the library that defines a global symbol; empty if none does.
 std::string libraryOf(const char* symbol) {
     Dl_info info{};
     void* const address = dlsym(RTLD_DEFAULT, symbol);
@@ -64,7 +64,7 @@ Result<osg::ref_ptr<osg::GraphicsContext>> createOffscreenContext(int width, int
     if (const auto wrongSize = PixelContext::sizeProblem(width, height))
         return *wrongSize;
 
-    // OSG calls OpenGL through the global scope; were that libGL, its first call would crash.
+    // OSG finds OpenGL by global symbols. If libGL comes before libOSMesa there, the first call crashes.
     const std::string library = libraryOf("glGetString");
     if (library != libraryOf("OSMesaMakeCurrent"))
         return fileProblem(

@@ -22,7 +22,7 @@ constexpr float fastestAbove = 1e4f; // m/s
 
 } // namespace
 
-/// What of a wind is level: toward east in a calm, as which it counts where it is no number or too fast.
+/// The horizontal part of a wind. NaN, and more than 10 km/s, count as calm; a calm points east.
 struct CanopyFlow::LevelWind {
     float speed = 0.0f;
     glm::vec3 along{1.0f, 0.0f, 0.0f};
@@ -38,16 +38,16 @@ struct CanopyFlow::LevelWind {
 
 namespace {
 
-/// Gusts travel faster than the air around the trees does (Raupach, Finnigan and Brunet 1996), for h / U(h)
-/// at one place (the same: an integral length of h, as the mean wind counts it).
-constexpr float pace = 1.8f;
+/// Gusts travel at 1.8 U(h) (Raupach, Finnigan and Brunet 1996). With an integral length of 1.8 h they pass a
+/// place in h / U(h).
+constexpr float gustSpeedRatio = 1.8f;
 /// Integral length along the wind over that across it and upward, as of isotropic turbulence (Batchelor
 /// 1953).
 constexpr double slenderness = 2.0;
 /// Down to a seventeenth of the largest gusts: a quarter of the height of trees along the wind.
 constexpr std::size_t octaves = 5;
 /// Correlation of the wind along and upward: -u*^2 over both deviations at the top.
-constexpr float sweep = 1.0f / (1.8f * 1.1f);
+constexpr float uwCorrelation = 1.0f / (1.8f * 1.1f);
 
 WindPlace raisedTo(const WindPlace& place, float height) {
     WindPlace raised = place;
@@ -68,14 +68,13 @@ glm::vec3 usualWind(const WindField& wind, float reference) {
     return sum / static_cast<float>(samples);
 }
 
-/// Across the wind and upward gusts are shorter.
+/// Stretches space across the wind and upward, where gusts are shorter.
 glm::dmat3 stretchAlong(const glm::dvec3& along) {
     return glm::dmat3(slenderness) - (slenderness - 1.0) * glm::outerProduct(along, along);
 }
 
-/// Swinging winds below canopies' tops, where the deviation along over the mean tells them: what costs most
-/// of a sample, made once. In steps of it, over the mean: mean, deviation and skewness of the speed, and
-/// swing.
+/// Mean, deviation and skewness of the speed over the mean wind, and swing, for heights below the top: a
+/// table by turbulence intensity, since a SwingingWind is what costs most of a sample.
 class WindsBelow {
 public:
     WindsBelow() {
@@ -113,9 +112,9 @@ float skewed(float noise, float skewness) {
 
 CanopyFlow::CanopyFlow(const WindField& mean, std::shared_ptr<const CanopyMap> map, std::uint32_t seed)
     : _map(std::move(map)), _usual(usualWind(mean, _map->reference)),
-      _pace(_usual * (pace * _map->usual.top)),
-      _noise(seed, static_cast<double>(pace * std::max(_map->usual.profile.height, 1.0f)),
-             stretchAlong(LevelWind(_pace).along), octaves) {}
+      _gustVelocity(_usual * (gustSpeedRatio * _map->usual.top)),
+      _noise(seed, static_cast<double>(gustSpeedRatio * std::max(_map->usual.profile.height, 1.0f)),
+             stretchAlong(LevelWind(_gustVelocity).along), octaves) {}
 
 /// The stand that the air of a place comes from.
 CanopyAt CanopyFlow::standOf(const glm::vec3& place, const LevelWind& wind) const {
@@ -144,8 +143,9 @@ glm::vec3 CanopyFlow::among(const CanopyAt& stand, const WindPlace& place, const
     }
     const float speed = wind.x + wind.y * skewed(noise.values[0], wind.z);
     const float angle = wind.w * noise.values[1];
-    const float down =
-        skewed(sweep * noise.values[0] + std::sqrt(1.0f - sweep * sweep) * noise.values[2], skewness);
+    const float down = skewed(uwCorrelation * noise.values[0] +
+                                  std::sqrt(1.0f - uwCorrelation * uwCorrelation) * noise.values[2],
+                              skewness);
     float factor = given.speed * stand.top;
     if (place.inCrown) { // to half a height above, where no crown shelters another
         const float free = std::clamp(2.0f * (z / profile.height - 1.0f), 0.0f, 1.0f);
@@ -158,7 +158,7 @@ glm::vec3 CanopyFlow::among(const CanopyAt& stand, const WindPlace& place, const
 
 void CanopyFlow::sample(const WindField& openWind, const WindField& meanWind, const WindPlace* places,
                         std::size_t count, double time, glm::vec3* out) const {
-    const GustNoise::At noise = _noise.at(glm::dvec3(_pace) * heldTime(time, 1e12));
+    const GustNoise::At noise = _noise.at(glm::dvec3(_gustVelocity) * heldTime(time, 1e12));
     constexpr std::size_t block = GustNoise::block;
     WindPlace raised[block];
     glm::vec3 given[block];

@@ -29,7 +29,7 @@ public:
     void sample(const WindField& open, const WindField& mean, const WindPlace* places, std::size_t count,
                 double time, glm::vec3* out) const;
 
-    /// Of a tree there, in the mean wind.
+    /// The neighbours and the shelter of a tree there, in the mean wind.
     TreeCompany companyAt(const glm::vec2& place) const;
     /// Mean of an hour at the reference, level, m/s.
     const glm::vec3& meanWind() const { return _usual; }
@@ -41,8 +41,8 @@ private:
                     const NoisePoint& noise) const;
 
     std::shared_ptr<const CanopyMap> _map;
-    glm::vec3 _usual; ///< Mean wind at the reference.
-    glm::vec3 _pace;  ///< Of gusts, m/s.
+    glm::vec3 _usual;        ///< Mean wind at the reference.
+    glm::vec3 _gustVelocity; ///< At which gusts travel, m/s.
     GustNoise _noise;
 };
 

@@ -133,7 +133,7 @@ bool SourceFlow::reaches(const WindPlace& place, double time) const {
     return glm::length(glm::dvec2(offsetOf(place, time))) < _reach;
 }
 
-double SourceFlow::patience() const {
+double SourceFlow::validTime() const {
     const double speed = glm::length(glm::dvec2(_source.velocity));
     return speed > 0.0 ? _reach / speed : std::numeric_limits<double>::infinity();
 }

@@ -30,8 +30,8 @@ public:
 
     /// Lowest and highest x and y that it reaches within `half` seconds of a time, metres.
     std::pair<glm::dvec2, glm::dvec2> box(double time, double half) const;
-    /// How long its box holds, seconds: it moves by no more than it reaches; infinite where it stands still.
-    double patience() const;
+    /// How long it takes to move as far as it reaches, seconds; infinite where it stands still.
+    double validTime() const;
 
 private:
     /// From the source as it stands then; far away where that is not finite.

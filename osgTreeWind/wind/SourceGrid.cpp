@@ -12,7 +12,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// A cell's number along an axis; NaN is the first one's.
+/// A cell's number along an axis; NaN goes to the lowest cell.
 std::int32_t cellAt(double coordinate, double size) {
     constexpr double last = 1e9;
     return static_cast<std::int32_t>(std::max(-last, std::min(std::floor(coordinate / size), last)));
@@ -24,19 +24,20 @@ std::uint64_t keyOf(std::int32_t x, std::int32_t y) {
 
 using Box = std::pair<glm::dvec2, glm::dvec2>;
 
-/// As small that few sources share one, and as large that each is in a few.
+/// Small enough that few sources share a cell, large enough that each covers only a few.
 double cellSize(const std::vector<Box>& boxes) {
-    constexpr double cellsOfSource = 32.0;
+    constexpr double meanCellsOfSource = 32.0, smallest = 1.0; // the latter in metres
     double size = std::numeric_limits<double>::infinity();
     for (const auto& [low, high] : boxes)
         size = std::min({size, high.x - low.x, high.y - low.y});
+    size = std::max(size, smallest);
     const auto cells = [&] {
         double sum = 0.0;
         for (const auto& [low, high] : boxes)
             sum += ((high.x - low.x) / size + 1.0) * ((high.y - low.y) / size + 1.0);
         return sum;
     };
-    while (cells() > cellsOfSource * static_cast<double>(boxes.size()))
+    while (cells() > meanCellsOfSource * static_cast<double>(boxes.size()))
         size *= 2.0;
     return size;
 }
@@ -44,9 +45,9 @@ double cellSize(const std::vector<Box>& boxes) {
 } // namespace
 
 SourceGrid::SourceGrid(const std::vector<WindSource>& sources)
-    : _flows(sources.begin(), sources.end()), _half(std::numeric_limits<double>::infinity()) {
+    : _flows(sources.begin(), sources.end()), _validFor(std::numeric_limits<double>::infinity()) {
     for (const SourceFlow& flow : _flows)
-        _half = std::min(_half, std::max(flow.patience(), 0.5));
+        _validFor = std::min(_validFor, std::max(flow.validTime(), 0.5));
     if (!isEmpty())
         _cells = cellsAround(0.0);
 }
@@ -54,11 +55,11 @@ SourceGrid::SourceGrid(const std::vector<WindSource>& sources)
 std::shared_ptr<const SourceGrid::Cells> SourceGrid::cellsAround(double time) const {
     auto cells = std::make_shared<Cells>();
     cells->_middle = time;
-    cells->_half = _half;
+    cells->_validFor = _validFor;
     std::vector<Box> boxes;
     boxes.reserve(_flows.size());
     for (const SourceFlow& flow : _flows)
-        boxes.push_back(flow.box(time, std::isfinite(_half) ? _half : 0.0));
+        boxes.push_back(flow.box(time, std::isfinite(_validFor) ? _validFor : 0.0));
     cells->_size = cellSize(boxes);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const auto& [low, high] = boxes[i];
@@ -72,7 +73,7 @@ std::shared_ptr<const SourceGrid::Cells> SourceGrid::cellsAround(double time) co
 std::shared_ptr<const SourceGrid::Cells> SourceGrid::at(double time) const {
     std::shared_ptr<const Cells> cells = std::atomic_load(&_cells);
     const double now = heldTime(time, 1e9);
-    if (!(std::abs(now - cells->_middle) <= cells->_half)) {
+    if (!(std::abs(now - cells->_middle) <= cells->_validFor)) {
         cells = cellsAround(now);
         std::atomic_store(&_cells, cells);
     }

@@ -9,6 +9,7 @@
 #include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/wind/WindSource.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -35,17 +36,14 @@ enum class WindFrame {
 ///     wind.sources.push_back(helicopter);
 ///     forest->setWind(wind);
 struct OSGTREEWIND_EXPORT Wind {
-    WindFieldPtr field; ///< Null: calm.
-    /// What `field` was read from, with `map` and the carrying of `clock`; null: made by hand.
-    std::shared_ptr<const WindFiles> files;
-    std::shared_ptr<const WindMap> map; ///< Of data on another map; null: they are on that of the scene.
+    WindFieldPtr field;                 ///< Null: calm.
     WindClock clock;                    ///< The field's time.
     WindAdjustment adjustment;          ///< Stronger, weaker, turned.
     WindFrame frame = WindFrame::Scene; ///< Whose axes all of it is given in.
-    /// How it goes on among the trees; none: as the forest's wind before did, and as it is where there was
-    /// none.
+    /// How it goes on among the trees. Unset: as the forest's wind before; if that had none either, trees do
+    /// not change the wind.
     std::optional<WindCanopy> canopy;
-    std::vector<WindSource> sources; ///< What moves the air beside it, above the trees and among them.
+    std::vector<WindSource> sources; ///< What moves the air in addition, above the trees and among them.
 
     Wind() = default; ///< A calm.
     /// A field as it is.
@@ -55,13 +53,19 @@ struct OSGTREEWIND_EXPORT Wind {
     Wind(std::nullptr_t) {} ///< A calm.
 
     bool isCalm() const { return !field && sources.empty(); } ///< Whether nothing moves the air.
+
+private:
+    friend struct WindParts;
+    std::shared_ptr<const WindFiles> _files; ///< That `field` comes from; null: made by hand.
+    std::shared_ptr<const WindMap> _map;     ///< Of the field's data; null: the scene's.
 };
 
 /// All of a wind but its canopy as one field, where a forest that stands at the scene's zero meets it; null:
 /// a calm.
 OSGTREEWIND_EXPORT WindFieldPtr asField(const Wind& wind);
 
-/// What is out of range in a wind's frame and canopy; empty: nothing. Adjustments and sources are clamped.
+/// The problems of a wind's frame and of its canopy's numbers; empty: none. Adjustments and sources are
+/// clamped.
 OSGTREEWIND_EXPORT Diagnostics check(const Wind& wind);
 
 } // namespace osgTreeWind

@@ -12,6 +12,7 @@ struct OSGTREEWIND_EXPORT WindAdjustment {
     double strength = 1.0; ///< Factor of velocities, [0, 10].
     double turn = 0.0;     ///< Degrees clockwise from above, [-360, 360].
 
+    /// Whether it leaves a wind as it is.
     bool isNone() const { return strength == 1.0 && turn == 0.0; }
     /// Takes a velocity to the adjusted one. Values out of range are clamped; one that is not finite counts
     /// as the default.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/WindSampler.h>
 
-#include <osgTreeWind/wind/UniformWind.h>
-#include <osgTreeWind/wind/WindMap.h>
+#include <osgTreeWind/wind/WindParts.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace osgTreeWind {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t placesInBlock = 64;
 
-/// The matrix without scale and shear; the identity where that has no answer.
+/// The matrix without scale and shear; the identity for a degenerate one.
 glm::dmat3 rotationOf(const glm::dmat4& matrix) {
     const glm::dvec3 z(matrix[2]), x = glm::dvec3(matrix[0]);
     const glm::dvec3 y = glm::cross(z, x);
@@ -26,27 +26,28 @@ glm::dmat3 rotationOf(const glm::dmat4& matrix) {
     return {glm::cross(north, up), north, up};
 }
 
-bool isMoved(WindFrame frame, const glm::dmat4& forestToScene) {
+bool isInAnotherFrame(WindFrame frame, const glm::dmat4& forestToScene) {
     return frame != WindFrame::Forest && forestToScene != glm::dmat4(1.0);
 }
 
-/// Samples places that are elsewhere, a block at a time. @param there takes a place to where it is sampled.
-template <typename There, typename Sample>
-void inBlocks(const WindPlace* places, std::size_t count, There there, Sample sample) {
+/// Samples places that are elsewhere, a block at a time. @param transform takes a place to where it is
+/// sampled.
+template <typename Transform, typename Sample>
+void inBlocks(const WindPlace* places, std::size_t count, Transform transform, Sample sample) {
     WindPlace moved[placesInBlock];
     for (std::size_t first = 0; first < count; first += placesInBlock) {
         const std::size_t some = std::min(placesInBlock, count - first);
-        std::transform(places + first, places + first + some, moved, there);
+        std::transform(places + first, places + first + some, moved, transform);
         sample(first, moved, some);
     }
 }
 
 } // namespace
 
-/// The wind above the trees and without sources, of its field or of that without gusts.
-class WindSampler::Open final : public WindField {
+/// The wind without canopy and sources, of its field or of `_mean`.
+class WindSampler::AboveCanopy final : public WindField {
 public:
-    Open(const WindSampler& sampler, const WindField& field) : _sampler(sampler), _field(field) {}
+    AboveCanopy(const WindSampler& sampler, const WindField& field) : _sampler(sampler), _field(field) {}
     glm::vec3 velocity(const WindPlace& place, double time) const override {
         glm::vec3 result;
         _sampler.sampleOpen(_field, &place, 1, time, &result);
@@ -65,13 +66,13 @@ WindSampler::WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& for
                          std::shared_ptr<const CanopyMap> canopy)
     : _wind(std::move(wind)), _mean(_wind->field ? _wind->field->withoutGusts() : nullptr),
       _adjust(_wind->adjustment.matrix()), _isAdjusted(!_wind->adjustment.isNone()),
-      _isMoved(osgTreeWind::isMoved(_wind->frame, forestToScene)), _toWind(forestToScene),
+      _isInAnotherFrame(isInAnotherFrame(_wind->frame, forestToScene)), _toWind(forestToScene),
       _turnBack(glm::transpose(rotationOf(forestToScene))), _sources(_wind->sources) {
     if (!_mean)
         _mean = _wind->field;
-    _rise = _wind->frame == WindFrame::Geocentric ? glm::length(glm::dvec3(_toWind[2])) : _toWind[2].z;
+    _heightScale = _wind->frame == WindFrame::Geocentric ? glm::length(glm::dvec3(_toWind[2])) : _toWind[2].z;
     if (canopy && _wind->field)
-        _canopy = std::make_shared<CanopyFlow>(Open(*this, *_mean), std::move(canopy),
+        _canopy = std::make_shared<CanopyFlow>(AboveCanopy(*this, *_mean), std::move(canopy),
                                                _wind->canopy.value_or(WindCanopy()).seed);
 }
 
@@ -85,7 +86,8 @@ glm::vec3 WindSampler::velocity(const WindPlace& place, double time) const {
 
 void WindSampler::sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     if (_canopy)
-        _canopy->sample(Open(*this, *_wind->field), Open(*this, *_mean), places, count, time, out);
+        _canopy->sample(AboveCanopy(*this, *_wind->field), AboveCanopy(*this, *_mean), places, count, time,
+                        out);
     else if (_wind->field)
         sampleOpen(*_wind->field, places, count, time, out);
     else
@@ -94,12 +96,12 @@ void WindSampler::sample(const WindPlace* places, std::size_t count, double time
         addSources(places, count, time, out);
 }
 
-WindPlace WindSampler::moved(const WindPlace& place) const {
-    if (!_isMoved)
+WindPlace WindSampler::toWindFrame(const WindPlace& place) const {
+    if (!_isInAnotherFrame)
         return place;
     WindPlace moved = place;
     moved.position = glm::vec3(_toWind * glm::dvec4(glm::dvec3(place.position), 1.0));
-    moved.height = static_cast<float>(_rise * static_cast<double>(place.height));
+    moved.height = static_cast<float>(_heightScale * static_cast<double>(place.height));
     return moved;
 }
 
@@ -107,22 +109,22 @@ WindPlace WindSampler::moved(const WindPlace& place) const {
 void WindSampler::sampleData(const WindField& field, const WindPlace* places, std::size_t count, double time,
                              glm::vec3* out) const {
     const WindClock& clock = _wind->clock;
-    const auto onMap = [&](const WindPlace* at, std::size_t some, glm::vec3* velocities) {
+    const auto sampleField = [&](const WindPlace* at, std::size_t some, glm::vec3* velocities) {
         if (!clock.isCarried())
             return field.sample(at, some, clock.at(0.0, time), velocities);
         for (std::size_t i = 0; i < some; ++i)
             velocities[i] = field.velocity(at[i], clock.at(static_cast<double>(at[i].position.x), time));
     };
-    if (const WindMap* map = _wind->map.get())
+    if (const WindMap* map = WindParts::map(*_wind))
         inBlocks(
             places, count, [map](const WindPlace& place) { return map->there(place); },
             [&](std::size_t first, const WindPlace* at, std::size_t some) {
-                onMap(at, some, out + first);
+                sampleField(at, some, out + first);
                 for (std::size_t i = first; i < first + some; ++i)
                     out[i] = map->turned(places[i], out[i]);
             });
     else
-        onMap(places, count, out);
+        sampleField(places, count, out);
     if (_isAdjusted)
         std::transform(out, out + count, out, [this](const glm::vec3& v) { return _adjust * v; });
 }
@@ -130,10 +132,10 @@ void WindSampler::sampleData(const WindField& field, const WindPlace* places, st
 /// In the forest's axes.
 void WindSampler::sampleOpen(const WindField& field, const WindPlace* places, std::size_t count, double time,
                              glm::vec3* out) const {
-    if (!_isMoved)
+    if (!_isInAnotherFrame)
         return sampleData(field, places, count, time, out);
     inBlocks(
-        places, count, [this](const WindPlace& place) { return moved(place); },
+        places, count, [this](const WindPlace& place) { return toWindFrame(place); },
         [&](std::size_t first, const WindPlace* at, std::size_t some) {
             sampleData(field, at, some, time, out + first);
             for (std::size_t i = first; i < first + some; ++i)
@@ -141,7 +143,7 @@ void WindSampler::sampleOpen(const WindField& field, const WindPlace* places, st
         });
 }
 
-/// What bends a source's flow, in the wind's axes.
+/// The wind that bends a source's flow, in the wind's axes.
 glm::vec3 WindSampler::airAt(const WindPlace& place, double time) const {
     glm::vec3 air(0.0f);
     if (!_canopy) {
@@ -150,23 +152,24 @@ glm::vec3 WindSampler::airAt(const WindPlace& place, double time) const {
         return air;
     }
     WindPlace here = place;
-    if (_isMoved) {
+    if (_isInAnotherFrame) {
         here.position = glm::vec3(glm::inverse(_toWind) * glm::dvec4(glm::dvec3(place.position), 1.0));
-        here.height = _rise != 0.0 ? static_cast<float>(static_cast<double>(place.height) / _rise) : 0.0f;
+        here.height =
+            _heightScale != 0.0 ? static_cast<float>(static_cast<double>(place.height) / _heightScale) : 0.0f;
     }
-    _canopy->sample(Open(*this, *_wind->field), Open(*this, *_mean), &here, 1, time, &air);
-    return _isMoved ? glm::vec3(glm::transpose(_turnBack) * glm::dvec3(air)) : air;
+    _canopy->sample(AboveCanopy(*this, *_wind->field), AboveCanopy(*this, *_mean), &here, 1, time, &air);
+    return _isInAnotherFrame ? glm::vec3(glm::transpose(_turnBack) * glm::dvec3(air)) : air;
 }
 
 void WindSampler::addSources(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const {
     struct Air {
         std::uint32_t source = ~0u;
         float ground = 0.0f;
-        glm::vec3 velocity;
-    } known[32]; // it is the same for all places on level ground
+        glm::vec3 velocity{0.0f};
+    } known[32]; // the air at a source is the same for all places on level ground
     const std::shared_ptr<const SourceGrid::Cells> cells = _sources.at(time);
     for (std::size_t i = 0; i < count; ++i) {
-        const WindPlace place = moved(places[i]);
+        const WindPlace place = toWindFrame(places[i]);
         const float ground = place.position.z - place.height;
         float share = 1.0f;
         glm::vec3 added(0.0f);
@@ -180,7 +183,7 @@ void WindSampler::addSources(const WindPlace* places, std::size_t count, double 
                 air = {source, ground, airAt(flow.airPlace(ground, time), time)};
             added += flow.velocity(place, time, air.velocity);
         }
-        out[i] = share * out[i] + (_isMoved ? glm::vec3(_turnBack * glm::dvec3(added)) : added);
+        out[i] = share * out[i] + (_isInAnotherFrame ? glm::vec3(_turnBack * glm::dvec3(added)) : added);
     }
 }
 
@@ -191,8 +194,8 @@ WindFieldPtr asField(const Wind& wind) {
 WindFieldPtr asField(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene) {
     if (wind->isCalm())
         return nullptr;
-    const bool isPlain = wind->sources.empty() && !wind->map && wind->adjustment.isNone() &&
-                         wind->clock.isNone() && !isMoved(wind->frame, forestToScene);
+    const bool isPlain = wind->sources.empty() && !WindParts::map(*wind) && wind->adjustment.isNone() &&
+                         wind->clock.isNone() && !isInAnotherFrame(wind->frame, forestToScene);
     return isPlain ? wind->field : std::make_shared<WindSampler>(std::move(wind), forestToScene);
 }
 

@@ -25,12 +25,12 @@ public:
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;
 
-    /// The wind among the trees; null where it is taken as it is.
+    /// The wind among the trees; null where trees do not change it.
     const std::shared_ptr<const CanopyFlow>& canopy() const { return _canopy; }
 
 private:
-    class Open;
-    WindPlace moved(const WindPlace& place) const;
+    class AboveCanopy;
+    WindPlace toWindFrame(const WindPlace& place) const;
     void sampleData(const WindField& field, const WindPlace* places, std::size_t count, double time,
                     glm::vec3* out) const;
     void sampleOpen(const WindField& field, const WindPlace* places, std::size_t count, double time,
@@ -41,10 +41,10 @@ private:
     std::shared_ptr<const Wind> _wind;
     WindFieldPtr _mean; ///< Its field without made-up gusts.
     glm::mat3 _adjust{1.0f};
-    bool _isAdjusted, _isMoved;
-    glm::dmat4 _toWind;   ///< Takes places of the forest to the wind's axes,
-    glm::dmat3 _turnBack; ///< and velocities back.
-    double _rise = 1.0;   ///< Heights in the wind's axes for one in the forest's.
+    bool _isAdjusted, _isInAnotherFrame;
+    glm::dmat4 _toWind;        ///< Takes places of the forest to the wind's axes,
+    glm::dmat3 _turnBack;      ///< and velocities back.
+    double _heightScale = 1.0; ///< From heights in the forest's axes to those in the wind's.
     std::shared_ptr<const CanopyFlow> _canopy;
     SourceGrid _sources;
 };

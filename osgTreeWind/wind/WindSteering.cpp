@@ -4,6 +4,7 @@
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
 #include <osgTreeWind/wind/WindDirection.h>
+#include <osgTreeWind/wind/WindParts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ void WindSteering::changeGustiness(double by) {
 WindSteering steeringOf(const Wind& wind) {
     if (!wind.field)
         return {};
-    const bool isAsMade = !wind.map && wind.clock.isNone() && wind.adjustment.isNone();
+    const bool isAsMade = !WindParts::map(wind) && wind.clock.isNone() && wind.adjustment.isNone();
     if (const auto steering = isAsMade ? std::visit(MadeUp(), wind.field->kind()) : std::nullopt)
         return *steering;
     WindSteering steering;

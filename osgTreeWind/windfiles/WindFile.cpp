@@ -8,7 +8,7 @@
 #include <osgTreeWind/places/WholeTurns.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/WindLimits.h>
-#include <osgTreeWind/wind/WindMap.h>
+#include <osgTreeWind/wind/WindParts.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSteps.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
@@ -182,7 +182,7 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
         file.wind.clock.speed = content.travelSpeed;
     }
     if (mesh)
-        file.wind.map = std::make_shared<const WindMap>(WindMap{mesh, origin, itsOrigin});
+        WindParts::map(file.wind) = std::make_shared<const WindMap>(WindMap{mesh, origin, itsOrigin});
     return file;
 }
 

@@ -111,7 +111,7 @@ NetCdfMeasure measureOf(const NetCdfFile& file, const NetCdfDimension& dimension
 
 NetCdfRoles rolesOf(const NetCdfFile& file, const NetCdfArray& array) {
     NetCdfRoles roles;
-    std::vector<std::size_t> unknown; // the last first
+    std::vector<std::size_t> unknown; // innermost first
     for (std::size_t d = array.dimensions.size(); d-- > 0;) {
         std::optional<std::size_t>* const role = stated(file, array.dimensions[d], roles);
         if (role && !*role)

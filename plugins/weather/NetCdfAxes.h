@@ -11,16 +11,16 @@
 
 namespace osgTreeWind {
 
-/// What coordinates count.
+/// What a coordinate measures.
 enum class NetCdfMeasure { None, Metres, Longitude, Latitude, Pressure, Model, Time };
 
-/// Which dimension of an array runs where; the rest have one index each.
+/// Which dimension of an array runs where; of any other, one index is read.
 struct NetCdfRoles {
     std::optional<std::size_t> time, level, y, x;
     std::optional<std::size_t> version; ///< ERA5's expver: what is final, and what is not yet.
 };
 
-/// The roles by what the file says of coordinates, else by names and order: (time, level, y, x).
+/// The roles by attributes and units; otherwise by name, then by order: (time, level, y, x).
 NetCdfRoles rolesOf(const NetCdfFile& file, const NetCdfArray& array);
 /// What the array of its coordinates counts; None where there is none, or it does not say.
 NetCdfMeasure measureOf(const NetCdfFile& file, const NetCdfDimension& dimension);
@@ -50,8 +50,9 @@ NetCdfMatch matchOf(const NetCdfAxis& a, const NetCdfAxis& b);
 /// Where points of a grid lie among those of an array: linear between two of them.
 struct NetCdfPlaces {
     std::vector<std::size_t> indices; ///< To be read.
-    std::vector<std::size_t> lower;   ///< Of the indices, for each point of the grid; empty: one by one.
-    std::vector<float> fraction;      ///< To the next.
+    std::vector<std::size_t>
+        lower; ///< For each grid point, its lower neighbour in `indices`; empty: no interpolation.
+    std::vector<float> fraction; ///< To the next.
 };
 
 /// @param targets of the grid, @param coordinates of the array; both upward or downward throughout.

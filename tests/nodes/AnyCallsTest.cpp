@@ -92,6 +92,7 @@ public:
             {"wind/FunctionWind.h", {&C::setFunctionWind}},
             {"wind/GustWind.h", {&C::setGusts}},
             {"wind/LogProfile.h", {&C::setGusts, &C::setSeries}},
+            {"wind/ForestWind.h", {&C::setThesisGrid}},
             {"wind/GridWind.h", {&C::setGrid, &C::setThesisGrid}},
             {"wind/StreamedWind.h", {&C::stream}},
             {"wind/TimeSeriesWind.h", {&C::setSeries}},
@@ -601,7 +602,7 @@ TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
         "forest/ForestDescription.h", "forest/ForestTiles.h", "forest/TreeId.h",
         "model/GrownTreeParameters.h", "model/Skeleton.h", "model/TreeParameters.h", "model/TreeSize.h",
         "motion/damage/TreeDamage.h", "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h",
-        "wind/WindCanopy.h", "wind/WindField.h", "windfiles/WindSeriesColumns.h",
+        "wind/WindCanopy.h", "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",
         // Macros.
         "base/Export.h", "base/Version.h",
         // They read and write files: tests/io, tests/windfiles and tests/fuzz damage those.

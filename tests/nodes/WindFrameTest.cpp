@@ -39,7 +39,7 @@ osg::Matrixd onGlobe(double latitude, double longitude) {
 
 ForestDescription trees(const WindFieldPtr& wind) {
     ForestDescription description = smallForest(3);
-    description.wind = wind;
+    description.wind = {wind, WindFrame::Forest};
     return description;
 }
 

@@ -23,7 +23,7 @@ public:
     virtual std::string problem() const = 0;
 };
 
-/// NetCDF as PALM's static driver is: `lad` and `cda` over zlad, y and x.
+/// NetCDF in the format of PALM's static driver: `lad` and `cda` over zlad, y and x.
 std::unique_ptr<CanopyFile> createPalmCanopy(const std::string& path, const CanopyHead& head);
 /// NetCDF by the CF conventions: the same over z, y and x of the map.
 std::unique_ptr<CanopyFile> createCfCanopy(const std::string& path, const CanopyHead& head);

@@ -24,7 +24,7 @@ std::vector<double> middles(double low, double cell, int count) {
     return at;
 }
 
-/// Noon of the day that a season is, of a year that has no 29 February.
+/// Noon of the day of a season (0: midwinter, 4: a year later), in a year that has no 29 February.
 std::string dateOf(float season) {
     std::tm start{};
     start.tm_year = 101;
@@ -68,7 +68,7 @@ public:
         _drag = field("cda", "drag area density: Cd A of a force 0.5 rho Cd A U^2, in a m3 of air",
                       dimensions, map.has_value());
         sayFile(head, map);
-        _file.endOfHead();
+        _file.endDefinitions();
         if (map)
             _file.write(crs, {0.0});
         const glm::dvec3 low = isPalm ? glm::dvec3(0.0) : grid.low;
@@ -97,66 +97,66 @@ private:
     void sayAxes(int x, int y, int z, bool onMap) {
         for (const auto& [array, axis] : {std::pair(x, "x"), std::pair(y, "y")}) {
             const std::string name = axis;
-            _file.say(array, "long_name",
-                      _isPalm ? "distance to origin in " + name + "-direction"
-                              : name + " of the middle of the cell");
+            _file.attribute(array, "long_name",
+                            _isPalm ? "distance to origin in " + name + "-direction"
+                                    : name + " of the middle of the cell");
             if (onMap)
-                _file.say(array, "standard_name", "projection_" + name + "_coordinate");
-            _file.say(array, "units", std::string("m"));
-            _file.say(array, "axis", std::string(name == "x" ? "X" : "Y"));
+                _file.attribute(array, "standard_name", "projection_" + name + "_coordinate");
+            _file.attribute(array, "units", std::string("m"));
+            _file.attribute(array, "axis", std::string(name == "x" ? "X" : "Y"));
         }
-        _file.say(z, "long_name",
-                  std::string(_isPalm ? "height above ground" : "height of the middle of the cell"));
-        _file.say(z, "units", std::string("m"));
-        _file.say(z, "axis", std::string("Z"));
-        _file.say(z, "positive", std::string("up"));
+        _file.attribute(z, "long_name",
+                        std::string(_isPalm ? "height above ground" : "height of the middle of the cell"));
+        _file.attribute(z, "units", std::string("m"));
+        _file.attribute(z, "axis", std::string("Z"));
+        _file.attribute(z, "positive", std::string("up"));
     }
 
     int sayMap(const Crs& map) {
         const int crs = _file.coordinates("crs", {});
         const Result<GridMapping> described = gridMappingOf(map);
         const GridMapping mapping = described ? described.value() : GridMapping();
-        _file.say(crs, "long_name", std::string("coordinate reference system"));
+        _file.attribute(crs, "long_name", std::string("coordinate reference system"));
         if (!mapping.name.empty())
-            _file.say(crs, "grid_mapping_name", mapping.name);
+            _file.attribute(crs, "grid_mapping_name", mapping.name);
         for (const auto& [name, numbers] : mapping.numbers)
-            _file.say(crs, name.c_str(), numbers);
-        _file.say(crs, "crs_wkt", mapping.wkt);
-        _file.say(crs, "units", std::string("m"));
+            _file.attribute(crs, name.c_str(), numbers);
+        _file.attribute(crs, "crs_wkt", mapping.wkt);
+        _file.attribute(crs, "units", std::string("m"));
         if (const std::string text = map.text(); text.rfind("EPSG:", 0) == 0)
-            _file.say(crs, "epsg_code", text);
+            _file.attribute(crs, "epsg_code", text);
         return crs;
     }
 
     int field(const char* name, const char* words, const std::vector<int>& dimensions, bool onMap) {
         const int array = _file.field(name, dimensions);
         if (_isPalm)
-            _file.say(array, "_FillValue", noPlants);
-        _file.say(array, "long_name", std::string(words));
-        _file.say(array, "units", std::string("m2 m-3"));
+            _file.attribute(array, "_FillValue", noPlants);
+        _file.attribute(array, "long_name", std::string(words));
+        _file.attribute(array, "units", std::string("m2 m-3"));
         if (onMap)
-            _file.say(array, "grid_mapping", std::string("crs"));
+            _file.attribute(array, "grid_mapping", std::string("crs"));
         return array;
     }
 
     void sayFile(const CanopyHead& head, const std::optional<Crs>& map) {
         constexpr int file = NetCdfOutput::wholeFile;
-        _file.say(file, "Conventions", std::string("CF-1.7"));
-        _file.say(file, "title", std::string("Leaf area and drag area of a forest"));
-        _file.say(file, "source", std::string("osgtreewind " OSGTREEWIND_VERSION));
+        _file.attribute(file, "Conventions", std::string("CF-1.7"));
+        _file.attribute(file, "title", std::string("Leaf area and drag area of a forest"));
+        _file.attribute(file, "source", std::string("osgtreewind " OSGTREEWIND_VERSION));
         if (!_isPalm)
             return;
         const glm::dvec2 degrees = degreesOf(head.grid.low, map);
-        _file.say(file, "origin_x", std::vector{head.grid.low.x});
-        _file.say(file, "origin_y", std::vector{head.grid.low.y});
-        _file.say(file, "origin_z", std::vector{0.0});
-        _file.say(file, "origin_lon", std::vector{degrees.x});
-        _file.say(file, "origin_lat", std::vector{degrees.y});
-        _file.say(file, "origin_time", dateOf(head.season));
-        _file.say(file, "rotation_angle", std::vector{0.0});
+        _file.attribute(file, "origin_x", std::vector{head.grid.low.x});
+        _file.attribute(file, "origin_y", std::vector{head.grid.low.y});
+        _file.attribute(file, "origin_z", std::vector{0.0});
+        _file.attribute(file, "origin_lon", std::vector{degrees.x});
+        _file.attribute(file, "origin_lat", std::vector{degrees.y});
+        _file.attribute(file, "origin_time", dateOf(head.season));
+        _file.attribute(file, "rotation_angle", std::vector{0.0});
     }
 
-    /// In PALM's files a column without plants has none at any level.
+    /// In PALM's files a column without plants has the fill value at each level.
     void put(int array, int row, const Span<float>& densities, const CanopyRow& all) {
         const auto width = static_cast<std::size_t>(_cells.x);
         const std::size_t levels = densities.size / width, ground = _isPalm ? 1 : 0;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-/// A NetCDF file that is written: first what is in it, then its numbers. The first thing that goes wrong ends
-/// it, and is its problem; what comes after is passed over.
+/// A NetCDF file that is written: first its definitions, then its numbers. The first error is kept in
+/// problem(), and later calls do nothing.
 class NetCdfOutput {
 public:
-    /// @param arrays the bytes of the largest array, which say what kind of NetCDF holds it.
+    /// @param largestArray its size in bytes, which decides the file format.
     NetCdfOutput(const std::string& path, double largestArray);
     ~NetCdfOutput();
     NetCdfOutput(const NetCdfOutput&) = delete;
@@ -18,15 +18,15 @@ public:
     static constexpr int wholeFile = -1; ///< In place of an array, for what is said of the file.
 
     int dimension(const char* name, int size);
-    /// Of floats.
+    /// Defines an array of floats.
     int field(const char* name, const std::vector<int>& dimensions);
-    /// Of doubles.
+    /// Defines an array of doubles.
     int coordinates(const char* name, const std::vector<int>& dimensions);
-    void say(int array, const char* name, const std::string& text);
-    void say(int array, const char* name, const std::vector<double>& numbers);
-    void say(int array, const char* name, float number);
+    void attribute(int array, const char* name, const std::string& text);
+    void attribute(int array, const char* name, const std::vector<double>& numbers);
+    void attribute(int array, const char* name, float number);
 
-    void endOfHead();
+    void endDefinitions();
     void write(int array, const std::vector<double>& numbers);
     void write(int array, const std::vector<std::size_t>& start, const std::vector<std::size_t>& count,
                const float* numbers);
@@ -37,7 +37,7 @@ public:
 
 private:
     /// Whether there is no problem yet.
-    bool goesOn() const { return _problem.empty(); }
+    bool ok() const { return _problem.empty(); }
     void keep(int status);
     int array(const char* name, int type, const std::vector<int>& dimensions);
 

@@ -20,7 +20,7 @@ std::vector<SwayMode> swayModes(const Species& species, const TreePlacement& pla
         for (const glm::vec3& shift : shifts[k])
             most = std::max(most, glm::length(shift));
         std::vector<float> amplitudes(shifts.size(), 0.0f);
-        amplitudes[k] = static_cast<float>(off * tree.trunkLength()) / most;
+        amplitudes[k] = static_cast<float>(off * tree.trunkHeight()) / most;
         tree.setAmplitudes(amplitudes);
         const auto sway = tree.release(k, [&] { return static_cast<double>(tree.amplitude(k)); });
         modes.push_back({tree.pace(k) / glm::two_pi<double>(), sway ? sway->dampingRatio : 1.0,

@@ -17,7 +17,7 @@ constexpr std::size_t halfSwings = 6;
 constexpr double stepsPerSwing = 60.0;   // to and fro
 constexpr double longestRelease = 600.0; // seconds
 
-/// Times something that swings about 0, from its first crossing on.
+/// Measures frequency and damping of something that swings about 0, from its first crossing on.
 class HalfSwings {
 public:
     explicit HalfSwings(double start) : _before(start) {}

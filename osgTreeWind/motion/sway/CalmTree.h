@@ -18,10 +18,10 @@ public:
     CalmTree(const Species& species, const TreePlacement& tree);
 
     const std::vector<ModalModel::Mode>& modes() const { return _motion.archetype(0).model(0).modes; }
-    /// Circular frequency of a mode as its weight leaves it, rad/s.
+    /// Angular frequency of a mode, lowered by the weight of the tree, rad/s.
     double pace(std::size_t mode) const;
-    /// Length of the trunk, metres.
-    double trunkLength() const { return static_cast<double>(_rest[_top].z); }
+    /// Height of the top of the trunk, metres.
+    double trunkHeight() const { return static_cast<double>(_rest[_top].z); }
     /// The last unit of the trunk.
     std::size_t top() const { return _top; }
 
@@ -31,12 +31,13 @@ public:
 
     /// How far the tip of each unit is from where it rests, metres.
     std::vector<glm::vec3> shifts();
-    /// The same in each mode by its amplitude, for small ones: per mode and unit. Leaves the tree at rest.
+    /// The same per unit of a mode's amplitude, for small amplitudes: by mode and unit. Leaves the tree at
+    /// rest.
     std::vector<std::vector<glm::vec3>> shiftsByMode();
 
-    /// Steps until `followed` has made six half-swings, for its frequency; the damping ratio is that of the
-    /// mode, as if all else were filtered out.
-    /// @return nothing when either takes more than ten minutes.
+    /// Steps a tree that was pulled until `followed` has made six half-swings, which give the frequency; the
+    /// damping ratio is that of the mode's own amplitude.
+    /// @return nothing when the half-swings of `followed` or of the mode take more than ten minutes.
     std::optional<FreeSway> release(std::size_t mode, const std::function<double()>& followed);
 
 private:

@@ -27,7 +27,7 @@ std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlaceme
     if (!(shift > 0.0))
         return {};
     for (float& amplitude : amplitudes)
-        amplitude *= static_cast<float>(pull * tree.trunkLength() / shift);
+        amplitude *= static_cast<float>(pull * tree.trunkHeight() / shift);
     tree.setAmplitudes(amplitudes);
     return tree.release(first, [&] { return static_cast<double>(tree.shifts()[top].x); });
 }
