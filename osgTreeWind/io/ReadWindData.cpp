@@ -125,9 +125,9 @@ Wind readWindData(TableReader& table, ForestReading& reading) {
     for (const std::string& note : wind.value().summary.notes)
         reading.forest.notes.push_back(paths.front() + ": " + note);
     noteTreesOutside(wind.value(), offset, paths.front(), reading);
-    WindParts::files(wind.value().wind) = std::make_shared<const WindFiles>(
-        WindFiles{paths, table.has("files"), times, offset, reading.forest.origin, options.crs,
-                  options.roughness, options.height, options.speedUnit});
+    WindParts::setFiles(wind.value().wind,
+                        {paths, table.has("files"), times, offset, reading.forest.origin, options.crs,
+                         options.roughness, options.height, options.speedUnit});
     return std::move(wind.value().wind);
 }
 

@@ -56,8 +56,9 @@ struct OSGTREEWIND_EXPORT Wind {
 
 private:
     friend struct WindParts;
-    std::shared_ptr<const WindFiles> _files; ///< That `field` comes from; null: made by hand.
-    std::shared_ptr<const WindMap> _map;     ///< Of the field's data; null: the scene's.
+    WindFieldPtr _read; ///< The field that was read from files; another `field` has neither of these.
+    std::shared_ptr<const WindFiles> _files;
+    std::shared_ptr<const WindMap> _map;
 };
 
 /// All of a wind but its canopy as one field, where a forest that stands at the scene's zero meets it; null:

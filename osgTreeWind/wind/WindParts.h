@@ -5,16 +5,30 @@
 #include <osgTreeWind/wind/WindFiles.h>
 #include <osgTreeWind/wind/WindMap.h>
 
+#include <memory>
+#include <utility>
+
 namespace osgTreeWind {
 
 /// What a Wind keeps of the files that it was read from: for the library's own files and its tests.
 struct WindParts {
-    /// Null: made by hand.
-    static std::shared_ptr<const WindFiles>& files(Wind& wind) { return wind._files; }
-    static const WindFiles* files(const Wind& wind) { return wind._files.get(); }
-    /// The map of the field's data; null: the scene's.
-    static std::shared_ptr<const WindMap>& map(Wind& wind) { return wind._map; }
-    static const WindMap* map(const Wind& wind) { return wind._map.get(); }
+    /// The files that its field was read from; null: made by hand.
+    static const WindFiles* files(const Wind& wind) {
+        return wind._read == wind.field ? wind._files.get() : nullptr;
+    }
+    /// The map of its field's data; null: the scene's.
+    static const WindMap* map(const Wind& wind) {
+        return wind._read == wind.field ? wind._map.get() : nullptr;
+    }
+
+    static void setFiles(Wind& wind, WindFiles files) {
+        wind._read = wind.field;
+        wind._files = std::make_shared<const WindFiles>(std::move(files));
+    }
+    static void setMap(Wind& wind, WindMap map) {
+        wind._read = wind.field;
+        wind._map = std::make_shared<const WindMap>(std::move(map));
+    }
 };
 
 } // namespace osgTreeWind

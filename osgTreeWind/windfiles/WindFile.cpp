@@ -182,7 +182,7 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
         file.wind.clock.speed = content.travelSpeed;
     }
     if (mesh)
-        WindParts::map(file.wind) = std::make_shared<const WindMap>(WindMap{mesh, origin, itsOrigin});
+        WindParts::setMap(file.wind, {mesh, origin, itsOrigin});
     return file;
 }
 

@@ -7,6 +7,7 @@
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/UniformWind.h>
+#include <osgTreeWind/wind/WindParts.h>
 
 #include <gtest/gtest.h>
 
@@ -97,6 +98,18 @@ TEST(WindSampler, AMatrixOfNothingTurnsNothing) {
     const WindSampler wind = sampler(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)), glm::dmat4(0.0));
     EXPECT_EQ(wind.velocity({4, 5, 6}, 0.0), glm::vec3(1, 2, 3));
     EXPECT_EQ(sampler(nullptr).velocity({1, 2, 3}, 0.0), glm::vec3(0.0f));
+}
+
+TEST(WindSampler, AFieldThatReplacesOneFromFilesHasNeitherTheirMapNorThem) {
+    Wind wind(std::make_shared<UniformWind>(glm::vec3(1, 2, 3)));
+    WindFiles files;
+    files.files = {"a.asc"};
+    WindParts::setFiles(wind, files);
+    EXPECT_TRUE(WindParts::files(wind));
+    EXPECT_TRUE(WindParts::files(Wind(wind))) << "a copy";
+    wind.field = std::make_shared<UniformWind>(glm::vec3(4, 5, 6));
+    EXPECT_FALSE(WindParts::files(wind));
+    EXPECT_FALSE(WindParts::map(wind));
 }
 
 TEST(WindSampler, AForestInATurnedFrameLeansAsOneWhoseTreesAreTurned) {
