@@ -206,11 +206,11 @@ CanopyTree::CanopyTree(const TreeModel& model, const TreeScale& scale, const Spe
     breezeStreamlining = foliage * species.wood.breezeStreamlining;
 }
 
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, const WindCanopy& canopy) {
+std::shared_ptr<CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, const WindCanopy& canopy) {
     if (canopy.source == CanopySource::Given)
         return canopyOf(trees, static_cast<float>(canopy.height), static_cast<float>(canopy.frontalArea));
     if (trees.empty())
-        return std::make_shared<const CanopyMap>();
+        return std::make_shared<CanopyMap>();
     MeanHeight mean;
     if (!(canopy.reach > 0.0))
         mean.add(trees);
@@ -222,7 +222,7 @@ std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, 
             canopy.usualFrontalArea > 0.0 ? static_cast<float>(canopy.usualFrontalArea) : usual.area());
     }
     map.usual.closure = std::min(usual.weights, 1.0f);
-    return std::make_shared<const CanopyMap>(std::move(map));
+    return std::make_shared<CanopyMap>(std::move(map));
 }
 
 WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<CanopyTree>>& parts) {
@@ -246,8 +246,7 @@ WindCanopy withUsualStands(WindCanopy canopy, const std::vector<std::vector<Cano
     return canopy;
 }
 
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, float height,
-                                          float frontalArea) {
+std::shared_ptr<CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, float height, float frontalArea) {
     StandSum sum;
     for (const CanopyTree& tree : trees)
         sum.add(tree, 1.0f);

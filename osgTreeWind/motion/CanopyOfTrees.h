@@ -38,13 +38,11 @@ struct CanopyTree {
 /// each other until the mean drag of the trees on the ground that is theirs is rho u*^2. That is solved at
 /// each wind, since crowns streamline. With the reach and the usual stand of `canopy` a place depends on the
 /// trees within shelterReach() of it alone, to the bit. @param canopy where given, one stand for all.
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees,
-                                          const WindCanopy& canopy = {});
+std::shared_ptr<CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, const WindCanopy& canopy = {});
 
 /// One stand that goes on to all sides, of trees like these. @param height of it, metres.
 /// @param frontalArea its index: m^2 over m^2 of ground.
-std::shared_ptr<const CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, float height,
-                                          float frontalArea);
+std::shared_ptr<CanopyMap> canopyOf(const std::vector<CanopyTree>& trees, float height, float frontalArea);
 
 /// Has parts of a forest take the stands of all of it. @param parts of it that stand for the whole: their
 /// trees.

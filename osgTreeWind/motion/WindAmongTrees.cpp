@@ -46,7 +46,7 @@ std::shared_ptr<CanopyMap> WindAmongTrees::canopyOfForest(const PlacedForest& fo
                                  glm::vec2(tree.position));
         alive.push_back(*_trees[slot]);
     }
-    return std::make_shared<CanopyMap>(*canopyOf(alive, _asked));
+    return canopyOf(alive, _asked);
 }
 
 WindFieldPtr WindAmongTrees::from(GivenWind& given, const PlacedForest& forest, double time) {

@@ -34,7 +34,7 @@ private:
     std::shared_ptr<CanopyMap> canopyOfForest(const PlacedForest& forest);
 
     WindCanopy _asked;                             ///< What the wind asks for.
-    std::vector<std::optional<CanopyTree>> _trees; ///< By slot; none of those that changed.
+    std::vector<std::optional<CanopyTree>> _trees; ///< By slot; empty if the tree has changed.
     std::shared_ptr<const CanopyMap> _canopy;      ///< Null: none yet.
     bool _changed = true;                          ///< Trees have, since it was made.
     double _madeAt = 0.0;                          ///< Seconds.

@@ -20,7 +20,7 @@ class UniformWind;
 class WindField;
 using WindFieldPtr = std::shared_ptr<const WindField>;
 
-/// A field as one of the kinds that a file can say; the first where it is none of them.
+/// A field by its kind, if a file can say that kind; otherwise as a WindField.
 using KindOfWind = std::variant<const WindField*, const UniformWind*, const GustWind*, const GridWind*,
                                 const ForestWind*, const TimeSeriesWind*>;
 

@@ -76,8 +76,6 @@ WindSampler::WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& for
                                                _wind->canopy.value_or(WindCanopy()).seed);
 }
 
-WindSampler::~WindSampler() = default;
-
 glm::vec3 WindSampler::velocity(const WindPlace& place, double time) const {
     glm::vec3 result;
     sample(&place, 1, time, &result);

@@ -20,7 +20,6 @@ public:
     /// which it goes on, referred (CanopyMap::refer()); null: it is taken as it is.
     explicit WindSampler(std::shared_ptr<const Wind> wind, const glm::dmat4& forestToScene = glm::dmat4(1.0),
                          std::shared_ptr<const CanopyMap> canopy = nullptr);
-    ~WindSampler() override;
 
     glm::vec3 velocity(const WindPlace& place, double time) const override;
     void sample(const WindPlace* places, std::size_t count, double time, glm::vec3* out) const override;

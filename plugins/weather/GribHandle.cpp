@@ -60,8 +60,7 @@ std::optional<std::size_t> GribHandle::offset(const char* key) const {
 }
 
 std::string GribHandle::emptied(std::size_t numbers) const {
-    const std::unique_ptr<codes_handle, int (*)(codes_handle*)> copy(codes_handle_clone(_handle.get()),
-                                                                     codes_handle_delete);
+    const Owned copy(codes_handle_clone(_handle.get()), codes_handle_delete);
     std::size_t count = 0, length = 0;
     const void* message = nullptr;
     if (!copy || codes_get_size(copy.get(), "values", &count) != CODES_SUCCESS || count != numbers)

@@ -17,24 +17,26 @@ public:
     /// @param parts that make up the message; only one is not copied.
     explicit GribHandle(const std::vector<std::string_view>& parts);
 
-    /// Null: ecCodes does not know what it is.
+    /// Whether ecCodes can decode it.
     explicit operator bool() const { return _handle != nullptr; }
 
-    /// The number of a key; nothing where there is none.
+    /// The value of a key; empty if the message does not have it.
     std::optional<long> whole(const char* key) const;
     double real(const char* key) const;
     std::string text(const char* key) const;
-    /// The byte of the message where a key is; nothing where there is none.
+    /// The offset of a key in the message, bytes; empty if the message does not have it.
     std::optional<std::size_t> offset(const char* key) const;
-    /// A message on the same grid, simply packed, whose so many numbers are 0; empty where it cannot be made.
+    /// A message on the same grid with all its numbers 0, simply packed; empty on failure.
+    /// @param numbers how many it must have.
     std::string emptied(std::size_t numbers) const;
-    /// Numbers in the order of the file, NaN where there are none. @return the reason where they cannot be
-    /// read.
+    /// Reads the numbers in the order of the file; a missing one is NaN. @return the reason for a failure.
     std::optional<std::string> read(std::vector<double>& numbers) const;
 
 private:
+    using Owned = std::unique_ptr<codes_handle, int (*)(codes_handle*)>;
+
     std::string _copy;
-    std::unique_ptr<codes_handle, int (*)(codes_handle*)> _handle;
+    Owned _handle;
 };
 
 } // namespace osgTreeWind

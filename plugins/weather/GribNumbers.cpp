@@ -40,8 +40,8 @@ std::string projText(const Crs& crs) {
 class GdalMessage {
 public:
     explicit GdalMessage(std::string bytes) : _bytes(std::move(bytes)) {
-        GDALRegister_GRIB();                          // and none of the others, which takes longer
-        CPLSetConfigOption("GDAL_PAM_ENABLED", "NO"); // what stands beside the file is none of it
+        GDALRegister_GRIB();                          // registering every driver takes longer
+        CPLSetConfigOption("GDAL_PAM_ENABLED", "NO"); // do not read .aux.xml files beside it
         const char* const drivers[] = {"GRIB", nullptr};
         const char* const options[] = {"USE_IDX=NO", nullptr};
         VSIFCloseL(VSIFileFromMemBuffer(name, reinterpret_cast<GByte*>(_bytes.data()), _bytes.size(), FALSE));

@@ -122,7 +122,7 @@ WindFieldPtr gustsInAWood() {
     std::vector<CanopyTree> trees(rows * rows, tree);
     for (std::size_t i = 0; i < trees.size(); ++i)
         trees[i].place = {5.0f * static_cast<float>(i % rows), 5.0f * static_cast<float>(i / rows)};
-    auto wood = std::make_shared<CanopyMap>(*canopyOf(trees));
+    const std::shared_ptr<CanopyMap> wood = canopyOf(trees);
     wood->refer(60.0f);
     return std::make_shared<WindSampler>(std::make_shared<Wind>(gusts()), glm::dmat4(1.0), wood);
 }

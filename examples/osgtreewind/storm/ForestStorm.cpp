@@ -16,13 +16,6 @@ namespace {
 
 constexpr double step = 0.2, settling = 60.0, hour = 3600.0; // seconds
 
-std::shared_ptr<const CanopyMap> canopyAround(const std::vector<CanopyTree>& trees,
-                                              const WindCanopy& canopy) {
-    auto referred = std::make_shared<CanopyMap>(*canopyOf(trees, canopy));
-    referred->refer(static_cast<float>(canopy.reference));
-    return referred;
-}
-
 } // namespace
 
 ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Executor executor,
@@ -46,7 +39,10 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
         const std::vector<UnitLoad> loads = makeUnitLoads(model, form.scale, species, form.leaves);
         _joints.push_back({{0, loads[0].stiffness, 0.0f}, thickestBoughs(form, loads)});
     }
-    _canopy = canopyAround(standing, forest.description().wind.canopy.value_or(WindCanopy()));
+    const WindCanopy asked = forest.description().wind.canopy.value_or(WindCanopy());
+    const std::shared_ptr<CanopyMap> canopy = canopyOf(standing, asked);
+    canopy->refer(static_cast<float>(asked.reference));
+    _canopy = canopy;
     auto resting = std::make_shared<ModalMotion>(swaying, 1.0f, std::move(executor));
     resting->stepTogether();
     _resting = std::move(resting);

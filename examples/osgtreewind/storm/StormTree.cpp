@@ -34,8 +34,7 @@ WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
     auto wind = std::make_shared<Wind>(std::make_shared<UniformWind>(mean));
     wind->canopy.emplace().seed = storm.seed;
     const auto spacing = static_cast<float>(storm.spacing);
-    auto stand =
-        std::make_shared<CanopyMap>(*canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing)));
+    auto stand = canopyOf({tree}, tree.height, tree.frontalArea / (spacing * spacing));
     stand->refer(tree.height);
     return WindSampler(wind, glm::dmat4(1.0), stand);
 }

@@ -55,7 +55,7 @@ private:
 };
 
 /// A ground about a forest, up to 50 km beyond it, in the forest's frame: triangles with normals and texture
-/// coordinates in metres, finer where a camera is near. Null where there is none of it.
+/// coordinates in metres, finer where a camera is near. Null if there is no ground within that.
 /// @param origin of the forest. @param trees what holds them, in the forest's frame.
 osg::ref_ptr<osg::Node> createGroundDrawing(const GroundPtr& ground, const glm::dvec3& origin,
                                             const osg::BoundingSphere& trees);

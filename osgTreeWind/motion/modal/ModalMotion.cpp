@@ -167,7 +167,7 @@ void ModalMotion::setLevel(std::size_t tree, Level wanted) {
     }
     setWinds(tree, numbers.data() + 2 * from.modes.size(),
              archetype(tree).otherPatches(static_cast<std::size_t>(wanted)));
-    if (modes < to.modes.size()) { // the others are where the air holds them
+    if (modes < to.modes.size()) { // the air of now gives the amplitudes of the rest
         float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
         poseVector(tree, vector);
         for (std::size_t k = modes; k < to.modes.size(); ++k)
