@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/GrowingStand.h>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+void GrowingStand::growYear(const GrowthSite& site) {
+    if (_trees.empty())
+        return;
+    glm::vec3 lowest = _trees.front().foot(), highest = lowest;
+    for (GrowingTree& tree : _trees)
+        tree.unfold(lowest, highest);
+    _grid.begin(lowest, highest);
+    for (const GrowingTree& tree : _trees)
+        tree.addLeaves(_grid);
+    const GrowingTree& first = _trees.front();
+    _grid.addNeighbours(site, glm::vec2(first.foot()), std::max(first.height(), 1.0f));
+    _grid.castShade();
+    for (GrowingTree& tree : _trees)
+        tree.growYear(_grid);
+}
+
+} // namespace osgTreeWind
