@@ -18,6 +18,14 @@ constexpr float strongest = 1.25f;
 constexpr float leaderLeast = 0.8f;
 /// Yearly shoot of a limb into which the trunk has dissolved, over that of the trunk.
 constexpr float limbShoot = 0.8f;
+/// Share of its vigour that a shoot at the outside of the crown lacks, of a habit with all rounding.
+constexpr float slowest = 0.8f;
+/// Height at which a dome is widest over that of the tree.
+constexpr float domeMiddle = 0.4f;
+/// Height of the lowest bough that becomes a limb over that of the trunk.
+constexpr float youngBoughs = 0.65f;
+/// From limb to limb.
+constexpr float goldenAngle = 2.399963f;
 /// Angle from an axis that has lost its end to what takes over, over that of side shoots.
 constexpr float takingOver = 0.45f;
 
@@ -55,24 +63,29 @@ private:
         float vigour = std::min(bud.share, strongest);
         if (axis.order == 0)
             vigour = std::max(vigour, leaderLeast);
-        if (axis.leading) {
-            const float grown = _tree.grown();
-            vigour *= 1.0f - 0.75f * _habit.rounding * grown * grown;
-        } else {
-            const auto age = static_cast<float>(_tree.year - axis.born);
-            vigour *= 1.0f / (1.0f + age / _habit.halfVigour[rank]);
-        }
+        const glm::vec3& place = _tree.metamers[static_cast<std::size_t>(bud.node)].position;
+        vigour *= 1.0f - slowest * _habit.rounding * exposure(place);
+        if (!axis.leading)
+            vigour *= 1.0f / (1.0f + static_cast<float>(_tree.year - axis.born) / _habit.halfVigour[rank]);
         if (axis.order == 1 && !axis.leading)
             vigour *= spread();
         if (axis.order > 0)
-            vigour *= room(_tree.metamers[static_cast<std::size_t>(bud.node)].position);
+            vigour *= room(place);
         const float shoot = axis.leading && axis.order > 0 ? limbShoot * _habit.annualShoot[0] : _habit.annualShoot[rank];
-        return vigour * shoot * (0.85f + 0.3f * _tree.random.uniform());
+        return vigour * axis.luck * shoot * (0.85f + 0.3f * _tree.random.uniform());
     }
 
     /// Half the width that the crown is to have at this height.
     float wantedReach() const {
         return 0.5f * _tree.goal.crownWidth * std::min(0.3f + 0.8f * _tree.grown(), 1.0f);
+    }
+    /// 0 in the middle of the dome that the crown is to fill, 1 at its top and sides, where wind and drought slow
+    /// shoots, and more beyond.
+    float exposure(const glm::vec3& place) const {
+        const float x = (place.x * place.x + place.y * place.y) / (0.25f * _tree.goal.crownWidth * _tree.goal.crownWidth);
+        const float z = std::max(place.z / _tree.goal.height - domeMiddle, 0.0f) / (1.0f - domeMiddle);
+        const float outside = x + z * z;
+        return std::min(outside * outside, 1.0f / slowest);
     }
     /// Factor on side shoots: more where the crown is too narrow.
     float spread() const {
@@ -81,7 +94,7 @@ private:
     /// Shoots that have left the crown far behind stop: wind and drought take them.
     float room(const glm::vec3& place) const {
         const float reach = std::sqrt(place.x * place.x + place.y * place.y) / wantedReach();
-        return glm::clamp((1.3f - reach) / 0.4f, 0.0f, 1.0f);
+        return glm::clamp((1.25f - reach) / 0.4f, 0.0f, 1.0f);
     }
 
     void growShoot(Bud bud) {
@@ -157,6 +170,8 @@ private:
             count = static_cast<int>(_habit.whorl + 0.5f + 0.8f * _tree.random.symmetric());
         else if (whorls)
             weight = last ? 1.0f : _habit.betweenWhorls;
+        if (whorls && order == 0 && !last)
+            count = std::max(count, static_cast<int>(0.5f * _habit.whorl + 0.5f));
         if (weight <= 0.0f)
             return;
         const std::size_t rank = TreeState::rank(order);
@@ -199,19 +214,38 @@ private:
         return true;
     }
 
-    /// The trunk ends in limbs, which aim at the crown's width; one of them goes more upright.
+    /// The trunk ends in limbs, which spring from its last nodes and aim at the crown's width, the lower the
+    /// wider.
     void dissolve(const Bud& bud) {
-        const float above = std::max(_tree.goal.height - _tree.height, 0.5f);
-        const float aim = angleOf(0.5f * _tree.goal.crownWidth / above);
-        const float turn = glm::pi<float>() * _tree.random.symmetric();
         const auto limbs = static_cast<int>(_habit.limbs);
+        float azimuth = glm::pi<float>() * _tree.random.symmetric();
+        const float narrow = glm::clamp(std::sqrt(_tree.spread), 0.6f, 1.2f);
+        Bud at = bud;
         for (int i = 0; i < limbs; ++i) {
-            const float azimuth =
-                turn + 0.5f * random() + glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(limbs);
-            const float angle = aim * (i == 0 ? 0.4f : 0.8f + 0.25f * random());
-            addSideBud(bud, azimuth, angle, 1, 1.0f);
+            const Metamer& node = _tree.metamers[static_cast<std::size_t>(at.node)];
+            at.heading = node.heading;
+            const float above = std::max(_tree.goal.height - node.position.z, 0.5f);
+            const float aim = angleOf(0.5f * _tree.goal.crownWidth / above);
+            const float wide = 0.45f + 0.55f * static_cast<float>(i) / static_cast<float>(limbs - 1);
+            addSideBud(at, azimuth, aim * narrow * (wide + 0.15f * random()), 1, 1.0f);
             _tree.axes.back().leading = true;
+            azimuth += goldenAngle + 0.4f * random();
+            if (node.parent > 0 && (i > 0 || limbs == 2))
+                at.node = node.parent;
         }
+        promoteBoughs();
+    }
+
+    /// The youngest boughs become limbs too.
+    void promoteBoughs() {
+        const float from = youngBoughs * _tree.height;
+        for (const Metamer& metamer : _tree.metamers)
+            if (metamer.order == 1 && metamer.died < 0 && metamer.position.z > from)
+                _tree.axes[static_cast<std::size_t>(metamer.axis)].leading = true;
+        for (const Bud& bud : _tree.buds)
+            if (_tree.metamers[static_cast<std::size_t>(bud.node)].order == 0 && !bud.terminal &&
+                _tree.metamers[static_cast<std::size_t>(bud.node)].position.z > from)
+                _tree.axes[static_cast<std::size_t>(bud.axis)].leading = true;
     }
 
     void addSideBud(const Bud& at, float azimuth, float angle, int order, float weight) {
@@ -226,6 +260,7 @@ private:
         bud.axis = static_cast<int>(_tree.axes.size());
         bud.weight = weight;
         Axis axis;
+        axis.luck = 1.0f + 0.3f * random();
         axis.order = order;
         axis.born = _tree.year;
         _tree.axes.push_back(axis);

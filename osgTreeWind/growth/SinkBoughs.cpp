@@ -57,8 +57,9 @@ void sinkBoughs(TreeState& tree) {
         const float level = std::sqrt(std::max(1.0f - metamer.heading.z * metamer.heading.z, 0.0f));
         float bend = habit.hang[rank] * metamer.length * level;
         if (metamer.axis != parent.axis)
-            bend += habit.sink[rank];
-        metamer.tilt = std::clamp(parent.tilt + yearly * bend, -0.5f, 0.5f);
+            bend += habit.sink[rank] * tree.axes[static_cast<std::size_t>(metamer.axis)].luck;
+        const float free = std::clamp(0.5f * (metamer.position.z - clearance), 0.0f, 1.0f);
+        metamer.tilt = free * std::clamp(parent.tilt + yearly * bend, -0.5f, 0.5f);
         metamer.heading = lowered(metamer.heading, metamer.tilt);
     }
     for (Bud& bud : tree.buds) {

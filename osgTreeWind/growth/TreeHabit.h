@@ -18,7 +18,7 @@ struct TreeHabit {
     ByOrder annualShoot{0.4f, 0.3f, 0.2f, 0.15f}; ///< A vigorous shoot's length in a year.
     ByOrder internode{0.25f, 0.2f, 0.18f, 0.15f}; ///< Length of a metamer: from one side bud to the next.
     ByOrder halfVigour{200, 30, 20, 12};          ///< Age of an axis at which it grows half as fast.
-    float rounding = 0.5f; ///< How much less the leader grows in a year by the time the tree has its height.
+    float rounding = 0.5f; ///< How much shoots slow down as they come to the outside of a dome: 0 a spire, 1 a dome.
     float deepest = 6;     ///< Highest order of branching.
 
     // Side shoots

@@ -45,6 +45,7 @@ struct Axis {
     int order = 0;
     int born = 0;
     bool leading = false;    ///< A limb into which the trunk has dissolved, or the trunk.
+    float luck = 1.0f;       ///< Its vigour and its weight over those of others.
     float phase = 0.0f;      ///< Azimuth of the last side bud.
     int side = 1;            ///< Of the zigzag.
     glm::vec3 bending{0.0f}; ///< Random, slowly changing.
