@@ -22,8 +22,12 @@ constexpr float limbShoot = 0.8f;
 constexpr float slowest = 0.8f;
 /// Height at which a dome is widest over that of the tree.
 constexpr float domeMiddle = 0.4f;
+/// Height of its top, likewise: the tree comes near it and not quite there.
+constexpr float domeTop = 1.06f;
 /// Height of the lowest bough that becomes a limb over that of the trunk.
 constexpr float youngBoughs = 0.65f;
+/// Height at which it dissolves in a closed wood.
+constexpr float forestTrunk = 0.68f;
 /// From limb to limb.
 constexpr float goldenAngle = 2.399963f;
 /// Angle from an axis that has lost its end to what takes over, over that of side shoots.
@@ -64,7 +68,7 @@ private:
         if (axis.order == 0)
             vigour = std::max(vigour, leaderLeast);
         const glm::vec3& place = _tree.metamers[static_cast<std::size_t>(bud.node)].position;
-        vigour *= 1.0f - slowest * _habit.rounding * exposure(place);
+        vigour *= std::max(1.0f - slowest * _habit.rounding * exposure(place), axis.leading ? 0.12f : 0.0f);
         if (!axis.leading)
             vigour *= 1.0f / (1.0f + static_cast<float>(_tree.year - axis.born) / _habit.halfVigour[rank]);
         if (axis.order == 1 && !axis.leading)
@@ -83,7 +87,7 @@ private:
     /// shoots, and more beyond.
     float exposure(const glm::vec3& place) const {
         const float x = (place.x * place.x + place.y * place.y) / (0.25f * _tree.goal.crownWidth * _tree.goal.crownWidth);
-        const float z = std::max(place.z / _tree.goal.height - domeMiddle, 0.0f) / (1.0f - domeMiddle);
+        const float z = std::max(place.z / _tree.goal.height - domeMiddle, 0.0f) / (domeTop - domeMiddle);
         const float outside = x + z * z;
         return std::min(outside * outside, 1.0f / slowest);
     }
@@ -188,7 +192,7 @@ private:
     bool divide(const Bud& bud) {
         const Axis axis = axisOf(bud);
         const std::size_t rank = rankOf(bud);
-        if (axis.order == 0 && _tree.height >= _habit.trunkTop * _tree.goal.height) {
+        if (axis.order == 0 && dissolves()) {
             dissolve(bud);
             return true;
         }
@@ -212,6 +216,18 @@ private:
             axisOf(next).phase += _habit.divergence;
         }
         return true;
+    }
+
+    /// Whether the trunk ends here: where a tree stands free at the height of its habit, in a wood later.
+    bool dissolves() const {
+        const float share = _tree.height / _tree.goal.height;
+        if (_habit.trunkTop >= 1.0f || share < _habit.trunkTop)
+            return false;
+        const float out = 1.5f * _tree.reach + _light.cell();
+        float light = 0.0f;
+        for (const glm::vec3& side : {glm::vec3(out, 0, 0), glm::vec3(-out, 0, 0), glm::vec3(0, out, 0), glm::vec3(0, -out, 0)})
+            light += 0.25f * _light.light(_foot + side + 0.75f * _tree.height * up);
+        return share > glm::mix(std::max(_habit.trunkTop, forestTrunk), _habit.trunkTop, glm::smoothstep(0.3f, 0.75f, light));
     }
 
     /// The trunk ends in limbs, which spring from its last nodes and aim at the crown's width, the lower the

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 namespace {
 
 /// Growths until the crown has its width.
-constexpr int mostTries = 4;
+constexpr int mostTries = 3;
 /// Height and width may be stretched by factors that differ by so much.
 constexpr float nearEnough = 0.08f;
 
@@ -64,7 +64,7 @@ GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const Growt
         }
         if (leastMiss <= nearEnough)
             break;
-        spread = std::clamp(spread * power(tooNarrow, 1.5f), 0.1f, 8.0f);
+        spread = std::clamp(spread * power(tooNarrow, 1.2f), 0.2f, 5.0f);
     }
     return fittedForm(*best, goal);
 }

@@ -28,6 +28,7 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
     : _foot(foot) {
     _state.habit = habit;
     _state.goal = goal;
+    _state.goal.crownWidth *= spread;
     _state.spread = spread;
     _state.random = Random(seed);
     Metamer first;
