@@ -30,6 +30,8 @@ constexpr float youngBoughs = 0.65f;
 constexpr float forestTrunk = 0.68f;
 /// From limb to limb.
 constexpr float goldenAngle = 2.399963f;
+/// The least by which limbs turn up, 1/m.
+constexpr float limbRise = 0.15f;
 /// Angle from an axis that has lost its end to what takes over, over that of side shoots.
 constexpr float takingOver = 0.45f;
 
@@ -139,7 +141,8 @@ private:
         const glm::vec3 level = directionOr({heading.x, heading.y, 0.0f}, heading);
         const float bendings = std::sqrt(length) * _habit.wander[rank];
         axis.bending = 0.6f * axis.bending + glm::vec3(random(), random(), random());
-        heading += length * (_habit.rise[rank] * up + _habit.levelling[rank] * (level - heading) +
+        const float rise = axis.leading ? std::max(_habit.rise[rank], limbRise) : _habit.rise[rank];
+        heading += length * (rise * up + _habit.levelling[rank] * (level - heading) +
                              _habit.lightSeeking[rank] * _light.towardsLight(_foot + ahead)) +
                    bendings * axis.bending;
         if (axis.order == 0)

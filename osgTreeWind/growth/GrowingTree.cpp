@@ -13,9 +13,9 @@
 namespace osgTreeWind {
 namespace {
 
-/// Years without a higher shoot after which a tree is as high as it gets.
-constexpr int standstill = 25;
-constexpr int longestLife = 400;
+/// A tree that has not risen by a hundredth of its height in so many years is as high as it gets.
+constexpr int standstill = 12;
+constexpr int longestLife = 250;
 /// A tree with more stops growing.
 constexpr std::size_t mostMetamers = 40000;
 /// Length of shoot whose leaves stand at a resting end, metres.
@@ -85,8 +85,10 @@ void GrowingTree::measure() {
     for (const Metamer& metamer : _state.metamers)
         if (metamer.died < 0)
             highest = std::max(highest, metamer.position.z);
-    if (highest > _state.height + 0.005f)
+    if (highest > _landmark + 0.01f * _state.goal.height) {
+        _landmark = highest;
         _risen = _state.year;
+    }
     _state.height = highest;
     _state.reach = meanReach(_state.metamers);
 }

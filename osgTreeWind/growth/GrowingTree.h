@@ -35,7 +35,8 @@ private:
 
     TreeState _state;
     glm::vec3 _foot;
-    int _risen = 0; ///< Year in which it last became higher.
+    float _landmark = 0.0f; ///< Height at which it was last seen to rise,
+    int _risen = 0;         ///< in this year.
 };
 
 /// Mean reach of the living nodes in eight directions, metres.

@@ -38,6 +38,11 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
     const float twig = std::min(twigRadius, 0.2f * atBreast);
     const float exponent =
         std::clamp(logarithm(atBreast / twig) / logarithm(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
+    float trunkTop = 0.0f;
+    for (const GrownMetamer& metamer : metamers)
+        if (metamer.axis == 0)
+            trunkTop = std::max(trunkTop, metamer.position.z);
+    const bool dissolves = trunkTop < 0.93f * goal.height;
     std::vector<float> factor(metamers.size(), 1.0f);
     for (std::size_t i = 0; i < metamers.size(); ++i) {
         GrownMetamer& metamer = metamers[i];
@@ -47,6 +52,11 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
             const float above = std::max(goal.height - metamer.position.z, 0.0f) / (goal.height - breast);
             metamer.radius = std::max(atBreast * power(above, stemTaper), thinnest * atBreast);
             metamer.radius = std::max(metamer.radius, 0.8f * twig);
+            if (dissolves) {
+                // Where limbs leave it, it is as thick as what it still bears.
+                const float along = std::max(metamer.position.z, 0.0f) / trunkTop;
+                metamer.radius += along * along * std::min(pipe - metamer.radius, 0.0f);
+            }
             if (i > 0)
                 metamer.radius = std::min(metamer.radius, metamers[parent].radius);
             continue;

@@ -55,9 +55,10 @@ void sinkBoughs(TreeState& tree) {
         const float age = static_cast<float>(tree.year - metamer.born) / sinkingYears;
         const float yearly = 1.0f / (sinkingYears * (1.0f + age) * (1.0f + age));
         const float level = std::sqrt(std::max(1.0f - metamer.heading.z * metamer.heading.z, 0.0f));
-        float bend = habit.hang[rank] * metamer.length * level;
-        if (metamer.axis != parent.axis)
-            bend += habit.sink[rank] * tree.axes[static_cast<std::size_t>(metamer.axis)].luck;
+        const Axis& axis = tree.axes[static_cast<std::size_t>(metamer.axis)];
+        float bend = axis.leading ? 0.0f : habit.hang[rank] * metamer.length * level;
+        if (metamer.axis != parent.axis && !axis.leading)
+            bend += habit.sink[rank] * axis.luck;
         const float free = std::clamp(0.5f * (metamer.position.z - clearance), 0.0f, 1.0f);
         metamer.tilt = free * std::clamp(parent.tilt + yearly * bend, -0.5f, 0.5f);
         metamer.heading = lowered(metamer.heading, metamer.tilt);
