@@ -24,11 +24,11 @@ constexpr float slowest = 0.8f;
 constexpr float domeMiddle = 0.4f;
 /// Height of its top, likewise: the tree comes near it and not quite there.
 constexpr float domeTop = 1.06f;
-/// Height of the lowest bough that becomes a limb over that of the trunk.
-constexpr float youngBoughs = 0.65f;
+/// Boughs above this share of the trunk may become limbs too.
+constexpr float youngBoughs = 0.5f;
 /// Height at which it dissolves in a closed wood.
 constexpr float forestTrunk = 0.68f;
-/// From limb to limb.
+/// From limb to limb, and from whorl to whorl.
 constexpr float goldenAngle = 2.399963f;
 /// The least by which limbs turn up, 1/m.
 constexpr float limbRise = 0.15f;
@@ -70,14 +70,18 @@ private:
         if (axis.order == 0)
             vigour = std::max(vigour, leaderLeast);
         const glm::vec3& place = _tree.metamers[static_cast<std::size_t>(bud.node)].position;
-        vigour *= std::max(1.0f - slowest * _habit.rounding * exposure(place), axis.leading ? 0.12f : 0.0f);
+        if (_tree.mature && outside(place, 1.0f) > 1.0f)
+            return 0.0f;
+        const float least = axis.leading && !_tree.mature ? 0.12f : 0.0f;
+        vigour *= std::max(1.0f - slowest * _habit.rounding * exposure(place), least);
         if (!axis.leading)
             vigour *= 1.0f / (1.0f + static_cast<float>(_tree.year - axis.born) / _habit.halfVigour[rank]);
         if (axis.order == 1 && !axis.leading)
             vigour *= spread();
         if (axis.order > 0)
             vigour *= room(place);
-        const float shoot = axis.leading && axis.order > 0 ? limbShoot * _habit.annualShoot[0] : _habit.annualShoot[rank];
+        const float shoot =
+            axis.leading && axis.order > 0 ? limbShoot * _habit.annualShoot[0] : _habit.annualShoot[rank];
         return vigour * axis.luck * shoot * (0.85f + 0.3f * _tree.random.uniform());
     }
 
@@ -85,13 +89,18 @@ private:
     float wantedReach() const {
         return 0.5f * _tree.goal.crownWidth * std::min(0.3f + 0.8f * _tree.grown(), 1.0f);
     }
-    /// 0 in the middle of the dome that the crown is to fill, 1 at its top and sides, where wind and drought slow
-    /// shoots, and more beyond.
+    /// 0 in the middle of the dome that the crown is to fill, 1 at its top and sides, more beyond.
+    /// @param top height of the dome over that of the tree.
+    float outside(const glm::vec3& place, float top) const {
+        const float reach = 0.5f * _tree.goal.crownWidth;
+        const float x = (place.x * place.x + place.y * place.y) / (reach * reach);
+        const float z = std::max(place.z / _tree.goal.height - domeMiddle, 0.0f) / (top - domeMiddle);
+        return x + z * z;
+    }
+    /// How much wind and drought slow a shoot: 0 in the middle of the crown, about 1 at its outside.
     float exposure(const glm::vec3& place) const {
-        const float x = (place.x * place.x + place.y * place.y) / (0.25f * _tree.goal.crownWidth * _tree.goal.crownWidth);
-        const float z = std::max(place.z / _tree.goal.height - domeMiddle, 0.0f) / (domeTop - domeMiddle);
-        const float outside = x + z * z;
-        return std::min(outside * outside, 1.0f / slowest);
+        const float share = outside(place, domeTop);
+        return std::min(share * share, 1.0f / slowest);
     }
     /// Factor on side shoots: more where the crown is too narrow.
     float spread() const {
@@ -182,7 +191,7 @@ private:
         if (weight <= 0.0f)
             return;
         const std::size_t rank = TreeState::rank(order);
-        axisOf(bud).phase += _habit.divergence;
+        axisOf(bud).phase += whorls && order == 0 ? goldenAngle : _habit.divergence;
         for (int i = 0; i < count; ++i) {
             const float scatter = (whorls && order == 0 ? 0.35f : 0.12f) * random();
             const float azimuth = axisOf(bud).phase + scatter +
@@ -228,9 +237,11 @@ private:
             return false;
         const float out = 1.5f * _tree.reach + _light.cell();
         float light = 0.0f;
-        for (const glm::vec3& side : {glm::vec3(out, 0, 0), glm::vec3(-out, 0, 0), glm::vec3(0, out, 0), glm::vec3(0, -out, 0)})
+        for (const glm::vec3& side :
+             {glm::vec3(out, 0, 0), glm::vec3(-out, 0, 0), glm::vec3(0, out, 0), glm::vec3(0, -out, 0)})
             light += 0.25f * _light.light(_foot + side + 0.75f * _tree.height * up);
-        return share > glm::mix(std::max(_habit.trunkTop, forestTrunk), _habit.trunkTop, glm::smoothstep(0.3f, 0.75f, light));
+        return share > glm::mix(std::max(_habit.trunkTop, forestTrunk), _habit.trunkTop,
+                                glm::smoothstep(0.3f, 0.75f, light));
     }
 
     /// The trunk ends in limbs, which spring from its last nodes and aim at the crown's width, the lower the
@@ -255,16 +266,22 @@ private:
         promoteBoughs();
     }
 
-    /// The youngest boughs become limbs too.
+    /// Boughs become limbs too, the more of them the nearer to the end of the trunk.
     void promoteBoughs() {
-        const float from = youngBoughs * _tree.height;
+        const auto promote = [&](int axis, float z) {
+            const float chance = (z / _tree.height - youngBoughs) / (1.0f - youngBoughs);
+            if (chance > 0.0f && _tree.random.uniform() < 1.5f * chance)
+                _tree.axes[static_cast<std::size_t>(axis)].leading = true;
+        };
         for (const Metamer& metamer : _tree.metamers)
-            if (metamer.order == 1 && metamer.died < 0 && metamer.position.z > from)
-                _tree.axes[static_cast<std::size_t>(metamer.axis)].leading = true;
-        for (const Bud& bud : _tree.buds)
-            if (_tree.metamers[static_cast<std::size_t>(bud.node)].order == 0 && !bud.terminal &&
-                _tree.metamers[static_cast<std::size_t>(bud.node)].position.z > from)
-                _tree.axes[static_cast<std::size_t>(bud.axis)].leading = true;
+            if (metamer.order == 1 && metamer.died < 0 &&
+                _tree.metamers[static_cast<std::size_t>(metamer.parent)].order == 0)
+                promote(metamer.axis, metamer.position.z);
+        for (const Bud& bud : _tree.buds) {
+            const Metamer& bearer = _tree.metamers[static_cast<std::size_t>(bud.node)];
+            if (bearer.order == 0 && !bud.terminal)
+                promote(bud.axis, bearer.position.z);
+        }
     }
 
     void addSideBud(const Bud& at, float azimuth, float angle, int order, float weight) {

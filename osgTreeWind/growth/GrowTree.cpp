@@ -15,6 +15,8 @@ namespace {
 
 /// Growths until the crown has its width.
 constexpr int mostTries = 3;
+/// Height times width of a crown above which pieces get longer, m².
+constexpr float usualCrown = 150.0f;
 /// Height and width may be stretched by factors that differ by so much.
 constexpr float nearEnough = 0.08f;
 
@@ -36,8 +38,18 @@ GrowthSite clamped(GrowthSite site) {
     return site;
 }
 
-TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal, std::uint32_t seed,
-                    float spread) {
+/// A large tree grows in longer pieces, so that it has no more of them than one in its middle age.
+TreeHabit inPiecesFor(const GrowthGoal& goal, TreeHabit habit) {
+    const float longer = std::sqrt(std::max(goal.height * goal.crownWidth / usualCrown, 1.0f));
+    for (float& internode : habit.internode)
+        internode *= longer;
+    habit.leafArea *= longer;
+    habit.twigRadius *= longer;
+    return habit;
+}
+
+TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal,
+                    std::uint32_t seed, float spread) {
     GrowingStand stand(gridCell(habit));
     stand.add(GrowingTree(habit, goal, glm::vec3(0.0f), seed, spread));
     while (!stand.trees().front().grown())
@@ -47,10 +59,11 @@ TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const Growth
 
 } // namespace
 
-GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size, std::uint32_t seed) {
-    const TreeHabit habit = clampedHabit(wanted);
+GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size,
+                   std::uint32_t seed) {
     const GrowthSite site = clamped(place);
     const GrowthGoal goal = clamped(size);
+    const TreeHabit habit = inPiecesFor(goal, clampedHabit(wanted));
     std::optional<TreeState> best;
     float spread = 1.0f, leastMiss = 0.0f;
     for (int i = 0; i < mostTries; ++i) {

@@ -16,6 +16,8 @@ namespace {
 /// A tree that has not risen by a hundredth of its height in so many years is as high as it gets.
 constexpr int standstill = 12;
 constexpr int longestLife = 250;
+/// Years for which a tree with all rounding fills its crown when it has its height.
+constexpr float fillingYears = 9.0f;
 /// A tree with more stops growing.
 constexpr std::size_t mostMetamers = 40000;
 /// Length of shoot whose leaves stand at a resting end, metres.
@@ -90,12 +92,18 @@ void GrowingTree::measure() {
         _risen = _state.year;
     }
     _state.height = highest;
+    if (!_state.mature && highest >= 0.995f * _state.goal.height) {
+        _state.mature = true;
+        _matureFrom = _state.year;
+    }
     _state.reach = meanReach(_state.metamers);
 }
 
 bool GrowingTree::grown() const {
-    return _state.height >= 0.995f * _state.goal.height || _state.year - _risen > standstill ||
-           _state.year >= longestLife || _state.metamers.size() > mostMetamers;
+    if (_state.mature)
+        return static_cast<float>(_state.year - _matureFrom) >= fillingYears * _state.habit.rounding;
+    return _state.year - _risen > standstill || _state.year >= longestLife ||
+           _state.metamers.size() > mostMetamers;
 }
 
 float meanReach(const std::vector<Metamer>& metamers) {

@@ -37,6 +37,7 @@ private:
     glm::vec3 _foot;
     float _landmark = 0.0f; ///< Height at which it was last seen to rise,
     int _risen = 0;         ///< in this year.
+    int _matureFrom = 0;    ///< Year in which it had its height.
 };
 
 /// Mean reach of the living nodes in eight directions, metres.

@@ -36,8 +36,8 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
     const std::vector<int> ends = endsOf(metamers);
     const float breast = std::min(1.3f, 0.1f * goal.height), atBreast = 0.5f * goal.trunkDiameter;
     const float twig = std::min(twigRadius, 0.2f * atBreast);
-    const float exponent =
-        std::clamp(logarithm(atBreast / twig) / logarithm(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
+    const float exponent = std::clamp(
+        logarithm(atBreast / twig) / logarithm(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
     float trunkTop = 0.0f;
     for (const GrownMetamer& metamer : metamers)
         if (metamer.axis == 0)
@@ -54,7 +54,7 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
             metamer.radius = std::max(metamer.radius, 0.8f * twig);
             if (dissolves) {
                 // Where limbs leave it, it is as thick as what it still bears.
-                const float along = std::max(metamer.position.z, 0.0f) / trunkTop;
+                const float along = std::max(metamer.position.z, 0.0f) / std::max(trunkTop, 0.01f);
                 metamer.radius += along * along * std::min(pipe - metamer.radius, 0.0f);
             }
             if (i > 0)

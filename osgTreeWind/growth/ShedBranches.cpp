@@ -8,6 +8,9 @@ namespace {
 
 enum class Fate : unsigned char { Lives, Dies, Falls };
 
+/// Below this share of the clean stem nothing hangs: browsed or mown.
+constexpr float browsed = 0.6f;
+
 /// Leaves of all that a metamer bears, and their light.
 struct Foliage {
     float area = 0.0f, light = 0.0f;
@@ -31,10 +34,12 @@ bool dies(TreeState& tree, const Metamer& first, const Foliage& foliage) {
     const int age = tree.year - first.born;
     if (age < 2)
         return false;
+    const float clean = habit.cleanStem * tree.goal.height;
+    if (age > 4 && first.position.z < browsed * clean && tree.height > 0.5f * tree.goal.height)
+        return true;
     if (first.order == 1 && age > 8 && tree.random.uniform() < habit.breakage)
         return true;
     if (first.order == 1 && !tree.axes[static_cast<std::size_t>(first.axis)].leading) {
-        const float clean = habit.cleanStem * tree.goal.height;
         if (first.position.z < clean && tree.height > 2.0f * first.position.z + 1.0f && age > 4)
             return true;
     }

@@ -61,6 +61,7 @@ struct TreeState {
     std::vector<Metamer> metamers; ///< Parents before children; the first is the foot.
     std::vector<Bud> buds;
     std::vector<Axis> axes;
+    bool mature = false; ///< It has its height, and fills its crown.
     float height = 0.0f; ///< Of the highest living node.
     float reach = 0.0f;  ///< Mean of the living nodes' reach in eight directions.
 

@@ -79,7 +79,7 @@ inline TreeHabit anyHabit(std::uint32_t seed) {
             return unit * (number.least + share * (number.most - number.least));
         };
         if (const auto* one = std::get_if<float TreeHabit::*>(&number.member))
-            habit.**one = any();
+            habit.** one = any();
         else
             for (float& each : habit.*std::get<ByOrder TreeHabit::*>(number.member))
                 each = any();
