@@ -256,7 +256,9 @@ private:
             at.heading = node.heading;
             const float above = std::max(_tree.goal.height - node.position.z, 0.5f);
             const float aim = angleOf(0.5f * _tree.goal.crownWidth / above);
-            const float wide = 0.45f + 0.55f * static_cast<float>(i) / static_cast<float>(limbs - 1);
+            // In a wood one of them goes straight on.
+            const float least = _tree.grown() > _habit.trunkTop + 0.12f ? 0.1f : 0.45f;
+            const float wide = least + (1.0f - least) * static_cast<float>(i) / static_cast<float>(limbs - 1);
             addSideBud(at, azimuth, aim * narrow * (wide + 0.15f * random()), 1, 1.0f);
             _tree.axes.back().leading = true;
             azimuth += goldenAngle + 0.4f * random();

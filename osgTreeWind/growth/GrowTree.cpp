@@ -14,7 +14,9 @@ namespace osgTreeWind {
 namespace {
 
 /// Growths until the crown has its width.
-constexpr int mostTries = 3;
+constexpr std::size_t mostTries = 6;
+/// Of them a large tree gets fewer: metamers times years of all of them.
+constexpr std::size_t mostWork = 1'300'000;
 /// Height times width of a crown above which pieces get longer, m².
 constexpr float usualCrown = 150.0f;
 /// Height and width may be stretched by factors that differ by so much.
@@ -40,7 +42,7 @@ GrowthSite clamped(GrowthSite site) {
 
 /// A large tree grows in longer pieces, so that it has no more of them than one in its middle age.
 TreeHabit inPiecesFor(const GrowthGoal& goal, TreeHabit habit) {
-    const float longer = std::sqrt(std::max(goal.height * goal.crownWidth / usualCrown, 1.0f));
+    const float longer = power(std::max(goal.height * goal.crownWidth / usualCrown, 1.0f), 0.6f);
     for (float& internode : habit.internode)
         internode *= longer;
     habit.leafArea *= longer;
@@ -57,6 +59,22 @@ TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const Growth
     return stand.trees().front().state();
 }
 
+/// Looks for the vigour of side shoots that makes a crown as wide as it is to be.
+class SpreadSearch {
+public:
+    float next() const { return _spread; }
+    /// @param tooNarrow wanted over grown width, of a tree with the spread that next() gave.
+    void learn(float tooNarrow) {
+        (tooNarrow > 1.0f ? _narrow : _wide) = _spread;
+        _spread = _narrow > 0.0f && _wide > 0.0f ? std::sqrt(_narrow * _wide)
+                                                 : std::clamp(_spread * power(tooNarrow, 1.2f), 0.3f, 3.0f);
+    }
+
+private:
+    float _spread = 1.0f;
+    float _narrow = 0.0f, _wide = 0.0f; ///< Spreads that made a crown too narrow, too wide; 0: none yet.
+};
+
 } // namespace
 
 GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size,
@@ -65,9 +83,12 @@ GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const Growt
     const GrowthGoal goal = clamped(size);
     const TreeHabit habit = inPiecesFor(goal, clampedHabit(wanted));
     std::optional<TreeState> best;
-    float spread = 1.0f, leastMiss = 0.0f;
-    for (int i = 0; i < mostTries; ++i) {
-        TreeState tree = grownTree(habit, site, goal, seed, spread);
+    SpreadSearch search;
+    float leastMiss = 0.0f;
+    std::size_t work = 0;
+    for (std::size_t i = 0; i < mostTries && work < mostWork; ++i) {
+        TreeState tree = grownTree(habit, site, goal, seed, search.next());
+        work += tree.metamers.size() * static_cast<std::size_t>(tree.year);
         const float tooNarrow =
             0.5f * goal.crownWidth / std::max(tree.reach, 0.01f) * std::max(tree.height, 0.01f) / goal.height;
         const float miss = std::max(tooNarrow, 1.0f / tooNarrow) - 1.0f;
@@ -77,7 +98,7 @@ GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const Growt
         }
         if (leastMiss <= nearEnough)
             break;
-        spread = std::clamp(spread * power(tooNarrow, 1.2f), 0.2f, 5.0f);
+        search.learn(tooNarrow);
     }
     return fittedForm(*best, goal);
 }

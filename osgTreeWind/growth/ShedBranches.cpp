@@ -8,6 +8,8 @@ namespace {
 
 enum class Fate : unsigned char { Lives, Dies, Falls };
 
+/// What grew on a bough after this share of its life snaps off when it dies.
+constexpr float snapped = 0.5f;
 /// Below this share of the clean stem nothing hangs: browsed or mown.
 constexpr float browsed = 0.6f;
 
@@ -62,7 +64,10 @@ std::vector<Fate> fatesOf(TreeState& tree) {
             const int stays = metamer.order == 1 ? deadYears : metamer.order == 2 ? deadYears / 2 : 0;
             fates[i] = first && tree.year - metamer.died >= stays ? Fate::Falls : Fate::Dies;
         } else if (fates[parent] == Fate::Dies) {
-            fates[i] = metamer.order > 2 ? Fate::Falls : Fate::Dies;
+            const int since = tree.axes[static_cast<std::size_t>(metamer.axis)].born;
+            const bool outer =
+                static_cast<float>(metamer.born - since) > snapped * static_cast<float>(tree.year - since);
+            fates[i] = metamer.order > 2 || outer ? Fate::Falls : Fate::Dies;
         } else if (first && dies(tree, metamer, foliage[i])) {
             fates[i] = metamer.order == 1 && deadYears > 0 ? Fate::Dies : Fate::Falls;
         }
