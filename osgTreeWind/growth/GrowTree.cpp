@@ -14,7 +14,7 @@ namespace osgTreeWind {
 namespace {
 
 /// Growths until the crown has its width.
-constexpr std::size_t mostTries = 6;
+constexpr std::size_t mostGrowths = 6;
 /// Of them a large tree gets fewer: metamers times years of all of them.
 constexpr std::size_t mostWork = 1'300'000;
 /// Height times width of a crown above which pieces get longer, m².
@@ -22,7 +22,7 @@ constexpr float usualCrown = 150.0f;
 /// Height and width may be stretched by factors that differ by so much.
 constexpr float nearEnough = 0.08f;
 
-GrowthGoal clamped(GrowthGoal goal) {
+GrowthGoal inRange(GrowthGoal goal) {
     const auto within = [](float value, float least, float most, float usual) {
         return std::isnan(value) ? usual : std::clamp(value, least, most);
     };
@@ -32,7 +32,7 @@ GrowthGoal clamped(GrowthGoal goal) {
     return goal;
 }
 
-GrowthSite clamped(GrowthSite site) {
+GrowthSite inRange(GrowthSite site) {
     site.shade = std::isnan(site.shade) ? 0.0f : std::clamp(site.shade, 0.0f, 1.0f);
     site.distance = std::isnan(site.distance) ? 5.0f : std::clamp(site.distance, 0.5f, 100.0f);
     if (site.openSide && !std::isfinite(*site.openSide))
@@ -79,14 +79,14 @@ private:
 
 GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size,
                    std::uint32_t seed) {
-    const GrowthSite site = clamped(place);
-    const GrowthGoal goal = clamped(size);
+    const GrowthSite site = inRange(place);
+    const GrowthGoal goal = inRange(size);
     const TreeHabit habit = inPiecesFor(goal, clampedHabit(wanted));
     std::optional<TreeState> best;
     SpreadSearch search;
     float leastMiss = 0.0f;
     std::size_t work = 0;
-    for (std::size_t i = 0; i < mostTries && work < mostWork; ++i) {
+    for (std::size_t i = 0; i < mostGrowths && work < mostWork; ++i) {
         TreeState tree = grownTree(habit, site, goal, seed, search.next());
         work += tree.metamers.size() * static_cast<std::size_t>(tree.year);
         const float tooNarrow =

@@ -7,7 +7,7 @@ namespace osgTreeWind {
 namespace {
 
 /// Height of neighbours that do not grow here over that of the tree among them.
-constexpr float neighbours = 0.94f;
+constexpr float neighbourHeight = 0.94f;
 
 } // namespace
 
@@ -21,7 +21,7 @@ void GrowingStand::growYear(const GrowthSite& site) {
     for (const GrowingTree& tree : _trees)
         tree.addLeaves(_grid);
     const GrowingTree& first = _trees.front();
-    _grid.addNeighbours(site, glm::vec2(first.foot()), std::max(neighbours * first.height(), 1.0f));
+    _grid.addNeighbours(site, glm::vec2(first.foot()), std::max(neighbourHeight * first.height(), 1.0f));
     _grid.castShade();
     for (GrowingTree& tree : _trees)
         tree.growYear(_grid);

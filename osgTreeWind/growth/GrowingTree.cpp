@@ -36,7 +36,7 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
     Metamer first;
     first.heading = {0.0f, 0.0f, 1.0f};
     _state.metamers.push_back(first);
-    Axis trunk;
+    ShootAxis trunk;
     trunk.leading = true;
     trunk.phase = 3.0f * _state.random.symmetric();
     _state.axes.push_back(trunk);

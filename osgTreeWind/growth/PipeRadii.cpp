@@ -12,7 +12,7 @@ namespace {
 constexpr float stemTaper = 0.6f;
 constexpr float widestBranch = 0.88f;
 /// Least share of the trunk's radius at breast height that its top keeps.
-constexpr float thinnest = 1e-3f;
+constexpr float thinnestTop = 1e-3f;
 
 /// Ends of shoots that each metamer bears.
 std::vector<int> endsOf(const std::vector<GrownMetamer>& metamers) {
@@ -25,7 +25,7 @@ std::vector<int> endsOf(const std::vector<GrownMetamer>& metamers) {
     return ends;
 }
 
-float logarithm(float x) {
+float naturalLog(float x) {
     return static_cast<float>(std::log(static_cast<double>(x)));
 }
 
@@ -37,7 +37,7 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
     const float breast = std::min(1.3f, 0.1f * goal.height), atBreast = 0.5f * goal.trunkDiameter;
     const float twig = std::min(twigRadius, 0.2f * atBreast);
     const float exponent = std::clamp(
-        logarithm(atBreast / twig) / logarithm(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
+        naturalLog(atBreast / twig) / naturalLog(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
     float trunkTop = 0.0f;
     for (const GrownMetamer& metamer : metamers)
         if (metamer.axis == 0)
@@ -50,7 +50,7 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
         const auto parent = static_cast<std::size_t>(std::max(metamer.parent, 0));
         if (metamer.axis == 0) {
             const float above = std::max(goal.height - metamer.position.z, 0.0f) / (goal.height - breast);
-            metamer.radius = std::max(atBreast * power(above, stemTaper), thinnest * atBreast);
+            metamer.radius = std::max(atBreast * power(above, stemTaper), thinnestTop * atBreast);
             metamer.radius = std::max(metamer.radius, 0.8f * twig);
             if (dissolves) {
                 // Where limbs leave it, it is as thick as what it still bears.

@@ -18,7 +18,7 @@ struct SkyPart {
     int steepness; ///< 0: from the zenith, 1: from halfway up, 2: from low.
     float share;   ///< Of the light of an overcast sky on leaves of all inclinations.
 };
-constexpr std::array<SkyPart, 17> sky = {{
+constexpr std::array<SkyPart, 17> skyParts = {{
     {0, 0, 0, 0.16f},
     {1, 0, 1, 0.06f},
     {-1, 0, 1, 0.06f},
@@ -38,7 +38,7 @@ constexpr std::array<SkyPart, 17> sky = {{
     {-2, -2, 2, 0.045f},
 }};
 /// Way through a layer in boxes, by steepness.
-constexpr std::array<float, 3> way = {1.0f, 1.57f, 2.6f};
+constexpr std::array<float, 3> layerWay = {1.0f, 1.57f, 2.6f};
 /// Shade of leaves of all inclinations, and of the twigs among them, over the leaves' area.
 constexpr float extinction = 1.0f;
 /// One side of the leaves above a square metre of a closed wood.
@@ -141,13 +141,13 @@ void ShadeGrid::addLight(int layer) {
             const float x = thickness * _leaves[box];
             std::array<float, 3> halfway{};
             for (std::size_t s = 0; s < 3; ++s) {
-                _through[s][start + i] = passing(way[s] * x);
-                halfway[s] = passing(0.5f * way[s] * x);
+                _through[s][start + i] = passing(layerWay[s] * x);
+                halfway[s] = passing(0.5f * layerWay[s] * x);
             }
             float sum = 0.0f;
-            for (std::size_t d = 0; d < sky.size(); ++d)
-                sum +=
-                    sky[d].share * halfway[static_cast<std::size_t>(sky[d].steepness)] * _rays[d][start + i];
+            for (std::size_t d = 0; d < skyParts.size(); ++d)
+                sum += skyParts[d].share * halfway[static_cast<std::size_t>(skyParts[d].steepness)] *
+                       _rays[d][start + i];
             _light[box] = sum;
         }
     }
@@ -156,11 +156,12 @@ void ShadeGrid::addLight(int layer) {
 /// Rays go on to the layer below, sideways by their steepness; new ones come in at the sides.
 void ShadeGrid::descend(int layer) {
     const float outside = extinction * _neighbourLeaves[static_cast<std::size_t>(layer)] / (_cell * _cell);
-    for (std::size_t d = 0; d < sky.size(); ++d) {
-        const SkyPart& part = sky[d];
+    for (std::size_t d = 0; d < skyParts.size(); ++d) {
+        const SkyPart& part = skyParts[d];
         const auto steepness = static_cast<std::size_t>(part.steepness);
         if (outside > 0.0f && part.steepness > 0)
-            _inflow[d] *= passing(way[steepness] * outside * closedTowards(_site, glm::vec2(part.x, part.y)));
+            _inflow[d] *=
+                passing(layerWay[steepness] * outside * closedTowards(_site, glm::vec2(part.x, part.y)));
         else if (outside > 0.0f)
             _inflow[d] *= passing(outside);
         std::fill(_next.begin(), _next.end(), _inflow[d]);

@@ -31,7 +31,7 @@ std::vector<Foliage> foliageOf(const std::vector<Metamer>& metamers) {
 }
 
 /// Whether a branch, given by its first metamer, dies this year.
-bool dies(TreeState& tree, const Metamer& first, const Foliage& foliage) {
+bool branchDies(TreeState& tree, const Metamer& first, const Foliage& foliage) {
     const TreeHabit& habit = tree.habit;
     const int age = tree.year - first.born;
     if (age < 2)
@@ -68,7 +68,7 @@ std::vector<Fate> fatesOf(TreeState& tree) {
             const bool outer =
                 static_cast<float>(metamer.born - since) > snapped * static_cast<float>(tree.year - since);
             fates[i] = metamer.order > 2 || outer ? Fate::Falls : Fate::Dies;
-        } else if (first && dies(tree, metamer, foliage[i])) {
+        } else if (first && branchDies(tree, metamer, foliage[i])) {
             fates[i] = metamer.order == 1 && deadYears > 0 ? Fate::Dies : Fate::Falls;
         }
         if (fates[i] == Fate::Dies && metamer.died < 0)

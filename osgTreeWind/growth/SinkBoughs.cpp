@@ -9,12 +9,12 @@ namespace osgTreeWind {
 namespace {
 
 /// Living shoots stay that far above the ground, metres.
-constexpr float clearance = 0.35f;
+constexpr float lowestShoot = 0.35f;
 /// Years in which half of the sinking is done.
 constexpr float sinkingYears = 12.0f;
 
 /// `heading` turned down by a small angle, at most nearly to the vertical.
-glm::vec3 lowered(const glm::vec3& heading, float angle) {
+glm::vec3 bentDown(const glm::vec3& heading, float angle) {
     const float across = std::sqrt(heading.x * heading.x + heading.y * heading.y);
     if (across < 0.05f && heading.z < 0.0f)
         return heading;
@@ -33,7 +33,7 @@ void placeNodes(TreeState& tree) {
         Metamer& metamer = tree.metamers[i];
         const glm::vec3& from = tree.metamers[static_cast<std::size_t>(metamer.parent)].position;
         metamer.position = from + metamer.length * metamer.heading;
-        if (metamer.order == 0 || metamer.position.z >= clearance)
+        if (metamer.order == 0 || metamer.position.z >= lowestShoot)
             continue;
         metamer.heading = directionOr({metamer.heading.x, metamer.heading.y, 0.1f}, metamer.heading);
         metamer.position = from + metamer.length * metamer.heading;
@@ -56,17 +56,17 @@ void sinkBoughs(TreeState& tree) {
         const float age = static_cast<float>(tree.year - metamer.born) / sinkingYears;
         const float yearly = 1.0f / (sinkingYears * (1.0f + age) * (1.0f + age));
         const float level = std::sqrt(std::max(1.0f - metamer.heading.z * metamer.heading.z, 0.0f));
-        const Axis& axis = tree.axes[static_cast<std::size_t>(metamer.axis)];
+        const ShootAxis& axis = tree.axes[static_cast<std::size_t>(metamer.axis)];
         float bend = axis.leading ? 0.0f : habit.hang[rank] * metamer.length * level;
         if (metamer.axis != parent.axis && !axis.leading)
             bend += habit.sink[rank] * axis.luck;
-        const float free = std::clamp(0.5f * (metamer.position.z - clearance), 0.0f, 1.0f);
+        const float free = std::clamp(0.5f * (metamer.position.z - lowestShoot), 0.0f, 1.0f);
         metamer.tilt = free * std::clamp(parent.tilt + yearly * bend, -0.5f, 0.5f);
-        metamer.heading = lowered(metamer.heading, metamer.tilt);
+        metamer.heading = bentDown(metamer.heading, metamer.tilt);
     }
     for (Bud& bud : tree.buds) {
         const Metamer& metamer = tree.metamers[static_cast<std::size_t>(bud.node)];
-        bud.heading = bud.terminal && bud.node > 0 ? metamer.heading : lowered(bud.heading, metamer.tilt);
+        bud.heading = bud.terminal && bud.node > 0 ? metamer.heading : bentDown(bud.heading, metamer.tilt);
     }
     placeNodes(tree);
 }

@@ -41,7 +41,7 @@ struct Bud {
 };
 
 /// What metamers of one line have in common.
-struct Axis {
+struct ShootAxis {
     int order = 0;
     int born = 0;
     bool leading = false;    ///< A limb into which the trunk has dissolved, or the trunk.
@@ -60,11 +60,14 @@ struct TreeState {
     int year = 0;
     std::vector<Metamer> metamers; ///< Parents before children; the first is the foot.
     std::vector<Bud> buds;
-    std::vector<Axis> axes;
+    std::vector<ShootAxis> axes;
     bool mature = false; ///< It has its height, and fills its crown.
     float height = 0.0f; ///< Of the highest living node.
     float reach = 0.0f;  ///< Mean of the living nodes' reach in eight directions.
 
+    ShootAxis& axisOf(const Bud& bud) { return axes[static_cast<std::size_t>(bud.axis)]; }
+    const ShootAxis& axisOf(const Bud& bud) const { return axes[static_cast<std::size_t>(bud.axis)]; }
+    const Metamer& metamerOf(const Bud& bud) const { return metamers[static_cast<std::size_t>(bud.node)]; }
     /// Place in a ByOrder.
     static std::size_t rank(int order) { return static_cast<std::size_t>(std::min(order, 3)); }
     /// Share of the final height that it has.

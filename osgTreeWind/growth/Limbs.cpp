@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/Limbs.h>
+
+#include <osgTreeWind/growth/SideBuds.h>
+#include <osgTreeWind/model/UnitVectors.h>
+
+#include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+/// Share of its height at which a tree in a closed wood dissolves.
+constexpr float forestTrunk = 0.68f;
+/// Turn from limb to limb: the golden angle.
+constexpr float limbTurn = 2.399963f;
+/// Boughs above this share of the trunk may become limbs.
+constexpr float youngBoughs = 0.5f;
+/// Angle of the uppermost limb over that of the lowest: in the open, and in a wood, where it goes straight
+/// on.
+constexpr float openLimb = 0.45f, forestLimb = 0.1f;
+
+float arcTangent(float x) {
+    return static_cast<float>(std::atan(static_cast<double>(x)));
+}
+
+/// The more boughs the nearer to the end of the trunk.
+void promoteBoughs(TreeState& tree) {
+    const auto promote = [&](int axis, float z) {
+        const float chance = 1.5f * (z / tree.height - youngBoughs) / (1.0f - youngBoughs);
+        if (chance > 0.0f && tree.random.uniform() < chance)
+            tree.axes[static_cast<std::size_t>(axis)].leading = true;
+    };
+    for (const Metamer& metamer : tree.metamers)
+        if (metamer.order == 1 && metamer.died < 0 &&
+            tree.metamers[static_cast<std::size_t>(metamer.parent)].order == 0)
+            promote(metamer.axis, metamer.position.z);
+    for (const Bud& bud : tree.buds)
+        if (tree.metamerOf(bud).order == 0 && !bud.terminal)
+            promote(bud.axis, tree.metamerOf(bud).position.z);
+}
+
+} // namespace
+
+bool trunkDissolves(const TreeState& tree, const ShadeGrid& light, const glm::vec3& foot) {
+    const float top = tree.habit.trunkTop, share = tree.height / tree.goal.height;
+    if (top >= 1.0f || share < top)
+        return false;
+    const float out = 1.5f * tree.reach + light.cell();
+    const glm::vec3 middle = foot + 0.75f * tree.height * up;
+    float sides = 0.0f;
+    for (const glm::vec2& side :
+         {glm::vec2(out, 0), glm::vec2(-out, 0), glm::vec2(0, out), glm::vec2(0, -out)})
+        sides += 0.25f * light.light(middle + glm::vec3(side, 0.0f));
+    return share > glm::mix(std::max(top, forestTrunk), top, glm::smoothstep(0.3f, 0.75f, sides));
+}
+
+void dissolveTrunk(TreeState& tree, const Bud& end) {
+    const auto limbs = static_cast<int>(tree.habit.limbs);
+    const float narrow = glm::clamp(std::sqrt(tree.spread), 0.6f, 1.2f);
+    const float first = tree.grown() > tree.habit.trunkTop + 0.12f ? forestLimb : openLimb;
+    BudPlace place;
+    place.node = end.node;
+    place.azimuth = glm::pi<float>() * tree.random.symmetric();
+    for (int i = 0; i < limbs; ++i) {
+        const Metamer& node = tree.metamers[static_cast<std::size_t>(place.node)];
+        const float above = std::max(tree.goal.height - node.position.z, 0.5f);
+        const float aim = narrow * arcTangent(0.5f * tree.goal.crownWidth / above);
+        const float share = glm::mix(first, 1.0f, static_cast<float>(i) / static_cast<float>(limbs - 1));
+        place.heading = node.heading;
+        place.angle = aim * (share + 0.15f * scatter(tree.random));
+        tree.axisOf(addSideBud(tree, place, 1)).leading = true;
+        place.azimuth += limbTurn + 0.4f * scatter(tree.random);
+        if (node.parent > 0 && (i > 0 || limbs == 2))
+            place.node = node.parent;
+    }
+    promoteBoughs(tree);
+}
+
+} // namespace osgTreeWind

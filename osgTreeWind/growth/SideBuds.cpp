@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/SideBuds.h>
+
+#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/model/UnitVectors.h>
+
+#include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
+
+namespace osgTreeWind {
+namespace {
+
+/// Turn from whorl to whorl of a trunk: the golden angle.
+constexpr float whorlTurn = 2.399963f;
+
+/// How many side buds a node has, and how much they weigh among others.
+struct NodeBuds {
+    int count;
+    float weight;
+};
+
+NodeBuds budsAt(TreeState& tree, int order, float along, bool last) {
+    const TreeHabit& habit = tree.habit;
+    const auto usual = static_cast<int>(habit.budsPerNode);
+    if (habit.whorl <= 0.0f)
+        return {usual, glm::mix(1.0f, along * along, habit.acrotony)};
+    if (order > 0)
+        return {usual, last ? 1.0f : habit.betweenWhorls};
+    if (last)
+        return {static_cast<int>(habit.whorl + 0.5f + 0.8f * tree.random.symmetric()), 1.0f};
+    return {std::max(usual, static_cast<int>(0.5f * habit.whorl + 0.5f)), habit.betweenWhorls};
+}
+
+} // namespace
+
+float scatter(Random& random) {
+    const float one = random.symmetric();
+    return 0.5f * (one + random.symmetric());
+}
+
+Bud& addSideBud(TreeState& tree, const BudPlace& place, int order) {
+    const glm::vec3 left = directionOr(glm::cross(up, place.heading), perpendicular(place.heading));
+    const glm::vec3 above = glm::cross(place.heading, left);
+    const float round = 1.0f - tree.habit.flat[TreeState::rank(place.order)];
+    const glm::vec3 aside =
+        directionOr(cosine(place.azimuth) * left + round * sine(place.azimuth) * above, left);
+    ShootAxis axis;
+    axis.luck = 1.0f + 0.3f * scatter(tree.random);
+    axis.order = order;
+    axis.born = tree.year;
+    Bud bud;
+    bud.node = place.node;
+    bud.heading = directionOr(cosine(place.angle) * place.heading + sine(place.angle) * aside, place.heading);
+    bud.axis = static_cast<int>(tree.axes.size());
+    tree.axes.push_back(axis);
+    tree.buds.push_back(bud);
+    return tree.buds.back();
+}
+
+void addSideBuds(TreeState& tree, const Bud& end, float along, bool last) {
+    const TreeHabit& habit = tree.habit;
+    const int order = tree.axisOf(end).order;
+    if (static_cast<float>(order) >= habit.deepest)
+        return;
+    const NodeBuds buds = budsAt(tree, order, along, last);
+    if (buds.weight <= 0.0f)
+        return;
+    const bool whorl = habit.whorl > 0.0f && order == 0;
+    float& phase = tree.axisOf(end).phase;
+    phase += whorl ? whorlTurn : habit.divergence;
+    BudPlace place{end.node, end.heading, order};
+    const float first = phase;
+    for (int i = 0; i < buds.count; ++i) {
+        place.azimuth = first + (whorl ? 0.35f : 0.12f) * scatter(tree.random) +
+                        glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(buds.count);
+        place.angle = habit.branchAngle[TreeState::rank(order)] * (1.0f + 0.15f * scatter(tree.random));
+        addSideBud(tree, place, order + 1).weight = buds.weight;
+    }
+}
+
+} // namespace osgTreeWind
