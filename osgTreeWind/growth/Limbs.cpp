@@ -18,7 +18,7 @@ constexpr float forestTrunk = 0.68f;
 /// Turn from limb to limb: the golden angle.
 constexpr float limbTurn = 2.399963f;
 /// Boughs above this share of the trunk may become limbs.
-constexpr float youngBoughs = 0.5f;
+constexpr float youngBoughs = 0.3f;
 /// Angle of the uppermost limb over that of the lowest: in the open, and in a wood, where it goes straight
 /// on.
 constexpr float openLimb = 0.45f, forestLimb = 0.1f;
@@ -30,7 +30,7 @@ float arcTangent(float x) {
 /// The more boughs the nearer to the end of the trunk.
 void promoteBoughs(TreeState& tree) {
     const auto promote = [&](int axis, float z) {
-        const float chance = 1.5f * (z / tree.height - youngBoughs) / (1.0f - youngBoughs);
+        const float chance = 1.3f * (z / tree.height - youngBoughs) / (1.0f - youngBoughs);
         if (chance > 0.0f && tree.random.uniform() < chance)
             tree.axes[static_cast<std::size_t>(axis)].leading = true;
     };
