@@ -48,7 +48,8 @@ private:
 
     /// The shoot of one bud, of one or several metamers, with its side buds and a new end.
     void growShoot(Bud bud) {
-        const int count = std::max(1, static_cast<int>(bud.store / _habit.internode[rankOf(bud)] + 0.5f));
+        const int count =
+            std::max(1, static_cast<int>(std::lround(bud.store / _habit.internode[rankOf(bud)])));
         const float length = bud.store / static_cast<float>(count);
         if (!bud.terminal)
             beginAxis(_tree.axisOf(bud));

@@ -16,7 +16,7 @@ namespace {
 /// Growths until the crown has its width.
 constexpr std::size_t mostGrowths = 6;
 /// Of them a large tree gets fewer: metamers times years of all of them.
-constexpr std::size_t mostWork = 1'300'000;
+constexpr std::size_t mostWork = 1'500'000;
 /// Height times width of a crown above which pieces get longer, m².
 constexpr float usualCrown = 150.0f;
 /// Height and width may be stretched by factors that differ by so much.
@@ -42,7 +42,7 @@ GrowthSite inRange(GrowthSite site) {
 
 /// A large tree grows in longer pieces, so that it has no more of them than one in its middle age.
 TreeHabit inPiecesFor(const GrowthGoal& goal, TreeHabit habit) {
-    const float longer = power(std::max(goal.height * goal.crownWidth / usualCrown, 1.0f), 0.6f);
+    const float longer = power(std::max(goal.height * goal.crownWidth / usualCrown, 1.0f), 0.65f);
     for (float& internode : habit.internode)
         internode *= longer;
     habit.leafArea *= longer;

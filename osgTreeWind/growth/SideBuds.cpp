@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include <cmath>
+
 namespace osgTreeWind {
 namespace {
 
@@ -27,8 +29,8 @@ NodeBuds budsAt(TreeState& tree, int order, float along, bool last) {
     if (order > 0)
         return {usual, last ? 1.0f : habit.betweenWhorls};
     if (last)
-        return {static_cast<int>(habit.whorl + 0.5f + 0.8f * tree.random.symmetric()), 1.0f};
-    return {std::max(usual, static_cast<int>(0.5f * habit.whorl + 0.5f)), habit.betweenWhorls};
+        return {static_cast<int>(std::lround(habit.whorl + 0.8f * tree.random.symmetric())), 1.0f};
+    return {std::max(usual, static_cast<int>(std::lround(0.5f * habit.whorl))), habit.betweenWhorls};
 }
 
 } // namespace
