@@ -11,12 +11,17 @@
 
 namespace osgTreeWind {
 
-/// A tree that has grown from a seedling to the size of `goal`, by self-organisation after Palubicki et al.
-/// 2009: each year buds compete for light, branches that do not pay are shed.
+/// A tree that grows from a seedling to the size of `goal`, by self-organisation after Palubicki et al. 2009.
 ///
-/// Its age is that at which it has its height; the vigour of its side shoots is chosen so that the crown has
-/// its width; what is missing then is stretched (GrownForm::heightFactor, widthFactor). Values out of range
-/// are brought into it. One seed gives one tree, bit for bit, on every machine. Thread-safe.
+/// Each year its leaves unfold and shade each other (ShadeGrid); branches that do not get enough light die
+/// (ShedBranches); the growth that the light allows is shared out among buds (AllotGrowth); shoots grow, with
+/// new side buds (GrowShoots); boughs sink (SinkBoughs). It grows until it has its height. The vigour of
+/// boughs is chosen so that the crown gets its width, in at most six growths; what is missing then is
+/// stretched (GrownForm::heightFactor, widthFactor). Where the site leaves no light for such a crown, the
+/// factors differ much.
+///
+/// Values out of range are brought into it. One seed gives one tree, bit for bit, on every machine.
+/// Thread-safe.
 GrownForm growTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal,
                    std::uint32_t seed);
 
