@@ -66,6 +66,11 @@ std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
         addBytes(std::vector<float>{scan.flare}, key);
         addBytes(scan.units, key);
         addBytes(scan.points, key);
+        for (const Shoot& shoot : scan.shoots) { // which has bytes without a meaning
+            key += std::to_string(shoot.unit) + ' ' + std::to_string(shoot.count) + ' ';
+            addBytes(std::vector<float>{shoot.baseRadius, shoot.tipRadius}, key);
+        }
+        addBytes(scan.shootPoints, key);
     } else if (parameters.grown) {
         key += "grown";
         addFieldBytes(*parameters.grown, key);
@@ -84,6 +89,7 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
     TreeModel model;
     model.skeleton = makeSkeleton(parameters, variant);
     model.skin = makeBranchSkin(model.skeleton);
+    model.shootWood = shootWoodOf(model.skeleton);
     model.leaves = makeLeafClusters(model.skeleton, leaves);
     const auto setMesh = [&] {
         model.leafMesh = makeLeafMesh(leaves);

@@ -38,6 +38,7 @@ Json toJson(const ScanReport& scan) {
             {"taken", scan.taken},
             {"pruned", scan.cylinders - scan.taken},
             {"units", scan.units},
+            {"shoots", scan.shoots},
             {"height", scan.height},
             {"baseDiameter", scan.baseDiameter},
             {"cylinderVolume", scan.cylinderVolume},
@@ -172,7 +173,8 @@ void printScans(const Json& species) {
         const auto number = [&](const char* key) { return scan[key].get<double>(); };
         std::cout << "scan    " << species["name"].get<std::string>() << ": "
                   << scan["source"].get<std::string>() << ", " << scan["cylinders"] << " cylinders, "
-                  << scan["pruned"] << " pruned; " << scan["units"] << " units, " << std::setprecision(3)
+                  << scan["pruned"] << " pruned; " << scan["units"] << " units, "
+                  << scan["shoots"] << " shoots, " << std::setprecision(3)
                   << number("height") << " m high, " << number("baseDiameter") << " m thick at the ground, "
                   << number("woodVolume") << " of " << number("cylinderVolume") << " m3 of wood"
                   << std::setprecision(6) << '\n';
