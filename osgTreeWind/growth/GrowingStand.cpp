@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/GrowingStand.h>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+namespace {
+
+/// Height of neighbours that do not grow here over that of the tree among them.
+constexpr float neighbours = 0.94f;
+
+} // namespace
+
+void GrowingStand::growYear(const GrowthSite& site) {
+    if (_trees.empty())
+        return;
+    glm::vec3 lowest = _trees.front().foot(), highest = lowest;
+    for (GrowingTree& tree : _trees)
+        tree.unfold(lowest, highest);
+    _grid.begin(lowest, highest);
+    for (const GrowingTree& tree : _trees)
+        tree.addLeaves(_grid);
+    const GrowingTree& first = _trees.front();
+    _grid.addNeighbours(site, glm::vec2(first.foot()), std::max(neighbours * first.height(), 1.0f));
+    _grid.castShade();
+    for (GrowingTree& tree : _trees)
+        tree.growYear(_grid);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/GrowingTree.h>
+
+#include <osgTreeWind/growth/AllotGrowth.h>
+#include <osgTreeWind/growth/GrowShoots.h>
+#include <osgTreeWind/growth/ShedBranches.h>
+#include <osgTreeWind/growth/SinkBoughs.h>
+
+#include <glm/common.hpp>
+
+#include <array>
+
+namespace osgTreeWind {
+namespace {
+
+/// A tree that has not risen by a hundredth of its height in so many years is as high as it gets.
+constexpr int standstill = 12;
+constexpr int longestLife = 250;
+/// A tree with more stops growing.
+constexpr std::size_t mostMetamers = 40000;
+/// Length of shoot whose leaves stand at a resting end, metres.
+constexpr float rosette = 0.12f;
+
+} // namespace
+
+GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const glm::vec3& foot,
+                         std::uint32_t seed, float spread)
+    : _foot(foot) {
+    _state.habit = habit;
+    _state.goal = goal;
+    _state.goal.crownWidth *= spread;
+    _state.spread = spread;
+    _state.random = Random(seed);
+    Metamer first;
+    first.heading = {0.0f, 0.0f, 1.0f};
+    _state.metamers.push_back(first);
+    Axis trunk;
+    trunk.leading = true;
+    trunk.phase = 3.0f * _state.random.symmetric();
+    _state.axes.push_back(trunk);
+    Bud top;
+    top.terminal = true;
+    _state.buds.push_back(top);
+}
+
+void GrowingTree::unfold(glm::vec3& lowest, glm::vec3& highest) {
+    const TreeHabit& habit = _state.habit;
+    for (Metamer& metamer : _state.metamers) {
+        const auto age = static_cast<float>(_state.year - metamer.born);
+        metamer.leafArea = metamer.died < 0 && age < habit.leafYears ? habit.leafArea * metamer.length : 0.0f;
+        lowest = glm::min(lowest, _foot + metamer.position);
+        highest = glm::max(highest, _foot + metamer.position);
+    }
+    for (const Bud& bud : _state.buds) {
+        float& area = _state.metamers[static_cast<std::size_t>(bud.node)].leafArea;
+        if (bud.terminal)
+            area = std::max(area, habit.leafArea * rosette);
+    }
+}
+
+void GrowingTree::addLeaves(ShadeGrid& grid) const {
+    for (const Metamer& metamer : _state.metamers)
+        if (metamer.leafArea > 0.0f)
+            grid.addLeaves(_foot + metamer.position, metamer.leafArea);
+}
+
+void GrowingTree::growYear(const ShadeGrid& grid) {
+    for (Metamer& metamer : _state.metamers)
+        if (metamer.leafArea > 0.0f)
+            metamer.light = grid.light(_foot + metamer.position);
+    for (Bud& bud : _state.buds) {
+        const Metamer& metamer = _state.metamers[static_cast<std::size_t>(bud.node)];
+        bud.light = grid.light(_foot + metamer.position + 0.7f * grid.cell() * bud.heading);
+    }
+    ++_state.year;
+    shedBranches(_state);
+    allotGrowth(_state);
+    growShoots(_state, grid, _foot);
+    sinkBoughs(_state);
+    measure();
+}
+
+void GrowingTree::measure() {
+    float highest = 0.0f;
+    for (const Metamer& metamer : _state.metamers)
+        if (metamer.died < 0)
+            highest = std::max(highest, metamer.position.z);
+    if (highest > _landmark + 0.01f * _state.goal.height) {
+        _landmark = highest;
+        _risen = _state.year;
+    }
+    _state.height = highest;
+    _state.reach = meanReach(_state.metamers);
+}
+
+bool GrowingTree::grown() const {
+    return _state.height >= 0.995f * _state.goal.height || _state.year - _risen > standstill ||
+           _state.year >= longestLife || _state.metamers.size() > mostMetamers;
+}
+
+float meanReach(const std::vector<Metamer>& metamers) {
+    constexpr float half = 0.70710678f;
+    std::array<float, 8> reach{};
+    for (const Metamer& metamer : metamers) {
+        if (metamer.died >= 0)
+            continue;
+        const float x = metamer.position.x, y = metamer.position.y;
+        const float a = half * (x + y), b = half * (x - y);
+        const std::array<float, 4> along = {x, y, a, b};
+        for (std::size_t i = 0; i < 4; ++i) {
+            reach[i] = std::max(reach[i], along[i]);
+            reach[i + 4] = std::max(reach[i + 4], -along[i]);
+        }
+    }
+    float sum = 0.0f;
+    for (const float r : reach)
+        sum += r;
+    return sum / 8.0f;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/PipeRadii.h>
+
+#include <osgTreeWind/model/PortableMath.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr float stemTaper = 0.6f;
+constexpr float widestBranch = 0.88f;
+/// Least share of the trunk's radius at breast height that its top keeps.
+constexpr float thinnest = 1e-3f;
+
+/// Ends of shoots that each metamer bears.
+std::vector<int> endsOf(const std::vector<GrownMetamer>& metamers) {
+    std::vector<int> ends(metamers.size(), 0);
+    for (std::size_t i = metamers.size(); i-- > 0;) {
+        ends[i] = std::max(ends[i], 1);
+        if (metamers[i].parent >= 0)
+            ends[static_cast<std::size_t>(metamers[i].parent)] += ends[i];
+    }
+    return ends;
+}
+
+float logarithm(float x) {
+    return static_cast<float>(std::log(static_cast<double>(x)));
+}
+
+} // namespace
+
+void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
+    std::vector<GrownMetamer>& metamers = form.metamers;
+    const std::vector<int> ends = endsOf(metamers);
+    const float breast = std::min(1.3f, 0.1f * goal.height), atBreast = 0.5f * goal.trunkDiameter;
+    const float twig = std::min(twigRadius, 0.2f * atBreast);
+    const float exponent =
+        std::clamp(logarithm(atBreast / twig) / logarithm(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
+    float trunkTop = 0.0f;
+    for (const GrownMetamer& metamer : metamers)
+        if (metamer.axis == 0)
+            trunkTop = std::max(trunkTop, metamer.position.z);
+    const bool dissolves = trunkTop < 0.93f * goal.height;
+    std::vector<float> factor(metamers.size(), 1.0f);
+    for (std::size_t i = 0; i < metamers.size(); ++i) {
+        GrownMetamer& metamer = metamers[i];
+        const float pipe = twig * power(static_cast<float>(ends[i]), exponent);
+        const auto parent = static_cast<std::size_t>(std::max(metamer.parent, 0));
+        if (metamer.axis == 0) {
+            const float above = std::max(goal.height - metamer.position.z, 0.0f) / (goal.height - breast);
+            metamer.radius = std::max(atBreast * power(above, stemTaper), thinnest * atBreast);
+            metamer.radius = std::max(metamer.radius, 0.8f * twig);
+            if (dissolves) {
+                // Where limbs leave it, it is as thick as what it still bears.
+                const float along = std::max(metamer.position.z, 0.0f) / trunkTop;
+                metamer.radius += along * along * std::min(pipe - metamer.radius, 0.0f);
+            }
+            if (i > 0)
+                metamer.radius = std::min(metamer.radius, metamers[parent].radius);
+            continue;
+        }
+        const float bearer = metamers[parent].radius;
+        const bool first = metamers[parent].axis != metamer.axis;
+        factor[i] = first ? std::min(1.0f, widestBranch * bearer / pipe) : factor[parent];
+        metamer.radius = std::min(pipe * factor[i], bearer);
+    }
+}
+
+} // namespace osgTreeWind

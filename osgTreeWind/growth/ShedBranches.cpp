@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/ShedBranches.h>
+
+#include <vector>
+
+namespace osgTreeWind {
+namespace {
+
+enum class Fate : unsigned char { Lives, Dies, Falls };
+
+/// Leaves of all that a metamer bears, and their light.
+struct Foliage {
+    float area = 0.0f, light = 0.0f;
+};
+
+std::vector<Foliage> foliageOf(const std::vector<Metamer>& metamers) {
+    std::vector<Foliage> foliage(metamers.size());
+    for (std::size_t i = metamers.size() - 1; i > 0; --i) {
+        foliage[i].area += metamers[i].leafArea;
+        foliage[i].light += metamers[i].leafArea * metamers[i].light;
+        Foliage& parent = foliage[static_cast<std::size_t>(metamers[i].parent)];
+        parent.area += foliage[i].area;
+        parent.light += foliage[i].light;
+    }
+    return foliage;
+}
+
+/// Whether a branch, given by its first metamer, dies this year.
+bool dies(TreeState& tree, const Metamer& first, const Foliage& foliage) {
+    const TreeHabit& habit = tree.habit;
+    const int age = tree.year - first.born;
+    if (age < 2)
+        return false;
+    if (first.order == 1 && age > 8 && tree.random.uniform() < habit.breakage)
+        return true;
+    if (first.order == 1 && !tree.axes[static_cast<std::size_t>(first.axis)].leading) {
+        const float clean = habit.cleanStem * tree.goal.height;
+        if (first.position.z < clean && tree.height > 2.0f * first.position.z + 1.0f && age > 4)
+            return true;
+    }
+    return foliage.area <= 0.0f || foliage.light < habit.lightNeed * foliage.area;
+}
+
+std::vector<Fate> fatesOf(TreeState& tree) {
+    std::vector<Metamer>& metamers = tree.metamers;
+    const std::vector<Foliage> foliage = foliageOf(metamers);
+    std::vector<Fate> fates(metamers.size(), Fate::Lives);
+    const auto deadYears = static_cast<int>(tree.habit.deadYears);
+    for (std::size_t i = 1; i < metamers.size(); ++i) {
+        Metamer& metamer = metamers[i];
+        const auto parent = static_cast<std::size_t>(metamer.parent);
+        const bool first = metamer.axis != metamers[parent].axis;
+        if (fates[parent] == Fate::Falls) {
+            fates[i] = Fate::Falls;
+        } else if (metamer.died >= 0) {
+            // Of a dead bough the twigs fall first.
+            const int stays = metamer.order == 1 ? deadYears : metamer.order == 2 ? deadYears / 2 : 0;
+            fates[i] = first && tree.year - metamer.died >= stays ? Fate::Falls : Fate::Dies;
+        } else if (fates[parent] == Fate::Dies) {
+            fates[i] = metamer.order > 2 ? Fate::Falls : Fate::Dies;
+        } else if (first && dies(tree, metamer, foliage[i])) {
+            fates[i] = metamer.order == 1 && deadYears > 0 ? Fate::Dies : Fate::Falls;
+        }
+        if (fates[i] == Fate::Dies && metamer.died < 0)
+            metamer.died = tree.year;
+    }
+    return fates;
+}
+
+} // namespace
+
+void shedBranches(TreeState& tree) {
+    const std::vector<Fate> fates = fatesOf(tree);
+    std::vector<int> place(tree.metamers.size(), -1);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < tree.metamers.size(); ++i) {
+        if (fates[i] == Fate::Falls)
+            continue;
+        Metamer metamer = tree.metamers[i];
+        if (metamer.parent >= 0)
+            metamer.parent = place[static_cast<std::size_t>(metamer.parent)];
+        place[i] = static_cast<int>(kept);
+        tree.metamers[kept++] = metamer;
+    }
+    tree.metamers.resize(kept);
+    std::size_t buds = 0;
+    for (const Bud& bud : tree.buds) {
+        if (bud.spent || fates[static_cast<std::size_t>(bud.node)] != Fate::Lives)
+            continue;
+        tree.buds[buds] = bud;
+        tree.buds[buds++].node = place[static_cast<std::size_t>(bud.node)];
+    }
+    tree.buds.resize(buds);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/SinkBoughs.h>
+
+#include <osgTreeWind/model/UnitVectors.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+namespace {
+
+/// Living shoots stay that far above the ground, metres.
+constexpr float clearance = 0.35f;
+/// Years in which half of the sinking is done.
+constexpr float sinkingYears = 12.0f;
+
+/// `heading` turned down by a small angle, at most nearly to the vertical.
+glm::vec3 lowered(const glm::vec3& heading, float angle) {
+    const float across = std::sqrt(heading.x * heading.x + heading.y * heading.y);
+    if (across < 0.05f && heading.z < 0.0f)
+        return heading;
+    const float cosine = 1.0f - 0.5f * angle * angle, sine = angle - angle * angle * angle / 6.0f;
+    const float goal = std::max(across * cosine + heading.z * sine, 0.02f);
+    const float z = heading.z * cosine - across * sine;
+    const glm::vec3 aside = across > 1e-4f ? glm::vec3(heading.x, heading.y, 0.0f) / across : glm::vec3(1, 0, 0);
+    return directionOr(goal * aside + z * up, heading);
+}
+
+} // namespace
+
+void placeNodes(TreeState& tree) {
+    for (std::size_t i = 1; i < tree.metamers.size(); ++i) {
+        Metamer& metamer = tree.metamers[i];
+        const glm::vec3& from = tree.metamers[static_cast<std::size_t>(metamer.parent)].position;
+        metamer.position = from + metamer.length * metamer.heading;
+        if (metamer.order == 0 || metamer.position.z >= clearance)
+            continue;
+        metamer.heading = directionOr({metamer.heading.x, metamer.heading.y, 0.1f}, metamer.heading);
+        metamer.position = from + metamer.length * metamer.heading;
+    }
+}
+
+void sinkBoughs(TreeState& tree) {
+    const TreeHabit& habit = tree.habit;
+    for (std::size_t i = 1; i < tree.metamers.size(); ++i) {
+        Metamer& metamer = tree.metamers[i];
+        metamer.tilt = 0.0f;
+        const Metamer& parent = tree.metamers[static_cast<std::size_t>(metamer.parent)];
+        if (metamer.order == 0) {
+            // A leader that nods straightens as it thickens.
+            if (habit.hang[0] > 0.0f && tree.year - metamer.born >= 2)
+                metamer.heading = directionOr(metamer.heading + 0.8f * up, up);
+            continue;
+        }
+        const std::size_t rank = TreeState::rank(metamer.order);
+        const float age = static_cast<float>(tree.year - metamer.born) / sinkingYears;
+        const float yearly = 1.0f / (sinkingYears * (1.0f + age) * (1.0f + age));
+        const float level = std::sqrt(std::max(1.0f - metamer.heading.z * metamer.heading.z, 0.0f));
+        const Axis& axis = tree.axes[static_cast<std::size_t>(metamer.axis)];
+        float bend = axis.leading ? 0.0f : habit.hang[rank] * metamer.length * level;
+        if (metamer.axis != parent.axis && !axis.leading)
+            bend += habit.sink[rank] * axis.luck;
+        const float free = std::clamp(0.5f * (metamer.position.z - clearance), 0.0f, 1.0f);
+        metamer.tilt = free * std::clamp(parent.tilt + yearly * bend, -0.5f, 0.5f);
+        metamer.heading = lowered(metamer.heading, metamer.tilt);
+    }
+    for (Bud& bud : tree.buds) {
+        const Metamer& metamer = tree.metamers[static_cast<std::size_t>(bud.node)];
+        bud.heading = bud.terminal && bud.node > 0 ? metamer.heading : lowered(bud.heading, metamer.tilt);
+    }
+    placeNodes(tree);
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <tests/growth/HabitCases.h>
+
+#include <osgTreeWind/growth/GrowTree.h>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace osgTreeWind {
+namespace {
+
+float heightOf(const GrownForm& form) {
+    float height = 0.0f;
+    for (const GrownMetamer& metamer : form.metamers)
+        if (!metamer.dead)
+            height = std::max(height, metamer.position.z);
+    return height;
+}
+
+/// Mean of the reach in eight directions, doubled.
+float widthOf(const GrownForm& form) {
+    float sum = 0.0f;
+    for (int i = 0; i < 8; ++i) {
+        const float azimuth = glm::radians(45.0f * static_cast<float>(i));
+        float reach = 0.0f;
+        for (const GrownMetamer& metamer : form.metamers)
+            if (!metamer.dead)
+                reach = std::max(reach, metamer.position.x * std::cos(azimuth) +
+                                            metamer.position.y * std::sin(azimuth));
+        sum += reach;
+    }
+    return sum / 4.0f;
+}
+
+/// Height below which a twentieth of the leaves are, over that of the tree.
+float lowestLeaves(const GrownForm& form) {
+    float all = 0.0f, below = 0.0f, height = 0.0f;
+    for (const GrownMetamer& metamer : form.metamers)
+        all += metamer.leafArea;
+    for (; below < 0.05f * all; height += 0.1f) {
+        below = 0.0f;
+        for (const GrownMetamer& metamer : form.metamers)
+            below += metamer.position.z < height ? metamer.leafArea : 0.0f;
+    }
+    return height / heightOf(form);
+}
+
+/// Leaves in the lowest quarter, m². @param side sign of x.
+float lowLeaves(const GrownForm& form, float side) {
+    float area = 0.0f;
+    const float low = 0.25f * heightOf(form);
+    for (const GrownMetamer& metamer : form.metamers)
+        if (metamer.position.z < low && side * metamer.position.x > 0.3f)
+            area += metamer.leafArea;
+    return area;
+}
+
+bool same(const GrownForm& a, const GrownForm& b) {
+    return a.years == b.years && a.metamers.size() == b.metamers.size() &&
+           std::equal(a.metamers.begin(), a.metamers.end(), b.metamers.begin(),
+                      [](const GrownMetamer& p, const GrownMetamer& q) {
+                          return p.position == q.position && p.radius == q.radius && p.parent == q.parent &&
+                                 p.axis == q.axis && p.light == q.light;
+                      });
+}
+
+/// Everything that holds of each form.
+void expectSound(const GrownForm& form) {
+    ASSERT_FALSE(form.metamers.empty());
+    ASSERT_EQ(form.metamers[0].parent, -1);
+    for (std::size_t i = 0; i < form.metamers.size(); ++i) {
+        const GrownMetamer& metamer = form.metamers[i];
+        for (const float value : {metamer.position.x, metamer.position.y, metamer.position.z, metamer.radius,
+                                  metamer.light, metamer.leafArea})
+            ASSERT_TRUE(std::isfinite(value)) << "metamer " << i;
+        ASSERT_GT(metamer.radius, 0.0f) << "metamer " << i;
+        ASSERT_GE(metamer.light, 0.0f);
+        ASSERT_LE(metamer.light, 1.001f);
+        if (i == 0)
+            continue;
+        ASSERT_GE(metamer.parent, 0);
+        ASSERT_LT(metamer.parent, static_cast<int>(i));
+        const GrownMetamer& parent = form.metamers[static_cast<std::size_t>(metamer.parent)];
+        ASSERT_LE(metamer.radius, parent.radius) << "metamer " << i << " is thicker than what bears it";
+        if (metamer.axis != parent.axis) {
+            ASSERT_LT(metamer.radius, 0.9f * parent.radius) << "branch " << i;
+        }
+    }
+}
+
+TEST(GrowTree, OneSeedGivesOneTree) {
+    const GrownForm form = growTree(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7);
+    EXPECT_TRUE(same(form, growTree(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7)));
+    EXPECT_FALSE(same(form, growTree(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 8)));
+}
+
+TEST(GrowTree, HasTheSizeOfItsGoal) {
+    for (const TreeHabit& habit : {oakHabit(), spruceHabit()})
+        for (const float height : {8.0f, 15.0f, 22.0f})
+            for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+                const bool spruce = habit.whorl > 0.0f;
+                const GrowthGoal goal{height, 0.03f * height, (spruce ? 0.36f : 0.7f) * height};
+                const GrownForm form = growTree(habit, {}, goal, seed);
+                SCOPED_TRACE(testing::Message() << (spruce ? "spruce " : "oak ") << height << " m, seed " << seed);
+                EXPECT_NEAR(heightOf(form) / goal.height, 1.0f, 0.03f);
+                EXPECT_NEAR(widthOf(form) / goal.crownWidth, 1.0f, 0.03f);
+                EXPECT_NEAR(form.heightFactor / form.widthFactor, 1.0f, 0.1f) << "it is distorted";
+                float atBreast = 0.0f;
+                for (const GrownMetamer& metamer : form.metamers)
+                    if (metamer.axis == 0 && metamer.position.z < 1.5f)
+                        atBreast = metamer.radius;
+                EXPECT_NEAR(2.0f * atBreast / goal.trunkDiameter, 1.0f, 0.06f);
+            }
+}
+
+TEST(GrowTree, IsSoundWithAnyHabit) {
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "habit " << seed);
+        Random random(seed);
+        GrowthSite site;
+        site.shade = seed % 3 == 0 ? random.uniform() : 0.0f;
+        if (seed % 2 == 0)
+            site.openSide = random.symmetric();
+        const GrowthGoal goal{2.0f + 18.0f * random.uniform(), 0.05f + 0.5f * random.uniform(),
+                              1.0f + 11.0f * random.uniform()};
+        expectSound(growTree(anyHabit(seed), site, goal, seed));
+    }
+}
+
+TEST(GrowTree, BringsNumbersIntoTheirRange) {
+    for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity(), -1e30f, 0.0f}) {
+        TreeHabit habit = oakHabit();
+        habit.annualShoot.fill(bad);
+        habit.internode.fill(bad);
+        habit.lightNeed = habit.leafArea = habit.trunkTop = habit.limbs = bad;
+        GrowthSite site;
+        site.shade = site.distance = bad;
+        site.openSide = bad;
+        GrowthGoal goal{bad, bad, bad};
+        if (bad > 0.0f)
+            goal.height = 10.0f;
+        expectSound(growTree(habit, site, goal, 1));
+    }
+}
+
+TEST(GrowTree, AxesGetThinnerAndBearersAreThicker) {
+    expectSound(growTree(oakHabit(), {}, {15.0f, 0.5f, 10.0f}, 3));
+    expectSound(growTree(spruceHabit(), {}, {18.0f, 0.4f, 6.5f}, 3));
+}
+
+TEST(GrowTree, AStemHasAFormFactorOfOneHalf) {
+    const GrowthGoal goal{20.0f, 0.4f, 6.5f};
+    const GrownForm form = growTree(spruceHabit(), {}, goal, 3);
+    float volume = 0.0f;
+    for (const GrownMetamer& metamer : form.metamers)
+        if (metamer.axis == 0 && metamer.parent >= 0) {
+            const GrownMetamer& below = form.metamers[static_cast<std::size_t>(metamer.parent)];
+            const float mean = 0.5f * (metamer.radius + below.radius);
+            volume += 3.14159f * mean * mean * glm::distance(metamer.position, below.position);
+        }
+    EXPECT_NEAR(volume / (3.14159f * 0.04f * goal.height), 0.5f, 0.03f);
+}
+
+TEST(GrowTree, BranchesSpringAtTheirAngle) {
+    for (const float degrees : {30.0f, 55.0f, 80.0f}) {
+        TreeHabit habit = spruceHabit();
+        habit.branchAngle[0] = glm::radians(degrees);
+        habit.sink.fill(0.0f);
+        habit.hang.fill(0.0f);
+        habit.rise = {3.0f, 0.0f, 0.0f, 0.0f};
+        habit.levelling.fill(0.0f);
+        habit.lightSeeking.fill(0.0f);
+        habit.wander.fill(0.0f);
+        const GrownForm form = growTree(habit, {}, {10.0f, 0.2f, 5.0f}, 2);
+        double sum = 0.0;
+        int count = 0;
+        for (const GrownMetamer& metamer : form.metamers) {
+            if (metamer.order != 1 || form.metamers[static_cast<std::size_t>(metamer.parent)].order != 0)
+                continue;
+            glm::vec3 way = metamer.position - form.metamers[static_cast<std::size_t>(metamer.parent)].position;
+            way /= glm::vec3(form.widthFactor, form.widthFactor, form.heightFactor);
+            sum += std::acos(static_cast<double>(glm::normalize(way).z));
+            ++count;
+        }
+        ASSERT_GT(count, 20);
+        EXPECT_NEAR(glm::degrees(sum / count), static_cast<double>(degrees), 3.0);
+    }
+}
+
+TEST(GrowTree, AClosedWoodMakesABareStem) {
+    for (const TreeHabit& habit : {oakHabit(), spruceHabit()}) {
+        GrowthSite wood;
+        wood.shade = 1.0f;
+        wood.distance = 3.0f;
+        const GrowthGoal open{18.0f, 0.4f, 6.0f}, closed{18.0f, 0.25f, 3.5f};
+        const float free = lowestLeaves(growTree(habit, {}, open, 1));
+        const float shaded = lowestLeaves(growTree(habit, wood, closed, 1));
+        EXPECT_LT(free, 0.2f);
+        EXPECT_GT(shaded, 0.4f);
+    }
+}
+
+TEST(GrowTree, AtAnEdgeItIsGreenToTheGroundOnTheOpenSide) {
+    GrowthSite edge;
+    edge.shade = 1.0f;
+    edge.distance = 3.0f;
+    edge.openSide = 0.0f;
+    const GrownForm form = growTree(spruceHabit(), edge, {18.0f, 0.3f, 5.0f}, 1);
+    EXPECT_GT(lowLeaves(form, 1.0f), 3.0f * lowLeaves(form, -1.0f));
+    EXPECT_GT(lowLeaves(form, 1.0f), 2.0f);
+}
+
+} // namespace
+} // namespace osgTreeWind
