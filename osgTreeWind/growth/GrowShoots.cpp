@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/GrowShoots.h>
 
-#include <osgTreeWind/model/PortableMath.h>
-#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
@@ -77,7 +77,8 @@ private:
             vigour *= spread();
         if (axis.order > 0)
             vigour *= room(place);
-        const float shoot = axis.leading && axis.order > 0 ? limbShoot * _habit.annualShoot[0] : _habit.annualShoot[rank];
+        const float shoot =
+            axis.leading && axis.order > 0 ? limbShoot * _habit.annualShoot[0] : _habit.annualShoot[rank];
         return vigour * axis.luck * shoot * (0.85f + 0.3f * _tree.random.uniform());
     }
 
@@ -85,10 +86,11 @@ private:
     float wantedReach() const {
         return 0.5f * _tree.goal.crownWidth * std::min(0.3f + 0.8f * _tree.grown(), 1.0f);
     }
-    /// 0 in the middle of the dome that the crown is to fill, 1 at its top and sides, where wind and drought slow
-    /// shoots, and more beyond.
+    /// 0 in the middle of the dome that the crown is to fill, 1 at its top and sides, where wind and drought
+    /// slow shoots, and more beyond.
     float exposure(const glm::vec3& place) const {
-        const float x = (place.x * place.x + place.y * place.y) / (0.25f * _tree.goal.crownWidth * _tree.goal.crownWidth);
+        const float x =
+            (place.x * place.x + place.y * place.y) / (0.25f * _tree.goal.crownWidth * _tree.goal.crownWidth);
         const float z = std::max(place.z / _tree.goal.height - domeMiddle, 0.0f) / (domeTop - domeMiddle);
         const float outside = x + z * z;
         return std::min(outside * outside, 1.0f / slowest);
@@ -228,9 +230,11 @@ private:
             return false;
         const float out = 1.5f * _tree.reach + _light.cell();
         float light = 0.0f;
-        for (const glm::vec3& side : {glm::vec3(out, 0, 0), glm::vec3(-out, 0, 0), glm::vec3(0, out, 0), glm::vec3(0, -out, 0)})
+        for (const glm::vec3& side :
+             {glm::vec3(out, 0, 0), glm::vec3(-out, 0, 0), glm::vec3(0, out, 0), glm::vec3(0, -out, 0)})
             light += 0.25f * _light.light(_foot + side + 0.75f * _tree.height * up);
-        return share > glm::mix(std::max(_habit.trunkTop, forestTrunk), _habit.trunkTop, glm::smoothstep(0.3f, 0.75f, light));
+        return share > glm::mix(std::max(_habit.trunkTop, forestTrunk), _habit.trunkTop,
+                                glm::smoothstep(0.3f, 0.75f, light));
     }
 
     /// The trunk ends in limbs, which spring from its last nodes and aim at the crown's width, the lower the

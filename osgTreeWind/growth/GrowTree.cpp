@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/GrowTree.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/growth/GrowingStand.h>
 #include <osgTreeWind/growth/HabitNumbers.h>
 #include <osgTreeWind/growth/PipeRadii.h>
-#include <osgTreeWind/model/PortableMath.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,8 @@ GrowthSite clamped(GrowthSite site) {
     return site;
 }
 
-TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal, std::uint32_t seed,
-                    float spread) {
+TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal,
+                    std::uint32_t seed, float spread) {
     GrowingStand stand(gridCell(habit));
     stand.add(GrowingTree(habit, goal, glm::vec3(0.0f), seed, spread));
     while (!stand.trees().front().grown())
@@ -47,7 +47,8 @@ TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const Growth
 
 } // namespace
 
-GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size, std::uint32_t seed) {
+GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size,
+                   std::uint32_t seed) {
     const TreeHabit habit = clampedHabit(wanted);
     const GrowthSite site = clamped(place);
     const GrowthGoal goal = clamped(size);

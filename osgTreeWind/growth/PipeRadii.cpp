@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/PipeRadii.h>
 
-#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/base/PortableMath.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,8 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
     const std::vector<int> ends = endsOf(metamers);
     const float breast = std::min(1.3f, 0.1f * goal.height), atBreast = 0.5f * goal.trunkDiameter;
     const float twig = std::min(twigRadius, 0.2f * atBreast);
-    const float exponent =
-        std::clamp(logarithm(atBreast / twig) / logarithm(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
+    const float exponent = std::clamp(
+        logarithm(atBreast / twig) / logarithm(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
     float trunkTop = 0.0f;
     for (const GrownMetamer& metamer : metamers)
         if (metamer.axis == 0)

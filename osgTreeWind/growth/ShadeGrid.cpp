@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/ShadeGrid.h>
 
-#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/base/PortableMath.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,10 +19,23 @@ struct SkyPart {
     float share;   ///< Of the light of an overcast sky on leaves of all inclinations.
 };
 constexpr std::array<SkyPart, 17> sky = {{
-    {0, 0, 0, 0.16f},    {1, 0, 1, 0.06f},    {-1, 0, 1, 0.06f},   {0, 1, 1, 0.06f},   {0, -1, 1, 0.06f},
-    {1, 1, 1, 0.05f},    {-1, 1, 1, 0.05f},   {1, -1, 1, 0.05f},   {-1, -1, 1, 0.05f}, {2, 0, 2, 0.055f},
-    {-2, 0, 2, 0.055f},  {0, 2, 2, 0.055f},   {0, -2, 2, 0.055f},  {2, 2, 2, 0.045f},  {-2, 2, 2, 0.045f},
-    {2, -2, 2, 0.045f},  {-2, -2, 2, 0.045f},
+    {0, 0, 0, 0.16f},
+    {1, 0, 1, 0.06f},
+    {-1, 0, 1, 0.06f},
+    {0, 1, 1, 0.06f},
+    {0, -1, 1, 0.06f},
+    {1, 1, 1, 0.05f},
+    {-1, 1, 1, 0.05f},
+    {1, -1, 1, 0.05f},
+    {-1, -1, 1, 0.05f},
+    {2, 0, 2, 0.055f},
+    {-2, 0, 2, 0.055f},
+    {0, 2, 2, 0.055f},
+    {0, -2, 2, 0.055f},
+    {2, 2, 2, 0.045f},
+    {-2, 2, 2, 0.045f},
+    {2, -2, 2, 0.045f},
+    {-2, -2, 2, 0.045f},
 }};
 /// Way through a layer in boxes, by steepness.
 constexpr std::array<float, 3> way = {1.0f, 1.57f, 2.6f};
@@ -41,7 +54,8 @@ float closedTowards(const GrowthSite& site, const glm::vec2& heading) {
     if (!site.openSide)
         return 1.0f;
     const glm::vec2 open(cosine(*site.openSide), sine(*site.openSide));
-    return 1.0f - glm::smoothstep(0.0f, 0.5f, glm::dot(heading, open) / std::max(glm::length(heading), 1e-6f));
+    return 1.0f -
+           glm::smoothstep(0.0f, 0.5f, glm::dot(heading, open) / std::max(glm::length(heading), 1e-6f));
 }
 
 } // namespace
@@ -67,7 +81,8 @@ ShadeGrid::Corner ShadeGrid::cornerAt(const glm::vec3& place) const {
 
 void ShadeGrid::addLeaves(const glm::vec3& place, float area) {
     const Corner c = cornerAt(place);
-    const std::size_t row = static_cast<std::size_t>(_size.x), layer = row * static_cast<std::size_t>(_size.y);
+    const std::size_t row = static_cast<std::size_t>(_size.x),
+                      layer = row * static_cast<std::size_t>(_size.y);
     const float above = area * c.part.z, below = area - above;
     const float a = below * (1.0f - c.part.y), b = below * c.part.y;
     const float d = above * (1.0f - c.part.y), e = above * c.part.y;
@@ -131,7 +146,8 @@ void ShadeGrid::addLight(int layer) {
             }
             float sum = 0.0f;
             for (std::size_t d = 0; d < sky.size(); ++d)
-                sum += sky[d].share * halfway[static_cast<std::size_t>(sky[d].steepness)] * _rays[d][start + i];
+                sum +=
+                    sky[d].share * halfway[static_cast<std::size_t>(sky[d].steepness)] * _rays[d][start + i];
             _light[box] = sum;
         }
     }
@@ -169,7 +185,8 @@ void ShadeGrid::descend(int layer) {
 
 float ShadeGrid::light(const glm::vec3& place) const {
     const Corner c = cornerAt(place);
-    const std::size_t row = static_cast<std::size_t>(_size.x), layer = row * static_cast<std::size_t>(_size.y);
+    const std::size_t row = static_cast<std::size_t>(_size.x),
+                      layer = row * static_cast<std::size_t>(_size.y);
     const float* box = &_light[c.first];
     const auto line = [&](const float* b) { return b[0] + c.part.x * (b[1] - b[0]); };
     const auto face = [&](const float* b) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/SinkBoughs.h>
 
-#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/base/UnitVectors.h>
 
 #include <cmath>
 
@@ -21,7 +21,8 @@ glm::vec3 lowered(const glm::vec3& heading, float angle) {
     const float cosine = 1.0f - 0.5f * angle * angle, sine = angle - angle * angle * angle / 6.0f;
     const float goal = std::max(across * cosine + heading.z * sine, 0.02f);
     const float z = heading.z * cosine - across * sine;
-    const glm::vec3 aside = across > 1e-4f ? glm::vec3(heading.x, heading.y, 0.0f) / across : glm::vec3(1, 0, 0);
+    const glm::vec3 aside =
+        across > 1e-4f ? glm::vec3(heading.x, heading.y, 0.0f) / across : glm::vec3(1, 0, 0);
     return directionOr(goal * aside + z * up, heading);
 }
 

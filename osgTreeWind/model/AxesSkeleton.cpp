@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/AxesSkeleton.h>
 
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/CheckScan.h>
-#include <osgTreeWind/model/UnitVectors.h>
 #include <osgTreeWind/model/WoodVolume.h>
 
 #include <glm/common.hpp>
@@ -204,6 +204,8 @@ private:
             unit.baseRadius = static_cast<float>(radii[i]);
             unit.tipRadius = static_cast<float>(radii[i + 1]);
             parent = add(unit, axis.line, from, to);
+            if (axis.leafy)
+                _tree.skeleton.leafyUnits.push_back(leafyPart(axis, from, to));
             const bool isLast = i + 2 == cuts.size();
             for (; branch != _branches[index].end() && (isLast || _axes[*branch].attach <= to); ++branch) {
                 const double t = (_axes[*branch].attach - from) / (to - from);
@@ -249,6 +251,8 @@ private:
         shoot.level = axis.order;
         shoot.baseRadius = static_cast<float>(radii.front());
         shoot.tipRadius = static_cast<float>(radii.back());
+        if (axis.leafy)
+            shoot.leafy = leafyPart(axis, 0.0, axis.line.length());
         shoot.first = points.size();
         points.push_back(base);
         const std::vector<glm::dvec3>& line = axis.line.points;
@@ -258,6 +262,12 @@ private:
         points.emplace_back(line.back());
         shoot.count = points.size() - shoot.first;
         _tree.skeleton.shoots.push_back(shoot);
+    }
+
+    /// Of the part of an axis between two arc lengths.
+    static BranchPart leafyPart(const WoodAxis& axis, double from, double to) {
+        return {static_cast<float>(std::max(axis.leafy->first - from, 0.0)),
+                static_cast<float>(std::min(axis.leafy->second, to) - from)};
     }
 
     /// Whether a point is farther than `off` from the line between two others.

@@ -140,6 +140,9 @@ std::string problemOfShoots(const Skeleton& skeleton) {
     if (skeleton.shoots.size() > mostScanShoots)
         return "expected at most " + std::to_string(mostScanShoots) + " shoots, found " +
                std::to_string(skeleton.shoots.size());
+    if (!skeleton.leafyUnits.empty() && skeleton.leafyUnits.size() != skeleton.units.size())
+        return "expected a leafy part for each unit or for none, found " +
+               std::to_string(skeleton.leafyUnits.size());
     int unit = 0;
     for (std::size_t i = 0; i < skeleton.shoots.size(); ++i) {
         if (const std::string problem = problemOfShoot(skeleton, skeleton.shoots[i], unit); !problem.empty())

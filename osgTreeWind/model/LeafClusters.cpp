@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/LeafClusters.h>
 
-#include <osgTreeWind/model/PortableMath.h>
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/TreeFields.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -50,6 +50,7 @@ struct Stretch {
     std::size_t unit = 0;
     const Shoot* shoot = nullptr;
     float from = 0.0f, to = 0.0f;
+    float length = 0.0f; ///< Of the unit or the shoot.
 };
 
 float lengthOf(const Skeleton& skeleton, const Shoot& shoot) {
@@ -77,15 +78,38 @@ float radiusAbove(const Skeleton& skeleton, const std::vector<float>& length, fl
     return wood[i].first;
 }
 
+float lengthOf(const Skeleton& skeleton, std::size_t unit) {
+    float length = 0.0f;
+    for (int ring = 1; ring < skeleton.ringsPerBranch; ++ring)
+        length += glm::distance(skeleton.point(unit, ring - 1), skeleton.point(unit, ring));
+    return length;
+}
+
+/// Those that the skeleton tells.
+std::vector<Stretch> knownStretches(const Skeleton& skeleton) {
+    std::vector<Stretch> stretches;
+    const auto add = [&](std::size_t unit, const Shoot* shoot, const BranchPart& leafy, float length) {
+        stretches.push_back({unit, shoot, leafy.from, std::min(leafy.to, length), length});
+    };
+    auto shoot = skeleton.shoots.begin();
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
+        add(i, nullptr, skeleton.leafyUnits[i], lengthOf(skeleton, i));
+        for (; shoot != skeleton.shoots.end() && shoot->unit == static_cast<int>(i); ++shoot)
+            add(i, &*shoot, shoot->leafy, lengthOf(skeleton, *shoot));
+    }
+    return stretches;
+}
+
 std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParameters& p) {
+    if (!skeleton.leafyUnits.empty())
+        return knownStretches(skeleton);
     const std::vector<BranchUnit>& units = skeleton.units;
     const auto levels = static_cast<float>(std::max(lastLevelOf(skeleton) - p.firstLevel, 1));
     std::vector<float> length(units.size()), before(units.size()); // of the unit; of its branch below it
     std::vector<float> branch(units.size()); // length of the branch that begins with the unit
     std::vector<std::size_t> first(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
-        for (int ring = 1; ring < skeleton.ringsPerBranch; ++ring)
-            length[i] += glm::distance(skeleton.point(i, ring - 1), skeleton.point(i, ring));
+        length[i] = lengthOf(skeleton, i);
         first[i] = i;
         const auto parent = static_cast<std::size_t>(std::max(units[i].parent, 0));
         if (units[i].parent >= 0 && units[parent].level == units[i].level) {
@@ -110,12 +134,13 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
         if (outerness >= 0.0f) {
             stretch.from = std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i],
                                     below(units[i].baseRadius, units[i].tipRadius, length[i]));
-            stretch.to = length[i];
+            stretch.to = stretch.length = length[i];
         }
         stretches.push_back(stretch);
         for (; shoot != skeleton.shoots.end() && shoot->unit == static_cast<int>(i); ++shoot) {
             const float whole = lengthOf(skeleton, *shoot);
-            stretches.push_back({i, &*shoot, below(shoot->baseRadius, shoot->tipRadius, whole), whole});
+            stretches.push_back(
+                {i, &*shoot, below(shoot->baseRadius, shoot->tipRadius, whole), whole, whole});
         }
     }
     return stretches;
@@ -209,7 +234,7 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
         const float start = random.uniform() * glm::two_pi<float>();
         for (int i = 0; static_cast<float>(clusters.size()) * spacing < passed - 0.5f * spacing; ++i) {
             const float left = passed - (static_cast<float>(clusters.size()) + 0.5f) * spacing;
-            const float t = glm::clamp((stretch.to - left) / stretch.to, 0.0f, 1.0f);
+            const float t = glm::clamp((stretch.to - left) / stretch.length, 0.0f, 1.0f);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
             const LeafSeat seat = stretch.shoot ? seatOn(skeleton, *stretch.shoot, t, around)
                                                 : seatOn(skeleton, stretch.unit, t, around);

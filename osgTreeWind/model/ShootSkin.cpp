@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/ShootSkin.h>
 
-#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/SkinParts.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -21,6 +21,11 @@ struct BranchUnit {
     float attach = 1.0f;     ///< Where along its parent it springs, (0, 1]; 1: at its end.
 };
 
+/// A part of a branch: metres along it from its base; none if `to` is not beyond `from`.
+struct BranchPart {
+    float from = 0.0f, to = 0.0f;
+};
+
 /// A twig that is drawn and weighed and does not turn by itself: it rides on a unit.
 struct Shoot {
     int unit = 0;            ///< That bears it, itself or by other shoots.
@@ -29,6 +34,7 @@ struct Shoot {
     std::size_t count = 2;   ///< of which it has at least 2, from its base to its tip.
     float baseRadius = 0.0f; ///< Metres; linear along its points to
     float tipRadius = 0.0f;  ///< that at its tip.
+    BranchPart leafy;        ///< That bears leaves, where Skeleton::leafyUnits are known.
 };
 
 /// The rest geometry of a tree's wood as centre lines: the thesis' `verticesForLeaves` (§2.2).
@@ -43,6 +49,8 @@ struct OSGTREEWIND_EXPORT Skeleton {
     std::vector<BranchUnit> units; ///< In access order.
     std::vector<glm::vec3> points; ///< units.size() * ringsPerBranch, unit after unit, base to tip.
     std::vector<Shoot> shoots;     ///< Finer wood than the units', in the order of the units that bear it.
+    std::vector<BranchPart>
+        leafyUnits; ///< The part of each unit that bears leaves; empty: LeafParameters tell.
     std::vector<glm::vec3> shootPoints; ///< Of all shoots, shoot after shoot; metres, tree frame at rest.
 
     /// A point of a unit, from its base on; unchecked.

@@ -4,6 +4,8 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -27,6 +29,8 @@ struct WoodAxis {
     std::vector<double> radii; ///< Of each stretch of the line; none is thicker than the one before.
     double volume = 0.0;       ///< Of its wood, m^3.
     std::size_t pieces = 0;    ///< That it was measured or grown in: cylinders, metamers.
+    /// Arc lengths between which it bears leaves, where that is known; none if the second is not larger.
+    std::optional<std::pair<double, double>> leafy;
 };
 
 } // namespace osgTreeWind

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/growth/GrowTree.h>
 #include <osgTreeWind/growth/HabitNumbers.h>
-#include <osgTreeWind/model/Random.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -79,7 +79,7 @@ inline TreeHabit anyHabit(std::uint32_t seed) {
             return unit * (number.least + share * (number.most - number.least));
         };
         if (const auto* one = std::get_if<float TreeHabit::*>(&number.member))
-            habit.**one = any();
+            habit.** one = any();
         else
             for (float& each : habit.*std::get<ByOrder TreeHabit::*>(number.member))
                 each = any();

@@ -4,9 +4,9 @@
 #include <examples/osgtreewind/bench/BenchRig.h>
 #include <examples/osgtreewind/bench/BenchWood.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
 #include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/wind/GridWind.h>
 
 #include <osg/Geometry>

@@ -7,6 +7,7 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
 #include <osg/Math>
@@ -33,8 +34,8 @@ constexpr int sheetColumns = 5, sheetRows = 3, panelSamplesAcross = 3;
 /// Of a tree in a forest by the species' own laws, as high as it grows; nothing where they do not tell.
 TreeSize forestSize(Species species) {
     species.height.spread = species.crown.spread = 0.0f;
-    return species.tree.grown && species.height.scale > 0.0f
-               ? estimateSize({species.tree.grown->height, 0.0f, 0.0f}, species, false, "").size
+    return usualHeight(species) > 0.0f && species.height.scale > 0.0f
+               ? estimateSize({usualHeight(species), 0.0f, 0.0f}, species, false, "").size
                : TreeSize{};
 }
 

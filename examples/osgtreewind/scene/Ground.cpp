@@ -3,9 +3,9 @@
 
 #include <examples/osgtreewind/scene/Sky.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/places/Ground.h>
 
 #include <osg/Texture2D>

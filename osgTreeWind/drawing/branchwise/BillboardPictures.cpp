@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/BillboardPictures.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/branchwise/BillboardDrawable.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
-#include <osgTreeWind/model/Random.h>
 
 namespace osgTreeWind {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 

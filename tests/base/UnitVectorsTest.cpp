@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/model/Random.h>
-#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/base/UnitVectors.h>
 
 #include <gtest/gtest.h>
 
