@@ -19,7 +19,8 @@ void gatherGains(TreeState& tree) {
     for (std::size_t i = tree.metamers.size() - 1; i > 0; --i) {
         const Metamer& metamer = tree.metamers[i];
         Metamer& parent = tree.metamers[static_cast<std::size_t>(metamer.parent)];
-        (metamer.axis == parent.axis ? parent.mainGain : parent.sideGain) += metamer.mainGain + metamer.sideGain;
+        (metamer.axis == parent.axis ? parent.mainGain : parent.sideGain) +=
+            metamer.mainGain + metamer.sideGain;
     }
 }
 
@@ -35,7 +36,8 @@ void allotGrowth(TreeState& tree) {
         } else {
             const auto parent = static_cast<std::size_t>(metamer.parent);
             const bool goesOn = metamer.axis == tree.metamers[parent].axis;
-            metamer.share = (goesOn ? perMain[parent] : perSide[parent]) * (metamer.mainGain + metamer.sideGain);
+            metamer.share =
+                (goesOn ? perMain[parent] : perSide[parent]) * (metamer.mainGain + metamer.sideGain);
         }
         float control = tree.habit.apicalControl[TreeState::rank(metamer.order)];
         if (metamer.order == 0)

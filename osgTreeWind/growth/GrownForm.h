@@ -24,9 +24,9 @@ struct GrownMetamer {
 struct GrownForm {
     std::vector<GrownMetamer> metamers; ///< The first is the foot; parents before children.
     int years = 0;                      ///< Its age.
-    float spread = 1.0f;       ///< Vigour of its boughs over that of the habit, which gave the crown its width.
-    float heightFactor = 1.0f;          ///< By which it was stretched upwards to fit its goal.
-    float widthFactor = 1.0f;           ///< Likewise sideways.
+    float spread = 1.0f; ///< Vigour of its boughs over that of the habit, which gave the crown its width.
+    float heightFactor = 1.0f; ///< By which it was stretched upwards to fit its goal.
+    float widthFactor = 1.0f;  ///< Likewise sideways.
 };
 
 } // namespace osgTreeWind

@@ -51,7 +51,8 @@ TreeHabit clampedHabit(TreeHabit habit) {
     for (const HabitNumber& number : habitNumbers()) {
         const float unit = std::strncmp(number.unit, "degrees", 7) == 0 ? 0.017453293f : 1.0f;
         const auto bring = [&](float& value, float otherwise) {
-            value = std::isnan(value) ? otherwise : std::clamp(value, number.least * unit, number.most * unit);
+            value =
+                std::isnan(value) ? otherwise : std::clamp(value, number.least * unit, number.most * unit);
             if (number.whole)
                 value = std::floor(value + 0.5f);
         };

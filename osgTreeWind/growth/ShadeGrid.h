@@ -46,13 +46,13 @@ private:
     float _cell;
     glm::vec3 _lowest{0.0f}; ///< Centre of the first box.
     glm::ivec3 _size{2};
-    std::vector<float> _leaves, _light;                ///< By layer, row, column.
-    std::array<std::vector<float>, 17> _rays;          ///< A layer each, with a border of two boxes.
-    std::vector<float> _next;                          ///< Likewise.
-    std::array<std::vector<float>, 3> _through;        ///< Share that passes a layer, by steepness.
-    std::vector<float> _neighbourLeaves;               ///< By layer, of a box.
+    std::vector<float> _leaves, _light;         ///< By layer, row, column.
+    std::array<std::vector<float>, 17> _rays;   ///< A layer each, with a border of two boxes.
+    std::vector<float> _next;                   ///< Likewise.
+    std::array<std::vector<float>, 3> _through; ///< Share that passes a layer, by steepness.
+    std::vector<float> _neighbourLeaves;        ///< By layer, of a box.
     GrowthSite _site;
-    std::array<float, 17> _inflow{};                   ///< What comes in from the sides.
+    std::array<float, 17> _inflow{}; ///< What comes in from the sides.
 };
 
 } // namespace osgTreeWind

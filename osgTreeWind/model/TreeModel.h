@@ -21,7 +21,7 @@ struct TreeModel {
     BranchSkin skin;                                         ///< Its bark.
     std::vector<LeafCluster> leaves;                         ///< Where leaves hang.
     std::array<LeafVertex, verticesPerLeafCluster> leafMesh; ///< One cluster of them, shared.
-    std::vector<ShootWood> shootWood; ///< shootWoodOf() its skeleton.
+    std::vector<ShootWood> shootWood;                        ///< shootWoodOf() its skeleton.
     TreeExtents extents; ///< makeTreeExtents() of the above without `hanging`: measureTree(), fitTree().
     std::uint64_t identity = 0; ///< Number that only one sharedTreeModel() ever has; 0 in any other model.
 };

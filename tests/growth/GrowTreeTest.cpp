@@ -106,7 +106,8 @@ TEST(GrowTree, HasTheSizeOfItsGoal) {
                 const bool spruce = habit.whorl > 0.0f;
                 const GrowthGoal goal{height, 0.03f * height, (spruce ? 0.36f : 0.7f) * height};
                 const GrownForm form = growTree(habit, {}, goal, seed);
-                SCOPED_TRACE(testing::Message() << (spruce ? "spruce " : "oak ") << height << " m, seed " << seed);
+                SCOPED_TRACE(testing::Message()
+                             << (spruce ? "spruce " : "oak ") << height << " m, seed " << seed);
                 EXPECT_NEAR(heightOf(form) / goal.height, 1.0f, 0.03f);
                 EXPECT_NEAR(widthOf(form) / goal.crownWidth, 1.0f, 0.03f);
                 EXPECT_NEAR(form.heightFactor / form.widthFactor, 1.0f, 0.1f) << "it is distorted";
@@ -182,7 +183,8 @@ TEST(GrowTree, BranchesSpringAtTheirAngle) {
         for (const GrownMetamer& metamer : form.metamers) {
             if (metamer.order != 1 || form.metamers[static_cast<std::size_t>(metamer.parent)].order != 0)
                 continue;
-            glm::vec3 way = metamer.position - form.metamers[static_cast<std::size_t>(metamer.parent)].position;
+            glm::vec3 way =
+                metamer.position - form.metamers[static_cast<std::size_t>(metamer.parent)].position;
             way /= glm::vec3(form.widthFactor, form.widthFactor, form.heightFactor);
             sum += std::acos(static_cast<double>(glm::normalize(way).z));
             ++count;

@@ -173,11 +173,10 @@ void printScans(const Json& species) {
         const auto number = [&](const char* key) { return scan[key].get<double>(); };
         std::cout << "scan    " << species["name"].get<std::string>() << ": "
                   << scan["source"].get<std::string>() << ", " << scan["cylinders"] << " cylinders, "
-                  << scan["pruned"] << " pruned; " << scan["units"] << " units, "
-                  << scan["shoots"] << " shoots, " << std::setprecision(3)
-                  << number("height") << " m high, " << number("baseDiameter") << " m thick at the ground, "
-                  << number("woodVolume") << " of " << number("cylinderVolume") << " m3 of wood"
-                  << std::setprecision(6) << '\n';
+                  << scan["pruned"] << " pruned; " << scan["units"] << " units, " << scan["shoots"]
+                  << " shoots, " << std::setprecision(3) << number("height") << " m high, "
+                  << number("baseDiameter") << " m thick at the ground, " << number("woodVolume") << " of "
+                  << number("cylinderVolume") << " m3 of wood" << std::setprecision(6) << '\n';
     }
 }
 
