@@ -7,7 +7,7 @@ namespace osgTreeWind {
 
 AnglePrePass::AnglePrePass(const BranchwiseMotion& motion)
     : _node(new OncePerFrame), _branches("branchwise/branch_angles", motion.states()),
-      _leaves("branchwise/leaf_angles", motion.leaves().states()), _wind("wind", motion.forest().units),
+      _leaves("branchwise/leaf_angles", motion.leafStates()), _wind("wind", motion.forest().units),
       _branchParameters("branch parameters", 3 * motion.forest().units),
       _leafParameters("leaf parameters", motion.forest().leaves),
       _species("species", speciesTexels(motion.forest().description(), 0.0).size()) {
@@ -41,7 +41,7 @@ void AnglePrePass::hold() {
 
 bool AnglePrePass::readBack(BranchwiseMotion& motion) {
     if (_leaves.take(_states))
-        motion.leaves().setStates(_states);
+        motion.setLeafStates(_states);
     if (!_branches.take(_states))
         return false;
     motion.setStates(_states);
