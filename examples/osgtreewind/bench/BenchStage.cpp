@@ -5,7 +5,7 @@
 #include <examples/osgtreewind/bench/BenchWood.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+#include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/wind/GridWind.h>
 
