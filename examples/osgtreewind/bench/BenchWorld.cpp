@@ -84,8 +84,8 @@ private:
 
 } // namespace
 
-Result<BenchWorld> runBenchWorld(const std::string& name, const ForestDescription& description,
-                                 const BenchSettings& settings, BenchDriver& driver) {
+BenchWorld runBenchWorld(const std::string& name, const ForestDescription& description,
+                         const BenchSettings& settings, BenchDriver& driver) {
     BenchWorld result;
     result.forest = name;
     result.trees = description.tiles->treeCount();
@@ -95,8 +95,6 @@ Result<BenchWorld> runBenchWorld(const std::string& name, const ForestDescriptio
     const osg::ref_ptr<Forest> forest = new Forest(description);
     const TilePager* pager = pagerOf(*forest);
     OffscreenViewer drawing(settings.size.width, settings.size.height, 1);
-    if (!drawing.valid())
-        return Diagnostic{{}, 0, 0, {}, "no context to draw in"};
     osgViewer::Viewer& viewer = drawing.viewer();
     viewer.setSceneData(forest);
     osg::Camera& camera = *viewer.getCamera();

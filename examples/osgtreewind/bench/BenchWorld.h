@@ -9,7 +9,6 @@
 
 /// A flight through a forest in tiles: at 100 m/s of real time, 80 m above its trees, on an ellipse about its
 /// middle. Frames are drawn one after the other, however long they take.
-/// @param forest with tiles. @return nothing where there is no context.
-osgTreeWind::Result<BenchWorld> runBenchWorld(const std::string& name,
-                                              const osgTreeWind::ForestDescription& forest,
-                                              const BenchSettings& settings, BenchDriver& driver);
+/// @param forest with tiles.
+BenchWorld runBenchWorld(const std::string& name, const osgTreeWind::ForestDescription& forest,
+                         const BenchSettings& settings, BenchDriver& driver);

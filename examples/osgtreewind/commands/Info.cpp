@@ -214,7 +214,7 @@ void printTable(const Json& info) {
 
 } // namespace
 
-void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
+void addInfoCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("info", "Count what a forest is made of");
     auto file = std::make_shared<std::string>();
     auto trees = std::make_shared<std::string>();
@@ -225,20 +225,14 @@ void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
     auto tiles = std::make_shared<TileBox>();
     addTilesOption(*command, *tiles);
     command->footer("Example: osgtreewind info forest.treewind --json");
-    command->callback([=, &exitCode] {
-        const auto forest = loadForest(*file, *tiles);
-        if (!forest) {
-            exitCode = BadInput;
-            return;
-        }
-        const Json info = describe(*forest);
+    command->callback([=] {
+        const ForestDescription forest = loadForest(*file, *tiles);
+        const Json info = describe(forest);
         if (*json)
             std::cout << info.dump(2) << '\n';
         else
             printTable(info);
-        if (!trees->empty() && !writeTrees(*forest, *trees)) {
-            std::cerr << *trees << ": cannot be written\n";
-            exitCode = Failed;
-        }
+        if (!trees->empty() && !writeTrees(forest, *trees))
+            endUnwritten(*trees);
     });
 }

@@ -165,25 +165,18 @@ osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> waysToLook(const ForestView& vie
     return ways;
 }
 
-ExitCode show(const ViewOptions& options) {
+void show(const ViewOptions& options) {
     if (offscreenBackendName() != std::string("egl"))
-        return runOtherBackend("egl"); // windows need the system's OpenGL
+        runOtherBackend("egl"); // windows need the system's OpenGL
     auto description = readForestFile(options.file);
-    if (!description) {
-        std::cerr << linesOf(description.problems()) << '\n';
-        return BadInput;
-    }
-    for (const std::string& note : description.value().notes)
-        std::cerr << options.file << ": note: " << note << '\n';
+    if (!description)
+        throw Ending{BadInput, linesOf(description.problems())};
+    printNotes(options.file, description.value().notes);
     description.value().season = options.season.value_or(description.value().season);
     if (!description.value().ground && !description.value().tiles)
         description.value().ground = groundThroughFeet(description.value());
-    const Result<osg::ref_ptr<Forest>> made = Forest::create(std::move(description.value()));
-    if (!made) {
-        std::cerr << options.file << ": " << made.problems().front().text() << '\n';
-        return BadInput;
-    }
-    const osg::ref_ptr<Forest>& forest = made.value();
+    const osg::ref_ptr<Forest> forest =
+        valueOf(Forest::create(std::move(description.value())), BadInput, options.file);
     const Lens lens{40.0, static_cast<double>(options.width) / options.height};
     const ForestView view = firstView(*forest, lens, options.sun);
     osg::ref_ptr<ForestHandler> handler = new ForestHandler(forest);
@@ -212,18 +205,15 @@ ExitCode show(const ViewOptions& options) {
     viewer.getCamera()->setPostDrawCallback(recorder);
     viewer.setSceneData(stage.root());
     viewer.realize();
-    if (!viewer.isRealized()) {
-        std::cerr << "view: no window opens here; osgtreewind render draws pictures without one\n";
-        return Failed;
-    }
+    if (!viewer.isRealized())
+        throw Ending{Failed, "view: no window opens here; osgtreewind render draws pictures without one"};
     for (int frame = 0; !viewer.done() && (options.frames == 0 || frame < options.frames); ++frame)
         viewer.frame(handler->simulationTime(recorder->referenceTime(viewer.elapsedTime())));
-    return Succeeded;
 }
 
 } // namespace
 
-void addViewCommand(CLI::App& app, ExitCode& exitCode) {
+void addViewCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("view", "Show a forest in a window, with keys for wind and season");
     auto options = std::make_shared<ViewOptions>();
@@ -240,12 +230,12 @@ void addViewCommand(CLI::App& app, ExitCode& exitCode) {
     command->footer("In the window: h shows the keys of the forest; s statistics, f full screen, c writes a "
                     "picture,\n1, 2 and 3 are ways to look around, walk and fly, escape ends it.\n"
                     "Example: osgtreewind view forest.treewind");
-    command->callback([options, &exitCode] {
+    command->callback([options] {
         const PictureSize size = parsePictureSize(options->size, 16384);
         options->width = size.width;
         options->height = size.height;
         if (options->save.empty())
             options->save = std::filesystem::path(options->file).stem().string() + ".edited.treewind";
-        exitCode = show(*options);
+        show(*options);
     });
 }

@@ -89,9 +89,8 @@ void print(const WindSummary& summary) {
         row("note") << note << '\n';
 }
 
-/// The wind with the map place `origin` at the scene's middle, where floats are exact; else its problem is
-/// printed.
-std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& origin) {
+/// The wind with the map place `origin` at the scene's middle, where floats are exact.
+WindFile load(const WindArguments& arguments, const glm::dvec3& origin) {
     WindFileOptions options;
     options.speedUnit = arguments.unit;
     options.origin = origin;
@@ -100,12 +99,8 @@ std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& o
     options.high = glm::dvec2(1000.0);
     options.asStored = arguments.crs.empty();
     const bool alone = arguments.files.size() == 1 && arguments.times.empty();
-    Result<WindFile> wind = alone ? readWindFile(arguments.files.front(), options)
-                                  : readWindFiles(arguments.files, arguments.times, options);
-    if (wind)
-        return std::move(wind.value());
-    std::cerr << wind.problems().front().text() << '\n';
-    return {};
+    return valueOf(alone ? readWindFile(arguments.files.front(), options)
+                         : readWindFiles(arguments.files, arguments.times, options));
 }
 
 /// Seconds of a wind's own time; nothing where its file does not say when that is.
@@ -116,14 +111,13 @@ std::optional<double> secondsOf(const std::string& time, const WindSummary& summ
     return asked && start ? std::optional<double>(*asked - *start) : std::nullopt;
 }
 
-ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
+void printVelocity(const WindFile& wind, const WindArguments& arguments) {
     const std::vector<double>& at = arguments.at;
     const auto time = secondsOf(arguments.time, wind.summary);
-    if (!time) {
-        std::cerr << "--time: expected seconds, or a date and time of a file that says its own; found "
-                  << arguments.time << '\n';
-        return BadInput;
-    }
+    if (!time)
+        throw Ending{BadInput,
+                     "--time: expected seconds, or a date and time of a file that says its own; found " +
+                         arguments.time};
     const glm::dvec3 velocity = asField(wind.wind)->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, *time);
     if (!wind.covers(glm::dvec2(0.0)))
         std::cerr << arguments.files.front()
@@ -138,47 +132,39 @@ ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
                           {"notes", wind.summary.notes}}
                          .dump(2)
                   << '\n';
-        return Succeeded;
+        return;
     }
     std::cout << text(velocity, 6) << " m/s toward east, north, up\n";
-    for (const std::string& note : wind.summary.notes)
-        std::cerr << arguments.files.front() << ": note: " << note << '\n';
-    return Succeeded;
+    printNotes(arguments.files.front(), wind.summary.notes);
 }
 
-ExitCode drawPicture(const WindArguments& arguments, const WindSummary& summary) {
+void drawPicture(const WindArguments& arguments, const WindSummary& summary) {
     const glm::dvec3 corner{summary.low.x, summary.low.y, 0.0};
-    const auto wind = load(arguments, corner);
-    if (!wind)
-        return BadInput;
+    const WindFile wind = load(arguments, corner);
     const auto image =
-        drawArrows(*asField(wind->wind), summary.low - corner, summary.high - corner, summary.fastest);
-    if (osgDB::writeImageFile(*image, arguments.picture))
-        return Succeeded;
-    std::cerr << arguments.picture << ": cannot be written\n";
-    return Failed;
+        drawArrows(*asField(wind.wind), summary.low - corner, summary.high - corner, summary.fastest);
+    if (!osgDB::writeImageFile(*image, arguments.picture))
+        endUnwritten(arguments.picture);
 }
 
-ExitCode run(const WindArguments& arguments) {
+void run(const WindArguments& arguments) {
     glm::dvec3 origin(0.0);
     if (!arguments.at.empty())
         origin = {arguments.at[0], arguments.at[1], 0.0};
-    const auto wind = load(arguments, origin);
-    if (!wind)
-        return BadInput;
-    if (!arguments.at.empty()) {
-        if (const ExitCode problem = printVelocity(*wind, arguments); problem != Succeeded)
-            return problem;
-    } else if (arguments.json)
-        std::cout << toJson(wind->summary).dump(2) << '\n';
+    const WindFile wind = load(arguments, origin);
+    if (!arguments.at.empty())
+        printVelocity(wind, arguments);
+    else if (arguments.json)
+        std::cout << toJson(wind.summary).dump(2) << '\n';
     else
-        print(wind->summary);
-    return arguments.picture.empty() ? Succeeded : drawPicture(arguments, wind->summary);
+        print(wind.summary);
+    if (!arguments.picture.empty())
+        drawPicture(arguments, wind.summary);
 }
 
 } // namespace
 
-void addWindCommand(CLI::App& app, ExitCode& exitCode) {
+void addWindCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("wind", "Show what a file of wind data says, or the wind at a place");
     auto arguments = std::make_shared<WindArguments>();
@@ -215,5 +201,5 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->footer("Example: osgtreewind wind wind.vtk --at 120,40,10");
-    command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+    command->callback([arguments] { run(*arguments); });
 }

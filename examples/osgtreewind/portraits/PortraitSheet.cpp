@@ -74,8 +74,6 @@ public:
         _image->allocateImage(sheetColumns * panel, sheetRows * panel, 1, GL_RGB, GL_UNSIGNED_BYTE);
     }
 
-    bool valid() const { return _drawing.valid(); }
-
     osg::ref_ptr<osg::Image> draw(float season) {
         _drawing.viewer().getCamera()->setProjectionMatrixAsPerspective(fieldOfView, 1.0, 0.5, 10000.0);
         drawSeason("summer", midsummer, 0);
@@ -183,6 +181,5 @@ private:
 } // namespace
 
 osg::ref_ptr<osg::Image> drawPortrait(const Species& species, bool openGrown, int panel, float season) {
-    Sheet sheet(species, openGrown, panel);
-    return sheet.valid() ? sheet.draw(season) : osg::ref_ptr<osg::Image>();
+    return Sheet(species, openGrown, panel).draw(season);
 }
