@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace {
 
@@ -28,25 +27,18 @@ glm::vec3 colourOf(double share) {
     return glm::mix(colours[below], colours[below + 1], static_cast<float>(place - below));
 }
 
-class Canvas {
-public:
-    Canvas(int width, int height)
-        : _width(width), _height(height), _pixels(static_cast<std::size_t>(width * height) * 3) {}
+struct Canvas {
+    osg::ref_ptr<osg::Image> image = new osg::Image; ///< The lowest row first.
 
-    osg::ref_ptr<osg::Image> image() const {
-        osg::ref_ptr<osg::Image> image = new osg::Image;
-        image->allocateImage(_width, _height, 1, GL_RGB, GL_UNSIGNED_BYTE);
-        std::copy(_pixels.begin(), _pixels.end(), image->data());
-        return image;
+    explicit Canvas(const glm::ivec2& size) {
+        image->allocateImage(size.x, size.y, 1, GL_RGB, GL_UNSIGNED_BYTE);
     }
 
     void set(int x, int y, const glm::vec3& colour) {
-        if (x < 0 || y < 0 || x >= _width || y >= _height)
+        if (x < 0 || y < 0 || x >= image->s() || y >= image->t())
             return;
-        const auto at = static_cast<std::size_t>(y * _width + x) * 3;
         for (int i = 0; i < 3; ++i)
-            _pixels[at + static_cast<std::size_t>(i)] =
-                static_cast<unsigned char>(std::lround(255.0f * colour[i]));
+            image->data(x, y)[i] = static_cast<unsigned char>(std::lround(255.0f * colour[i]));
     }
 
     void line(const glm::vec2& from, const glm::vec2& to, const glm::vec3& colour) {
@@ -65,10 +57,6 @@ public:
         line(tip, tip - 0.3f * along + 0.18f * side, colour);
         line(tip, tip - 0.3f * along - 0.18f * side, colour);
     }
-
-private:
-    int _width, _height;
-    std::vector<unsigned char> _pixels; ///< Red, green, blue; the lowest row first.
 };
 
 } // namespace
@@ -79,7 +67,7 @@ osg::ref_ptr<osg::Image> drawArrows(const WindField& wind, const glm::dvec3& low
     const double longest = std::max({extent.x, extent.y, 1.0});
     const glm::ivec2 size = glm::clamp(glm::ivec2(glm::round(extent / longest * double(longSide))),
                                        glm::ivec2(shortSide), glm::ivec2(longSide));
-    Canvas canvas(size.x, size.y);
+    Canvas canvas(size);
     const auto windAt = [&](const glm::dvec2& pixel) {
         const glm::dvec2 share = pixel / glm::dvec2(size);
         return wind.velocity(glm::vec3(low + glm::dvec3(share * extent, 0.0)), 0.0);
@@ -95,5 +83,5 @@ osg::ref_ptr<osg::Image> drawArrows(const WindField& wind, const glm::dvec3& low
             canvas.arrow({x, y}, glm::vec2(velocity) * static_cast<float>(0.9 * arrowCell * scale),
                          glm::vec3(bright ? 0.0f : 1.0f));
         }
-    return canvas.image();
+    return canvas.image;
 }
