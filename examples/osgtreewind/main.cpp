@@ -8,7 +8,7 @@
 
 #include <iostream>
 
-CLI::Validator within(double low, double high) {
+CLI::Validator between(double low, double high) {
     const std::string range = "from " + osgTreeWind::numberText(low) + " to " + osgTreeWind::numberText(high);
     const auto problem = [low, high, range](const std::string& text) {
         const std::optional<double> number = osgTreeWind::parseNumber(text);

@@ -151,7 +151,7 @@ void addCanopyCommand(CLI::App& app) {
         ->add_option("--cell", options->cell, "DX[,DY,DZ]: size of a cell, metres; one number: of all sides")
         ->delimiter(',')
         ->required()
-        ->check(within(0.01, 1e6))
+        ->check(between(0.01, 1e6))
         ->expected(1, 3)
         ->allow_extra_args(false);
     command
@@ -159,7 +159,7 @@ void addCanopyCommand(CLI::App& app) {
                      "x0,y0,x1,y1: the part of the map that the grid covers, a whole number of cells; by "
                      "default all trees")
         ->delimiter(',')
-        ->check(within(-1e9, 1e9))
+        ->check(between(-1e9, 1e9))
         ->expected(4)
         ->allow_extra_args(false);
     command

@@ -3,6 +3,7 @@
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/TreeList.h>
 
+#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/ForestMemory.h>
@@ -42,18 +43,6 @@ Json toJson(const ScanReport& scan) {
             {"baseDiameter", scan.baseDiameter},
             {"cylinderVolume", scan.cylinderVolume},
             {"woodVolume", scan.woodVolume}};
-}
-
-const char* lawName(MotionLaw law) {
-    switch (law) {
-    case MotionLaw::Thesis:
-        return "thesis";
-    case MotionLaw::ThesisSmooth:
-        return "thesis-smooth";
-    case MotionLaw::Modal:
-        break;
-    }
-    return "modal";
 }
 
 /// The trees at rest, in world coordinates.
@@ -157,7 +146,7 @@ Json describe(const ForestDescription& forest) {
     info["origin"] = vectorJson(forest.origin);
     info["bounds"] = boundsOf(forest);
     info["wind"] = windOf(forest);
-    info["motion"] = {{"law", lawName(forest.law)}, {"gain", forest.gain}, {"noise", "perlin"}};
+    info["motion"] = {{"law", wordOf(forest.law)}, {"gain", forest.gain}, {"noise", "perlin"}};
     if (forest.noiseExponent) {
         info["motion"]["noise"] = "1/f";
         info["motion"]["noiseExponent"] = *forest.noiseExponent;

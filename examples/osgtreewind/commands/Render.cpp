@@ -179,13 +179,13 @@ void addViewOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--eye", options.eye, "Where the camera is instead: x,y,z in the scene, metres")
         ->delimiter(',')
         ->expected(3)
-        ->check(within(-1e7, 1e7));
+        ->check(between(-1e7, 1e7));
     command.add_option("--center", options.center, "Where it looks")
         ->delimiter(',')
         ->expected(3)
-        ->check(within(-1e7, 1e7));
+        ->check(between(-1e7, 1e7));
     command.add_option("--fov", options.fov, "Vertical field of view, degrees")
-        ->check(within(1.0, 170.0))
+        ->check(between(1.0, 170.0))
         ->capture_default_str();
 }
 
@@ -202,12 +202,12 @@ void addRenderCommand(CLI::App& app) {
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--fps", options->fps, "Frames a second of simulation time")
-        ->check(within(0.001, 10000.0))
+        ->check(between(0.001, 10000.0))
         ->capture_default_str();
     command
         ->add_option("--start", options->start,
                      "Simulation time of the first frame, seconds; the forest moves there from rest")
-        ->check(within(0.0, 1e6))
+        ->check(between(0.0, 1e6))
         ->capture_default_str();
     addViewOptions(*command, *options);
     addSeasonOption(*command, options->season);

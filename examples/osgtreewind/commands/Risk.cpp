@@ -154,9 +154,9 @@ void addRiskCommand(CLI::App& app) {
             "--speed", options->speed,
             "Mean wind of a storm 10 m above open country, m/s: adds the ratios of the largest moment "
             "in an hour of it to those the tree bears")
-        ->check(within(1.0, 80.0));
+        ->check(between(1.0, 80.0));
     command->add_option("--direction", options->direction, "Where the wind comes from, degrees from north")
-        ->check(within(-360.0, 360.0))
+        ->check(between(-360.0, 360.0))
         ->capture_default_str();
     command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
     addSeasonOption(*command, options->season);

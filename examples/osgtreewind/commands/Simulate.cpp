@@ -114,10 +114,10 @@ void addSimulateCommand(CLI::App& app) {
     auto options = std::make_shared<SimulateOptions>();
     command->add_option("file", options->file, "A .treewind file")->required();
     command->add_option("--duration", options->duration, "Seconds to simulate, from time 0")
-        ->check(within(0.0, 1e6))
+        ->check(between(0.0, 1e6))
         ->capture_default_str();
     command->add_option("--fps", options->fps, "Steps a second")
-        ->check(within(1e-3, 1e5))
+        ->check(between(1e-3, 1e5))
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "CSV file, or - for standard output")
         ->capture_default_str();

@@ -258,18 +258,18 @@ void addStormCommand(CLI::App& app) {
     command
         ->add_option("--spacing", options->spacing,
                      "From tree to tree of the stand, m; without it their crowns just fill the ground")
-        ->check(within(0.1, 1000.0))
+        ->check(between(0.1, 1000.0))
         ->excludes("--open");
     command
         ->add_option("--speed", options->speed,
                      "Mean wind at the top of the canopy, with --open at the top of the tree, m/s")
-        ->check(within(0.0, 80.0))
+        ->check(between(0.0, 80.0))
         ->capture_default_str();
     command->add_option("--duration", options->duration, "Seconds that count, after a minute that does not")
-        ->check(within(1.0, 1e6))
+        ->check(between(1.0, 1e6))
         ->capture_default_str();
     command->add_option("--step", options->step, "Seconds from row to row of the trace")
-        ->check(within(1e-3, 0.125))
+        ->check(between(1e-3, 0.125))
         ->capture_default_str();
     command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
     command->add_option("-o,--output", options->output,

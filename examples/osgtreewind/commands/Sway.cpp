@@ -105,7 +105,7 @@ void addSwayCommand(CLI::App& app) {
     addTreeOptions(*command, *options);
     addSeasonOption(*command, options->season);
     command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
-        ->check(within(1e-4, 0.2))
+        ->check(between(1e-4, 0.2))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print an object instead of a line");
     command->add_option(

@@ -76,14 +76,14 @@ void addTileCommand(CLI::App& app) {
         ->add_option(
             "--size", options->size,
             "Side of a tile, metres; by default 1 km or so much less that a tile has some 2,000 trees")
-        ->check(within(10, 100000));
+        ->check(between(10, 100000));
     command
         ->add_option("--range", options->range,
                      "From how far trees are there, metres; by default as far as some 50,000 are, from 1 to "
                      "5 km")
-        ->check(within(10, 100000));
+        ->check(between(10, 100000));
     command->add_option("--parallel", options->threads, "Threads; by default one for each processor")
-        ->check(within(1, 1024));
+        ->check(between(1, 1024));
     command->add_flag("--json", options->json, "Print JSON");
     command->footer("The folder holds world.treewind, which osgviewer and all commands open, and tiles/;\n"
                     "docs/worlds.md says more.\n"

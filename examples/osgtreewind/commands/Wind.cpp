@@ -186,7 +186,7 @@ void addWindCommand(CLI::App& app) {
                 "the file's heights are above")
             ->delimiter(',')
             ->expected(3)
-            ->check(within(-1e15, 1e15))
+            ->check(between(-1e15, 1e15))
             ->allow_extra_args(false);
     command
         ->add_option("--time", arguments->time,

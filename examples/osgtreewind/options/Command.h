@@ -31,7 +31,7 @@ void addViewCommand(CLI::App& app);
 void addSeasonOption(CLI::App& command, std::optional<float>& season);
 
 /// Finite numbers from `low` to `high`; CLI::Range lets "nan" through.
-CLI::Validator within(double low, double high);
+CLI::Validator between(double low, double high);
 
 /// Adds --tiles: which of a world's.
 void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles);
