@@ -12,7 +12,6 @@
 #include <osg/Geometry>
 #include <osgUtil/IntersectionVisitor>
 
-#include <cmath>
 #include <limits>
 
 using namespace osgTreeWind;

@@ -5,7 +5,6 @@
 
 #include <osgTreeWind/base/CsvTable.h>
 
-#include <optional>
 #include <string>
 
 /// A CSV file of trees, one a row. What a row or the file does not say is as it was before. What is not as it

@@ -8,8 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
-
 namespace osgTreeWind {
 
 namespace {

@@ -7,8 +7,6 @@
 
 #include <osg/Notify>
 
-#include <utility>
-
 namespace osgTreeWind {
 
 namespace {
