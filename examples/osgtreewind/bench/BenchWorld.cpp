@@ -6,11 +6,11 @@
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
 
 #include <cmath>
 #include <fstream>
-#include <unistd.h>
 
 using namespace osgTreeWind;
 
@@ -18,14 +18,6 @@ namespace {
 
 constexpr double speed = BenchWorld::speed, height = 80.0; // metres above the highest foot
 constexpr int mostFramesToFirst = 1000;
-
-/// Main memory of the process, bytes.
-double residentBytes() {
-    std::ifstream file("/proc/self/statm");
-    double total = 0.0, resident = 0.0;
-    file >> total >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 /// That the process has read by now, of files and whatever else.
 double bytesRead() {
