@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyRows.h>
 
-#include <examples/osgtreewind/canopy/CanopyFootprint.h>
 #include <examples/osgtreewind/canopy/TreeAreas.h>
-#include <examples/osgtreewind/canopy/TreeBox.h>
 
 #include <algorithm>
 #include <deque>
