@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/bench/BenchWorld.h>
+#include <examples/osgtreewind/bench/BenchReport.h>
 
 #include <examples/osgtreewind/bench/BenchClock.h>
 #include <examples/osgtreewind/bench/BenchStatistics.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/bench/BenchChart.h>
 #include <examples/osgtreewind/bench/BenchReport.h>
 #include <examples/osgtreewind/bench/BenchRun.h>
-#include <examples/osgtreewind/bench/BenchWorld.h>
 #include <examples/osgtreewind/options/Command.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
