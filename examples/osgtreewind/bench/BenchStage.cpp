@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/bench/BenchStage.h>
 
-#include <examples/osgtreewind/bench/BenchRig.h>
 #include <examples/osgtreewind/bench/BenchWood.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
