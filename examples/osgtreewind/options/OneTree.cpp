@@ -47,12 +47,12 @@ void addTreeOptions(CLI::App& command, OneTree& tree) {
     command.add_option("--species", tree.species, "Common or scientific name of a built-in species")
         ->capture_default_str();
     command.add_option("--dbh", tree.diameter, "Diameter of the trunk at breast height, cm")
-        ->check(within(0.1, 2000.0));
-    command.add_option("--height", tree.height, "Height of the tree, m")->check(within(0.1, 150.0));
+        ->check(between(0.1, 2000.0));
+    command.add_option("--height", tree.height, "Height of the tree, m")->check(between(0.1, 150.0));
     command.add_option("--crown-width", tree.crownWidth, "Mean width of the crown, m")
-        ->check(within(0.1, 150.0));
+        ->check(between(0.1, 150.0));
     command.add_flag("--open", tree.open, "It stands by itself: its crown is wider than in a forest");
     command.add_option("--leaves", tree.leaves, "Share of its leaves that it bears, 0 to 1")
-        ->check(within(0.0, 1.0))
+        ->check(between(0.0, 1.0))
         ->capture_default_str();
 }

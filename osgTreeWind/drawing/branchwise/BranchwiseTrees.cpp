@@ -70,7 +70,7 @@ void BranchwiseTrees::useLeafAngles(osg::Texture2D* texture) {
 }
 
 void BranchwiseTrees::uploadLeafAngles() {
-    _leafAngles.fill(SimulationParts::branches(*_simulation)->leaves().states());
+    _leafAngles.fill(SimulationParts::branches(*_simulation)->leafStates());
 }
 
 void BranchwiseTrees::uploadUnitPoses() {
