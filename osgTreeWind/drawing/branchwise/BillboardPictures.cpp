@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/branchwise/BillboardPictures.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
