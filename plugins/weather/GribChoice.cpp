@@ -42,12 +42,10 @@ class Chooser {
 public:
     Chooser(const std::vector<GribField>& fields, std::string file) : _file(std::move(file)) {
         for (const GribField& field : fields)
-            if (const Meaning meaning = GribMeaning::of(field); meaning.quantity != Quantity::None) {
-                if (field.momentary)
-                    _items.push_back({meaning, &field});
-                else
-                    _hasLasting = _hasLasting || meaning.quantity == Quantity::East;
-            }
+            if (const Meaning meaning = GribMeaning::of(field); !field.momentary)
+                _hasLasting = _hasLasting || meaning.quantity == Quantity::East;
+            else
+                (field.problem.empty() ? _items : _undecodable).push_back({meaning, &field});
     }
 
     Result<GribChoice> choose() {
@@ -57,6 +55,9 @@ public:
         chooseWind();
         chooseUp();
         chooseHeights();
+        for (const Item& item : _undecodable)
+            if (_problem || isAsked(item.meaning))
+                return fileProblem(_file, item.field->problem);
         if (_problem)
             return fileProblem(_file, *_problem);
         return std::move(_choice);
@@ -181,6 +182,16 @@ private:
                (item.meaning.quantity == _first || item.meaning.quantity == _second);
     }
 
+    /// Whether a field would be read, as far as its quantity and the kind of its level tell.
+    bool isAsked(const Meaning& meaning) const {
+        const Quantity quantity = meaning.quantity;
+        if (quantity == Quantity::Height)
+            return _kind != GribLevelKind::AboveGround &&
+                   (meaning.level.kind == _kind || meaning.level.kind == GribLevelKind::Surface);
+        return meaning.level.kind == _kind &&
+               (quantity == _first || quantity == _second || quantity == Quantity::Up);
+    }
+
     /// The fields of a quantity for each time and level; null where there is none.
     std::vector<const GribField*> tableOf(Quantity quantity) {
         const std::vector<double>& times = _choice.times;
@@ -290,7 +301,7 @@ private:
     }
 
     std::string _file;
-    std::vector<Item> _items;
+    std::vector<Item> _items, _undecodable;
     bool _hasLasting = false;
     Quantity _first = Quantity::East, _second = Quantity::North;
     GribLevelKind _kind = GribLevelKind::Other;
