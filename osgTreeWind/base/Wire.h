@@ -8,7 +8,9 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -37,9 +39,14 @@ public:
     static Wire sender(int descriptor) { return Wire(descriptor, true); }
     static Wire receiver(int descriptor) { return Wire(descriptor, false); }
 
-    /// A number, a struct of numbers, or a struct for which there is a bool passMembers(Wire&, T&).
+    /// A number, a struct of numbers, or a struct with parts(), a std::tie() of what passes of it.
     template <typename T>
     bool pass(T& value);
+    bool pass(bool& value);
+    template <typename First, typename Second>
+    bool pass(std::pair<First, Second>& values) {
+        return pass(values.first, values.second);
+    }
     template <typename T>
     bool pass(std::vector<T>& values);
     template <typename T>
@@ -68,8 +75,8 @@ private:
 template <typename T>
 bool Wire::send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&)) {
     Wire wire(descriptor, true);
-    unsigned char good = result.ok();
-    if (good == 1)
+    bool good = result.ok();
+    if (good)
         return wire.pass(good) && pass(wire, result.value());
     Diagnostic problem = result.problems().front();
     return wire.pass(good) && wire.pass(problem);
@@ -78,12 +85,12 @@ bool Wire::send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&)) {
 template <typename T>
 std::optional<Result<T>> Wire::receive(int descriptor, bool (*pass)(Wire&, T&)) {
     Wire wire(descriptor, false);
-    unsigned char good = 0;
+    bool good = false;
     T value;
     Diagnostic problem;
-    if (!wire.pass(good) || good > 1 || !(good == 1 ? pass(wire, value) : wire.pass(problem)))
+    if (!wire.pass(good) || !(good ? pass(wire, value) : wire.pass(problem)))
         return std::nullopt;
-    return good == 1 ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
+    return good ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
 }
 
 template <typename T>
@@ -91,17 +98,17 @@ bool Wire::pass(T& value) {
     if constexpr (std::is_trivially_copyable_v<T>)
         return passBytes(&value, sizeof value);
     else
-        return passMembers(*this, value);
+        return std::apply([this](auto&... parts) { return pass(parts...); }, value.parts());
 }
 
 template <typename T>
 bool Wire::pass(std::optional<T>& value) {
-    unsigned char is = value.has_value();
-    if (!pass(is) || is > 1)
+    bool is = value.has_value();
+    if (!pass(is))
         return false;
-    if (is == 1 && !_sends)
+    if (is && !_sends)
         value.emplace();
-    return is == 0 || pass(*value);
+    return !is || pass(*value);
 }
 
 template <typename T>

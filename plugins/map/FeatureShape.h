@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/places/CrsWay.h>
-#include <osgTreeWind/places/VectorFile.h>
+#include <osgTreeWind/places/MapMessages.h>
 
 namespace osgTreeWind {
 
