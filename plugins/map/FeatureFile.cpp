@@ -5,12 +5,12 @@
 #include <plugins/map/FeatureShape.h>
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
-#include <plugins/map/OpenOptions.h>
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
@@ -39,6 +39,22 @@ bool isOfFormat(const std::string& extension) {
             return true;
     }
     return false;
+}
+
+/// What GDAL is to be told about a file of a format as it opens it.
+const char* const* openOptions(const std::string& format) {
+    static const char* const none[] = {nullptr};
+    static const char* const gml[] = {"WRITE_GFS=NO", nullptr}; // nothing beside other people's files
+    static const char* const osm[] = {"CONFIG_FILE=/vsimem/osmTags.ini", nullptr};
+    // The tags of nodes that are columns, in the form of GDAL's osmconf.ini.
+    static std::string tags = "[points]\n"
+                              "osm_id=yes\n"
+                              "attributes=natural,species,taxon,genus,height,circumference,diameter,"
+                              "diameter_crown,ref,name,denotation,leaf_type,leaf_cycle,start_date\n";
+    if (format == "OSM")
+        VSIFCloseL(VSIFileFromMemBuffer("/vsimem/osmTags.ini", reinterpret_cast<GByte*>(tags.data()),
+                                        tags.size(), FALSE));
+    return format == "OSM" ? osm : format == "GML" ? gml : none;
 }
 
 /// The layer of an OpenStreetMap file in which trees are.
@@ -89,9 +105,8 @@ Result<FeatureFile> FeatureFile::open(const std::string& path) {
     } else {
         const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, formats, nullptr);
         file._head.format = driver ? GDALGetDriverShortName(driver) : "";
-        const OpenOptions options(file._head.format);
         if (void* data = GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                    formats, options.list(), nullptr))
+                                    formats, openOptions(file._head.format), nullptr))
             file._data.reset(data, [](void* opened) { GDALClose(opened); });
     }
     if (!file._data || !errors.text().empty())

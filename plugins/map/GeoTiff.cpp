@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/map/GeoTiff.h>
-
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/places/MapCells.h>
 
 #include <cpl_string.h>
 #include <gdal.h>
@@ -78,7 +77,7 @@ bool readRows(GDALRasterBandH band, MapCells& cells) {
 
 } // namespace
 
-Result<MapCells> readTiffCells(const std::string& path) {
+Result<MapCells> readGeoTiffCells(const std::string& path) {
     registerGdal();
     const GdalErrors errors;
     const char* const drivers[] = {"GTiff", nullptr};
