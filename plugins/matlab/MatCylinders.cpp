@@ -49,7 +49,7 @@ MatCylinders::Column MatCylinders::column(const Arrays& arrays, const char* name
 double MatCylinders::number(const Column& column, std::size_t row, std::size_t i,
                             const ScanMeasure& measure) {
     const double value = column.values[row + i * _rows];
-    if (!measure.contains(value))
+    if (!measure.range.contains(value))
         fail(column, row, expectedFound(measure.what, numberText(value)), i);
     return value;
 }
@@ -72,7 +72,7 @@ ScanCylinder MatCylinders::cylinder(std::size_t row) {
 }
 
 int MatCylinders::parent(std::size_t row) {
-    const ScanMeasure measure{"the number of a cylinder as parent, or 0", 0.0, maxScanCylinders};
+    const ScanMeasure measure{"the number of a cylinder as parent, or 0", within(0.0, maxScanCylinders)};
     const double parent = number(_parent, row, 0, measure);
     if (!_problem.message.empty())
         return 0;
