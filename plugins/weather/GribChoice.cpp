@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/GribChoice.h>
 
-#include <plugins/weather/GribTime.h>
-
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ struct Item {
 };
 
 std::string textOf(Quantity quantity, const GribLevel& level, double time) {
-    return nameOf(quantity) + " at " + nameOf(level) + " at " + GribTime::text(time);
+    return nameOf(quantity) + " at " + nameOf(level) + " at " + isoTimeText(time);
 }
 
 /// One kind of level upward; its order by numbers.

@@ -3,13 +3,14 @@
 
 #include <plugins/weather/GribHandle.h>
 #include <plugins/weather/GribMeaning.h>
-#include <plugins/weather/GribTime.h>
 
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <optional>
 
@@ -60,21 +61,38 @@ double valueOf(const GribLevel& level, const GribHandle& handle, int edition) {
     return value ? static_cast<double>(*value) * std::pow(10.0, -static_cast<double>(scale)) : 0.0;
 }
 
+/// Seconds of a unit of time; nothing for months, years and what is unknown.
+std::optional<double> secondsOfUnit(int edition, int unit) {
+    struct Unit {
+        int edition, number; // edition 0: both
+        double seconds;
+    };
+    constexpr Unit units[] = {{0, 0, 60.0},     {0, 1, 3600.0},   {0, 2, 86400.0}, {0, 10, 10800.0},
+                              {0, 11, 21600.0}, {0, 12, 43200.0}, {1, 13, 900.0},  {1, 14, 1800.0},
+                              {1, 254, 1.0},    {2, 13, 1.0}};
+    for (const Unit& each : units)
+        if (each.number == unit && (each.edition == 0 || each.edition == edition))
+            return each.seconds;
+    return std::nullopt;
+}
+
 constexpr int analysis = 1, ofP1 = 0, ofTwoOctets = 10; // time ranges of edition 1
 
 /// Sets what its times are. False for a date that does not exist.
 bool readTimes(const GribHandle& handle, GribField& field) {
     const auto part = [&](const char* key) { return static_cast<int>(handle.whole(key).value_or(0)); };
     const int date = part("dataDate");
-    const auto reference = GribTime::secondsOf(
-        {date / 10000, date / 100 % 100, date % 100, part("hour"), part("minute"), part("second")});
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "%04d-%02d-%02dT%02d:%02d:%02dZ", date / 10000, date / 100 % 100,
+                  date % 100, part("hour"), part("minute"), part("second"));
+    const auto reference = parseIsoTime(text.data());
     if (!reference)
         return false;
     field.reference = field.valid = *reference;
     if (!field.momentary)
         return true;
     const int edition = field.parameter.edition, range = part("timeRangeIndicator");
-    const auto unit = GribTime::secondsOfUnit(edition, part("indicatorOfUnitOfTimeRange"));
+    const auto unit = secondsOfUnit(edition, part("indicatorOfUnitOfTimeRange"));
     field.momentary = unit || (edition == 1 && range == analysis);
     if (unit && edition == 2)
         field.valid += *unit * part("forecastTime");

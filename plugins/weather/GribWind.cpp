@@ -4,9 +4,9 @@
 #include <plugins/weather/GribChoice.h>
 #include <plugins/weather/GribHeights.h>
 #include <plugins/weather/GribNumbers.h>
-#include <plugins/weather/GribTime.h>
 #include <plugins/weather/TurnToMap.h>
 
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/WindDirection.h>
@@ -75,7 +75,7 @@ public:
         WindSummary& summary = _content.summary;
         summary.format = "GRIB" + std::to_string(first().parameter.edition);
         summary.unit = "m/s";
-        summary.start = GribTime::text(_choice.times.front());
+        summary.start = isoTimeText(_choice.times.front());
         for (const double time : _choice.times)
             if (_choice.times.size() > 1)
                 _grid.times.push_back(time - _choice.times.front());
