@@ -15,7 +15,9 @@ constexpr std::string_view figures = "0123456789";
 /// Whether a text looks so: 0 stands for any digit, T for that letter or a blank.
 bool looksLike(std::string_view text, std::string_view form) {
     return std::equal(text.begin(), text.end(), form.begin(), form.end(), [](char c, char like) {
-        const std::string_view choices = like == '0' ? figures : like == 'T' ? "Tt " : std::string_view(&like, 1);
+        const std::string_view choices = like == '0'   ? figures
+                                         : like == 'T' ? "Tt "
+                                                       : std::string_view(&like, 1);
         return choices.find(c) != std::string_view::npos;
     });
 }
@@ -71,7 +73,8 @@ std::optional<double> parseIsoTime(std::string_view text) {
         return std::nullopt;
     if (!exists || !minutes || !seconds || !zone)
         return std::nullopt;
-    return static_cast<double>(midnight) + 60.0 * (*minutes - (rest.substr(0, 1) == "-" ? -*zone : *zone)) + *seconds;
+    return static_cast<double>(midnight) + 60.0 * (*minutes - (rest.substr(0, 1) == "-" ? -*zone : *zone)) +
+           *seconds;
 }
 
 std::string isoTimeText(double seconds) {

@@ -53,7 +53,8 @@ Result<T> readBy(const ReaderProgram& reader, const std::vector<std::string>& co
     auto answer = process.started() ? Wire::receive<T>(process.descriptor()) : std::nullopt;
     if (answer)
         return std::move(*answer);
-    const std::string what = process.started() ? std::string("the ") + reader.format + " file is damaged: " : "";
+    const std::string what =
+        process.started() ? std::string("the ") + reader.format + " file is damaged: " : "";
     return fileProblem(command.front(), what + process.problem());
 }
 

@@ -89,8 +89,8 @@ void VectorFile::rewind(const CrsWay& way, std::vector<std::size_t> columns) {
     }
     _batch = {};
     _index = 0;
-    const auto done = _program->ask<MapDone>(
-        {Task::RewindFeatures, {_way.from().text(), _way.to().text()}, {}, _columns});
+    const auto done =
+        _program->ask<MapDone>({Task::RewindFeatures, {_way.from().text(), _way.to().text()}, {}, _columns});
     if (done)
         ask();
     else

@@ -14,8 +14,8 @@ bool isMatlab(std::string_view head) {
 }
 
 Result<ScanFile> readMatlab(const std::string& path) {
-    Result<ScanFile> scan = readBy<ScanFile>(
-        {"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"}, {path, "trees"});
+    Result<ScanFile> scan =
+        readBy<ScanFile>({"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"}, {path, "trees"});
     for (std::size_t tree = 0; scan && tree < scan.value().trees.size(); ++tree)
         if (auto unsound = problemOfScan(scan.value().trees[tree])) {
             const std::string of = "tree " + std::to_string(tree + 1);

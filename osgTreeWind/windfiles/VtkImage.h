@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/windfiles/ByteOrder.h>
 #include <osgTreeWind/windfiles/WindContent.h>
 
@@ -33,5 +34,18 @@ WindContent windOfVtk(VtkImage&& image, const std::string& format);
 
 /// The numbers in `bytes` as floats. @param wide 8 bytes each, else 4.
 std::vector<float> floatsOf(std::string_view bytes, bool wide, ByteOrder order);
+
+/// How the arrays of a VTK XML file are packed. Not part of the interface.
+struct VtkPacking {
+    ByteOrder order = ByteOrder::Little;
+    bool wideHeader = false; ///< UInt64 before the data, else UInt32.
+    bool zlib = false;
+    bool base64 = false;
+};
+
+/// The bytes of one array, exactly `size` of them, or what is wrong (a message only). No memory is asked for
+/// that the packed bytes could not fill.
+/// @param packed from the array's first byte on; more may follow.
+Result<std::string> unpackVtk(std::string_view packed, const VtkPacking& packing, double size);
 
 } // namespace osgTreeWind

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/TextTokens.h>
 #include <osgTreeWind/windfiles/VtkImage.h>
-#include <osgTreeWind/windfiles/VtkXmlData.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <osgTreeWind/base/Number.h>

@@ -270,7 +270,8 @@ private:
             field.momentary = range == analysis || range == ofP1 || range == ofTwoOctets;
             type = octet(1, 9);
         } else {
-            constexpr int lastMomentary = 2; // templates: a forecast, that of a member, one made of all members
+            constexpr int lastMomentary =
+                2; // templates: a forecast, that of a member, one made of all members
             field.parameter = {2, 0, octet(0, 6), octet(4, 9), octet(4, 10)};
             field.momentary = octet(4, 7) == 0 && octet(4, 8) <= lastMomentary;
             type = octet(4, 22);

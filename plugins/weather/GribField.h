@@ -51,9 +51,9 @@ struct GribField {
     std::string problem; ///< Why it cannot be decoded, its times, level and grid neither; empty: it can.
 };
 
-/// The fields of a file of GRIB, both editions, in its order, that GribMeaning knows; what is between messages
-/// is skipped. A message that is cut, or whose sections contradict its length, is a problem that names it and
-/// its byte. One that ecCodes cannot decode is a problem for those only who need it.
+/// The fields of a file of GRIB, both editions, in its order, that GribMeaning knows; what is between
+/// messages is skipped. A message that is cut, or whose sections contradict its length, is a problem that
+/// names it and its byte. One that ecCodes cannot decode is a problem for those only who need it.
 /// @param bytes of the file, to which the fields refer.
 Result<std::vector<GribField>> readGribFields(std::string_view bytes, const std::string& file);
 

@@ -11,7 +11,6 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
-#include <osgTreeWind/windfiles/GridPart.h>
 
 #include <cmath>
 #include <limits>

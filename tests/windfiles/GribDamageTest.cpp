@@ -222,8 +222,8 @@ TEST(GribDamage, OnlyMessagesThatAreAskedForHaveToBeDecoded) {
     const std::string wind = messageOf({}) + messageOf(northwardOf({}));
     for (const std::string& other :
          {onGrid999(messageOf(temperature)), packedOtherwise(messageOf(temperature)),
-          secondOrder(messageOf(temperature1)), inMonth13(messageOf(temperature)), onGrid999(messageOf(gusts)),
-          onGrid999(messageOf(isobaric)), packedOtherwise(messageOf(height))}) {
+          secondOrder(messageOf(temperature1)), inMonth13(messageOf(temperature)),
+          onGrid999(messageOf(gusts)), onGrid999(messageOf(isobaric)), packedOtherwise(messageOf(height))}) {
         EXPECT_EQ(problemOfGrib(wind + other), "");
         EXPECT_EQ(problemOfGrib(other + wind), "");
     }
@@ -232,10 +232,10 @@ TEST(GribDamage, OnlyMessagesThatAreAskedForHaveToBeDecoded) {
     const std::string place = "message 3, at byte " + std::to_string(wind.size()) + ": ";
     EXPECT_EQ(problemOfGrib(wind + onGrid999(messageOf(high))),
               place + "ecCodes cannot decode its grid, of template 999");
-    EXPECT_EQ(problemOfGrib(messageOf(isobaric) + messageOf(northwardOf(isobaric)) +
-                            onGrid999(messageOf(height))),
-              "message 3, at byte " + std::to_string(wind.size()) +
-                  ": ecCodes cannot decode its grid, of template 999");
+    EXPECT_EQ(
+        problemOfGrib(messageOf(isobaric) + messageOf(northwardOf(isobaric)) + onGrid999(messageOf(height))),
+        "message 3, at byte " + std::to_string(wind.size()) +
+            ": ecCodes cannot decode its grid, of template 999");
 }
 
 TEST(GribDamage, NumbersThatAreNotWhatTheirSectionSaysAreRefused) {
