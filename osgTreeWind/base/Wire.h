@@ -19,21 +19,12 @@ namespace osgTreeWind {
 /// it in at the other; false when there is nobody there, or what comes makes no sense.
 class Wire {
 public:
-    /// Sends a value, or what is wrong, to a file descriptor. @param pass of the members of a value.
+    /// Sends a value, or what is wrong, to a file descriptor.
     template <typename T>
-    static bool send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&));
+    static bool send(int descriptor, Result<T>& result);
     /// Reads what send() wrote: nothing where it ends too early or makes no sense.
     template <typename T>
-    static std::optional<Result<T>> receive(int descriptor, bool (*pass)(Wire&, T&));
-    /// The same of a value that pass() takes.
-    template <typename T>
-    static bool send(int descriptor, Result<T>& result) {
-        return send<T>(descriptor, result, [](Wire& wire, T& value) { return wire.pass(value); });
-    }
-    template <typename T>
-    static std::optional<Result<T>> receive(int descriptor) {
-        return receive<T>(descriptor, [](Wire& wire, T& value) { return wire.pass(value); });
-    }
+    static std::optional<Result<T>> receive(int descriptor);
 
     /// One that sends values, for those who send one after another.
     static Wire sender(int descriptor) { return Wire(descriptor, true); }
@@ -73,22 +64,22 @@ private:
 };
 
 template <typename T>
-bool Wire::send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&)) {
+bool Wire::send(int descriptor, Result<T>& result) {
     Wire wire(descriptor, true);
     bool good = result.ok();
     if (good)
-        return wire.pass(good) && pass(wire, result.value());
+        return wire.pass(good) && wire.pass(result.value());
     Diagnostic problem = result.problems().front();
     return wire.pass(good) && wire.pass(problem);
 }
 
 template <typename T>
-std::optional<Result<T>> Wire::receive(int descriptor, bool (*pass)(Wire&, T&)) {
+std::optional<Result<T>> Wire::receive(int descriptor) {
     Wire wire(descriptor, false);
     bool good = false;
     T value;
     Diagnostic problem;
-    if (!wire.pass(good) || !(good ? pass(wire, value) : wire.pass(problem)))
+    if (!wire.pass(good) || !(good ? wire.pass(value) : wire.pass(problem)))
         return std::nullopt;
     return good ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
 }
