@@ -68,15 +68,10 @@ private:
             _problem = message;
     }
 
-    bool has(Quantity quantity, GribLevelKind kind) const {
+    bool has(Quantity quantity, std::optional<GribLevelKind> kind = {}) const {
         return std::any_of(_items.begin(), _items.end(), [&](const Item& item) {
-            return item.meaning.quantity == quantity && item.meaning.level.kind == kind;
+            return item.meaning.quantity == quantity && (!kind || item.meaning.level.kind == *kind);
         });
-    }
-
-    bool has(Quantity quantity) const {
-        return std::any_of(_items.begin(), _items.end(),
-                           [&](const Item& item) { return item.meaning.quantity == quantity; });
     }
 
     bool isPair(GribLevelKind kind) const { return has(_first, kind) && has(_second, kind); }
