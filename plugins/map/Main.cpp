@@ -64,10 +64,8 @@ public:
             return send(readGeoTiffCells(first));
         case Task::KnowFeatures:
             return send(Result<bool>(FeatureFile::knows(first)));
-        case Task::WriteTable: {
-            PointTable table;
-            return Wire::receiver(_descriptor).pass(table) && send(done(writeGeoPackage(table, first)));
-        }
+        case Task::WriteTable:
+            return send(done(writeGeoPackage(question.table.value_or(PointTable()), first)));
         default:
             return answerOfFeatures(question, first, second);
         }
