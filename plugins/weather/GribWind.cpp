@@ -11,48 +11,20 @@
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
+#include <cpl_virtualmem.h>
+#include <cpl_vsi.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
-
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <system_error>
 
 namespace osgTreeWind {
 
 namespace {
-
-/// The bytes of a file, without a copy.
-class MappedFile {
-public:
-    explicit MappedFile(const std::string& path) {
-        const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        struct stat about {};
-        if (file >= 0 && fstat(file, &about) == 0 && about.st_size > 0) {
-            _size = static_cast<std::size_t>(about.st_size);
-            _bytes = mmap(nullptr, _size, PROT_READ, MAP_PRIVATE, file, 0);
-        }
-        if (file >= 0)
-            close(file);
-    }
-    MappedFile(const MappedFile&) = delete;
-    MappedFile& operator=(const MappedFile&) = delete;
-    ~MappedFile() {
-        if (good())
-            munmap(_bytes, _size);
-    }
-
-    bool good() const { return _bytes != MAP_FAILED; }
-    std::string_view bytes() const { return {static_cast<const char*>(_bytes), _size}; }
-
-private:
-    void* _bytes = MAP_FAILED;
-    std::size_t _size = 0;
-};
 
 constexpr float leastStep = 0.01f; // metres; floats tell it apart up to 100 km
 
@@ -341,16 +313,22 @@ private:
 } // namespace
 
 Result<WindContent> readGribWind(const std::string& path, const WindRequest& request) {
-    const MappedFile file(path);
-    if (!file.good())
+    const std::unique_ptr<VSILFILE, decltype(&VSIFCloseL)> file(VSIFOpenL(path.c_str(), "rb"), &VSIFCloseL);
+    std::error_code ignored;
+    const auto size = std::filesystem::file_size(path, ignored);
+    const std::unique_ptr<CPLVirtualMem, decltype(&CPLVirtualMemFree)> memory( // without a copy
+        file ? CPLVirtualMemFileMapNew(file.get(), 0, size, VIRTUALMEM_READONLY, nullptr, nullptr) : nullptr,
+        &CPLVirtualMemFree);
+    if (!memory)
         return fileProblem(path, "cannot be read");
-    const auto fields = readGribFields(file.bytes(), path);
+    const auto fields =
+        readGribFields({static_cast<const char*>(CPLVirtualMemGetAddr(memory.get())), size}, path);
     if (!fields)
         return fields.problems();
     const Result<GribChoice> choice = chooseGribWind(fields.value(), path);
     if (!choice)
         return choice.problems();
-    return GribReader(path, static_cast<double>(file.bytes().size()), choice.value(), request).read();
+    return GribReader(path, static_cast<double>(size), choice.value(), request).read();
 }
 
 } // namespace osgTreeWind
