@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/ReaderProcess.h>
 
-#include <osgTreeWind/base/Problem.h>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -113,20 +111,6 @@ void ReaderProcess::close() {
 std::string ReaderProcess::problem() {
     close();
     return _startProblem.empty() ? _end : _startProblem;
-}
-
-std::optional<Diagnostic> runReader(const ReaderProgram& reader, const std::string& path,
-                                    const std::vector<std::string>& wanted,
-                                    const std::function<bool(int)>& receive) {
-    std::vector<std::string> command = {path};
-    command.insert(command.end(), wanted.begin(), wanted.end());
-    ReaderProcess process(reader, command);
-    const bool started = process.descriptor() >= 0;
-    if (started && receive(process.descriptor()))
-        return {};
-    return fileProblem(path, started ? "the " + std::string(reader.format) +
-                                           " file is damaged: " + process.problem()
-                                     : process.problem());
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of Crs and CrsWay what PROJ has to know, as the library has it: it asks osgtreewind-map. In that program
-// and in osgtreewind-weather plugins/map/CrsByGdal.cpp stands in place of this.
+// What GDAL and PROJ have to do, as the library has it: it asks osgtreewind-map. In that program and in
+// osgtreewind-weather files of plugins/map stand in place of this.
 #include <osgTreeWind/places/CrsWay.h>
 #include <osgTreeWind/places/MapProgram.h>
 
@@ -48,6 +48,18 @@ void CrsWay::go(std::vector<glm::dvec2>& places) const {
         places = std::move(there.value());
     else
         places.assign(places.size(), glm::dvec2(std::numeric_limits<double>::quiet_NaN()));
+}
+
+Result<GridMapping> gridMappingOf(const Crs& map) {
+    return MapProgram::shared()->ask<GridMapping>({Task::DescribeMap, {map.text()}});
+}
+
+Result<MapCells> readGeoTiffCells(const std::string& path) {
+    return MapProgram({path}).ask<MapCells>({Task::ReadCells, {path}});
+}
+
+Diagnostics writeGeoPackage(PointTable table, const std::string& path) {
+    return MapProgram({path}).ask<MapDone>({Task::WriteTable, {path}, {}, {}, std::move(table)}).problems();
 }
 
 } // namespace osgTreeWind
