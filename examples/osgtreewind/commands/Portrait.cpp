@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/options/Offscreen.h>
+#include <examples/osgtreewind/options/OneTree.h>
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/portraits/PortraitMotion.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
@@ -38,22 +39,6 @@ struct PortraitOptions {
 /// What it is shown grown in.
 const char* companyOf(const PortraitOptions& options) {
     return options.forest ? "a forest" : "the open";
-}
-
-/// A built-in species, or FILE.treewind:name.
-Species speciesCalled(const std::string& name) {
-    const std::size_t colon = name.rfind(".treewind:");
-    if (colon == std::string::npos) {
-        if (const std::optional<Species> species = findSpecies(name))
-            return *species;
-        throw Ending{BadInput, "no built-in species \"" + name + "\"; osgtreewind sway --list names them"};
-    }
-    const std::string file = name.substr(0, colon + 9), own = name.substr(colon + 10);
-    const ForestDescription forest = loadForest(file);
-    for (const Species& species : forest.species)
-        if (species.name == own)
-            return species;
-    throw Ending{BadInput, file + ": no species \"" + own + "\""};
 }
 
 Json toJson(const Species& species, const TreeLooks& looks) {

@@ -39,8 +39,8 @@ struct StormJob {
     Species species;
     TreePlacement tree;
 
-    explicit StormJob(const StormOptions& given)
-        : options(given), species(given.kind()), tree(options.grown(species)) {
+    StormJob(const StormOptions& given, Species kind)
+        : options(given), species(std::move(kind)), tree(options.grown(species)) {
         if (options.spacing == 0.0) // their crowns are as large as the ground: sqrt(pi / 4)
             options.spacing = 0.886 * options.crownWidth;
     }
@@ -157,7 +157,7 @@ void print(const Json& storm) {
 }
 
 void storm(const StormOptions& options) {
-    const StormJob job(options);
+    const StormJob job(options, speciesCalled(options.species));
     std::FILE* trace = options.output.empty() ? nullptr : std::fopen(options.output.c_str(), "w");
     if (!options.output.empty() && !trace)
         endUnwritten(options.output);
@@ -229,7 +229,7 @@ void stormTable(const StormOptions& usual) {
         table.read(row, options);
         table.read(row, "spacing_m", 0.1, 1000.0, options.spacing);
         table.read(row, "speed_ms", 0.0, 80.0, options.speed);
-        jobs.emplace_back(options);
+        jobs.emplace_back(options, table.species(row, options));
         ids.push_back(table.hasIds() ? csvCell(table.id(row)) + ',' : "");
     }
     std::vector<std::string> rows(jobs.size());

@@ -69,7 +69,7 @@ void printLines(const SwayOptions& options, const Species& species, const FreeSw
 }
 
 void sway(SwayOptions options) {
-    const Species species = options.kind();
+    const Species species = speciesCalled(options.species);
     const TreePlacement tree = treeOf(options, species);
     const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
     if (!free)
@@ -84,7 +84,7 @@ void swayTable(const SwayOptions& usual) {
     for (const CsvTable::Row& row : table.rows()) {
         SwayOptions options = usual;
         table.read(row, options);
-        const Species species = options.kind();
+        const Species species = table.species(row, options);
         const TreePlacement tree = treeOf(options, species);
         const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
         std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,

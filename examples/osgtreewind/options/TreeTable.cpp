@@ -31,6 +31,14 @@ void TreeTable::read(const CsvTable::Row& row, OneTree& tree) const {
         tree.species = *name;
 }
 
+Species TreeTable::species(const CsvTable::Row& row, const OneTree& tree) const {
+    try {
+        return speciesCalled(tree.species);
+    } catch (const Ending& ending) {
+        throw Ending{ending.exitCode, _csv.file + ':' + std::to_string(row.line) + ": " + ending.why};
+    }
+}
+
 void TreeTable::read(const CsvTable::Row& row, const char* column, double low, double high,
                      double& value) const {
     if (!cell(row, column))

@@ -18,6 +18,8 @@ public:
     /// species, dbh_cm, height_m, crown_width_m, open and leaves, or in metres as `info --trees` writes them:
     /// trunk_diameter, height, crown_width.
     void read(const osgTreeWind::CsvTable::Row& row, OneTree& tree) const;
+    /// The species that a tree of that row is said to be. One that is unknown ends the command.
+    osgTreeWind::Species species(const osgTreeWind::CsvTable::Row& row, const OneTree& tree) const;
     /// The number in a column.
     void read(const osgTreeWind::CsvTable::Row& row, const char* column, double low, double high,
               double& value) const;
