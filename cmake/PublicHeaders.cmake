@@ -26,6 +26,10 @@ set(public_headers
     osgTreeWind/io/ForestStream.h
     osgTreeWind/io/SpeciesCatalogue.h
     osgTreeWind/io/TiledForest.h
+    osgTreeWind/growth/GrowthGoal.h
+    osgTreeWind/growth/GrowthParameters.h
+    osgTreeWind/growth/GrowthSite.h
+    osgTreeWind/growth/TreeHabit.h
     osgTreeWind/model/GrownTreeParameters.h
     osgTreeWind/model/ScannedTree.h
     osgTreeWind/model/Skeleton.h

@@ -96,6 +96,9 @@ private:
             else
                 (*member)[axis] = any.number<T>();
         }
+        void operator()(std::array<float, 4>* member) const {
+            (*member)[any.below(4)] = numberOf(any.number<float>());
+        }
         void operator()(std::string* member) const { *member = any.text(); }
         template <typename T>
         void operator()(std::vector<T>* member) const {

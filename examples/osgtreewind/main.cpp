@@ -2,12 +2,13 @@
 #include <examples/osgtreewind/options/Command.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 
 #include <iostream>
 
-CLI::Validator within(double low, double high) {
+CLI::Validator between(double low, double high) {
     const std::string range = "from " + osgTreeWind::numberText(low) + " to " + osgTreeWind::numberText(high);
     const auto problem = [low, high, range](const std::string& text) {
         const std::optional<double> number = osgTreeWind::parseNumber(text);
@@ -49,42 +50,43 @@ namespace {
 /// How far trees shelter each other in a world that does not say how far its stands reach, metres.
 constexpr double usualShelter = 200.0;
 
-std::optional<ForestPart> load(const std::string& file, const osgTreeWind::TileBox& tiles,
-                               bool withThoseAround) {
+ForestPart load(const std::string& file, const osgTreeWind::TileBox& tiles, bool withThoseAround) {
     osgTreeWind::Result<osgTreeWind::ForestDescription> forest = osgTreeWind::readForestFile(file);
-    if (!forest) {
-        std::cerr << linesOf(forest.problems()) << '\n';
-        return {};
-    }
+    if (!forest)
+        throw Ending{BadInput, linesOf(forest.problems())};
     const auto canopy = forest.value().wind.canopy.value_or(osgTreeWind::WindCanopy());
     const double shelter = canopy.reach > 0.0 ? shelterReach(canopy) : usualShelter;
     const auto wanted = loadTiles(forest.value(), tiles, withThoseAround ? shelter : 0.0);
-    if (!wanted) {
-        std::cerr << linesOf(wanted.problems()) << '\n';
-        return {};
-    }
-    for (const std::string& note : forest.value().notes)
-        std::cerr << file << ": note: " << note << '\n';
-    return ForestPart{std::move(forest.value()), wanted.value()};
+    if (!wanted)
+        throw Ending{BadInput, linesOf(wanted.problems())};
+    printNotes(file, forest.value().notes);
+    return {std::move(forest.value()), wanted.value()};
 }
 
 } // namespace
 
-std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles) {
+void printNotes(const std::string& file, const std::vector<std::string>& notes) {
+    for (const std::string& note : notes)
+        std::cerr << file << ": note: " << note << '\n';
+}
+
+void checkIsFree(const std::string& output) {
+    if (osgTreeWind::WholeFile(output).isTaken())
+        throw Ending{BadInput,
+                     "--output: expected a file or nothing yet at " + output + ", found something else"};
+}
+
+ForestPart loadPart(const std::string& file, const osgTreeWind::TileBox& tiles) {
     return load(file, tiles, true);
 }
 
-std::optional<osgTreeWind::ForestDescription> loadForest(const std::string& file,
-                                                         const osgTreeWind::TileBox& tiles, bool withNodes) {
-    std::optional<ForestPart> part = load(file, tiles, false);
-    if (!part)
-        return {};
-    const std::string problem = withNodes ? osgTreeWind::problemOfMemory(part->forest, true) : std::string();
-    if (!problem.empty()) {
-        std::cerr << file << ": " << problem << '\n';
-        return {};
-    }
-    return std::move(part->forest);
+osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTreeWind::TileBox& tiles,
+                                          bool withNodes) {
+    ForestPart part = load(file, tiles, false);
+    const std::string problem = withNodes ? osgTreeWind::problemOfMemory(part.forest, true) : std::string();
+    if (!problem.empty())
+        throw Ending{BadInput, file + ": " + problem};
+    return std::move(part.forest);
 }
 
 int main(int argc, char** argv) {
@@ -93,21 +95,20 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "osgtreewind " OSGTREEWIND_VERSION);
     app.require_subcommand(1);
 
-    ExitCode exitCode = Succeeded;
-    addInfoCommand(app, exitCode);
-    addValidateCommand(app, exitCode);
-    addRenderCommand(app, exitCode);
-    addSimulateCommand(app, exitCode);
-    addSwayCommand(app, exitCode);
-    addStormCommand(app, exitCode);
-    addRiskCommand(app, exitCode);
-    addPortraitCommand(app, exitCode);
-    addBenchCommand(app, exitCode);
-    addWindCommand(app, exitCode);
-    addCanopyCommand(app, exitCode);
-    addTileCommand(app, exitCode);
-    addMergeCommand(app, exitCode);
-    addViewCommand(app, exitCode);
+    addInfoCommand(app);
+    addValidateCommand(app);
+    addRenderCommand(app);
+    addSimulateCommand(app);
+    addSwayCommand(app);
+    addStormCommand(app);
+    addRiskCommand(app);
+    addPortraitCommand(app);
+    addBenchCommand(app);
+    addWindCommand(app);
+    addCanopyCommand(app);
+    addTileCommand(app);
+    addMergeCommand(app);
+    addViewCommand(app);
     app.footer("Examples:\n"
                "  osgtreewind info forest.treewind --json\n"
                "  osgtreewind render forest.treewind -o forest.png --size 1280x720 --start 3\n"
@@ -123,6 +124,9 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? Succeeded : BadInput;
+    } catch (const Ending& ending) {
+        std::cerr << ending.why << '\n';
+        return ending.exitCode;
     } catch (const std::exception& error) { // no memory for a picture of this size, for one
         std::cerr << "osgtreewind: " << error.what() << '\n';
         return Failed;
@@ -131,5 +135,5 @@ int main(int argc, char** argv) {
         std::cerr << "standard output: cannot be written\n";
         return Failed;
     }
-    return exitCode;
+    return Succeeded;
 }

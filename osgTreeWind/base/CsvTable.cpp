@@ -2,8 +2,10 @@
 #include <osgTreeWind/base/CsvTable.h>
 
 #include <osgTreeWind/base/CsvReader.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/base/Text.h>
 
 #include <algorithm>
@@ -91,6 +93,44 @@ Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char
     if (table)
         table.value().rows = std::move(rows);
     return table;
+}
+
+double CsvCells::number(std::size_t column, const Range& range, const char* what) {
+    const std::optional<double> number = parseNumber(text(column));
+    if (number && range.contains(*number))
+        return *number;
+    expect(column, what ? what : "a number " + range.text());
+    return 0.0;
+}
+
+void CsvCells::expect(std::size_t column, const std::string& what) {
+    fail(column, expectedFound(what, text(column)));
+}
+
+void CsvCells::fail(std::size_t column, const std::string& message) {
+    if (!_problem)
+        _problem = Diagnostic{_table.file, _row.line, 0, _table.columns[column], message};
+}
+
+Diagnostics readCsvOf(std::istream& input, const std::string& file, const std::vector<std::string>& columns,
+                      const std::function<void(CsvCells& row)>& take) {
+    const Result<std::string> text = readText(input, file);
+    if (!text)
+        return text.problems();
+    std::optional<Diagnostic> problem;
+    const Result<CsvTable> table =
+        readCsvRows(text.value(), file, ',', [&](const CsvTable& head, const Row& row) {
+            if (problem || head.columns != columns)
+                return;
+            CsvCells cells(head, row);
+            take(cells);
+            problem = cells.problem();
+        });
+    if (!table)
+        return table.problems();
+    if (table.value().columns != columns)
+        return {fileProblem(file, "expected the columns " + joined(columns), 1)};
+    return problem ? Diagnostics{*problem} : Diagnostics();
 }
 
 } // namespace osgTreeWind

@@ -12,6 +12,8 @@
 
 namespace osgTreeWind {
 
+struct Range;
+
 /// A delimited text file with a header row (RFC 4180 quoting, parsed with libcsv).
 struct CsvTable {
     struct Row {
@@ -40,5 +42,32 @@ Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char
 /// result is an error.
 Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, char delimiter,
                              const std::function<void(const CsvTable& table, CsvTable::Row& row)>& take);
+
+/// The cells of a row as what they say; the first that is not as it should be is remembered.
+class CsvCells {
+public:
+    CsvCells(const CsvTable& table, const CsvTable::Row& row) : _table(table), _row(row) {}
+
+    int line() const { return _row.line; }
+    const std::string& text(std::size_t column) const { return _row.cells[column]; }
+    bool has(std::size_t column) const { return !text(column).empty(); }
+    /// @param what it has to be, for the message; null: a number of that range. @return 0 where it is not.
+    double number(std::size_t column, const Range& range, const char* what = nullptr);
+    /// Remembers that a cell is not what was expected.
+    void expect(std::size_t column, const std::string& what);
+    /// The same in other words.
+    void fail(std::size_t column, const std::string& message);
+    const std::optional<Diagnostic>& problem() const { return _problem; }
+
+private:
+    const CsvTable& _table;
+    const CsvTable::Row& _row;
+    std::optional<Diagnostic> _problem;
+};
+
+/// Reads rows parted by commas below a header of just these columns.
+/// @param take gets one after the other, up to one that has a problem. @return what is wrong; empty: nothing.
+Diagnostics readCsvOf(std::istream& input, const std::string& file, const std::vector<std::string>& columns,
+                      const std::function<void(CsvCells& row)>& take);
 
 } // namespace osgTreeWind

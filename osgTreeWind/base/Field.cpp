@@ -30,6 +30,12 @@ struct Clamp {
     void operator()(double* number) const {
         *number = clampOr(*number, range.min, range.max, **std::get_if<double*>(&usual));
     }
+    void operator()(std::array<float, 4>* numbers) const {
+        for (std::size_t i = 0; i < numbers->size(); ++i)
+            (*numbers)[i] =
+                clampOr((*numbers)[i], static_cast<float>(range.min), static_cast<float>(range.max),
+                        (**std::get_if<std::array<float, 4>*>(&usual))[i]);
+    }
     void operator()(glm::dvec3* vector) const {
         for (int i = 0; i < 3; ++i)
             (*vector)[i] =
@@ -65,6 +71,9 @@ struct Check {
         number(static_cast<double>(*value), "finite", field.degrees());
     }
     void operator()(const double* value) const { number(*value, "finite"); }
+    void operator()(const std::array<float, 4>* values) const {
+        std::for_each(values->begin(), values->end(), [&](const float& value) { (*this)(&value); });
+    }
     template <typename T>
     void operator()(const glm::vec<3, T>* value) const {
         for (int i = 0; i < 3; ++i)
@@ -108,6 +117,8 @@ struct Same {
             return sameNumber(*value, b);
         else if constexpr (std::is_same_v<T, glm::vec3> || std::is_same_v<T, glm::dvec3>)
             return sameNumber(value->x, b.x) && sameNumber(value->y, b.y) && sameNumber(value->z, b.z);
+        else if constexpr (std::is_same_v<T, std::array<float, 4>>)
+            return std::equal(value->begin(), value->end(), b.begin(), sameNumber<float>);
         else
             return *value == b;
     }

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,7 +39,7 @@ struct PartMember {
 using Member =
     std::variant<bool*, std::optional<bool>*, int*, std::uint32_t*, float*, double*, glm::vec3*, glm::dvec3*,
                  glm::ivec3*, std::string*, std::vector<std::string>*, std::vector<double>*,
-                 std::vector<float>*, std::vector<glm::vec3>*, WordMember, PartMember>;
+                 std::vector<float>*, std::vector<glm::vec3>*, std::array<float, 4>*, WordMember, PartMember>;
 
 /// One thing that a struct says.
 struct Field {
@@ -46,10 +47,10 @@ struct Field {
     Member (*member)(void* owner); ///< Where it is in a struct.
     Range range;                   ///< Of a number, in `unit`.
     std::string doc;               ///< What it is, for the manual.
-    std::string unit{};            ///< As in the manual; of "degrees" a float is in radians, a double is not.
+    std::string unit{};            ///< As in the manual; of "degrees" floats are in radians, a double is not.
     std::vector<std::pair<std::string, int>> words{}; ///< Of an enum, with their values.
 
-    bool degrees() const { return unit == "degrees"; }
+    bool degrees() const { return unit.rfind("degrees", 0) == 0; } ///< Or degrees a metre.
     Member of(const void* owner) const { return member(const_cast<void*>(owner)); }
 };
 

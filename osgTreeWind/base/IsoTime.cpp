@@ -1,116 +1,89 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/IsoTime.h>
 
-#include <cstdint>
+#include <osgTreeWind/base/Number.h>
+
+#include <algorithm>
+#include <ctime>
 
 namespace osgTreeWind {
 
 namespace {
 
-/// Takes a text apart from its front; once a piece is missing, `ok` stays false.
-class Scanner {
-public:
-    explicit Scanner(std::string_view text) : _rest(text) {}
+constexpr std::string_view figures = "0123456789";
 
-    bool ok = true;
-
-    bool atEnd() const { return _rest.empty(); }
-
-    /// Whether the next character is one of `choices`; it is taken.
-    bool accept(std::string_view choices) {
-        if (_rest.empty() || choices.find(_rest.front()) == std::string_view::npos)
-            return false;
-        _rest.remove_prefix(1);
-        return true;
-    }
-
-    void expect(std::string_view choices) { ok = accept(choices) && ok; }
-
-    /// A whole number of exactly `digits` digits within [low, high].
-    int number(int digits, int low, int high) {
-        int value = 0;
-        for (int i = 0; i < digits; ++i)
-            value = value * 10 + digit();
-        ok = ok && value >= low && value <= high;
-        return value;
-    }
-
-    /// The digits after a decimal point.
-    double fraction() {
-        double value = 0.0, weight = 0.1;
-        ok = ok && isDigit();
-        for (; ok && isDigit(); weight *= 0.1)
-            value += weight * digit();
-        return value;
-    }
-
-private:
-    bool isDigit() const { return !_rest.empty() && _rest.front() >= '0' && _rest.front() <= '9'; }
-
-    int digit() {
-        ok = ok && isDigit();
-        if (!ok)
-            return 0;
-        const int value = _rest.front() - '0';
-        _rest.remove_prefix(1);
-        return value;
-    }
-
-    std::string_view _rest;
-};
-
-int daysInMonth(int year, int month) {
-    constexpr int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-    const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-    return month == 2 && leap ? 29 : days[month - 1];
+/// Whether a text looks so: 0 stands for any digit, T for that letter or a blank.
+bool looksLike(std::string_view text, std::string_view form) {
+    return std::equal(text.begin(), text.end(), form.begin(), form.end(), [](char c, char like) {
+        const std::string_view choices = like == '0'   ? figures
+                                         : like == 'T' ? "Tt "
+                                                       : std::string_view(&like, 1);
+        return choices.find(c) != std::string_view::npos;
+    });
 }
 
-/// Days from 1970-01-01 in the proleptic Gregorian calendar, counted in years that begin in March.
-std::int64_t daysSinceEpoch(int year, int month, int day) {
-    const int y = month > 2 ? year : year - 1;
-    const int monthFromMarch = (month + 9) % 12;
-    const int dayOfYear = (153 * monthFromMarch + 2) / 5 + day - 1;
-    const auto leapDays = [](int years) { return years / 4 - years / 100 + years / 400; };
-    constexpr int daysFromYearZeroToEpoch = 719468;
-    return std::int64_t{365} * y + leapDays(y) + dayOfYear - daysFromYearZeroToEpoch;
+/// The whole number that digits make up.
+int wholeOf(std::string_view digits) {
+    int whole = 0;
+    for (const char digit : digits)
+        whole = 10 * whole + (digit - '0');
+    return whole;
+}
+
+/// "HH:MM" in minutes; empty for a time that does not exist.
+std::optional<int> minutesOf(std::string_view text) {
+    const int hour = wholeOf(text.substr(0, 2)), minute = wholeOf(text.substr(3, 2));
+    return hour < 24 && minute < 60 ? std::optional(60 * hour + minute) : std::nullopt;
+}
+
+/// "SS" or "SS.S".
+std::optional<double> secondsOf(std::string_view text) {
+    const bool isWhole = looksLike(text, "00");
+    if (!isWhole && (!looksLike(text.substr(0, 3), "00.") || text.size() == 3 ||
+                     text.find_first_not_of(figures, 3) != std::string_view::npos))
+        return std::nullopt;
+    const std::optional<double> seconds = parseNumber(text);
+    return seconds && wholeOf(text.substr(0, 2)) < 60 ? seconds : std::nullopt;
 }
 
 } // namespace
 
 std::optional<double> parseIsoTime(std::string_view text) {
-    Scanner scan(text);
-    const int year = scan.number(4, 1, 9999);
-    scan.expect("-");
-    const int month = scan.number(2, 1, 12);
-    scan.expect("-");
-    const int day = scan.number(2, 1, 31);
-    if (!scan.ok || day > daysInMonth(year, month))
+    if (!looksLike(text.substr(0, 16), "0000-00-00T00:00"))
         return std::nullopt;
+    std::tm date{};
+    date.tm_year = wholeOf(text.substr(0, 4)) - 1900;
+    date.tm_mon = wholeOf(text.substr(5, 2)) - 1;
+    const int day = date.tm_mday = wholeOf(text.substr(8, 2)), month = date.tm_mon;
+    const std::time_t midnight = timegm(&date);
+    const bool exists = date.tm_mday == day && date.tm_mon == month && date.tm_year > -1900;
+    const std::optional<int> minutes = minutesOf(text.substr(11));
 
-    scan.expect("Tt ");
-    const int hour = scan.number(2, 0, 23);
-    scan.expect(":");
-    const int minute = scan.number(2, 0, 59);
-    double second = 0.0;
-    if (scan.accept(":")) {
-        second = scan.number(2, 0, 59);
-        if (scan.accept("."))
-            second += scan.fraction();
+    std::string_view rest = text.substr(16);
+    std::optional<double> seconds = 0.0;
+    if (rest.substr(0, 1) == ":") {
+        const std::size_t end = std::min(rest.find_first_of("Zz+-"), rest.size());
+        seconds = secondsOf(rest.substr(1, end - 1));
+        rest.remove_prefix(end);
     }
-
-    int zoneMinutes = 0;
-    if (!scan.accept("Zz") && !scan.atEnd()) {
-        const int sign = scan.accept("-") ? -1 : 1;
-        if (sign > 0)
-            scan.expect("+");
-        zoneMinutes = scan.number(2, 0, 23) * 60;
-        scan.expect(":");
-        zoneMinutes = sign * (zoneMinutes + scan.number(2, 0, 59));
-    }
-    if (!scan.ok || !scan.atEnd())
+    std::optional<int> zone = 0;
+    if (looksLike(rest, "+00:00") || looksLike(rest, "-00:00"))
+        zone = minutesOf(rest.substr(1));
+    else if (!rest.empty() && rest != "Z" && rest != "z")
         return std::nullopt;
-    return daysSinceEpoch(year, month, day) * 86400.0 + hour * 3600.0 + (minute - zoneMinutes) * 60.0 +
-           second;
+    if (!exists || !minutes || !seconds || !zone)
+        return std::nullopt;
+    return static_cast<double>(midnight) + 60.0 * (*minutes - (rest.substr(0, 1) == "-" ? -*zone : *zone)) +
+           *seconds;
+}
+
+std::string isoTimeText(double seconds) {
+    const auto whole = static_cast<std::time_t>(seconds);
+    std::tm date{};
+    char text[80];
+    if (!gmtime_r(&whole, &date) || std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &date) == 0)
+        return {};
+    return text;
 }
 
 } // namespace osgTreeWind

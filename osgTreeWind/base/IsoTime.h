@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace osgTreeWind {
@@ -10,5 +11,8 @@ namespace osgTreeWind {
 /// a blank in place of the T allowed, UTC when no zone is given. Empty for any other text, and for days or
 /// hours that do not exist.
 std::optional<double> parseIsoTime(std::string_view text);
+
+/// The whole of such seconds as such a text: "2017-06-03T18:00:00Z".
+std::string isoTimeText(double seconds);
 
 } // namespace osgTreeWind

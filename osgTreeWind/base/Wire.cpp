@@ -25,6 +25,13 @@ bool Wire::pass(std::string& text) {
     return good;
 }
 
+bool Wire::pass(bool& value) {
+    unsigned char byte = value;
+    const bool good = passBytes(&byte, 1) && byte <= 1;
+    value = byte == 1;
+    return good;
+}
+
 bool Wire::pass(Diagnostic& problem) {
     return pass(problem.file) && pass(problem.key) && pass(problem.message);
 }

@@ -8,7 +8,9 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -17,29 +19,25 @@ namespace osgTreeWind {
 /// it in at the other; false when there is nobody there, or what comes makes no sense.
 class Wire {
 public:
-    /// Sends a value, or what is wrong, to a file descriptor. @param pass of the members of a value.
+    /// Sends a value, or what is wrong, to a file descriptor.
     template <typename T>
-    static bool send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&));
+    static bool send(int descriptor, Result<T>& result);
     /// Reads what send() wrote: nothing where it ends too early or makes no sense.
     template <typename T>
-    static std::optional<Result<T>> receive(int descriptor, bool (*pass)(Wire&, T&));
-    /// The same of a value that pass() takes.
-    template <typename T>
-    static bool send(int descriptor, Result<T>& result) {
-        return send<T>(descriptor, result, [](Wire& wire, T& value) { return wire.pass(value); });
-    }
-    template <typename T>
-    static std::optional<Result<T>> receive(int descriptor) {
-        return receive<T>(descriptor, [](Wire& wire, T& value) { return wire.pass(value); });
-    }
+    static std::optional<Result<T>> receive(int descriptor);
 
     /// One that sends values, for those who send one after another.
     static Wire sender(int descriptor) { return Wire(descriptor, true); }
     static Wire receiver(int descriptor) { return Wire(descriptor, false); }
 
-    /// A number, a struct of numbers, or a struct for which there is a bool passMembers(Wire&, T&).
+    /// A number, a struct of numbers, or a struct with parts(), a std::tie() of what passes of it.
     template <typename T>
     bool pass(T& value);
+    bool pass(bool& value);
+    template <typename First, typename Second>
+    bool pass(std::pair<First, Second>& values) {
+        return pass(values.first, values.second);
+    }
     template <typename T>
     bool pass(std::vector<T>& values);
     template <typename T>
@@ -66,24 +64,24 @@ private:
 };
 
 template <typename T>
-bool Wire::send(int descriptor, Result<T>& result, bool (*pass)(Wire&, T&)) {
+bool Wire::send(int descriptor, Result<T>& result) {
     Wire wire(descriptor, true);
-    unsigned char good = result.ok();
-    if (good == 1)
-        return wire.pass(good) && pass(wire, result.value());
+    bool good = result.ok();
+    if (good)
+        return wire.pass(good) && wire.pass(result.value());
     Diagnostic problem = result.problems().front();
     return wire.pass(good) && wire.pass(problem);
 }
 
 template <typename T>
-std::optional<Result<T>> Wire::receive(int descriptor, bool (*pass)(Wire&, T&)) {
+std::optional<Result<T>> Wire::receive(int descriptor) {
     Wire wire(descriptor, false);
-    unsigned char good = 0;
+    bool good = false;
     T value;
     Diagnostic problem;
-    if (!wire.pass(good) || good > 1 || !(good == 1 ? pass(wire, value) : wire.pass(problem)))
+    if (!wire.pass(good) || !(good ? wire.pass(value) : wire.pass(problem)))
         return std::nullopt;
-    return good == 1 ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
+    return good ? Result<T>(std::move(value)) : Result<T>(std::move(problem));
 }
 
 template <typename T>
@@ -91,17 +89,17 @@ bool Wire::pass(T& value) {
     if constexpr (std::is_trivially_copyable_v<T>)
         return passBytes(&value, sizeof value);
     else
-        return passMembers(*this, value);
+        return std::apply([this](auto&... parts) { return pass(parts...); }, value.parts());
 }
 
 template <typename T>
 bool Wire::pass(std::optional<T>& value) {
-    unsigned char is = value.has_value();
-    if (!pass(is) || is > 1)
+    bool is = value.has_value();
+    if (!pass(is))
         return false;
-    if (is == 1 && !_sends)
+    if (is && !_sends)
         value.emplace();
-    return is == 0 || pass(*value);
+    return !is || pass(*value);
 }
 
 template <typename T>

@@ -3,13 +3,12 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/controls/FormattedText.h>
-#include <osgTreeWind/controls/SourcesByHand.h>
+#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/species/Season.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ctime>
 #include <utility>
@@ -19,19 +18,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double frameTime = 1.0 / 30.0, slowest = 1.0 / 64.0; // seconds; over real time
-
-struct NamedLaw {
-    MotionLaw law;
-    const char* name;
-};
-constexpr std::array<NamedLaw, 3> laws{
-    {{MotionLaw::Modal, "modal"}, {MotionLaw::Thesis, "thesis"}, {MotionLaw::ThesisSmooth, "thesis-smooth"}}};
-
-std::size_t indexOf(MotionLaw law) {
-    return static_cast<std::size_t>(
-        std::find_if(laws.begin(), laws.end(), [law](const NamedLaw& one) { return one.law == law; }) -
-        laws.begin());
-}
 
 /// A date within the year that the season is that of (Season.h).
 std::string dateText(float season) {
@@ -55,6 +41,41 @@ bool sameAir(const Wind& a, const Wind& b) {
 void blowAs(const Wind& other, Wind& wind) {
     wind.field = other.field;
     wind.adjustment = other.adjustment;
+}
+
+/// What a person may put to a tree, one after the other: a helicopter of seven tonnes 15 m above it, a fan
+/// that blows at it from the west, a whirl beside it, a place out of the wind around it, a hundred kilograms
+/// of TNT 15 m west of it that go off a second later.
+/// @param foot of the tree, in the wind's frame. @param height of the tree, metres. @param time now, seconds.
+std::vector<WindSource> sourcesByHand(const glm::dvec3& foot, double height, double time) {
+    WindSource helicopter; // a Super Puma's rotor
+    helicopter.position = foot + glm::dvec3(0.0, 0.0, height + 15.0);
+    helicopter.radius = 7.8;
+    helicopter.thrust = 70000.0;
+    WindSource fan;
+    fan.kind = WindSource::Kind::Jet;
+    fan.position = foot + glm::dvec3(-height, 0.0, 0.6 * height);
+    fan.toward = 90.0;
+    fan.radius = 2.0;
+    fan.speed = 30.0;
+    WindSource whirl;
+    whirl.kind = WindSource::Kind::Vortex;
+    whirl.position = foot + glm::dvec3(5.0, 0.0, 0.0);
+    whirl.radius = 4.0;
+    whirl.speed = 15.0;
+    whirl.height = 2.0 * height;
+    WindSource shelter;
+    shelter.kind = WindSource::Kind::Shelter;
+    shelter.position = foot;
+    shelter.radius = 10.0;
+    shelter.height = 1.2 * height;
+    shelter.share = 0.1;
+    WindSource explosion;
+    explosion.kind = WindSource::Kind::Explosion;
+    explosion.position = foot + glm::dvec3(-15.0, 0.0, 0.0);
+    explosion.charge = 100.0;
+    explosion.time = time + 1.0;
+    return {helicopter, fan, whirl, shelter, explosion};
 }
 
 } // namespace
@@ -156,7 +177,9 @@ void ForestControls::grow(const std::function<void(ForestDescription&)>& change)
 }
 
 void ForestControls::nextLaw() {
-    grow([](ForestDescription& forest) { forest.law = laws[(indexOf(forest.law) + 1) % laws.size()].law; });
+    grow([](ForestDescription& forest) { // modal, thesis, thesis-smooth
+        forest.law = static_cast<MotionLaw>((static_cast<int>(forest.law) + 1) % 3);
+    });
 }
 
 void ForestControls::changeGain(float factor) {
@@ -223,7 +246,7 @@ std::string ForestControls::text() const {
         return {};
     const ForestDescription& forest = _forest->getDescription();
     std::string text = "wind    " + windText() + "\nseason  " + dateText(_forest->getSeason()) +
-                       "\nlaw     " + laws[indexOf(forest.law)].name;
+                       "\nlaw     " + wordOf(forest.law);
     if (forest.gain != 1.0f)
         text += ", gain " + numberText(std::round(100.0 * static_cast<double>(forest.gain)) / 100.0);
     if (forest.damage)

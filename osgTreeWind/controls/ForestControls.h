@@ -28,7 +28,8 @@ public:
     /// The field and the adjustment that it had when the host last set it.
     void restoreWind();
 
-    /// Puts the next of sourcesByHand() to a tree in place of the one before; behind the last there is none.
+    /// Puts the next of five sources to a tree in place of the one before; behind the last there is none: a
+    /// helicopter, a fan, a whirl, a shelter, an explosion.
     void nextSource(const glm::dvec3& foot, double height, double time);
     void keepSource() { _byHand.reset(); } ///< The next one comes beside it.
     void removeSource();                   ///< The last of the wind's.
@@ -69,7 +70,7 @@ private:
     bool _isPaused = false;
     double _pace = 1.0, _time = 0.0;
     int _steps = 0;                     ///< That wait.
-    std::optional<std::size_t> _byHand; ///< Which of sourcesByHand() is the last source of the wind.
+    std::optional<std::size_t> _byHand; ///< Which of them is the last source of the wind.
     std::optional<double> _reference;
     std::string _message;
 };

@@ -31,9 +31,9 @@ WatchedTree::WatchedTree(const ForestSimulation& simulation, TreeId tree) : _tre
     alone.leaves = placed.leaves;
     const CalmTree calm(species, alone);
     _frequency = calm.modes().empty() ? 0.0 : calm.pace(0) / glm::two_pi<double>();
-    const SwayingTree form{&forest.modelOf(placed), &species, placed.scale, placed.leaves};
-    _foot.emplace(form);
-    _strength = TreeStrength(*form.model, form.scale, species);
+    const TreeModel& model = forest.modelOf(placed);
+    _foot = HeldJoint{0, makeUnitLoads(model, placed.scale, species, placed.leaves)[0].stiffness, 0.0f};
+    _strength = TreeStrength(model, placed.scale, species);
 }
 
 std::string WatchedTree::swayText(const ForestSimulation& simulation) const {
@@ -43,7 +43,7 @@ std::string WatchedTree::swayText(const ForestSimulation& simulation) const {
     const ModalMotion& sway = *SimulationParts::modal(simulation);
     std::string text = formatted("\nsway    %.2f Hz, leans %.2f m", _frequency,
                                  static_cast<double>(glm::length(sway.lean(slot))));
-    const double moment = _foot->of(sway, slot), uproot = _strength.uproot, breaking = _strength.breaking,
+    const double moment = _foot->moment(sway, slot), uproot = _strength.uproot, breaking = _strength.breaking,
                  limit =
                      uproot > 0.0 && breaking > 0.0 ? std::min(uproot, breaking) : std::max(uproot, breaking);
     text += formatted(", %.1f kN m at its foot", 0.001 * moment);

@@ -3,7 +3,7 @@
 
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
-#include <osgTreeWind/motion/damage/FootMoment.h>
+#include <osgTreeWind/motion/damage/HeldJoint.h>
 #include <osgTreeWind/motion/damage/TreeStrength.h>
 
 #include <optional>
@@ -27,7 +27,7 @@ private:
     TreeId _tree;
     std::string _what;
     double _frequency = 0.0; ///< Hz, and the following two under `modal` alone.
-    std::optional<FootMoment> _foot;
+    std::optional<HeldJoint> _foot;
     TreeStrength _strength;
 };
 

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/places/Crs.h>
@@ -96,6 +97,8 @@ Diagnostics check(const Species& species) {
     checkWhole(species.tree.wood, "tree", problems);
     if (species.tree.grown)
         checkWhole(*species.tree.grown, "growth", problems);
+    if (species.tree.growth)
+        checkFields(*species.tree.growth, "habit", problems);
     if (species.tree.scans)
         checkScans(*species.tree.scans, "scan", problems);
     checkFields(species.tree.leaves, "leaves", problems);

@@ -53,6 +53,13 @@ const Fields& fieldsOf<ForestDescription>() {
     return fields;
 }
 
+std::string wordOf(MotionLaw law) {
+    for (const auto& [word, value] : fieldAt(fieldsOf<ForestDescription>(), "law").words)
+        if (value == static_cast<int>(law))
+            return word;
+    return {};
+}
+
 const Fields& fieldsOfFile() {
     static const Fields fields = {
         {"crs",

@@ -19,6 +19,8 @@ const Fields& fieldsOf<EstimatedSizes>();
 /// Of [motion], but for the noise.
 template <>
 const Fields& fieldsOf<ForestDescription>();
+/// Of a law, in a file.
+std::string wordOf(MotionLaw law);
 /// Of a ForestDescription: what a file says of it in no table.
 const Fields& fieldsOfFile();
 

@@ -6,7 +6,6 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace osgTreeWind {

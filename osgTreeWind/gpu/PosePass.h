@@ -11,7 +11,6 @@
 #include <osg/State>
 #include <osg/Texture2D>
 
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <unordered_map>

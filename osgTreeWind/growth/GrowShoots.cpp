@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/GrowShoots.h>
 
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/growth/Limbs.h>
 #include <osgTreeWind/growth/ShootVigour.h>
 #include <osgTreeWind/growth/SideBuds.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
@@ -132,7 +132,7 @@ private:
     /// A side bud takes over from a dead end, which makes a bend; or both of a pair, which makes a fork.
     void replaceEnd(const Bud& dead) {
         const ShootAxis axis = _tree.axisOf(dead);
-        const bool fork = axis.leading || _habit.budsPerNode >= 2.0f;
+        const bool fork = axis.leading || _habit.budsPerNode >= 2;
         BudPlace place{dead.node, dead.heading, axis.order, axis.phase + _habit.divergence};
         const float angle = takingOver * _habit.branchAngle[TreeState::rank(axis.order)];
         place.angle = angle * (1.0f + 0.2f * scatter(_tree.random));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/GrowTree.h>
 
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/growth/GrowingStand.h>
-#include <osgTreeWind/growth/HabitNumbers.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/growth/PipeRadii.h>
-#include <osgTreeWind/model/PortableMath.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +21,6 @@ constexpr std::size_t mostWork = 1'500'000;
 constexpr float usualCrown = 150.0f;
 /// Height and width may be stretched by factors that differ by so much.
 constexpr float nearEnough = 0.08f;
-
-GrowthGoal inRange(GrowthGoal goal) {
-    const auto within = [](float value, float least, float most, float usual) {
-        return std::isnan(value) ? usual : std::clamp(value, least, most);
-    };
-    goal.height = within(goal.height, 1.0f, 100.0f, 15.0f);
-    goal.trunkDiameter = within(goal.trunkDiameter, 0.01f, 5.0f, 0.4f);
-    goal.crownWidth = within(goal.crownWidth, 0.2f, 60.0f, 8.0f);
-    return goal;
-}
 
 GrowthSite inRange(GrowthSite site) {
     site.shade = std::isnan(site.shade) ? 0.0f : std::clamp(site.shade, 0.0f, 1.0f);
@@ -52,7 +42,7 @@ TreeHabit inPiecesFor(const GrowthGoal& goal, TreeHabit habit) {
 
 TreeState grownTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal,
                     std::uint32_t seed, float spread) {
-    GrowingStand stand(gridCell(habit));
+    GrowingStand stand(lightCell(habit));
     stand.add(GrowingTree(habit, goal, glm::vec3(0.0f), seed, spread));
     while (!stand.trees().front().grown())
         stand.growYear(site);
@@ -80,8 +70,12 @@ private:
 GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size,
                    std::uint32_t seed) {
     const GrowthSite site = inRange(place);
-    const GrowthGoal goal = inRange(size);
-    const TreeHabit habit = inPiecesFor(goal, clampedHabit(wanted));
+    GrowthParameters growth;
+    growth.size = size;
+    growth.habit = wanted;
+    growth = clampedFields(growth);
+    const GrowthGoal goal = growth.size;
+    const TreeHabit habit = inPiecesFor(goal, growth.habit);
     std::optional<TreeState> best;
     SpreadSearch search;
     float leastMiss = 0.0f;

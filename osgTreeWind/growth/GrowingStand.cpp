@@ -4,6 +4,10 @@
 #include <algorithm>
 
 namespace osgTreeWind {
+
+float lightCell(const TreeHabit& habit) {
+    return std::clamp(1.8f * habit.internode[0], 0.3f, 1.0f);
+}
 namespace {
 
 /// Height of neighbours that do not grow here over that of the tree among them.

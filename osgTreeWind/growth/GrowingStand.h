@@ -8,6 +8,9 @@
 
 namespace osgTreeWind {
 
+/// Edge of the boxes in which the light of trees of a habit is reckoned, metres.
+float lightCell(const TreeHabit& habit);
+
 /// Trees that grow together and take each other's light.
 class GrowingStand {
 public:

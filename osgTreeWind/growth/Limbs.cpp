@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/Limbs.h>
 
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/growth/SideBuds.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
@@ -59,7 +59,7 @@ bool trunkDissolves(const TreeState& tree, const ShadeGrid& light, const glm::ve
 }
 
 void dissolveTrunk(TreeState& tree, const Bud& end) {
-    const auto limbs = static_cast<int>(tree.habit.limbs);
+    const auto limbs = tree.habit.limbs;
     const float narrow = glm::clamp(std::sqrt(tree.spread), 0.6f, 1.2f);
     const float first = tree.grown() > tree.habit.trunkTop + 0.12f ? forestLimb : openLimb;
     BudPlace place;

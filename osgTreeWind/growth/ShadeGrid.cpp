@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/ShadeGrid.h>
 
-#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/base/PortableMath.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -52,7 +52,7 @@ std::vector<Fate> fatesOf(TreeState& tree) {
     std::vector<Metamer>& metamers = tree.metamers;
     const std::vector<Foliage> foliage = foliageOf(metamers);
     std::vector<Fate> fates(metamers.size(), Fate::Lives);
-    const auto deadYears = static_cast<int>(tree.habit.deadYears);
+    const int deadYears = tree.habit.deadYears;
     for (std::size_t i = 1; i < metamers.size(); ++i) {
         Metamer& metamer = metamers[i];
         const auto parent = static_cast<std::size_t>(metamer.parent);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/SideBuds.h>
 
-#include <osgTreeWind/model/PortableMath.h>
-#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
@@ -23,7 +23,7 @@ struct NodeBuds {
 
 NodeBuds budsAt(TreeState& tree, int order, float along, bool last) {
     const TreeHabit& habit = tree.habit;
-    const auto usual = static_cast<int>(habit.budsPerNode);
+    const int usual = habit.budsPerNode;
     if (habit.whorl <= 0.0f)
         return {usual, glm::mix(1.0f, along * along, habit.acrotony)};
     if (order > 0)
@@ -62,7 +62,7 @@ Bud& addSideBud(TreeState& tree, const BudPlace& place, int order) {
 void addSideBuds(TreeState& tree, const Bud& end, float along, bool last) {
     const TreeHabit& habit = tree.habit;
     const int order = tree.axisOf(end).order;
-    if (static_cast<float>(order) >= habit.deepest)
+    if (order >= habit.deepest)
         return;
     const NodeBuds buds = budsAt(tree, order, along, last);
     if (buds.weight <= 0.0f)

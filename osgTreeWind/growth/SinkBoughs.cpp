@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/SinkBoughs.h>
 
-#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/base/UnitVectors.h>
 
 #include <cmath>
 

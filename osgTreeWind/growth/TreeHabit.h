@@ -10,7 +10,7 @@ namespace osgTreeWind {
 using ByOrder = std::array<float, 4>;
 
 /// How a species grows: what a botanist would measure on its shoots. Lengths in metres, angles in radians,
-/// times in years. HabitNumbers.h has the range of each.
+/// times in years. GrowthFields.h has the range of each.
 struct TreeHabit {
     std::string model = "Rauh"; ///< Architectural model after Hallé, Oldeman and Tomlinson 1978; a note.
 
@@ -20,10 +20,10 @@ struct TreeHabit {
     ByOrder halfVigour{200, 30, 20, 12};          ///< Age of an axis at which it grows half as fast.
     float rounding =
         0.5f; ///< How much shoots slow down as they come to the outside of a dome: 0 a spire, 1 a dome.
-    float deepest = 6; ///< Highest order of branching.
+    int deepest = 6; ///< Highest order of branching.
 
     // Side shoots
-    float budsPerNode = 1;                       ///< 1: alternate, 2: opposite, 3 and more: in a circle.
+    int budsPerNode = 1;                         ///< 1: alternate, 2: opposite, 3 and more: in a circle.
     float divergence = 2.4f;                     ///< Turn from one node to the next.
     ByOrder branchAngle{1.0f, 0.9f, 0.8f, 0.8f}; ///< Between a side shoot and the axis that bears it.
     ByOrder flat{0, 0, 0, 0}; ///< Side shoots of an axis: 0 on all sides, 1 left and right.
@@ -36,7 +36,7 @@ struct TreeHabit {
     ByOrder apicalControl{0.54f, 0.52f, 0.5f, 0.5f}; ///< Share that goes on along the axis (Borchert, Honda).
     float apicalControlOld = 0.5f;                   ///< That of the trunk when the tree has its height.
     float trunkTop = 1.0f; ///< Share of the height at which the trunk dissolves into limbs; 1: never.
-    float limbs = 3;       ///< Into so many.
+    int limbs = 3;         ///< Into so many.
     ByOrder forking{0, 0.03f, 0.05f, 0.05f}; ///< Chance, each year, that the end of an axis dies: the next
                                              ///< side bud goes on, or both of a pair.
 
@@ -52,9 +52,9 @@ struct TreeHabit {
 
     // Leaves and losses
     float leafArea = 0.25f;    ///< One side of the leaves on a metre of shoot; m².
-    float leafYears = 2;       ///< A shoot bears leaves for so long; its end always does.
+    int leafYears = 2;         ///< A shoot bears leaves for so long; its end always does.
     float lightNeed = 0.12f;   ///< A branch whose leaves get less than this share of full light dies.
-    float deadYears = 3;       ///< A dead bough falls after so long.
+    int deadYears = 3;         ///< A dead bough falls after so long.
     float breakage = 0.002f;   ///< Chance, each year, that storm or snow breaks a bough.
     float cleanStem = 0.1f;    ///< Share of the height below which an open-grown tree has lost its boughs.
     float twigRadius = 0.002f; ///< Of its thinnest shoots.

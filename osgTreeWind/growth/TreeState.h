@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/growth/GrowthGoal.h>
 #include <osgTreeWind/growth/TreeHabit.h>
-#include <osgTreeWind/model/Random.h>
 
 #include <glm/vec3.hpp>
 

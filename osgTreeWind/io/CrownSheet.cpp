@@ -3,10 +3,7 @@
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
-#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestFields.h>
 
 #include <glm/common.hpp>
@@ -21,10 +18,10 @@ namespace osgTreeWind {
 namespace {
 
 struct SheetColumn {
-    enum : std::size_t { Cell, Row, Trees, Foot, Height, Width, Species, Count };
+    enum : std::size_t { Cell, Row, Trees, Foot, Height, Width, Species };
 };
-constexpr std::array<const char*, SheetColumn::Count> sheetColumnNames = {"column", "row",   "trees",  "foot",
-                                                                          "height", "width", "species"};
+const std::vector<std::string> sheetColumnNames = {"column", "row",   "trees",  "foot",
+                                                   "height", "width", "species"};
 constexpr Range counts = within(0, 4294967295.0);
 const std::array<Range, SheetColumn::Species> ranges = {
     counts, counts, within(1, 4294967295.0), worldCoordinates, above(0, 150.0), above(0, 150.0)};
@@ -69,27 +66,15 @@ std::string CrownSums::text(const std::vector<Species>& species) const {
 }
 
 Result<CrownSheet> readCrownSheet(std::istream& input, const std::string& file) {
-    const Result<std::string> text = readText(input, file);
-    if (!text)
-        return text.problems();
-    const std::vector<std::string> expected(sheetColumnNames.begin(), sheetColumnNames.end());
     CrownSheet sheet;
     std::map<std::string, std::size_t> species;
-    std::optional<Diagnostic> problem;
-    const auto take = [&](const CsvTable& table, CsvTable::Row& row) {
+    const Diagnostics problems = readCsvOf(input, file, sheetColumnNames, [&](CsvCells& row) {
         std::array<double, SheetColumn::Species> numbers{};
-        if (problem || table.columns != expected)
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            numbers[i] = row.number(i, ranges[i]);
+        if (row.problem())
             return;
-        for (std::size_t i = 0; i < numbers.size() && !problem; ++i) {
-            const std::optional<double> number = parseNumber(row.cells[i]);
-            if (!number || !ranges[i].contains(*number))
-                problem = Diagnostic{table.file, row.line, 0, sheetColumnNames[i],
-                                     expectedFound("a number " + ranges[i].text(), row.cells[i])};
-            numbers[i] = number.value_or(0.0);
-        }
-        if (problem)
-            return;
-        const auto [known, isNew] = species.emplace(row.cells[SheetColumn::Species], sheet.species.size());
+        const auto [known, isNew] = species.emplace(row.text(SheetColumn::Species), sheet.species.size());
         if (isNew)
             sheet.species.push_back(known->first);
         sheet.cells.push_back({static_cast<std::uint32_t>(numbers[SheetColumn::Cell]),
@@ -98,14 +83,9 @@ Result<CrownSheet> readCrownSheet(std::istream& input, const std::string& file) 
                                static_cast<float>(numbers[SheetColumn::Foot]),
                                static_cast<float>(numbers[SheetColumn::Height]),
                                static_cast<float>(numbers[SheetColumn::Width]), known->second});
-    };
-    const Result<CsvTable> table = readCsvRows(text.value(), file, ',', take);
-    if (!table)
-        return table.problems();
-    if (table.value().columns != expected)
-        return fileProblem(file, "expected the columns " + joined(expected), 1);
-    if (problem)
-        return *problem;
+    });
+    if (!problems.empty())
+        return problems;
     return sheet;
 }
 

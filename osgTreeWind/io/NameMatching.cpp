@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/NameMatching.h>
 
+#include <osgTreeWind/base/Text.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -44,11 +46,7 @@ std::string foldedName(const std::string& text) {
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string::npos)
         return {};
-    std::string result = text.substr(first, text.find_last_not_of(blanks) - first + 1);
-    for (char& c : result)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return result;
+    return lower(text.substr(first, text.find_last_not_of(blanks) - first + 1));
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ReadFields.h>
 
+#include <glm/trigonometric.hpp>
+
 namespace osgTreeWind {
 
 namespace {
@@ -19,6 +21,12 @@ struct ReadMember {
             table.readDegrees(field.key, *member, field.range);
         else
             table.read(field.key, *member, field.range);
+    }
+    void operator()(std::array<float, 4>* member) const {
+        std::vector<double> numbers;
+        if (table.readNumbers(field.key, numbers, member->size(), member->size(), field.range))
+            for (std::size_t i = 0; i < member->size(); ++i)
+                (*member)[i] = static_cast<float>(field.degrees() ? glm::radians(numbers[i]) : numbers[i]);
     }
     void operator()(std::optional<bool>* member) const {
         if (bool value = false; table.read(field.key, value))

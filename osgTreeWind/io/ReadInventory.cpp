@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/InventoryPlaces.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
 #include <glm/gtc/constants.hpp>

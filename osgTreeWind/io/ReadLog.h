@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -19,7 +20,14 @@ struct ReadLog {
     Diagnostics problems;              ///< The first `mostProblems`, in the order found.
     std::set<std::string> keys;        ///< Every dotted key the reader knows of in the tables it has met.
 
-    void add(Diagnostic problem); ///< `problem.file` is filled in when empty.
+    /// `problem.file` is filled in when empty.
+    void add(Diagnostic problem) {
+        if (problems.size() >= mostProblems)
+            return;
+        if (problem.file.empty())
+            problem.file = file;
+        problems.push_back(std::move(problem));
+    }
 };
 
 } // namespace osgTreeWind

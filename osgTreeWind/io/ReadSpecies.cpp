@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/HabitCatalogue.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/TreeFields.h>
@@ -14,7 +16,9 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int usualGrownClusters = 1300;
+constexpr int usualGrownClusters = 1300, usualGrowthClusters = 3000;
+constexpr float usualInclination = 0.6f; // of leaves, where the species does not tell it
+constexpr float breastHeight = 1.3f;
 
 void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
     readFields(table, tree);
@@ -23,7 +27,6 @@ void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
 
 /// Of the trunk at breast height, in place of its radius at the ground.
 void readTrunkDiameter(TableReader& table, GrownTreeParameters& tree) {
-    constexpr float breastHeight = 1.3f;
     float diameter = 0.0f;
     if (!table.read("trunk_diameter", diameter, within(0.002, 20)))
         return;
@@ -76,6 +79,36 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     return true;
 }
 
+/// Of a tree as it was said to be before it grew by light: at breast height.
+float trunkDiameter(const GrownTreeParameters& tree) {
+    const float length = std::max(tree.trunk * tree.height, breastHeight);
+    return 2.0f * tree.radius * (1.0f - (1.0f - tree.trunkTaper) * breastHeight / length);
+}
+
+/// `habit`: the species grows by light.
+void readHabit(TableReader& table, Species& species) {
+    TreeParameters& tree = species.tree;
+    if (!tree.growth) {
+        tree.growth.emplace();
+        if (tree.grown) {
+            tree.growth->size = {tree.grown->height, trunkDiameter(*tree.grown), tree.grown->crownWidth};
+            tree.growth->flare = tree.grown->flare;
+        }
+        tree.leaves.clusters = usualGrowthClusters;
+        if (!(tree.leaves.inclination > 0.0f))
+            tree.leaves.inclination = usualInclination;
+    }
+    if (std::string like; table.read("like", like)) {
+        const auto habit = builtInHabits().find(foldedName(like));
+        if (habit != builtInHabits().end())
+            tree.growth->habit = habit->second;
+        else
+            table.problem("like", "no built-in habit " + inQuotes(like));
+    }
+    readFields(table, *tree.growth);
+    tree.grown.reset();
+}
+
 /// A scan knows of no leaves: those of the species, so many as on a built-in tree, on the thinner wood.
 void spreadOnScans(LeafParameters& leaves) {
     leaves.firstLevel = 0;
@@ -83,7 +116,7 @@ void spreadOnScans(LeafParameters& leaves) {
     leaves.bare = 0.0f;
     leaves.thinWood = 0.6f;
     if (!(leaves.inclination > 0.0f))
-        leaves.inclination = 0.6f;
+        leaves.inclination = usualInclination;
 }
 
 /// `scan`: a file of measured trees, or several. They are the shapes.
@@ -92,7 +125,7 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     const bool given = table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front());
     if (!given)
         return;
-    for (const char* key : {"tree", "growth", "shapes"})
+    for (const char* key : {"tree", "growth", "habit", "shapes"})
         if (table.has(key))
             return table.problem(key, "expected none beside scan, whose trees are the shapes");
     std::vector<ScannedTree> scans;
@@ -104,12 +137,13 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     species.shapes = static_cast<int>(scans.size());
     spreadOnScans(species.tree.leaves);
     species.tree.grown.reset();
+    species.tree.growth.reset();
     species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 
 /// A note where a species is called as a built-in one, says nothing of its shape and is not like it.
 void noteUnlike(TableReader& table, ForestReading& reading, const std::string& name) {
-    for (const char* key : {"like", "tree", "growth", "scan"})
+    for (const char* key : {"like", "tree", "growth", "habit", "scan"})
         if (table.has(key))
             return;
     if (const Species* known = reading.builtIn().find(name))
@@ -142,12 +176,19 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     readScans(table, reading, species);
     table.table("tree", [&](TableReader& t) {
         species.tree.grown.reset();
+        species.tree.growth.reset();
         readWoodShape(t, species.tree.wood);
     });
     table.table("growth", [&](TableReader& t) {
+        species.tree.growth.reset();
         if (!species.tree.grown)
             species.tree.leaves.clusters = usualGrownClusters;
         readGrowth(t, species.tree.grown ? *species.tree.grown : species.tree.grown.emplace());
+    });
+    table.table("habit", [&](TableReader& t) {
+        if (table.has("tree") || table.has("growth"))
+            return table.problem("habit", "give either this or tree or growth");
+        readHabit(t, species);
     });
     bool sized = false;
     table.table("leaves", [&](TableReader& t) {
@@ -162,7 +203,8 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     for (const std::string& alias : species.aliases)
         addName(table, reading, "aliases", alias);
     if (!sized)
-        species.tree.leaves.area = species.tree.grown || species.tree.scans ? cardArea(species) : 0.0f;
+        species.tree.leaves.area =
+            species.tree.growth || species.tree.grown || species.tree.scans ? cardArea(species) : 0.0f;
     reading.forest.species.push_back(std::move(species));
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/model/Random.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>

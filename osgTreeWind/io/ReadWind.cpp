@@ -4,7 +4,6 @@
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/NumberList.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/io/ReadWindData.h>
 #include <osgTreeWind/wind/GridWind.h>
@@ -85,6 +84,34 @@ Wind readGusts(TableReader& table, ForestReading& reading) {
     if (!readProfile(table, gusts.profile) || gusts.mean.z != 0.0f)
         return nullptr;
     return checked(GustWind::create(gusts), table, reading);
+}
+
+/// All numbers of a text, separated by blanks, line ends, commas or semicolons; '#' starts a comment.
+/// Anything else, and a number that is not finite, is a problem with line and column.
+Result<std::vector<double>> readNumberList(std::istream& input, const std::string& file) {
+    auto text = readText(input, file);
+    if (!text.ok())
+        return text.problems();
+
+    const std::string_view all = text.value();
+    std::vector<double> numbers;
+    std::size_t at = 0;
+    while ((at = all.find_first_not_of(" \t\r\n\f,;", at)) != std::string_view::npos) {
+        if (all[at] == '#') {
+            at = std::min(all.find('\n', at), all.size());
+            continue;
+        }
+        const std::size_t end = std::min(all.find_first_of(" \t\r\n\f,;#", at), all.size());
+        const std::string_view word = all.substr(at, end - at);
+        const auto number = parseNumber(word);
+        if (!number) {
+            const TextPlace place = placeInText(all, at);
+            return Diagnostic{file, place.line, place.column, "", expectedFound("a finite number", word)};
+        }
+        numbers.push_back(*number);
+        at = end;
+    }
+    return numbers;
 }
 
 /// Numbers in the array `values`, or in the text file `file`.

@@ -4,9 +4,7 @@
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/TileFiles.h>
 
@@ -35,10 +33,9 @@ enum TreeColumn {
     Seed,
     OpenGrown,
     Estimated,
-    Id,
-    ColumnCount
+    Id
 };
-constexpr std::array<const char*, ColumnCount> treeColumnNames = {
+const std::vector<std::string> treeColumnNames = {
     "species",     "x",      "y",    "z",          "heading",   "height", "trunk_diameter",
     "crown_width", "leaves", "seed", "open_grown", "estimated", "id"};
 
@@ -79,34 +76,7 @@ void appendTree(std::string& text, const TreePlacement& tree, const std::string&
     text.append(",").append(csvCell(tree.name)).append("\n");
 }
 
-/// The cells of a row as what they say; the first that says nothing is remembered.
-class TreeRow {
-public:
-    TreeRow(const CsvTable& table, const CsvTable::Row& row) : _table(table), _row(row) {}
-
-    const std::string& text(TreeColumn column) const { return _row.cells[column]; }
-    bool has(TreeColumn column) const { return !text(column).empty(); }
-    double number(TreeColumn column, const Range& range) {
-        const std::optional<double> number = parseNumber(text(column));
-        if (number && range.contains(*number))
-            return *number;
-        expect(column, "a number " + range.text());
-        return 0.0;
-    }
-    void expect(TreeColumn column, const std::string& what) {
-        if (!_problem)
-            _problem = Diagnostic{_table.file, _row.line, 0, treeColumnNames[column],
-                                  expectedFound(what, text(column))};
-    }
-    const std::optional<Diagnostic>& problem() const { return _problem; }
-
-private:
-    const CsvTable& _table;
-    const CsvTable::Row& _row;
-    std::optional<Diagnostic> _problem;
-};
-
-void readEstimated(TreeRow& row, EstimatedSizes& estimated) {
+void readEstimated(CsvCells& row, EstimatedSizes& estimated) {
     for (const char letter : row.text(Estimated))
         if (letter == 'h')
             estimated.height = true;
@@ -126,7 +96,7 @@ std::size_t indexOf(std::vector<std::string>& names, const std::string& name) {
     return names.size() - 1;
 }
 
-TreePlacement readTree(TreeRow& row, std::vector<std::string>& species) {
+TreePlacement readTree(CsvCells& row, std::vector<std::string>& species) {
     const auto number = [&](TreeColumn column, const Range& range) {
         return static_cast<float>(row.number(column, range));
     };
@@ -154,26 +124,12 @@ TreePlacement readTree(TreeRow& row, std::vector<std::string>& species) {
 } // namespace
 
 Result<TileTrees> readTileTrees(std::istream& input, const std::string& file) {
-    const Result<std::string> text = readText(input, file);
-    if (!text)
-        return text.problems();
-    const std::vector<std::string> expected(treeColumnNames.begin(), treeColumnNames.end());
     TileTrees list;
-    std::optional<Diagnostic> problem;
-    const auto take = [&](const CsvTable& table, CsvTable::Row& line) {
-        if (problem || table.columns != expected)
-            return;
-        TreeRow row(table, line);
+    const Diagnostics problems = readCsvOf(input, file, treeColumnNames, [&](CsvCells& row) {
         list.trees.push_back(readTree(row, list.species));
-        problem = row.problem();
-    };
-    const Result<CsvTable> table = readCsvRows(text.value(), file, ',', take);
-    if (!table)
-        return table.problems();
-    if (table.value().columns != expected)
-        return fileProblem(file, "expected the columns " + joined(expected), 1);
-    if (problem)
-        return *problem;
+    });
+    if (!problems.empty())
+        return problems;
     return list;
 }
 

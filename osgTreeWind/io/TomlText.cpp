@@ -46,6 +46,12 @@ struct ValueText {
         const double number = static_cast<double>(*value);
         return shortest(field.degrees() ? glm::degrees(number) : number, taken);
     }
+    std::string operator()(const std::array<float, 4>* values) const {
+        std::string text;
+        for (const float& value : *values)
+            text += (text.empty() ? "[" : ", ") + (*this)(&value);
+        return text + ']';
+    }
     std::string operator()(const std::string* value) const {
         if (value->empty() || field.unit != "file")
             return value->empty() ? "" : tomlText(*value);

@@ -4,6 +4,7 @@
 #include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
@@ -120,6 +121,10 @@ void writeSpecies(std::ostream& output, const Species& species) {
     if (species.tree.grown) {
         output << "\n[species.growth]\n";
         writeFields(output, "species.growth", *species.tree.grown);
+    }
+    if (species.tree.growth) {
+        output << "\n[species.habit]\n";
+        writeFields(output, "species.habit", *species.tree.growth);
     }
     output << "\n[species.leaves]\n"; // all: what is not said depends on the rest
     writeFields(output, "species.leaves", fieldsOf<LeafParameters>(), &species.tree.leaves, nullptr);

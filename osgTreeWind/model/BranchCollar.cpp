@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/BranchCollar.h>
 
-#include <osgTreeWind/model/UnitVectors.h>
+#include <osgTreeWind/base/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/BranchSkin.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/JoinedSkin.h>
-#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/model/ShootSkin.h>
 #include <osgTreeWind/model/SkinParts.h>
 #include <osgTreeWind/model/SkinPlan.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -65,12 +66,14 @@ std::vector<SkinVertex> BranchSkin::drawOrder() const {
     return ordered;
 }
 
-BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance) {
-    return skeleton.joined ? makeJoinedSkin(skeleton, tolerance) : openTubes(skeleton, tolerance);
+BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance, float thinnestShoot) {
+    BranchSkin skin = skeleton.joined ? makeJoinedSkin(skeleton, tolerance) : openTubes(skeleton, tolerance);
+    addShootSkin(skeleton, tolerance, thinnestShoot, skin);
+    return skin;
 }
 
 SkinSize sizeOfBranchSkin(const Skeleton& skeleton) {
-    SkinSize size;
+    SkinSize size = sizeOfShootSkin(skeleton);
     for (const SkinPlan& plan : planSkin(skeleton, 0.0f)) {
         const auto rings = static_cast<std::uint64_t>(plan.rings),
                    sides = static_cast<std::uint64_t>(plan.sides);

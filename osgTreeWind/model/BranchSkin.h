@@ -46,10 +46,12 @@ struct BranchSkin {
 /// - one that springs along its parent begins with a collar on the parent's bark, likewise;
 /// - where nothing goes on the end is closed;
 /// - the foot of the stem widens by the skeleton's flare, up to 1.2 m or a tenth of the tree: StemFoot.h.
+/// Shoots follow the unit that bears them, as prisms of three sides: ShootSkin.h.
 /// @param tolerance metres, >= 0, by which sides may be off, and twice that for the way between rings: fewer
 /// of both, and no tips, feet and collars that would hardly be larger. Fewer sides stand farther out, so that
 /// a branch is as wide as ever in the mean over all directions it is seen from. 0: the whole skin.
-BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance = 0.0f);
+/// @param thinnestShoot metres: shoots whose radius at the base is below are left out.
+BranchSkin makeBranchSkin(const Skeleton& skeleton, float tolerance = 0.0f, float thinnestShoot = 0.0f);
 
 /// Numbers of the vertices and triangles of a whole skin, without making it.
 struct SkinSize {

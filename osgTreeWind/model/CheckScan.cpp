@@ -15,7 +15,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double shortestCylinder = 1e-6, thickestCylinder = 10.0; // metres
-constexpr std::size_t mostScanUnits = 4096;
 constexpr double lowestScan = 0.1, highestScan = 150.0, widestScan = 200.0;
 
 Diagnostic problem(const ScanCylinder& cylinder, std::string message) {
@@ -125,6 +124,37 @@ std::string problemOfUnit(const BranchUnit& unit, int index) {
     return above(0, 1).contains(static_cast<double>(unit.attach)) ? "" : "expected attach in (0, 1]";
 }
 
+std::string problemOfShoot(const Skeleton& skeleton, const Shoot& shoot, int leastUnit) {
+    if (shoot.unit < leastUnit || shoot.unit >= static_cast<int>(skeleton.units.size()))
+        return "expected a unit, in the order of units, found " + std::to_string(shoot.unit);
+    const std::size_t points = skeleton.shootPoints.size();
+    if (shoot.count < 2 || shoot.first > points || shoot.count > points - shoot.first)
+        return "expected 2 or more points among those of shoots, found " + std::to_string(shoot.count);
+    if (!above(0, thickestCylinder).contains(static_cast<double>(shoot.baseRadius)) ||
+        !within(0, thickestCylinder).contains(static_cast<double>(shoot.tipRadius)))
+        return "expected radii above 0 and of at most 10 m";
+    return "";
+}
+
+std::string problemOfShoots(const Skeleton& skeleton) {
+    if (skeleton.shoots.size() > mostScanShoots)
+        return "expected at most " + std::to_string(mostScanShoots) + " shoots, found " +
+               std::to_string(skeleton.shoots.size());
+    if (!skeleton.leafyUnits.empty() && skeleton.leafyUnits.size() != skeleton.units.size())
+        return "expected a leafy part for each unit or for none, found " +
+               std::to_string(skeleton.leafyUnits.size());
+    int unit = 0;
+    for (std::size_t i = 0; i < skeleton.shoots.size(); ++i) {
+        if (const std::string problem = problemOfShoot(skeleton, skeleton.shoots[i], unit); !problem.empty())
+            return "shoot " + std::to_string(i) + ": " + problem;
+        unit = skeleton.shoots[i].unit;
+    }
+    for (const glm::vec3& point : skeleton.shootPoints)
+        if (!isWithin(point, widestScan))
+            return "expected points of shoots within 200 m";
+    return "";
+}
+
 } // namespace
 
 std::string problemOfSkeleton(const Skeleton& skeleton) {
@@ -144,6 +174,8 @@ std::string problemOfSkeleton(const Skeleton& skeleton) {
     for (const glm::vec3& point : skeleton.points)
         if (!isWithin(point, widestScan))
             return "expected points within 200 m";
+    if (const std::string problem = problemOfShoots(skeleton); !problem.empty())
+        return problem;
     const double height = static_cast<double>(skeleton.height());
     return within(0.5 * lowestScan, highestScan).contains(height)
                ? ""

@@ -8,6 +8,8 @@
 
 namespace osgTreeWind {
 
+constexpr std::size_t mostScanUnits = 4096, mostScanShoots = 100000; ///< Of a skeleton.
+
 /// What keeps the cylinders from being one tree, with its line: no cylinder, a radius outside (0, 10] m or a
 /// length below a micrometre, no root or two, a parent that is not there, a loop, a height above the foot
 /// outside 0.1 to 150 m, or an extent of over 200 m. Nothing for a sound tree.

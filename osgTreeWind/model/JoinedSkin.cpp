@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/JoinedSkin.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/BranchCollar.h>
-#include <osgTreeWind/model/PortableMath.h>
 #include <osgTreeWind/model/SkinParts.h>
 #include <osgTreeWind/model/SkinPlan.h>
 #include <osgTreeWind/model/StemFoot.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

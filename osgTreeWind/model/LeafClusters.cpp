@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/LeafClusters.h>
 
-#include <osgTreeWind/model/PortableMath.h>
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/TreeFields.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -44,19 +44,33 @@ int lastLevelOf(const Skeleton& skeleton) {
     return last;
 }
 
-/// The part of a unit that bears clusters: metres along it from its base, none if `to` is not beyond `from`.
+/// The part of a unit, or of a shoot that it bears, on which clusters sit: metres along it from its base,
+/// none if `to` is not beyond `from`.
 struct Stretch {
+    std::size_t unit = 0;
+    const Shoot* shoot = nullptr;
     float from = 0.0f, to = 0.0f;
+    float length = 0.0f; ///< Of the unit or the shoot.
 };
 
-/// Radius up to which wood is as thin as `share` of its length, by units.
+float lengthOf(const Skeleton& skeleton, const Shoot& shoot) {
+    float length = 0.0f;
+    for (std::size_t i = 1; i < shoot.count; ++i)
+        length += glm::distance(skeleton.shootPoint(shoot, i - 1), skeleton.shootPoint(shoot, i));
+    return length;
+}
+
+/// Radius up to which wood is as thin as `share` of its length, by units and shoots.
+/// @param length of the units.
 float radiusAbove(const Skeleton& skeleton, const std::vector<float>& length, float share) {
     std::vector<std::pair<float, float>> wood; // radius, length
-    float left = 0.0f;
-    for (std::size_t i = 0; i < length.size(); ++i) {
+    for (std::size_t i = 0; i < length.size(); ++i)
         wood.emplace_back(0.5f * (skeleton.units[i].baseRadius + skeleton.units[i].tipRadius), length[i]);
-        left += share * length[i];
-    }
+    for (const Shoot& shoot : skeleton.shoots)
+        wood.emplace_back(0.5f * (shoot.baseRadius + shoot.tipRadius), lengthOf(skeleton, shoot));
+    float left = 0.0f;
+    for (const auto& piece : wood)
+        left += share * piece.second;
     std::sort(wood.begin(), wood.end());
     std::size_t i = 0;
     for (; i + 1 < wood.size() && left > wood[i].second; ++i)
@@ -64,15 +78,38 @@ float radiusAbove(const Skeleton& skeleton, const std::vector<float>& length, fl
     return wood[i].first;
 }
 
+float lengthOf(const Skeleton& skeleton, std::size_t unit) {
+    float length = 0.0f;
+    for (int ring = 1; ring < skeleton.ringsPerBranch; ++ring)
+        length += glm::distance(skeleton.point(unit, ring - 1), skeleton.point(unit, ring));
+    return length;
+}
+
+/// Those that the skeleton tells.
+std::vector<Stretch> knownStretches(const Skeleton& skeleton) {
+    std::vector<Stretch> stretches;
+    const auto add = [&](std::size_t unit, const Shoot* shoot, const BranchPart& leafy, float length) {
+        stretches.push_back({unit, shoot, leafy.from, std::min(leafy.to, length), length});
+    };
+    auto shoot = skeleton.shoots.begin();
+    for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
+        add(i, nullptr, skeleton.leafyUnits[i], lengthOf(skeleton, i));
+        for (; shoot != skeleton.shoots.end() && shoot->unit == static_cast<int>(i); ++shoot)
+            add(i, &*shoot, shoot->leafy, lengthOf(skeleton, *shoot));
+    }
+    return stretches;
+}
+
 std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParameters& p) {
+    if (!skeleton.leafyUnits.empty())
+        return knownStretches(skeleton);
     const std::vector<BranchUnit>& units = skeleton.units;
     const auto levels = static_cast<float>(std::max(lastLevelOf(skeleton) - p.firstLevel, 1));
     std::vector<float> length(units.size()), before(units.size()); // of the unit; of its branch below it
     std::vector<float> branch(units.size()); // length of the branch that begins with the unit
     std::vector<std::size_t> first(units.size());
     for (std::size_t i = 0; i < units.size(); ++i) {
-        for (int ring = 1; ring < skeleton.ringsPerBranch; ++ring)
-            length[i] += glm::distance(skeleton.point(i, ring - 1), skeleton.point(i, ring));
+        length[i] = lengthOf(skeleton, i);
         first[i] = i;
         const auto parent = static_cast<std::size_t>(std::max(units[i].parent, 0));
         if (units[i].parent >= 0 && units[parent].level == units[i].level) {
@@ -83,15 +120,28 @@ std::vector<Stretch> leafyStretches(const Skeleton& skeleton, const LeafParamete
     }
     const float thickest =
         p.thinWood < 1.0f ? radiusAbove(skeleton, length, p.thinWood) : std::numeric_limits<float>::max();
-    std::vector<Stretch> stretches(units.size());
+    /// Length from the base of a piece of wood on in which it is too thick.
+    const auto below = [&](float base, float tip, float whole) {
+        const float thick = std::max(base - thickest, 0.0f), taper = base - tip;
+        return thick < taper ? whole * thick / taper : thick > 0.0f ? whole : 0.0f;
+    };
+    std::vector<Stretch> stretches;
+    stretches.reserve(units.size() + skeleton.shoots.size());
+    auto shoot = skeleton.shoots.begin();
     for (std::size_t i = 0; i < units.size(); ++i) {
         const float outerness = static_cast<float>(units[i].level - p.firstLevel) / levels;
-        const float thick = std::max(units[i].baseRadius - thickest, 0.0f),
-                    taper = units[i].baseRadius - units[i].tipRadius;
-        const float below = thick < taper ? length[i] * thick / taper : thick > 0.0f ? length[i] : 0.0f;
-        if (outerness >= 0.0f)
-            stretches[i] = {std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i], below),
-                            length[i]};
+        Stretch stretch{i};
+        if (outerness >= 0.0f) {
+            stretch.from = std::max(p.bare * (1.0f - outerness) * branch[first[i]] - before[i],
+                                    below(units[i].baseRadius, units[i].tipRadius, length[i]));
+            stretch.to = stretch.length = length[i];
+        }
+        stretches.push_back(stretch);
+        for (; shoot != skeleton.shoots.end() && shoot->unit == static_cast<int>(i); ++shoot) {
+            const float whole = lengthOf(skeleton, *shoot);
+            stretches.push_back(
+                {i, &*shoot, below(shoot->baseRadius, shoot->tipRadius, whole), whole, whole});
+        }
     }
     return stretches;
 }
@@ -134,15 +184,31 @@ struct LeafSeat {
     glm::vec3 anchor, tangent, outward;
 };
 
+LeafSeat seatAt(const glm::vec3& anchor, const glm::vec3& tangent, float around) {
+    const glm::vec3 e1 = perpendicular(tangent);
+    return {anchor, tangent, cosine(around) * e1 + sine(around) * glm::cross(tangent, e1)};
+}
+
 /// @param along the unit, 0 to 1.
 LeafSeat seatOn(const Skeleton& skeleton, std::size_t unit, float along, float around) {
     const float place = along * static_cast<float>(skeleton.ringsPerBranch - 1);
     const int ring = std::min(static_cast<int>(place), skeleton.ringsPerBranch - 2);
-    const glm::vec3 tangent = skeleton.tangent(unit, ring);
-    const glm::vec3 e1 = perpendicular(tangent);
-    return {glm::mix(skeleton.point(unit, ring), skeleton.point(unit, ring + 1),
-                     place - static_cast<float>(ring)),
-            tangent, cosine(around) * e1 + sine(around) * glm::cross(tangent, e1)};
+    return seatAt(glm::mix(skeleton.point(unit, ring), skeleton.point(unit, ring + 1),
+                           place - static_cast<float>(ring)),
+                  skeleton.tangent(unit, ring), around);
+}
+
+/// @param along the shoot, 0 to 1.
+LeafSeat seatOn(const Skeleton& skeleton, const Shoot& shoot, float along, float around) {
+    float left = along * lengthOf(skeleton, shoot);
+    for (std::size_t i = 1;; ++i) {
+        const glm::vec3 from = skeleton.shootPoint(shoot, i - 1), way = skeleton.shootPoint(shoot, i) - from;
+        const float length = glm::length(way);
+        if (left <= length || i + 1 == shoot.count)
+            return seatAt(from + way * (length > 0.0f ? std::min(left / length, 1.0f) : 0.0f),
+                          directionOr(way, up), around);
+        left -= length;
+    }
 }
 
 /// @param onward how far it leans along the branch.
@@ -163,20 +229,20 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
     const float spacing = whole / static_cast<float>(p.clusters);
     Random random(p.seed), angles(p.seed ^ 0x5eafull << 32);
     float passed = 0.0f;
-    for (std::size_t index = 0; index < stretches.size(); ++index) {
-        const Stretch& stretch = stretches[index];
+    for (const Stretch& stretch : stretches) {
         passed += std::max(stretch.to - stretch.from, 0.0f);
         const float start = random.uniform() * glm::two_pi<float>();
         for (int i = 0; static_cast<float>(clusters.size()) * spacing < passed - 0.5f * spacing; ++i) {
             const float left = passed - (static_cast<float>(clusters.size()) + 0.5f) * spacing;
-            const float t = glm::clamp((stretch.to - left) / stretch.to, 0.0f, 1.0f);
+            const float t = glm::clamp((stretch.to - left) / stretch.length, 0.0f, 1.0f);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
-            const LeafSeat seat = seatOn(skeleton, index, t, around);
+            const LeafSeat seat = stretch.shoot ? seatOn(skeleton, *stretch.shoot, t, around)
+                                                : seatOn(skeleton, stretch.unit, t, around);
             const glm::vec3 petiole = petioleOf(seat, 0.8f, p.droop);
 
             LeafCluster cluster;
             cluster.anchor = seat.anchor;
-            cluster.unit = static_cast<int>(index);
+            cluster.unit = static_cast<int>(stretch.unit);
             const float turn = random.symmetric() * glm::pi<float>();
             cluster.orientation =
                 p.frond ? frondFrame(seat.tangent)

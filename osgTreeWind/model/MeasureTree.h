@@ -13,9 +13,6 @@ TreeSize measureTree(const TreeModel& model, const TreeScale& scale = {});
 /// Cross-section of the trunk at breast height, m^2.
 float trunkSection(const Skeleton& skeleton, const TreeScale& scale = {});
 
-/// Volume of the wood of a skeleton along its centre lines, m^3.
-double woodVolume(const Skeleton& skeleton);
-
 /// The scale under which measureTree() gives `size` (within 1 %) as far as the shape can have it: no crown is
 /// narrower than its trunk. Sizes not given follow the height in proportion; with no size at all the scale
 /// is 1.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/RecursiveTree.h>
 
-#include <osgTreeWind/model/PortableMath.h>
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/model/TreeFields.h>
-#include <osgTreeWind/model/UnitVectors.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

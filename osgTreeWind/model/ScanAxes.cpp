@@ -21,7 +21,7 @@ double lengthOf(const ScanCylinder& cylinder) {
 
 /// Non-increasing sections (pool adjacent violators): neighbours in the wrong order become one, of their
 /// mean.
-void taper(std::vector<double>& radii, const ScanLine& line) {
+void taper(std::vector<double>& radii, const WoodLine& line) {
     struct Pool {
         double section, length; // radius^2, its mean
         std::size_t end;
@@ -63,7 +63,7 @@ public:
         }
     }
 
-    std::vector<ScanAxis> axes() {
+    std::vector<WoodAxis> axes() {
         follow(_root, -1);
         for (std::size_t axis = 0; axis < _axes.size(); ++axis) {
             const std::size_t first = _firsts[axis];
@@ -72,7 +72,7 @@ public:
                     if (child != _next[at])
                         follow(child, static_cast<int>(axis));
         }
-        for (ScanAxis& axis : _axes)
+        for (WoodAxis& axis : _axes)
             taper(axis.radii, axis.line);
         return std::move(_axes);
     }
@@ -110,7 +110,7 @@ private:
     /// Adds the axis that begins with cylinder `first`.
     void follow(std::size_t first, int parent) {
         const glm::dvec3 foot = _cylinders[_root].start;
-        ScanAxis axis;
+        WoodAxis axis;
         axis.parent = parent;
         if (parent < 0)
             axis.line.add(glm::dvec3(0.0));
@@ -122,17 +122,17 @@ private:
             axis.line.add(cylinder.end - foot);
             axis.radii.push_back(cylinder.radius);
             axis.volume += glm::pi<double>() * cylinder.radius * cylinder.radius * lengthOf(cylinder);
-            ++axis.cylinders;
+            ++axis.pieces;
         }
         _axes.push_back(std::move(axis));
         _firsts.push_back(first);
     }
 
     /// Begins an axis on the stretch of its parent's line that the parent of its first cylinder is.
-    void spring(ScanAxis& axis, std::size_t first) const {
+    void spring(WoodAxis& axis, std::size_t first) const {
         const ScanCylinder& cylinder = _cylinders[first];
         const auto carrier = static_cast<std::size_t>(cylinder.parent);
-        const ScanAxis& parent = _axes[static_cast<std::size_t>(axis.parent)];
+        const WoodAxis& parent = _axes[static_cast<std::size_t>(axis.parent)];
         const std::size_t stretch = _place[carrier].stretch;
         const glm::dvec3 start = cylinder.start - _cylinders[_root].start;
         const glm::dvec3 low = parent.line.points[stretch];
@@ -154,28 +154,13 @@ private:
     std::vector<std::size_t> _next; ///< The child that carries its axis on.
     std::vector<Place> _place;
     std::size_t _root = 0;
-    std::vector<ScanAxis> _axes;
+    std::vector<WoodAxis> _axes;
     std::vector<std::size_t> _firsts; ///< First cylinder of each axis.
 };
 
 } // namespace
 
-void ScanLine::add(const glm::dvec3& point) {
-    arc.push_back(points.empty() ? 0.0 : arc.back() + glm::distance(points.back(), point));
-    points.push_back(point);
-}
-
-glm::dvec3 ScanLine::at(double along) const {
-    const auto after = std::upper_bound(arc.begin(), arc.end(), along);
-    if (after == arc.begin())
-        return points.front();
-    if (after == arc.end())
-        return points.back();
-    const auto i = static_cast<std::size_t>(after - arc.begin());
-    return glm::mix(points[i - 1], points[i], (along - arc[i - 1]) / (arc[i] - arc[i - 1]));
-}
-
-std::vector<ScanAxis> axesOfScan(const ScanCylinders& cylinders) {
+std::vector<WoodAxis> axesOfScan(const ScanCylinders& cylinders) {
     return AxisFinder(cylinders).axes();
 }
 

@@ -25,11 +25,12 @@ struct ScanCylinder {
 /// All cylinders of one tree.
 using ScanCylinders = std::vector<ScanCylinder>;
 
-/// How much of a scan becomes wood; the rest is left to leaves.
-struct ScanDetail {
-    int ringsPerBranch = 8;      ///< Of each unit, 2 to 64.
-    std::size_t mostUnits = 400; ///< At most 4096. The trunk is taken whatever it says.
-    double thinnest = 0.002;     ///< Branches thinner at their base are left out; a radius, metres.
+/// How much of a tree's wood moves by itself, and how much more is drawn.
+struct WoodDetail {
+    int ringsPerBranch = 8;         ///< Of each unit, 2 to 64.
+    std::size_t mostUnits = 400;    ///< At most 4096. The trunk is taken whatever it says.
+    double thinnest = 0.002;        ///< Branches thinner at their base are no units; a radius, metres.
+    std::size_t mostShoots = 20000; ///< Of the branches that are no units, the thickest; at most 100,000.
 };
 
 /// What became of a scan. Metres and m^3.
@@ -39,8 +40,9 @@ struct ScanReport {
     std::size_t tree = 0;        ///< Which of its trees,
     std::size_t trees = 0;       ///< of so many.
     std::size_t cylinders = 0;   ///< In the scan.
-    std::size_t taken = 0;       ///< Of them, in units; the others were pruned.
+    std::size_t taken = 0;       ///< Of them, in units and shoots; the others were pruned.
     std::size_t units = 0;       ///< Of the skeleton.
+    std::size_t shoots = 0;      ///< Of the skeleton.
     double height = 0.0;         ///< Of all cylinders' ends above the foot.
     double cylinderVolume = 0.0; ///< Of all cylinders.
     double woodVolume = 0.0;     ///< Of the skeleton.
@@ -60,12 +62,13 @@ struct ScannedTree {
 /// parent. Radii are linear on a unit, go on from unit to unit, keep the volume of the axis' cylinders
 /// (between that along bent centre lines and that along straight units) and are at most the parent's where a
 /// branch springs. What leads to the highest point is taken first, then the thickest branches. Those thinner
-/// than `thinnest`, shorter than a thousandth of the height, or too many for `mostUnits` are pruned with all
-/// they bear.
+/// than `thinnest` or too many for `mostUnits` become shoots with all that they bear: they ride on the unit
+/// from which they spring. Branches shorter than a thousandth of the height, or too many for `mostShoots`,
+/// are pruned.
 /// @return what keeps the cylinders from being one tree, with its line: no cylinder, a radius outside (0, 10]
 /// m or a length below a micrometre, no root or two, a parent that is not there, a loop, a height above the
 /// foot outside 0.1 to 150 m, or an extent of over 200 m.
 OSGTREEWIND_EXPORT Result<ScannedTree> makeScannedTree(const ScanCylinders& cylinders,
-                                                       const ScanDetail& detail = {});
+                                                       const WoodDetail& detail = {});
 
 } // namespace osgTreeWind

@@ -21,6 +21,22 @@ struct BranchUnit {
     float attach = 1.0f;     ///< Where along its parent it springs, (0, 1]; 1: at its end.
 };
 
+/// A part of a branch: metres along it from its base; none if `to` is not beyond `from`.
+struct BranchPart {
+    float from = 0.0f, to = 0.0f;
+};
+
+/// A twig that is drawn and weighed and does not turn by itself: it rides on a unit.
+struct Shoot {
+    int unit = 0;            ///< That bears it, itself or by other shoots.
+    int level = 1;           ///< Order of branching, as of BranchUnit.
+    std::size_t first = 0;   ///< Of its points in Skeleton::shootPoints,
+    std::size_t count = 2;   ///< of which it has at least 2, from its base to its tip.
+    float baseRadius = 0.0f; ///< Metres; linear along its points to
+    float tipRadius = 0.0f;  ///< that at its tip.
+    BranchPart leafy;        ///< That bears leaves, where Skeleton::leafyUnits are known.
+};
+
 /// The rest geometry of a tree's wood as centre lines: the thesis' `verticesForLeaves` (§2.2).
 /// Units stand in depth-first access order (Fig 4.5); every parent comes before its children.
 /// Generic: any maker (recursive generator, species form, scan) may fill it.
@@ -32,12 +48,20 @@ struct OSGTREEWIND_EXPORT Skeleton {
     float flare = 0.0f; ///< How much wider joined bark is at the ground, over the radius there, [0, 3].
     std::vector<BranchUnit> units; ///< In access order.
     std::vector<glm::vec3> points; ///< units.size() * ringsPerBranch, unit after unit, base to tip.
+    std::vector<Shoot> shoots;     ///< Finer wood than the units', in the order of the units that bear it.
+    std::vector<BranchPart>
+        leafyUnits; ///< The part of each unit that bears leaves; empty: LeafParameters tell.
+    std::vector<glm::vec3> shootPoints; ///< Of all shoots, shoot after shoot; metres, tree frame at rest.
 
     /// A point of a unit, from its base on; unchecked.
     const glm::vec3& point(std::size_t unit, int ring) const {
         return points[unit * static_cast<std::size_t>(ringsPerBranch) + static_cast<std::size_t>(ring)];
     }
-    float height() const; ///< Of the highest tip, metres, at least 0.
+    /// A point of a shoot, from its base on; unchecked.
+    const glm::vec3& shootPoint(const Shoot& shoot, std::size_t i) const {
+        return shootPoints[shoot.first + i];
+    }
+    float height() const; ///< Of the highest tip of a unit, metres, at least 0.
     /// Radius at a ring: linear from baseRadius to tipRadius.
     float radius(std::size_t unit, int ring) const;
     /// Unit direction of the unit's centre line at a ring (central difference, one-sided at the ends).

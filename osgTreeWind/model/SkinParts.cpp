@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/SkinParts.h>
 
-#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/base/PortableMath.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
@@ -28,9 +28,9 @@ float barkStart(const BranchUnit& unit, const BranchSkin& skin) {
                     skin.vertices[skin.firstVertices[parent + 1] - 1].uv.y, unit.attach);
 }
 
-void finishUnit(BranchSkin& skin, int rings, int sides, bool closed) {
+void addRingTriangles(BranchSkin& skin, std::size_t firstVertex, int rings, int sides, bool closed) {
     const auto around = static_cast<std::uint32_t>(sides);
-    std::uint32_t ring = skin.firstVertices.back();
+    auto ring = static_cast<std::uint32_t>(firstVertex);
     for (int i = 1; i < rings; ++i, ring += around)
         for (std::uint32_t side = 0; side < around; ++side) {
             const std::uint32_t a = ring + side, b = ring + (side + 1) % around;
@@ -38,6 +38,10 @@ void finishUnit(BranchSkin& skin, int rings, int sides, bool closed) {
         }
     for (std::uint32_t side = 0; closed && side < around; ++side)
         skin.indices.insert(skin.indices.end(), {ring + side, ring + (side + 1) % around, ring + around});
+}
+
+void finishUnit(BranchSkin& skin, int rings, int sides, bool closed) {
+    addRingTriangles(skin, skin.firstVertices.back(), rings, sides, closed);
     skin.firstVertices.push_back(static_cast<std::uint32_t>(skin.vertices.size()));
     skin.firstIndices.push_back(static_cast<std::uint32_t>(skin.indices.size()));
 }

@@ -12,8 +12,12 @@ float ringWidening(int sides);
 /// @param skin of all units before it.
 float barkStart(const BranchUnit& unit, const BranchSkin& skin);
 
-/// Adds the triangles of the unit whose rings are the vertices since the last one.
+/// Adds the triangles between rings of vertices, from a vertex on.
 /// @param closed the last ring, by one more vertex after it.
+void addRingTriangles(BranchSkin& skin, std::size_t firstVertex, int rings, int sides, bool closed);
+
+/// Adds the triangles of the unit whose rings are the vertices since the last one, as addRingTriangles()
+/// does.
 void finishUnit(BranchSkin& skin, int rings, int sides, bool closed = false);
 
 } // namespace osgTreeWind

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/SkinPlan.h>
 
-#include <osgTreeWind/model/PortableMath.h>
+#include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/model/SkinParts.h>
 #include <osgTreeWind/model/StemFoot.h>
 

@@ -71,8 +71,8 @@ glm::vec3 middleOf(const std::array<LeafVertex, verticesPerLeafCluster>& mesh, i
 }
 
 BranchSkin thinnedSkin(const Skeleton& skeleton, const TreeDetail& detail) {
-    const BranchSkin skin = makeBranchSkin(skeleton, detail.bark * skeleton.height());
     const float radius = 0.5f * detail.thinnest * skeleton.height();
+    const BranchSkin skin = makeBranchSkin(skeleton, detail.bark * skeleton.height(), radius);
     BranchSkin thinned;
     for (std::size_t unit = 0; unit < skeleton.units.size(); ++unit) {
         if (skeleton.units[unit].baseRadius >= radius) {

@@ -12,8 +12,9 @@ namespace osgTreeWind {
 
 /// How much of a tree is drawn.
 struct TreeDetail {
-    float bark = 0.0f;     ///< By so much, over the height of the tree, it may be off: makeBranchSkin().
-    float thinnest = 0.0f; ///< Branch units thinner at their base, over the height of the tree, are left out.
+    float bark = 0.0f; ///< By so much, over the height of the tree, it may be off: makeBranchSkin().
+    float thinnest =
+        0.0f; ///< Units and shoots thinner at their base, over the height of the tree, are left out.
     float leafShare = 1.0f; ///< Of the leaf clusters, [0, 1].
     int bough = 1;          ///< 2 to 4: each is one card of boughs that many times a spray's. 1: its sprays.
     float leafArea = 1.0f;  ///< Of the cards over that of the whole tree, > 0.

@@ -120,7 +120,7 @@ const Fields& fieldsOf<LeafParameters>() {
         {"clusters_per_branch", at<&P::clustersPerBranch>, within(0, 64), "0 for a bare tree"},
         {"clusters", at<&P::clusters>, within(0, 100000),
          "of the whole tree, spread evenly along its branches; 0: `clusters_per_branch` holds; 1300 with "
-         "`[species.growth]`"},
+         "`[species.growth]`, 3000 with `[species.habit]`"},
         {"bare", at<&P::bare>, within(0, 0.95),
          "with `clusters`: share of a branch at `first_level` without any, from its base; less on further "
          "levels"},
@@ -151,7 +151,7 @@ const Fields& fieldsOf<LeafParameters>() {
         {"area", at<&P::area>, within(0, 1e6),
          "of all quads over the cross-section of the trunk at breast height: then `length` and `width` tell "
          "their proportions; 0: they hold as they are; without it as `wood.leaf_area` needs with "
-         "`[species.growth]` or `scan` and no size of a cluster, else 0"},
+         "`[species.growth]`, `[species.habit]` or `scan` and no size of a cluster, else 0"},
         {"seed", at<&P::seed>, {}, "of their places"},
     };
     return fields;

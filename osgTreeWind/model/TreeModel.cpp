@@ -2,6 +2,9 @@
 #include <osgTreeWind/model/TreeModel.h>
 
 #include <osgTreeWind/base/SharedValues.h>
+#include <osgTreeWind/growth/GrowTree.h>
+#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/model/FormSkeleton.h>
 #include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/RecursiveTree.h>
@@ -22,6 +25,12 @@ namespace {
 Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
     if (parameters.scans)
         return (*parameters.scans)[variant % parameters.scans->size()].skeleton;
+    if (parameters.growth) {
+        const GrowthParameters& p = *parameters.growth;
+        Skeleton skeleton = makeSkeleton(growTree(p.habit, p.site, p.size, p.seed + variant));
+        skeleton.flare = p.flare;
+        return skeleton;
+    }
     if (parameters.grown) {
         GrownTreeParameters grown = *parameters.grown;
         grown.seed += variant;
@@ -66,6 +75,16 @@ std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
         addBytes(std::vector<float>{scan.flare}, key);
         addBytes(scan.units, key);
         addBytes(scan.points, key);
+        for (const Shoot& shoot : scan.shoots) { // which has bytes without a meaning
+            key += std::to_string(shoot.unit) + ' ' + std::to_string(shoot.count) + ' ';
+            addBytes(std::vector<float>{shoot.baseRadius, shoot.tipRadius}, key);
+        }
+        addBytes(scan.shootPoints, key);
+    } else if (parameters.growth) {
+        const GrowthSite& site = parameters.growth->site;
+        key += "growth";
+        addBytes(std::vector<float>{site.shade, site.distance, site.openSide.value_or(-1000.0f)}, key);
+        addFieldBytes(*parameters.growth, key);
     } else if (parameters.grown) {
         key += "grown";
         addFieldBytes(*parameters.grown, key);
@@ -84,6 +103,7 @@ TreeModel makeTreeModel(const TreeParameters& parameters, std::uint32_t variant)
     TreeModel model;
     model.skeleton = makeSkeleton(parameters, variant);
     model.skin = makeBranchSkin(model.skeleton);
+    model.shootWood = shootWoodOf(model.skeleton);
     model.leaves = makeLeafClusters(model.skeleton, leaves);
     const auto setMesh = [&] {
         model.leafMesh = makeLeafMesh(leaves);
@@ -141,7 +161,7 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
     TreeCounts counts;
     std::uint64_t clusters = 0;
     SkinSize skin;
-    if (parameters.scans || parameters.grown) {
+    if (parameters.scans || parameters.growth || parameters.grown) {
         const Skeleton skeleton = makeSkeleton(parameters, variant);
         counts.units = skeleton.units.size();
         counts.skeletonPoints = skeleton.points.size();
@@ -178,9 +198,9 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
 
 TreeCounts countLargest(const TreeParameters& parameters, int shapes) {
     TreeCounts largest = countTree(parameters);
-    const int distinct = parameters.scans   ? std::min(shapes, static_cast<int>(parameters.scans->size()))
-                         : parameters.grown ? shapes
-                                            : 1;
+    const int distinct = parameters.scans ? std::min(shapes, static_cast<int>(parameters.scans->size()))
+                         : parameters.growth || parameters.grown ? shapes
+                                                                 : 1;
     for (int shape = 1; shape < distinct; ++shape) {
         const TreeCounts counts = countTree(parameters, static_cast<std::uint32_t>(shape));
         for (const auto number : {&TreeCounts::units, &TreeCounts::branches, &TreeCounts::skeletonPoints,

@@ -6,6 +6,7 @@
 #include <osgTreeWind/model/Skeleton.h>
 #include <osgTreeWind/model/TreeExtents.h>
 #include <osgTreeWind/model/TreeParameters.h>
+#include <osgTreeWind/model/WoodVolume.h>
 
 #include <array>
 #include <cstdint>
@@ -20,6 +21,7 @@ struct TreeModel {
     BranchSkin skin;                                         ///< Its bark.
     std::vector<LeafCluster> leaves;                         ///< Where leaves hang.
     std::array<LeafVertex, verticesPerLeafCluster> leafMesh; ///< One cluster of them, shared.
+    std::vector<ShootWood> shootWood;                        ///< shootWoodOf() its skeleton.
     TreeExtents extents; ///< makeTreeExtents() of the above without `hanging`: measureTree(), fitTree().
     std::uint64_t identity = 0; ///< Number that only one sharedTreeModel() ever has; 0 in any other model.
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/growth/GrowthParameters.h>
 #include <osgTreeWind/model/GrownTreeParameters.h>
 #include <osgTreeWind/model/ScannedTree.h>
 
@@ -68,7 +69,8 @@ struct LeafParameters {
 struct TreeParameters {
     RecursiveTreeParameters wood;             ///< Of a tree grown by the rule of the thesis.
     std::optional<GrownTreeParameters> grown; ///< In place of `wood`.
-    /// In place of both: variant v takes scan v modulo their number. Null or at least one.
+    std::optional<GrowthParameters> growth;   ///< In place of both: it grows by light.
+    /// In place of all: variant v takes scan v modulo their number. Null or at least one.
     std::shared_ptr<const std::vector<ScannedTree>> scans;
     LeafParameters leaves; ///< That hang on its wood.
 };

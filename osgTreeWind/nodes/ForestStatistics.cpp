@@ -10,16 +10,11 @@
 
 namespace osgTreeWind {
 
-namespace {
-
-/// Bytes that the process has in memory.
 double residentBytes() {
     std::uint64_t all = 0, pages = 0;
     std::ifstream("/proc/self/statm") >> all >> pages;
     return static_cast<double>(pages) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
-
-} // namespace
 
 osg::Stats* statisticsOf(osg::NodeVisitor& cullVisitor) {
     osgUtil::CullVisitor* visitor = cullVisitor.asCullVisitor();

@@ -22,6 +22,9 @@ struct ForestStatistics {
     void report(osg::Stats& stats, unsigned frame) const;
 };
 
+/// That the process has in memory.
+double residentBytes();
+
 /// The statistics of the view whose cull traversal this is; null where nobody collects "update".
 osg::Stats* statisticsOf(osg::NodeVisitor& cullVisitor);
 

@@ -8,7 +8,6 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
-#include <osgTreeWind/nodes/FileOfTiles.h>
 #include <osgTreeWind/nodes/TileReader.h>
 
 #include <osg/Notify>

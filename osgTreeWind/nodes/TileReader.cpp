@@ -2,7 +2,6 @@
 #include <osgTreeWind/nodes/TileReader.h>
 
 #include <osgTreeWind/base/Guarded.h>
-#include <osgTreeWind/nodes/FileOfTiles.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace osgTreeWind {
@@ -20,6 +21,8 @@ public:
         std::string name; ///< As people call it: "WGS 84 / UTM zone 10N".
         std::string problemOfMap; ///< As below.
         bool isDegrees = false;
+
+        auto parts() { return std::tie(text, name, problemOfMap, isDegrees); } ///< For Wire.
     };
 
     /// @param text any that PROJ knows: "EPSG:25832", "+proj=utm +zone=32", WKT.

@@ -15,6 +15,8 @@ struct GridMapping {
     using Numbers = std::pair<std::string, std::vector<double>>;
     std::vector<Numbers> numbers;
     std::string wkt; ///< crs_wkt, which always holds.
+
+    auto parts() { return std::tie(name, numbers, wkt); } ///< For Wire.
 };
 
 Result<GridMapping> gridMappingOf(const Crs& map);

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace osgTreeWind {
@@ -18,6 +19,8 @@ struct MapCells {
     std::vector<float> values; ///< South row first; NaN where there are no data.
     std::string crs;           ///< As Crs::text(); empty: not known.
     std::string unit;          ///< As the file says it; empty: it does not.
+
+    auto parts() { return std::tie(cells, south, cellSize, values, crs, unit); } ///< For Wire.
 };
 
 /// Reads a GeoTIFF of one band, north up.

@@ -6,13 +6,14 @@
 #include <osgTreeWind/places/GridMapping.h>
 #include <osgTreeWind/places/MapCells.h>
 #include <osgTreeWind/places/PointTable.h>
-#include <osgTreeWind/places/VectorFile.h>
+
+#include <glm/vec3.hpp>
 
 #include <array>
 #include <cstdint>
 
 /// What passes between the library and osgtreewind-map, which are of the same build. Not part of the
-/// interface.
+/// interface. parts() are what Wire passes.
 namespace osgTreeWind {
 
 /// One question; each has one answer, but for a raster, whose rows follow its head.
@@ -31,12 +32,15 @@ struct MapQuestion {
         FilterFeatures, ///< A condition.
         RewindFeatures, ///< Places from a text to another, and which columns: all where none is named.
         NextFeatures,   ///< FeatureBatch.
-        WriteTable      ///< A file; the PointTable follows.
+        WriteTable      ///< A file and a PointTable.
     };
     Task task = Task::ParseCrs;
     std::vector<std::string> texts{};
     std::vector<glm::dvec2> places{};
     std::vector<std::size_t> columns{};
+    std::optional<PointTable> table{};
+
+    auto parts() { return std::tie(task, texts, places, columns, table); }
 };
 
 /// A task that has nothing to say but that it is done.
@@ -46,11 +50,15 @@ struct RasterHead {
     std::optional<Crs::Facts> crs;
     int columns = 0, rows = 0;
     std::array<double, 6> toPlace{}, toCell{}; ///< GDAL's geotransform, and its inverse.
+
+    auto parts() { return std::tie(crs, columns, rows, toPlace, toCell); }
 };
 
 struct FeatureFileHead {
     std::string format;
     std::vector<std::string> layers, warnings;
+
+    auto parts() { return std::tie(format, layers, warnings); }
 };
 
 struct FeatureLayer {
@@ -58,6 +66,15 @@ struct FeatureLayer {
     std::vector<std::string> columns;
     std::optional<Crs::Facts> crs;
     bool hasGeometry = false;
+
+    auto parts() { return std::tie(where, columns, crs, hasGeometry); }
+};
+
+/// Where a feature is.
+struct VectorPlace {
+    glm::dvec3 position{0.0};      ///< Of a point, z as it has it; of an outline its centroid, z 0.
+    bool hasHeight = false;        ///< Whether z is its own.
+    std::optional<double> width{}; ///< Of an outline: mean of its extents along x and y.
 };
 
 /// Features one after another; of each the columns that were asked for.
@@ -68,11 +85,15 @@ struct FeatureBatch {
         std::vector<double> numbers;
         std::string texts;                 ///< One behind the other,
         std::vector<std::uint32_t> ends{}; ///< and where each ends.
+
+        auto parts() { return std::tie(kinds, numbers, texts, ends); }
     };
     /// Why the feature of this index has no place.
     struct Placeless {
         std::size_t index = 0;
         std::string message;
+
+        auto parts() { return std::tie(index, message); }
     };
     std::vector<std::int64_t> ids;
     std::vector<VectorPlace> places;
@@ -80,20 +101,8 @@ struct FeatureBatch {
     std::vector<Column> columns;
     std::string problem; ///< What comes after them; empty: more features, or nothing.
     bool isLast = false;
-};
 
-bool passMembers(Wire& wire, MapQuestion& question);
-bool passMembers(Wire& wire, Crs::Facts& facts);
-bool passMembers(Wire& wire, GridMapping& mapping);
-bool passMembers(Wire& wire, GridMapping::Numbers& numbers);
-bool passMembers(Wire& wire, MapCells& cells);
-bool passMembers(Wire& wire, RasterHead& head);
-bool passMembers(Wire& wire, FeatureFileHead& head);
-bool passMembers(Wire& wire, FeatureLayer& layer);
-bool passMembers(Wire& wire, FeatureBatch& batch);
-bool passMembers(Wire& wire, FeatureBatch::Column& column);
-bool passMembers(Wire& wire, FeatureBatch::Placeless& placeless);
-bool passMembers(Wire& wire, PointTable& table);
-bool passMembers(Wire& wire, PointTable::Row& row);
+    auto parts() { return std::tie(ids, places, placeless, columns, problem, isLast); }
+};
 
 } // namespace osgTreeWind

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace osgTreeWind {
@@ -17,12 +18,16 @@ struct PointTable {
         glm::dvec3 position{0.0};
         std::vector<std::string> texts;
         std::vector<std::optional<double>> numbers;
+
+        auto parts() { return std::tie(position, texts, numbers); } ///< For Wire.
     };
 
     std::string name;                        ///< Of the layer.
     std::string crs;                         ///< As Crs::parse() reads; empty: not known.
     std::vector<std::string> texts, numbers; ///< Names of the columns.
     std::vector<Row> rows;                   ///< Each with as many of both.
+
+    auto parts() { return std::tie(name, crs, texts, numbers, rows); } ///< For Wire.
 };
 
 /// Writes it as a GeoPackage, where nothing is yet. @return what is wrong; empty: nothing.

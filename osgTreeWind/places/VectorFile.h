@@ -2,8 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/places/CrsWay.h>
-
-#include <glm/vec3.hpp>
+#include <osgTreeWind/places/MapProgram.h>
 
 #include <cstddef>
 #include <memory>
@@ -12,13 +11,6 @@
 #include <vector>
 
 namespace osgTreeWind {
-
-/// Where a feature is.
-struct VectorPlace {
-    glm::dvec3 position{0.0};      ///< Of a point, z as it has it; of an outline its centroid, z 0.
-    bool hasHeight = false;        ///< Whether z is its own.
-    std::optional<double> width{}; ///< Of an outline: mean of its extents along x and y.
-};
 
 /// The features of one layer of a file, one after the other, through GDAL: GeoJSON, GeoPackage, FlatGeobuf,
 /// shapefiles, GML, KML, MapInfo, OpenStreetMap, spreadsheets, and CityJSON. Used by one thread at a time. A
@@ -29,26 +21,21 @@ public:
     static bool knows(const std::string& path);
     static Result<VectorFile> open(const std::string& path);
 
-    VectorFile();
-    VectorFile(VectorFile&&) noexcept;
-    VectorFile& operator=(VectorFile&&) noexcept;
-    ~VectorFile();
-
-    const std::string& path() const;
+    const std::string& path() const { return _path; }
     /// What GDAL calls its format; "CityJSON".
-    const std::string& format() const;
-    std::vector<std::string> layers() const;
+    const std::string& format() const { return _head.format; }
+    const std::vector<std::string>& layers() const { return _head.layers; }
     /// Chooses what next() gives. @param layer empty: the only one. @return what is wrong; empty: nothing.
     Diagnostics chooseLayer(const std::string& layer);
     /// @param condition as behind SQL's WHERE.
     Diagnostics filter(const std::string& condition);
 
     // Of the layer:
-    const std::vector<std::string>& columns() const;
-    const std::optional<Crs>& crs() const;
-    bool hasGeometry() const;
+    const std::vector<std::string>& columns() const { return _layer.columns; }
+    const std::optional<Crs>& crs() const { return _crs; }
+    bool hasGeometry() const { return _layer.hasGeometry; }
     /// What GDAL found odd.
-    const std::vector<std::string>& warnings() const;
+    const std::vector<std::string>& warnings() const { return _head.warnings; }
 
     /// Makes the first feature the next one.
     /// @param way that its places go. @param columns to read, all if it is empty; the others have no values.
@@ -68,9 +55,23 @@ public:
     Result<VectorPlace> place() const;
 
 private:
-    struct Reading;
-    explicit VectorFile(std::unique_ptr<Reading> reading);
-    std::unique_ptr<Reading> _reading;
+    void ask();
+    bool take();
+    void stop();
+    const FeatureBatch::Column* column(std::size_t column) const;
+
+    std::string _path;
+    std::unique_ptr<MapProgram> _program;
+    FeatureFileHead _head;
+    FeatureLayer _layer;
+    std::optional<Crs> _crs;
+    CrsWay _way;
+    std::vector<std::size_t> _columns; ///< That are asked for,
+    std::vector<std::size_t> _slots;   ///< and where each column of the layer is among them.
+    FeatureBatch _batch;
+    std::size_t _index = 0;  ///< One past the feature, in the batch.
+    bool _isAsked = false;   ///< Whether the next batch is on its way.
+    Diagnostics _problems{}; ///< Of the program: none can be read any more.
 };
 
 } // namespace osgTreeWind

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/ReaderProgram.h>
+#include <osgTreeWind/base/ReaderProcess.h>
 #include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
-#include <osgTreeWind/scanfiles/ScanWire.h>
 
 namespace osgTreeWind {
 
@@ -15,24 +14,16 @@ bool isMatlab(std::string_view head) {
 }
 
 Result<ScanFile> readMatlab(const std::string& path) {
-    constexpr ReaderProgram reader{"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"};
-    std::optional<Result<ScanFile>> scan;
-    const auto problem = runReader(reader, path, {"trees"}, [&](int answer) {
-        scan = Wire::receive<ScanFile>(answer);
-        return scan.has_value();
-    });
-    if (problem)
-        return *problem;
-    if (!*scan)
-        return std::move(*scan);
-    for (std::size_t tree = 0; tree < scan->value().trees.size(); ++tree)
-        if (auto unsound = problemOfScan(scan->value().trees[tree])) {
+    Result<ScanFile> scan =
+        readBy<ScanFile>({"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"}, {path, "trees"});
+    for (std::size_t tree = 0; scan && tree < scan.value().trees.size(); ++tree)
+        if (auto unsound = problemOfScan(scan.value().trees[tree])) {
             const std::string of = "tree " + std::to_string(tree + 1);
             return Diagnostic{path, 0, 0,
                               unsound->line > 0 ? of + ", cylinder " + std::to_string(unsound->line) : of,
                               unsound->message};
         }
-    return std::move(*scan);
+    return scan;
 }
 
 } // namespace osgTreeWind

@@ -47,7 +47,7 @@ ScanPoint readSegment(ScanRows& rows, std::size_t at, const Section& section, in
     for (int i = 0; i < 3; ++i)
         point.place[i] = rows.number(at + static_cast<std::size_t>(i), scanMetres);
     if (id == 0) // a point, whose radius means nothing
-        rows.number(at + 3, {"a number", -1e300, 1e300});
+        rows.number(at + 3, {"a number", within(-1e300, 1e300)});
     else
         point.radius = rows.number(at + 3, scanRadius);
     point.name = {id, -1, rows.line()};

@@ -4,6 +4,7 @@
 #include <osgTreeWind/model/ScannedTree.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace osgTreeWind {
@@ -15,6 +16,8 @@ constexpr std::size_t maxScanCylinders = 1000000, maxScanBytes = 400000000;
 struct ScanFile {
     std::string format; ///< "TreeQSM", "SimpleForest", "aRchi", "rTwig", "table", "RayCloudTools" or "SWC".
     std::vector<ScanCylinders> trees; ///< At least one; each is sound (problemOfScan).
+
+    auto parts() { return std::tie(format, trees); } ///< For Wire.
 };
 
 /// Reads trees that were fitted to laser scans, recognised by content: TreeQSM's cylinders as text (15 or 17

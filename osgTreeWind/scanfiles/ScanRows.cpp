@@ -33,18 +33,17 @@ bool ScanRows::next() {
 
 double ScanRows::number(std::size_t word, const ScanMeasure& measure) {
     const auto value = parseNumber(_words[word]);
-    if (value && measure.contains(*value))
+    if (value && measure.range.contains(*value))
         return *value;
     fail(word, expectedFound(measure.what, _words[word]));
     return 0.0;
 }
 
 int ScanRows::whole(std::size_t word, const char* what, int low, int high) {
-    const auto value = parseNumber(_words[word]);
-    if (value && *value >= low && *value <= high && *value == static_cast<int>(*value))
-        return static_cast<int>(*value);
-    fail(word, expectedFound(what, _words[word]));
-    return 0;
+    const double value = number(word, {what, within(low, high)});
+    if (value != static_cast<int>(value))
+        fail(word, expectedFound(what, _words[word]));
+    return static_cast<int>(value);
 }
 
 void ScanRows::fail(std::size_t word, const std::string& message) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/CsvTable.h>
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/scanfiles/ScanColumns.h>
@@ -17,70 +16,50 @@ namespace {
 
 using Column = ScanColumns::Column;
 
-/// Reads cells of a table; the first problem is kept.
-class CellReader {
-public:
-    CellReader(const CsvTable& table, const ScanColumns& columns) : _table(table), _columns(columns) {}
+/// The cells of a cylinder.
+struct CylinderCells {
+    CsvCells cells;
+    const ScanColumns& columns;
 
-    double number(const CsvTable::Row& row, std::size_t column, const ScanMeasure& measure) {
-        const auto value = parseNumber(row.cells[_columns.at[column]]);
-        if (value && measure.contains(*value))
-            return *value;
-        fail(row, column, expectedFound(measure.what, row.cells[_columns.at[column]]));
-        return 0.0;
+    double number(std::size_t column, const ScanMeasure& measure) {
+        return cells.number(columns.at[column], measure.range, measure.what);
     }
 
-    int whole(const CsvTable::Row& row, std::size_t column, const char* what) {
-        const double value = number(row, column, {what, -1e9, 1e9});
+    int whole(std::size_t column, const char* what) {
+        const double value = number(column, {what, within(-1e9, 1e9)});
         if (value != static_cast<int>(value))
-            fail(row, column, expectedFound(what, row.cells[_columns.at[column]]));
+            cells.expect(columns.at[column], what);
         return static_cast<int>(value);
     }
 
-    glm::dvec3 vector(const CsvTable::Row& row, std::size_t first, const ScanMeasure& measure) {
-        glm::dvec3 v(0.0);
-        for (std::size_t i = 0; i < 3; ++i)
-            v[static_cast<int>(i)] = number(row, first + i, measure);
-        return v;
+    glm::dvec3 vector(std::size_t first, const ScanMeasure& measure) {
+        return {number(first, measure), number(first + 1, measure), number(first + 2, measure)};
     }
 
-    ScanCylinder cylinder(const CsvTable::Row& row) {
+    ScanCylinder cylinder() {
         ScanCylinder cylinder;
-        cylinder.start = vector(row, Column::start, scanMetres);
-        if (_columns.hasEnds) {
-            cylinder.end = vector(row, Column::end, scanMetres);
+        cylinder.start = vector(Column::start, scanMetres);
+        if (columns.hasEnds) {
+            cylinder.end = vector(Column::end, scanMetres);
         } else {
-            const glm::dvec3 axis = vector(row, Column::axis, scanDirection);
-            const double length = number(row, Column::length, scanLength);
+            const glm::dvec3 axis = vector(Column::axis, scanDirection);
+            const double length = number(Column::length, scanLength);
             if (const std::string wrong = endAlong(axis, length, cylinder); !wrong.empty())
-                fail(row, Column::axis, wrong);
+                cells.fail(columns.at[Column::axis], wrong);
         }
-        cylinder.radius = number(row, Column::radius, scanRadius);
-        cylinder.line = row.line;
+        cylinder.radius = number(Column::radius, scanRadius);
+        cylinder.line = cells.line();
         return cylinder;
     }
 
-    ScanName name(const CsvTable::Row& row) {
-        const std::string& parent = row.cells[_columns.at[Column::parent]];
+    ScanName name() {
+        const std::string& parent = cells.text(columns.at[Column::parent]);
         const bool isRoot = parent.empty() || lower(parent) == "na";
-        return {whole(row, Column::id, "a whole number"),
-                isRoot
-                    ? -1
-                    : whole(row, Column::parent, "the id of a cylinder, or 0, -1 or NA for that of the root"),
-                row.line};
+        return {whole(Column::id, "a whole number"),
+                isRoot ? -1
+                       : whole(Column::parent, "the id of a cylinder, or 0, -1 or NA for that of the root"),
+                cells.line()};
     }
-
-    const Diagnostic* problem() const { return _problem.message.empty() ? nullptr : &_problem; }
-
-private:
-    void fail(const CsvTable::Row& row, std::size_t column, const std::string& message) {
-        if (_problem.message.empty())
-            _problem = {_table.file, row.line, 0, _table.columns[_columns.at[column]], message};
-    }
-
-    const CsvTable& _table;
-    const ScanColumns& _columns;
-    Diagnostic _problem;
 };
 
 /// What parts the names in the first line that is not blank.
@@ -139,14 +118,14 @@ Result<ScanFile> readScanTable(std::string_view text, const std::string& file) {
     if (rows.size() > maxScanCylinders)
         return fileProblem(file, "expected at most " + std::to_string(maxScanCylinders) + " cylinders");
 
-    CellReader cells(table.value(), columns.value());
     ScanFile scan{columns.value().format, {{}}};
     std::vector<ScanName> names;
     for (const CsvTable::Row& row : rows) {
-        scan.trees.front().push_back(cells.cylinder(row));
-        names.push_back(cells.name(row));
-        if (cells.problem())
-            return *cells.problem();
+        CylinderCells cells{{table.value(), row}, columns.value()};
+        scan.trees.front().push_back(cells.cylinder());
+        names.push_back(cells.name());
+        if (cells.cells.problem())
+            return *cells.cells.problem();
     }
     settleNames(names, columns.value().idsAreExtensions);
     if (auto problem = linkCylinders(scan.trees.front(), names, -1, file))

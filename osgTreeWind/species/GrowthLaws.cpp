@@ -20,6 +20,19 @@ float forestBase(const Species& species) {
     return depth > 0.0f ? 1.0f - std::max(depth / height, shallowest) : 0.0f;
 }
 
+/// Of a tree in a closed wood that is as high as one in the open.
+GrowthGoal forestSize(const Species& species) {
+    GrowthGoal size = species.tree.growth->size;
+    const HeightAllometry& height = species.height;
+    if (!(height.scale > 0.0f) || !(height.power > 0.0f))
+        return size;
+    size.trunkDiameter = std::pow(size.height / height.scale, 1.0f / height.power);
+    const float width = species.crown.base + species.crown.perDiameter * size.trunkDiameter;
+    if (width > 0.0f)
+        size.crownWidth = width;
+    return size;
+}
+
 // The modulus follows the slenderness where that was measured; clear wood is cut from usual trees.
 constexpr double stoutest = 50.0, usual = 80.0, slenderest = 110.0;
 
@@ -55,14 +68,28 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
     return size;
 }
 
+float usualHeight(const Species& species) {
+    const TreeParameters& tree = species.tree;
+    return tree.growth ? tree.growth->size.height : tree.grown ? tree.grown->height : 0.0f;
+}
+
 bool growsByCompany(const Species& species) {
-    return species.tree.grown && !species.tree.scans && forestBase(species) > species.tree.grown->crownBase;
+    if (species.tree.scans)
+        return false;
+    return species.tree.growth ||
+           (species.tree.grown && !species.tree.scans && forestBase(species) > species.tree.grown->crownBase);
 }
 
 TreeParameters growthOf(const Species& species, bool openGrown) {
     TreeParameters tree = species.tree;
     if (openGrown || !growsByCompany(species))
         return tree;
+    if (tree.growth) {
+        tree.growth->site.shade = 1.0f;
+        tree.growth->size = forestSize(species);
+        tree.growth->site.distance = tree.growth->size.crownWidth;
+        return tree;
+    }
     float& base = tree.grown->crownBase;
     const float raised = forestBase(species);
     const float squeezed = (1.0f - raised) / (1.0f - base);

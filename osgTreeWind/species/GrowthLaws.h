@@ -18,6 +18,9 @@ TreeParameters growthOf(const Species& species, bool openGrown);
 /// Whether these are two.
 bool growsByCompany(const Species& species);
 
+/// Of a species' shapes where nothing tells the height of a tree, metres; 0: it has none of its own.
+float usualHeight(const Species& species);
+
 /// Modulus of a living trunk: that of clear wood, less what knots and young wood take, and less where it is
 /// stout for its height, Pa.
 /// @param slenderness height over diameter at breast height.

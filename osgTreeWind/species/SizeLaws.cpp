@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/species/SizeLaws.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <algorithm>
@@ -87,9 +87,10 @@ private:
         _tree.estimated.trunkDiameter = true;
     }
     void setTypicalHeight() {
-        if (!_species.tree.grown)
+        const double usual = usualHeight(_species);
+        if (!(usual > 0.0))
             return;
-        const double height = _species.tree.grown->height * factor(_spread, "height");
+        const double height = usual * factor(_spread, "height");
         _tree.size.height = within(height, least, highest);
         _tree.estimated.height = true;
     }

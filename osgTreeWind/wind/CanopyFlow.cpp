@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/CanopyFlow.h>
 
-#include <osgTreeWind/wind/HeldTime.h>
+#include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/SwingingWind.h>
 
 #include <glm/common.hpp>

@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/wind/CanopyMap.h>
 #include <osgTreeWind/wind/GustNoise.h>
-#include <osgTreeWind/wind/TreeCompany.h>
 #include <osgTreeWind/wind/WindField.h>
 
 #include <cstddef>

@@ -33,6 +33,13 @@ struct CanopyAt {
     float shelter = 1.0f;
 };
 
+/// What the trees around a tree are to it.
+struct TreeCompany {
+    float crowns = 0.0f; ///< Share of the ground around it that is under crowns, [0, 1]: they touch its own.
+    float shelter =
+        1.0f; ///< Wind between its leaves over that of the stand's air, in the wind that usually blows.
+};
+
 /// The stands of a forest from above: which one the air comes from at each place. Immutable once made.
 struct CanopyMap {
     glm::ivec2 first{0}; ///< The first cell's middle, in cells from the origin.

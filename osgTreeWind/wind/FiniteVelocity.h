@@ -21,4 +21,9 @@ inline glm::vec3 clampedVelocity(const glm::dvec3& velocity) {
     return glm::vec3(glm::clamp(velocity, -limit, limit));
 }
 
+/// A time that air may be carried for: within `most` seconds; 0 where it is not finite.
+inline double heldTime(double time, double most) {
+    return std::isfinite(time) ? glm::clamp(time, -most, most) : 0.0;
+}
+
 } // namespace osgTreeWind

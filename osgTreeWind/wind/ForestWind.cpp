@@ -4,7 +4,6 @@
 #include <osgTreeWind/model/ThesisAxes.h>
 
 #include <cmath>
-#include <utility>
 
 namespace osgTreeWind {
 

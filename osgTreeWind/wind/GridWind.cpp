@@ -7,7 +7,6 @@
 #include <osgTreeWind/wind/ForestWind.h>
 #include <osgTreeWind/wind/Interpolation.h>
 #include <osgTreeWind/wind/LogProfile.h>
-#include <osgTreeWind/wind/SampleTimes.h>
 
 #include <algorithm>
 #include <cmath>

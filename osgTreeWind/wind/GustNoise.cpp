@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/GustNoise.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/SharedValues.h>
-#include <osgTreeWind/model/Random.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>

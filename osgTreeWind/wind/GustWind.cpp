@@ -3,8 +3,8 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/GustNoise.h>
-#include <osgTreeWind/wind/HeldTime.h>
 #include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/wind/WindLimits.h>
 
@@ -12,7 +12,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Result.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -26,5 +28,8 @@ Interpolation interpolationAtIndex(double index, std::size_t count);
 /// The samples around a time; before the first and after the last they are held. NaN gives the first.
 /// @param times at least one, checked by checkTimes().
 Interpolation interpolationAtTime(double time, const std::vector<double>& times);
+
+/// A problem with key "times" unless they are within 1e15 s and strictly increasing; empty when they are.
+Diagnostics checkTimes(const std::vector<double>& times);
 
 } // namespace osgTreeWind

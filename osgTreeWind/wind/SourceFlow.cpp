@@ -4,7 +4,6 @@
 #include <osgTreeWind/wind/BlastWave.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/GustNoise.h>
-#include <osgTreeWind/wind/HeldTime.h>
 #include <osgTreeWind/wind/WindFields.h>
 
 #include <glm/common.hpp>

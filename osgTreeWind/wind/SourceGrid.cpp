@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/SourceGrid.h>
 
-#include <osgTreeWind/wind/HeldTime.h>
+#include <osgTreeWind/wind/FiniteVelocity.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/Interpolation.h>
-#include <osgTreeWind/wind/SampleTimes.h>
 
 #include <cmath>
 #include <utility>

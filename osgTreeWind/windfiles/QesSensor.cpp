@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
@@ -15,12 +16,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double anyNumber = std::numeric_limits<double>::max();
-
-struct Range {
-    double low;
-    double high;
-    const char* what; ///< For the message.
-};
 
 /// The record's elements, read one after the other. Problems gather; `problems` empty means all is well.
 class SensorReader {
@@ -58,7 +53,7 @@ private:
 
     /// The number in a record's element. `absent` stands in for an optional element that is not there; a
     /// required one has no such value.
-    double number(pugi::xml_node record, const char* name, const Range& range,
+    double number(pugi::xml_node record, const char* name, const Range& range, const char* what,
                   std::optional<double> absent = std::nullopt) {
         const pugi::xml_node element = record.child(name);
         if (!element) {
@@ -71,22 +66,23 @@ private:
 
         const bool onlyText = element.first_child() == element.last_child();
         const std::optional<double> value = parseNumber(element.child_value());
-        if (onlyText && value && *value >= range.low && *value <= range.high)
+        if (onlyText && value && range.contains(*value))
             return *value;
-        report(element.offset_debug(), name, expectedFound(range.what, element.child_value()));
+        report(element.offset_debug(), name, expectedFound(what, element.child_value()));
         return 0.0;
     }
 
     void readRecord(pugi::xml_node record, WindSeries& series) {
         const std::size_t before = problems.size();
-        const double time = number(record, "timeEpoch", {-anyNumber, anyNumber, "seconds"});
-        const LogProfile profile{number(record, "height", {1e-6, 1e6, "metres above 0"}),
-                                 number(record, "siteZ0", {1e-6, 1e6, "metres above 0"})};
-        const double speed = number(record, "speed", {0.0, maxMeasuredSpeed, "a wind speed of 0 to 200 m/s"});
+        const double time = number(record, "timeEpoch", within(-anyNumber, anyNumber), "seconds");
+        const LogProfile profile{number(record, "height", within(1e-6, 1e6), "metres above 0"),
+                                 number(record, "siteZ0", within(1e-6, 1e6), "metres above 0")};
+        const double speed =
+            number(record, "speed", within(0.0, maxMeasuredSpeed), "a wind speed of 0 to 200 m/s");
         const double direction =
-            number(record, "direction", {-maxDirection, maxDirection, "degrees of -360 to 360"});
-        number(record, "boundaryLayerFlag", {1.0, 1.0, "1 (logarithmic profile)"}, 1.0);
-        number(record, "reciprocal", {0.0, 0.0, "0 (neutral stability)"}, 0.0);
+            number(record, "direction", within(-maxDirection, maxDirection), "degrees of -360 to 360");
+        number(record, "boundaryLayerFlag", within(1.0, 1.0), "1 (logarithmic profile)", 1.0);
+        number(record, "reciprocal", within(0.0, 0.0), "0 (neutral stability)", 0.0);
         if (problems.size() != before)
             return;
 

@@ -35,13 +35,4 @@ WindContent windOfVtk(VtkImage&& image, const std::string& format) {
     return content;
 }
 
-std::vector<float> floatsOf(std::string_view bytes, bool wide, ByteOrder order) {
-    const std::size_t size = wide ? 8 : 4;
-    std::vector<float> values(bytes.size() / size);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = wide ? static_cast<float>(numberAt<double>(bytes, i * size, order))
-                         : numberAt<float>(bytes, i * size, order);
-    return values;
-}
-
 } // namespace osgTreeWind

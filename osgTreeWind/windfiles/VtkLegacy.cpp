@@ -128,9 +128,10 @@ private:
                                                                  {"GLOBAL_IDS", 1.0},
                                                                  {"PEDIGREE_IDS", 1.0}};
         const auto known = components.find(word);
-        if (word == "VECTORS")
-            readVectors();
-        else if (word == "SCALARS")
+        if (word == "VECTORS") {
+            const std::string_view name = _tokens.next();
+            readWind(name, upper(_tokens.next()));
+        } else if (word == "SCALARS")
             readScalars();
         else if (word == "COLOR_SCALARS" || word == "LOOKUP_TABLE")
             readColours(word == "LOOKUP_TABLE");
@@ -153,22 +154,23 @@ private:
         if (_dataset != "STRUCTURED_POINTS" && _placed != 7u)
             return _tokens.fail("expected the coordinates of the points before the data");
         _image.ofCells = ofCells;
-        const double count = _tokens.number("a number of points", 0, std::numeric_limits<double>::max());
-        if (count != _image.count())
-            _tokens.fail("expected " + numberText(_image.count()) + " as in DIMENSIONS, found " +
-                         numberText(count));
+        expectCount("a number of points", 0.0, _image.count());
         _counted = true;
+    }
+
+    /// Reads how many numbers come, which DIMENSIONS said.
+    void expectCount(const char* what, double least, double wanted) {
+        const double count = _tokens.number(what, least, std::numeric_limits<double>::max());
+        if (count != wanted)
+            _tokens.fail("expected " + numberText(wanted) + " as in DIMENSIONS, found " + numberText(count));
     }
 
     void readCoordinates(int axis) {
         if (_image.points.x < 1)
             return _tokens.fail("expected DIMENSIONS before the coordinates");
-        const int count = _tokens.whole("a number of coordinates", 1, mostVtkPoints);
-        if (count != _image.points[axis])
-            return _tokens.fail("expected " + numberText(_image.points[axis]) + " as in DIMENSIONS, found " +
-                                numberText(count));
+        expectCount("a number of coordinates", 1.0, _image.points[axis]);
         std::vector<double> places;
-        readArray(upper(_tokens.next()), count, places);
+        readArray(upper(_tokens.next()), _image.points[axis], places);
         if (_tokens.good())
             place(axis, places, 1);
     }
@@ -176,13 +178,9 @@ private:
     void readPoints() {
         if (_image.points.x < 1)
             return _tokens.fail("expected DIMENSIONS before the points");
-        const glm::dvec3 points(_image.points);
-        const double count = _tokens.number("a number of points", 1, std::numeric_limits<double>::max());
-        if (count != points.x * points.y * points.z)
-            return _tokens.fail("expected " + numberText(points.x * points.y * points.z) +
-                                " as in DIMENSIONS, found " + numberText(count));
+        expectCount("a number of points", 1.0, _image.count());
         std::vector<double> places;
-        readArray(upper(_tokens.next()), 3.0 * count, places);
+        readArray(upper(_tokens.next()), 3.0 * _image.count(), places);
         std::size_t repeats = 1;
         for (int axis = 0; axis < 3 && _tokens.good(); ++axis) {
             std::vector<double> along(places.size() / 3);
@@ -215,12 +213,8 @@ private:
         _placed |= 1u << static_cast<unsigned>(axis);
     }
 
-    void readVectors() {
-        _image.name = _tokens.next();
-        readWind(upper(_tokens.next()));
-    }
-
-    void readWind(const std::string& type) {
+    void readWind(const std::string_view name, const std::string& type) {
+        _image.name = name;
         readArray(type, 3.0 * _image.count(), _image.values);
         _found = _tokens.good();
     }
@@ -257,8 +251,7 @@ private:
             const std::string type = upper(_tokens.next());
             const double numbers = static_cast<double>(components) * tuples;
             if (components == 3 && _counted && tuples == _image.count()) {
-                _image.name = name;
-                readWind(type);
+                readWind(name, type);
             } else if (name == "TimeValue" && !_counted && numbers == 1.0 && isReal(type)) {
                 std::vector<double> time;
                 readArray(type, 1.0, time);
@@ -302,12 +295,10 @@ private:
             return;
         const auto count = static_cast<std::size_t>(numbers);
         values.reserve(count);
-        const std::string_view bytes = _binary ? _tokens.bytes(count * size) : std::string_view();
-        for (std::size_t i = 0; i < count && _tokens.good(); ++i)
-            values.push_back(static_cast<T>(
-                !_binary    ? textNumber()
-                : size == 8 ? numberAt<double>(bytes, 8 * i, ByteOrder::Big)
-                            : static_cast<double>(numberAt<float>(bytes, 4 * i, ByteOrder::Big))));
+        if (_binary)
+            values = numbersOf<T>(_tokens.bytes(count * size), size == 8, ByteOrder::Big);
+        for (std::size_t i = 0; !_binary && i < count && _tokens.good(); ++i)
+            values.push_back(static_cast<T>(textNumber()));
         _inData = !_tokens.good();
     }
 

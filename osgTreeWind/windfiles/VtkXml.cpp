@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/TextTokens.h>
 #include <osgTreeWind/windfiles/VtkImage.h>
-#include <osgTreeWind/windfiles/VtkXmlData.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 
 #include <osgTreeWind/base/Number.h>
@@ -167,7 +166,7 @@ private:
         const Result<std::string> bytes = unpackVtk(packed, _packing, 3.0 * _image.count() * (wide ? 8 : 4));
         if (!bytes)
             return fail(array, _image.name, bytes.problems().front().message);
-        _image.values = floatsOf(bytes.value(), wide, _packing.order);
+        _image.values = numbersOf<float>(bytes.value(), wide, _packing.order);
         return true;
     }
 

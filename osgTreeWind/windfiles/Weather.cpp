@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Number.h>
-#include <osgTreeWind/base/ReaderProgram.h>
+#include <osgTreeWind/base/ReaderProcess.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
-#include <osgTreeWind/windfiles/WindWire.h>
 
 namespace osgTreeWind {
 
@@ -10,17 +9,11 @@ namespace {
 
 Result<WindContent> readWeather(const char* format, const char* libraries, const std::string& path,
                                 const WindRequest& request) {
-    const ReaderProgram reader{"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, libraries};
-    std::vector<std::string> wanted = {request.asStored ? "stored" : "grid"};
+    std::vector<std::string> command = {path, request.asStored ? "stored" : "grid"};
     if (const auto& area = request.area)
-        wanted.insert(wanted.end(), {area->crs, numberText(area->low.x), numberText(area->low.y),
-                                     numberText(area->high.x), numberText(area->high.y)});
-    std::optional<Result<WindContent>> content;
-    const auto problem = runReader(reader, path, wanted, [&](int answer) {
-        content = Wire::receive<WindContent>(answer);
-        return content.has_value();
-    });
-    return problem ? Result<WindContent>(*problem) : std::move(*content);
+        command.insert(command.end(), {area->crs, numberText(area->low.x), numberText(area->low.y),
+                                       numberText(area->high.x), numberText(area->high.y)});
+    return readBy<WindContent>({"osgtreewind-weather", "OSGTREEWIND_WEATHER", format, libraries}, command);
 }
 
 } // namespace

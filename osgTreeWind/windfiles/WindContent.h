@@ -6,6 +6,7 @@
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <cstddef>
+#include <tuple>
 #include <variant>
 
 namespace osgTreeWind {
@@ -17,6 +18,14 @@ struct WindContent {
     std::variant<GridWind::Grid, WindSeries> data; ///< On a grid, or over time at one place.
     std::size_t missing = 0;                       ///< Velocities without data that were taken as calm.
     double travelSpeed = 0.0; ///< m/s along x at which the whole grid drifts past; 0 where it stands.
+
+    /// What passes of a grid from the process that reads it (Wire).
+    auto parts() {
+        auto& grid = std::get<GridWind::Grid>(data);
+        return std::tie(summary.format, summary.unit, summary.direction, summary.coordinates, summary.crs,
+                        summary.start, summary.notes, grid.points, grid.origin, grid.cell, grid.times,
+                        grid.heights, grid.aboveGround, grid.values);
+    }
 };
 
 } // namespace osgTreeWind

@@ -4,7 +4,7 @@
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/wind/SampleTimes.h>
+#include <osgTreeWind/wind/Interpolation.h>
 
 #include <algorithm>
 

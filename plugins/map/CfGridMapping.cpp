@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/map/CfGridMapping.h>
-
+#include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
+
+#include <osgTreeWind/places/GridMapping.h>
 
 #include <cpl_conv.h>
 #include <ogr_srs_api.h>
@@ -57,8 +58,12 @@ constexpr Projection projections[] = {
 
 } // namespace
 
-GridMapping cfGridMapping(const GdalCrs& map) {
+Result<GridMapping> gridMappingOf(const Crs& crs) {
+    const Result<GdalCrs> parsed = GdalCrs::parse(crs.text());
+    if (!parsed)
+        return parsed.problems();
     const GdalErrors errors;
+    const GdalCrs& map = parsed.value();
     GridMapping mapping;
     char* written = nullptr;
     const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};

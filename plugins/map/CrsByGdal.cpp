@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Of Crs and CrsWay what PROJ has to know, as the programs have it that link GDAL. In the library
-// places/CrsByProgram.cpp stands in place of this.
+// places/MapsByProgram.cpp stands in place of this.
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
 

@@ -86,4 +86,14 @@ std::string GdalCrs::text() const {
     return text;
 }
 
+std::string projText(const Crs& crs) {
+    const GdalErrors errors;
+    char* text = nullptr;
+    const Result<GdalCrs> known = GdalCrs::parse(crs.text());
+    const OGRErr error = known ? OSRExportToProj4(known.value().reference(), &text) : OGRERR_FAILURE;
+    std::string written = error == OGRERR_NONE && text && *text ? text : crs.name();
+    CPLFree(text);
+    return written;
+}
+
 } // namespace osgTreeWind

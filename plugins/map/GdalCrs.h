@@ -30,4 +30,7 @@ private:
     std::shared_ptr<void> _reference;
 };
 
+/// A system as PROJ writes it; its name where that cannot.
+std::string projText(const Crs& crs);
+
 } // namespace osgTreeWind

@@ -22,7 +22,7 @@ public:
     const std::vector<std::string>& warnings() const { return _warnings; }
 
 private:
-    static void hear(int severity, int number, const char* text);
+    void hear(int severity, const char* text);
 
     std::string _error;
     std::vector<std::string> _warnings;

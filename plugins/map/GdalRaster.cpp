@@ -115,7 +115,6 @@ Result<RasterHead> GdalRaster::head() {
         head.crs = GdalCrs(OSRClone(reference)).crs().facts();
     _scale = GDALGetRasterScale(_band, nullptr) * *unit;
     _offset = GDALGetRasterOffset(_band, nullptr) * *unit;
-    _hasHoles = !(GDALGetMaskFlags(_band) & GMF_ALL_VALID);
     return head;
 }
 
@@ -152,30 +151,20 @@ void GdalRaster::read(const std::function<bool(Result<std::vector<float>>)>& tak
 }
 
 Result<std::vector<float>> GdalRaster::rows(int first, int count) {
-    const std::size_t cells = static_cast<std::size_t>(_columns) * static_cast<std::size_t>(count);
-    std::vector<float> heights(cells);
-    std::vector<unsigned char> valid;
-    bool isRead = GDALRasterIO(_band, GF_Read, 0, first, _columns, count, heights.data(), _columns, count,
-                               GDT_Float32, 0, 0) == CE_None;
-    if (_hasHoles) {
-        valid.resize(cells);
-        isRead = isRead && GDALRasterIO(GDALGetMaskBand(_band), GF_Read, 0, first, _columns, count,
-                                        valid.data(), _columns, count, GDT_Byte, 0, 0) == CE_None;
-    }
-    if (!isRead || !_errors.text().empty())
+    std::vector<float> heights(static_cast<std::size_t>(_columns) * static_cast<std::size_t>(count));
+    if (!readRows(_band, first, count, _columns, heights.data()) || !_errors.text().empty())
         return problem("cannot be read on: " + _errors.textOr("it ends early"));
-    if (const std::string odd = inMetres(heights, first, valid); !odd.empty())
+    if (const std::string odd = inMetres(heights, first); !odd.empty())
         return problem(odd);
     return heights;
 }
 
-/// Converts heights to metres. @param valid 0 in a hole; empty if the raster has no holes.
-std::string GdalRaster::inMetres(std::vector<float>& heights, int firstRow,
-                                 const std::vector<unsigned char>& valid) const {
+/// Converts heights to metres.
+std::string GdalRaster::inMetres(std::vector<float>& heights, int firstRow) const {
     const auto columns = static_cast<std::size_t>(_columns);
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const double height = _scale * static_cast<double>(heights[i]) + _offset;
-        const bool isHole = std::isnan(height) || (!valid.empty() && valid[i] == 0);
+        const bool isHole = std::isnan(height);
         if (!isHole && !heightRange.contains(height))
             return "expected heights " + heightRange.text() + " metres, found " + numberText(height) +
                    " in column " + std::to_string(i % columns) + ", row " +
@@ -184,6 +173,22 @@ std::string GdalRaster::inMetres(std::vector<float>& heights, int firstRow,
         heights[i] = isHole ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(height);
     }
     return {};
+}
+
+bool readRows(void* band, int first, int count, int columns, float* values) {
+    if (GDALRasterIO(band, GF_Read, 0, first, columns, count, values, columns, count, GDT_Float32, 0, 0) !=
+        CE_None)
+        return false;
+    if (GDALGetMaskFlags(band) & GMF_ALL_VALID)
+        return true;
+    std::vector<unsigned char> valid(static_cast<std::size_t>(columns) * static_cast<std::size_t>(count));
+    if (GDALRasterIO(GDALGetMaskBand(band), GF_Read, 0, first, columns, count, valid.data(), columns, count,
+                     GDT_Byte, 0, 0) != CE_None)
+        return false;
+    for (std::size_t i = 0; i < valid.size(); ++i)
+        if (valid[i] == 0)
+            values[i] = std::numeric_limits<float>::quiet_NaN();
+    return true;
 }
 
 } // namespace osgTreeWind

@@ -24,8 +24,7 @@ private:
     Diagnostic problem(const std::string& message) const;
     std::string problemOfBands();
     Result<std::vector<float>> rows(int first, int count);
-    std::string inMetres(std::vector<float>& heights, int firstRow,
-                         const std::vector<unsigned char>& valid) const;
+    std::string inMetres(std::vector<float>& heights, int firstRow) const;
 
     const std::string _path;
     const GdalErrors _errors; ///< From now on.
@@ -33,7 +32,10 @@ private:
     void* _band = nullptr; ///< GDALRasterBandH of the heights.
     int _columns = 0, _rows = 0;
     double _scale = 1.0, _offset = 0.0;
-    bool _hasHoles = false;
 };
+
+/// Reads rows of a band; NaN where its mask says that there is nothing. False where they cannot be read.
+/// @param values so many rows and columns of them.
+bool readRows(void* band, int first, int count, int columns, float* values);
 
 } // namespace osgTreeWind

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/map/GeoPackage.h>
-
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
 
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/places/PointTable.h>
 
 #include <gdal.h>
 #include <ogr_api.h>
@@ -62,7 +61,7 @@ bool write(const PointTable& table, const GdalCrs& crs, const std::string& path)
 
 } // namespace
 
-Result<MapDone> writeTable(const PointTable& table, const std::string& path) {
+Diagnostics writeGeoPackage(PointTable table, const std::string& path) {
     registerGdal();
     GdalCrs crs;
     if (!table.crs.empty()) {
@@ -74,8 +73,8 @@ Result<MapDone> writeTable(const PointTable& table, const std::string& path) {
     const GdalErrors errors;
     const bool written = write(table, crs, path);
     if (!written || !errors.text().empty())
-        return fileProblem(path, "cannot be written: " + errors.textOr("GDAL gives no reason"));
-    return MapDone();
+        return {fileProblem(path, "cannot be written: " + errors.textOr("GDAL gives no reason"))};
+    return {};
 }
 
 } // namespace osgTreeWind

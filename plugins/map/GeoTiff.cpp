@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <plugins/map/GeoTiff.h>
-
 #include <plugins/map/GdalCrs.h>
-#include <plugins/map/GdalErrors.h>
+#include <plugins/map/GdalRaster.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/places/MapCells.h>
 
 #include <cpl_string.h>
 #include <gdal.h>
@@ -14,7 +13,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <memory>
 
 namespace osgTreeWind {
@@ -57,28 +55,20 @@ std::string problemOf(const std::string& path, GDALDatasetH data, const double (
 }
 
 /// Row by row from the south; false where they cannot be read.
-bool readRows(GDALRasterBandH band, MapCells& cells) {
-    const auto columns = static_cast<std::size_t>(cells.cells.x);
-    cells.values.resize(columns * static_cast<std::size_t>(cells.cells.y));
-    std::vector<unsigned char> valid(columns);
-    const GDALRasterBandH mask = GDALGetMaskBand(band);
-    for (int row = 0; row < cells.cells.y; ++row) {
-        float* values = &cells.values[static_cast<std::size_t>(cells.cells.y - 1 - row) * columns];
-        if (GDALRasterIO(band, GF_Read, 0, row, cells.cells.x, 1, values, cells.cells.x, 1, GDT_Float32, 0,
-                         0) != CE_None ||
-            GDALRasterIO(mask, GF_Read, 0, row, cells.cells.x, 1, valid.data(), cells.cells.x, 1, GDT_Byte, 0,
-                         0) != CE_None)
-            return false;
-        for (std::size_t column = 0; column < columns; ++column)
-            if (valid[column] == 0)
-                values[column] = std::numeric_limits<float>::quiet_NaN();
-    }
-    return true;
+bool readCells(GDALRasterBandH band, MapCells& cells) {
+    const int columns = cells.cells.x, rows = cells.cells.y;
+    cells.values.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    bool isRead = true;
+    for (int row = 0; row < rows && isRead; ++row)
+        isRead = readRows(
+            band, row, 1, columns,
+            &cells.values[static_cast<std::size_t>(rows - 1 - row) * static_cast<std::size_t>(columns)]);
+    return isRead;
 }
 
 } // namespace
 
-Result<MapCells> readTiffCells(const std::string& path) {
+Result<MapCells> readGeoTiffCells(const std::string& path) {
     registerGdal();
     const GdalErrors errors;
     const char* const drivers[] = {"GTiff", nullptr};
@@ -102,7 +92,7 @@ Result<MapCells> readTiffCells(const std::string& path) {
         reference && !OSRIsLocal(reference))
         cells.crs = GdalCrs(OSRClone(reference)).crs().text();
     cells.unit = unitOf(data.get(), band);
-    if (!readRows(band, cells) || !errors.text().empty())
+    if (!readCells(band, cells) || !errors.text().empty())
         return fileProblem(path, "cannot be read on: " + errors.textOr("it ends early"));
     return cells;
 }

@@ -3,11 +3,8 @@
 // it and asks it one question after another, so that the library needs neither GDAL nor PROJ, and a damaged
 // file ends this process and not the one that has a forest. It ends with its standard input.
 #include <plugins/ReaderLimits.h>
-#include <plugins/map/CfGridMapping.h>
 #include <plugins/map/FeatureFile.h>
 #include <plugins/map/GdalRaster.h>
-#include <plugins/map/GeoPackage.h>
-#include <plugins/map/GeoTiff.h>
 
 #include <osgTreeWind/base/Problem.h>
 
@@ -57,19 +54,18 @@ public:
             return send(Result<std::vector<glm::dvec2>>(std::move(places)));
         }
         case Task::DescribeMap: {
-            const auto crs = GdalCrs::parse(first);
-            return send(crs ? Result<GridMapping>(cfGridMapping(crs.value())) : crs.problems());
+            Crs::Facts map;
+            map.text = first;
+            return send(gridMappingOf(Crs(map)));
         }
         case Task::ReadRaster:
             return sendRaster(first);
         case Task::ReadCells:
-            return send(readTiffCells(first));
+            return send(readGeoTiffCells(first));
         case Task::KnowFeatures:
             return send(Result<bool>(FeatureFile::knows(first)));
-        case Task::WriteTable: {
-            PointTable table;
-            return Wire::receiver(_descriptor).pass(table) && send(writeTable(table, first));
-        }
+        case Task::WriteTable:
+            return send(done(writeGeoPackage(question.table.value_or(PointTable()), first)));
         default:
             return answerOfFeatures(question, first, second);
         }
@@ -122,6 +118,10 @@ private:
         if (isGood)
             raster.read([&](Result<std::vector<float>> rows) { return isTaken = send(std::move(rows)); });
         return isTaken;
+    }
+
+    static Result<MapDone> done(const Diagnostics& problems) {
+        return problems.empty() ? Result<MapDone>(MapDone()) : problems;
     }
 
     template <typename T>

@@ -6,7 +6,7 @@
 #include <plugins/matlab/TreeQsmMat.h>
 
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/scanfiles/ScanWire.h>
+#include <osgTreeWind/base/Wire.h>
 
 #include <iostream>
 #include <new>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/weather/GribChoice.h>
 
-#include <plugins/weather/GribTime.h>
-
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ struct Item {
 };
 
 std::string textOf(Quantity quantity, const GribLevel& level, double time) {
-    return nameOf(quantity) + " at " + nameOf(level) + " at " + GribTime::text(time);
+    return nameOf(quantity) + " at " + nameOf(level) + " at " + isoTimeText(time);
 }
 
 /// One kind of level upward; its order by numbers.
@@ -42,12 +41,10 @@ class Chooser {
 public:
     Chooser(const std::vector<GribField>& fields, std::string file) : _file(std::move(file)) {
         for (const GribField& field : fields)
-            if (const Meaning meaning = GribMeaning::of(field); meaning.quantity != Quantity::None) {
-                if (field.momentary)
-                    _items.push_back({meaning, &field});
-                else
-                    _hasLasting = _hasLasting || meaning.quantity == Quantity::East;
-            }
+            if (const Meaning meaning = GribMeaning::of(field); !field.momentary)
+                _hasLasting = _hasLasting || meaning.quantity == Quantity::East;
+            else
+                (field.problem.empty() ? _items : _undecodable).push_back({meaning, &field});
     }
 
     Result<GribChoice> choose() {
@@ -57,6 +54,9 @@ public:
         chooseWind();
         chooseUp();
         chooseHeights();
+        for (const Item& item : _undecodable)
+            if (_problem || isAsked(item.meaning))
+                return fileProblem(_file, item.field->problem);
         if (_problem)
             return fileProblem(_file, *_problem);
         return std::move(_choice);
@@ -68,15 +68,10 @@ private:
             _problem = message;
     }
 
-    bool has(Quantity quantity, GribLevelKind kind) const {
+    bool has(Quantity quantity, std::optional<GribLevelKind> kind = {}) const {
         return std::any_of(_items.begin(), _items.end(), [&](const Item& item) {
-            return item.meaning.quantity == quantity && item.meaning.level.kind == kind;
+            return item.meaning.quantity == quantity && (!kind || item.meaning.level.kind == *kind);
         });
-    }
-
-    bool has(Quantity quantity) const {
-        return std::any_of(_items.begin(), _items.end(),
-                           [&](const Item& item) { return item.meaning.quantity == quantity; });
     }
 
     bool isPair(GribLevelKind kind) const { return has(_first, kind) && has(_second, kind); }
@@ -179,6 +174,16 @@ private:
     bool isWind(const Item& item) const {
         return item.meaning.level.kind == _kind &&
                (item.meaning.quantity == _first || item.meaning.quantity == _second);
+    }
+
+    /// Whether a field would be read, as far as its quantity and the kind of its level tell.
+    bool isAsked(const Meaning& meaning) const {
+        const Quantity quantity = meaning.quantity;
+        if (quantity == Quantity::Height)
+            return _kind != GribLevelKind::AboveGround &&
+                   (meaning.level.kind == _kind || meaning.level.kind == GribLevelKind::Surface);
+        return meaning.level.kind == _kind &&
+               (quantity == _first || quantity == _second || quantity == Quantity::Up);
     }
 
     /// The fields of a quantity for each time and level; null where there is none.
@@ -290,7 +295,7 @@ private:
     }
 
     std::string _file;
-    std::vector<Item> _items;
+    std::vector<Item> _items, _undecodable;
     bool _hasLasting = false;
     Quantity _first = Quantity::East, _second = Quantity::North;
     GribLevelKind _kind = GribLevelKind::Other;

@@ -2,13 +2,15 @@
 #include <plugins/weather/GribField.h>
 
 #include <plugins/weather/GribHandle.h>
-#include <plugins/weather/GribTime.h>
+#include <plugins/weather/GribMeaning.h>
 
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <optional>
 
@@ -40,43 +42,57 @@ constexpr LevelRow levelRows[] = {
     {2, 119, GribLevelKind::Model},  // hybrid pressure
     {2, 150, GribLevelKind::Model}}; // height that follows the ground
 
-GribLevel levelOf(const GribHandle& handle, int edition) {
-    const auto type = static_cast<int>(
-        handle.whole(edition == 1 ? "indicatorOfTypeOfLevel" : "typeOfFirstFixedSurface").value_or(255));
+/// Its row; null for a level of another kind.
+const LevelRow* rowOf(int edition, int type) {
     const auto row = std::find_if(std::begin(levelRows), std::end(levelRows), [&](const LevelRow& each) {
         return each.edition == edition && each.type == type;
     });
-    GribLevel level{row == std::end(levelRows) ? GribLevelKind::Other : row->kind, type, 0.0};
-    if (edition == 1)
-        level.value = (row == std::end(levelRows) ? 1.0 : row->unit) *
-                      static_cast<double>(handle.whole(type == 110 ? "topLevel" : "level").value_or(0));
-    else {
-        const auto value = handle.whole("scaledValueOfFirstFixedSurface");
-        const auto scale = handle.whole("scaleFactorOfFirstFixedSurface").value_or(0);
-        level.value = value ? static_cast<double>(*value) * std::pow(10.0, -static_cast<double>(scale)) : 0.0;
-        if (handle.whole("typeOfSecondFixedSurface").value_or(255) != 255 &&
-            level.kind != GribLevelKind::Model)
-            level.kind = GribLevelKind::Other; // from one level to another
-    }
-    return level;
+    return row == std::end(levelRows) ? nullptr : row;
 }
+
+double valueOf(const GribLevel& level, const GribHandle& handle, int edition) {
+    if (edition == 1) {
+        const LevelRow* row = rowOf(edition, level.type);
+        return (row ? row->unit : 1.0) *
+               static_cast<double>(handle.whole(level.type == 110 ? "topLevel" : "level").value_or(0));
+    }
+    const auto value = handle.whole("scaledValueOfFirstFixedSurface");
+    const auto scale = handle.whole("scaleFactorOfFirstFixedSurface").value_or(0);
+    return value ? static_cast<double>(*value) * std::pow(10.0, -static_cast<double>(scale)) : 0.0;
+}
+
+/// Seconds of a unit of time; nothing for months, years and what is unknown.
+std::optional<double> secondsOfUnit(int edition, int unit) {
+    struct Unit {
+        int edition, number; // edition 0: both
+        double seconds;
+    };
+    constexpr Unit units[] = {{0, 0, 60.0},     {0, 1, 3600.0},   {0, 2, 86400.0}, {0, 10, 10800.0},
+                              {0, 11, 21600.0}, {0, 12, 43200.0}, {1, 13, 900.0},  {1, 14, 1800.0},
+                              {1, 254, 1.0},    {2, 13, 1.0}};
+    for (const Unit& each : units)
+        if (each.number == unit && (each.edition == 0 || each.edition == edition))
+            return each.seconds;
+    return std::nullopt;
+}
+
+constexpr int analysis = 1, ofP1 = 0, ofTwoOctets = 10; // time ranges of edition 1
 
 /// Sets what its times are. False for a date that does not exist.
 bool readTimes(const GribHandle& handle, GribField& field) {
     const auto part = [&](const char* key) { return static_cast<int>(handle.whole(key).value_or(0)); };
     const int date = part("dataDate");
-    const auto reference = GribTime::secondsOf(
-        {date / 10000, date / 100 % 100, date % 100, part("hour"), part("minute"), part("second")});
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "%04d-%02d-%02dT%02d:%02d:%02dZ", date / 10000, date / 100 % 100,
+                  date % 100, part("hour"), part("minute"), part("second"));
+    const auto reference = parseIsoTime(text.data());
     if (!reference)
         return false;
     field.reference = field.valid = *reference;
-    const int edition = field.parameter.edition, range = part("timeRangeIndicator");
-    constexpr int analysis = 1, ofP1 = 0, ofTwoOctets = 10; // of edition 1
-    constexpr int lastMomentary = 2; // of edition 2: a forecast, that of a member, one made of all members
-    if (edition == 1 ? range != analysis && range != ofP1 && range != ofTwoOctets
-                     : part("productDefinitionTemplateNumber") > lastMomentary)
+    if (!field.momentary)
         return true;
-    const auto unit = GribTime::secondsOfUnit(edition, part("indicatorOfUnitOfTimeRange"));
+    const int edition = field.parameter.edition, range = part("timeRangeIndicator");
+    const auto unit = secondsOfUnit(edition, part("indicatorOfUnitOfTimeRange"));
     field.momentary = unit || (edition == 1 && range == analysis);
     if (unit && edition == 2)
         field.valid += *unit * part("forecastTime");
@@ -140,16 +156,21 @@ public:
 
     Result<std::vector<GribField>> read(const std::string& file) {
         while ((_at = _bytes.find(start, _at)) != std::string_view::npos) {
-            const std::size_t begin = _at;
+            _begin = _at;
             ++_message;
             if (const Problem problem = readMessage())
-                return fileProblem(file, "message " + std::to_string(_message) + ", at byte " +
-                                             std::to_string(begin) + ": " + *problem);
+                return fileProblem(file, place() + *problem);
         }
+        if (_met == 0)
+            return fileProblem(file, "holds no field of GRIB");
         return std::move(_fields);
     }
 
 private:
+    std::string place() const {
+        return "message " + std::to_string(_message) + ", at byte " + std::to_string(_begin) + ": ";
+    }
+
     /// A whole number, the most significant octet first.
     std::uint64_t number(std::size_t at, std::size_t count) const {
         std::uint64_t value = 0;
@@ -171,10 +192,8 @@ private:
         _end = _at + static_cast<std::size_t>(size);
         if (size < 20 || _bytes.substr(_end - end.size(), end.size()) != end)
             return "it does not end where it says, after " + std::to_string(size) + " bytes";
-        _field = {};
-        _begin = _at;
-        _fieldsBefore = _fields.size();
-        _field.parameter.edition = edition;
+        _metBefore = _met;
+        _edition = edition;
         _sections = {};
         _sections[0] = _bytes.substr(_at, edition == 1 ? 8 : 16);
         _at += _sections[0].size();
@@ -201,15 +220,15 @@ private:
             if ((section != 2 || present & hasGrid) && (section != 3 || present & hasBitmap))
                 if (Problem problem = take(section, 3))
                     return problem;
-        return addField(_sections[2].substr(0, gridEnd1()));
+        addField(_sections[2].substr(0, gridEnd1()));
+        return {};
     }
 
     /// Where the grid of section 2 of edition 1 ends, after which there may be vertical coordinates.
     std::size_t gridEnd1() const {
-        const auto octet = [&](std::size_t at) {
-            return at < _sections[2].size() ? static_cast<unsigned char>(_sections[2][at]) : 0u;
-        };
-        return octet(3) > 0 && octet(4) > 28 && octet(4) != 255 ? octet(4) - 1 : std::string_view::npos;
+        const int numbers = octet(2, 3), begin = octet(2, 4);
+        return numbers > 0 && begin > 28 && begin != 255 ? static_cast<std::size_t>(begin - 1)
+                                                         : std::string_view::npos;
     }
 
     Problem readEdition2() {
@@ -230,58 +249,87 @@ private:
                 continue;
             if (_sections[1].empty() || _sections[3].empty() || _sections[4].empty())
                 return "numbers without sections 1, 3 and 4";
-            if (Problem problem = addField(_sections[3]))
-                return problem;
+            addField(_sections[3]);
         }
         return hasProduct ? Problem("section 4 without numbers") : Problem();
     }
 
-    Problem addField(std::string_view grid) {
-        if (_field.parameter.edition == 1 || (_fields.size() == _fieldsBefore && _at == _end))
-            _field.parts = {_bytes.substr(_begin, _end + end.size() - _begin)};
-        else {
-            _field.parts.assign(_sections.begin(), _sections.end());
-            _field.parts.push_back(end);
+    /// An octet of a section, counted from 0; 255, which is none, beyond its end.
+    int octet(std::size_t section, std::size_t at) const {
+        return at < _sections[section].size() ? static_cast<unsigned char>(_sections[section][at]) : 255;
+    }
+
+    /// What a field is: its octets say so, whatever its grid and its packing are.
+    GribField fieldOfOctets() const {
+        GribField field;
+        int type = 0;
+        bool isLayer = false;
+        if (_edition == 1) {
+            field.parameter = {1, octet(1, 4), octet(1, 3), 0, octet(1, 8)};
+            const int range = octet(1, 20);
+            field.momentary = range == analysis || range == ofP1 || range == ofTwoOctets;
+            type = octet(1, 9);
+        } else {
+            constexpr int lastMomentary =
+                2; // templates: a forecast, that of a member, one made of all members
+            field.parameter = {2, 0, octet(0, 6), octet(4, 9), octet(4, 10)};
+            field.momentary = octet(4, 7) == 0 && octet(4, 8) <= lastMomentary;
+            type = octet(4, 22);
+            isLayer = octet(4, 28) != 255; // from one level to another
         }
-        const GribHandle handle(_field.parts);
+        const LevelRow* row = rowOf(_edition, type);
+        const GribLevelKind kind = row ? row->kind : GribLevelKind::Other;
+        field.level = {isLayer && kind != GribLevelKind::Model ? GribLevelKind::Other : kind, type, 0.0};
+        return field;
+    }
+
+    void addField(std::string_view grid) {
+        const bool isOnly = _edition == 1 || (_met == _metBefore && _at == _end);
+        ++_met;
+        GribField field = fieldOfOctets();
+        if (GribMeaning::of(field).quantity == GribMeaning::Quantity::None)
+            return;
+        if (isOnly)
+            field.parts = {_bytes.substr(_begin, _end + end.size() - _begin)};
+        else {
+            field.parts.assign(_sections.begin(), _sections.end());
+            field.parts.push_back(end);
+        }
+        if (const Problem problem = decode(grid, field))
+            field.problem = place() + *problem;
+        _fields.push_back(std::move(field));
+    }
+
+    Problem decode(std::string_view grid, GribField& field) const {
+        const GribHandle handle(field.parts);
         if (!handle)
             return "ecCodes cannot decode it";
-        const auto part = [&](const char* key) { return static_cast<int>(handle.whole(key).value_or(0)); };
-        GribParameter& parameter = _field.parameter;
-        const bool first = parameter.edition == 1;
-        const char* const number = first ? "indicatorOfParameter" : "parameterNumber";
-        if (!handle.whole(number))
+        if (_edition == 2 && !handle.whole("parameterNumber"))
             return "ecCodes cannot decode its grid, of template " +
-                   std::to_string(part("gridDefinitionTemplateNumber"));
+                   std::to_string(handle.whole("gridDefinitionTemplateNumber").value_or(0));
         if (handle.text("gridType").empty())
             return "ecCodes cannot decode how its numbers are packed";
-        parameter = {parameter.edition, part("centre"), part(first ? "table2Version" : "discipline"),
-                     part("parameterCategory"), part(number)};
-        _field.level = levelOf(handle, parameter.edition);
-        if (!readTimes(handle, _field))
+        field.level.value = valueOf(field.level, handle, _edition);
+        if (!readTimes(handle, field))
             return "section 1 has a date that does not exist";
-        _field.grid = gridOf(handle, parameter.edition, grid);
+        field.grid = gridOf(handle, _edition, grid);
         if (grid.empty())
-            _field.grid.kind = "catalogued";
-        _fields.push_back(_field);
-        _field.momentary = false;
+            field.grid.kind = "catalogued";
         return {};
     }
 
     std::string_view _bytes;
-    std::size_t _at = 0, _begin = 0, _end = 0, _message = 0, _fieldsBefore = 0;
+    std::size_t _at = 0, _begin = 0, _end = 0, _message = 0;
+    std::size_t _met = 0, _metBefore = 0; ///< Fields, and those in the messages before.
+    int _edition = 2;
     std::array<std::string_view, 8> _sections;
-    GribField _field;
     std::vector<GribField> _fields;
 };
 
 } // namespace
 
 Result<std::vector<GribField>> readGribFields(std::string_view bytes, const std::string& file) {
-    Result<std::vector<GribField>> fields = Walk(bytes).read(file);
-    if (fields && fields.value().empty())
-        return fileProblem(file, "holds no field of GRIB");
-    return fields;
+    return Walk(bytes).read(file);
 }
 
 } // namespace osgTreeWind

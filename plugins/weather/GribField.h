@@ -33,7 +33,7 @@ struct GribLevel {
 /// Which quantity a field is, as its edition numbers them.
 struct GribParameter {
     int edition = 2;
-    int centre = 0;
+    int centre = 0;   ///< Edition 1.
     int table = 0;    ///< Edition 1: the version of its table. Edition 2: its discipline.
     int category = 0; ///< Edition 2.
     int number = 0;
@@ -48,10 +48,12 @@ struct GribField {
     double reference = 0.0; ///< Seconds since 1970, when its forecast began.
     double valid = 0.0;     ///< Seconds since 1970, when it holds.
     GribGrid grid;
+    std::string problem; ///< Why it cannot be decoded, its times, level and grid neither; empty: it can.
 };
 
-/// The fields of a file of GRIB, both editions, in its order; what is between messages is skipped. A message
-/// that is cut, or whose sections contradict its length, is a problem that names it and its byte.
+/// The fields of a file of GRIB, both editions, in its order, that GribMeaning knows; what is between
+/// messages is skipped. A message that is cut, or whose sections contradict its length, is a problem that
+/// names it and its byte. One that ecCodes cannot decode is a problem for those only who need it.
 /// @param bytes of the file, to which the fields refer.
 Result<std::vector<GribField>> readGribFields(std::string_view bytes, const std::string& file);
 

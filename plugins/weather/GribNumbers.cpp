@@ -26,16 +26,6 @@ EvenAxis axisOf(double corner, double step, int count) {
     return {corner + 0.5 * step, step, static_cast<std::size_t>(count), 0.0};
 }
 
-std::string projText(const Crs& crs) {
-    const GdalErrors errors;
-    char* text = nullptr;
-    const Result<GdalCrs> known = GdalCrs::parse(crs.text());
-    const OGRErr error = known ? OSRExportToProj4(known.value().reference(), &text) : OGRERR_FAILURE;
-    std::string name = error == OGRERR_NONE && text && *text ? text : crs.name();
-    CPLFree(text);
-    return name;
-}
-
 /// A message as GDAL reads it, which holds on to its bytes.
 class GdalMessage {
 public:

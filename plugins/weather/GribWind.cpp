@@ -2,58 +2,79 @@
 #include <plugins/weather/GribWind.h>
 
 #include <plugins/weather/GribChoice.h>
-#include <plugins/weather/GribHeights.h>
 #include <plugins/weather/GribNumbers.h>
-#include <plugins/weather/GribTime.h>
 #include <plugins/weather/TurnToMap.h>
 
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/WindDirection.h>
 #include <osgTreeWind/wind/WindLimits.h>
-#include <osgTreeWind/windfiles/GridPart.h>
 
+#include <cpl_virtualmem.h>
+#include <cpl_vsi.h>
+
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
-
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <system_error>
 
 namespace osgTreeWind {
 
 namespace {
 
-/// The bytes of a file, without a copy.
-class MappedFile {
-public:
-    explicit MappedFile(const std::string& path) {
-        const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-        struct stat about {};
-        if (file >= 0 && fstat(file, &about) == 0 && about.st_size > 0) {
-            _size = static_cast<std::size_t>(about.st_size);
-            _bytes = mmap(nullptr, _size, PROT_READ, MAP_PRIVATE, file, 0);
-        }
-        if (file >= 0)
-            close(file);
-    }
-    MappedFile(const MappedFile&) = delete;
-    MappedFile& operator=(const MappedFile&) = delete;
-    ~MappedFile() {
-        if (good())
-            munmap(_bytes, _size);
+constexpr float leastStep = 0.01f; // metres; floats tell it apart up to 100 km
+
+/// A column of points above one place at one time.
+struct PointColumn {
+    GridWind::Grid& grid;
+    std::size_t first, layerStep, layers;
+
+    float& height(std::size_t layer) const { return grid.heights[first + layer * layerStep]; }
+    float* values(std::size_t layer) const { return grid.values.data() + 3 * (first + layer * layerStep); }
+
+    void replaceWindBelowGround() const {
+        std::size_t lowest = 0;
+        while (lowest < layers && !(height(lowest) > (grid.aboveGround ? 0.0f : -1e9f)))
+            ++lowest;
+        for (std::size_t layer = 0; lowest < layers && layer < lowest; ++layer)
+            std::copy(values(lowest), values(lowest) + 3, values(layer));
     }
 
-    bool good() const { return _bytes != MAP_FAILED; }
-    std::string_view bytes() const { return {static_cast<const char*>(_bytes), _size}; }
-
-private:
-    void* _bytes = MAP_FAILED;
-    std::size_t _size = 0;
+    void increaseUpward() const {
+        std::size_t known = 0;
+        while (known < layers && !std::isfinite(height(known)))
+            ++known;
+        if (known == layers)
+            height(known = 0) = 0.0f;
+        for (std::size_t layer = known; layer > 0; --layer)
+            height(layer - 1) = height(layer) - leastStep;
+        for (std::size_t layer = known + 1; layer < layers; ++layer)
+            if (const float least = height(layer - 1) + leastStep; !(height(layer) >= least))
+                height(layer) = least;
+    }
 };
+
+/// Makes heights that a file gives for each point and time increase upward in each column, as GridWind needs
+/// them. A level without height, or not above the one below it, comes 1 cm above that one.
+///
+/// Where heights count from the model's ground, levels below it, which a model only makes up, get the wind of
+/// the lowest level above it; so do those without height.
+/// @param grid with heights, NaN where there are none, and values for each point and time.
+void settleHeights(GridWind::Grid& grid) {
+    const auto layers = static_cast<std::size_t>(grid.points.z);
+    const std::size_t perLayer =
+        static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y);
+    for (std::size_t step = 0; step * perLayer * layers < grid.heights.size(); ++step)
+        for (std::size_t place = 0; place < perLayer; ++place) {
+            const PointColumn column{grid, step * perLayer * layers + place, perLayer, layers};
+            column.replaceWindBelowGround();
+            column.increaseUpward();
+        }
+}
 
 using Numbers = std::vector<float>;
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
@@ -75,7 +96,7 @@ public:
         WindSummary& summary = _content.summary;
         summary.format = "GRIB" + std::to_string(first().parameter.edition);
         summary.unit = "m/s";
-        summary.start = GribTime::text(_choice.times.front());
+        summary.start = isoTimeText(_choice.times.front());
         for (const double time : _choice.times)
             if (_choice.times.size() > 1)
                 _grid.times.push_back(time - _choice.times.front());
@@ -292,16 +313,22 @@ private:
 } // namespace
 
 Result<WindContent> readGribWind(const std::string& path, const WindRequest& request) {
-    const MappedFile file(path);
-    if (!file.good())
+    const std::unique_ptr<VSILFILE, decltype(&VSIFCloseL)> file(VSIFOpenL(path.c_str(), "rb"), &VSIFCloseL);
+    std::error_code ignored;
+    const auto size = std::filesystem::file_size(path, ignored);
+    const std::unique_ptr<CPLVirtualMem, decltype(&CPLVirtualMemFree)> memory( // without a copy
+        file ? CPLVirtualMemFileMapNew(file.get(), 0, size, VIRTUALMEM_READONLY, nullptr, nullptr) : nullptr,
+        &CPLVirtualMemFree);
+    if (!memory)
         return fileProblem(path, "cannot be read");
-    const auto fields = readGribFields(file.bytes(), path);
+    const auto fields =
+        readGribFields({static_cast<const char*>(CPLVirtualMemGetAddr(memory.get())), size}, path);
     if (!fields)
         return fields.problems();
     const Result<GribChoice> choice = chooseGribWind(fields.value(), path);
     if (!choice)
         return choice.problems();
-    return GribReader(path, static_cast<double>(file.bytes().size()), choice.value(), request).read();
+    return GribReader(path, static_cast<double>(size), choice.value(), request).read();
 }
 
 } // namespace osgTreeWind

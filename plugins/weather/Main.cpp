@@ -7,9 +7,10 @@
 #include <plugins/weather/NetCdfFile.h>
 
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Wire.h>
 #include <osgTreeWind/windfiles/WeatherHead.h>
+#include <osgTreeWind/windfiles/WindContent.h>
 #include <osgTreeWind/windfiles/WindInput.h>
-#include <osgTreeWind/windfiles/WindWire.h>
 
 #include <cpl_error.h>
 

@@ -5,7 +5,6 @@
 #include <plugins/weather/TurnToMap.h>
 
 #include <osgTreeWind/wind/WindLimits.h>
-#include <osgTreeWind/windfiles/GridPart.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>

@@ -54,13 +54,6 @@ std::string reason() {
     return said.empty() ? "damaged, or of a kind that it does not know" : said;
 }
 
-/// An attribute of an array or of a group.
-template <typename Handle>
-auto attributeOf(Handle handle, const char* name, GDALAttributeH (*get)(Handle, const char*)) {
-    return std::unique_ptr<std::remove_pointer_t<GDALAttributeH>, decltype(&GDALAttributeRelease)>(
-        get(handle, name), &GDALAttributeRelease);
-}
-
 std::vector<NetCdfDimension> dimensionsOf(GDALMDArrayH array) {
     std::size_t count = 0;
     GDALDimensionH* const handles = GDALMDArrayGetDimensions(array, &count);
@@ -161,27 +154,27 @@ NetCdfFile::Array NetCdfFile::find(const std::function<bool(const NetCdfArray&)>
     return nullptr;
 }
 
-std::optional<double> NetCdfFile::number(const char* attribute) const {
-    if (!_root)
-        return std::nullopt;
-    const auto found = attributeOf(_root.get(), attribute, &GDALGroupGetAttribute);
+NetCdfArray::Attribute NetCdfFile::attribute(const char* name) const {
+    return {_root ? GDALGroupGetAttribute(_root.get(), name) : nullptr, &GDALAttributeRelease};
+}
+
+std::optional<double> NetCdfFile::number(const char* name) const {
+    const auto found = attribute(name);
     const double value =
         found ? GDALAttributeReadAsDouble(found.get()) : std::numeric_limits<double>::quiet_NaN();
     return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
 
-double NetCdfFile::positive(const char* attribute) {
-    const double value = number(attribute).value_or(0.0);
+double NetCdfFile::positive(const char* name) {
+    const double value = number(name).value_or(0.0);
     if (value > 0.0 && value < 1e9)
         return value;
-    fail(attribute, "expected this attribute of the file, above 0");
+    fail(name, "expected this attribute of the file, above 0");
     return 1.0;
 }
 
-std::string NetCdfFile::text(const char* attribute) const {
-    if (!_root)
-        return {};
-    const auto found = attributeOf(_root.get(), attribute, &GDALGroupGetAttribute);
+std::string NetCdfFile::text(const char* name) const {
+    const auto found = attribute(name);
     return found ? orEmpty(GDALAttributeReadAsString(found.get())) : "";
 }
 

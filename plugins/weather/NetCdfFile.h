@@ -67,11 +67,11 @@ public:
     Array find(const std::function<bool(const NetCdfArray&)>& condition) const;
 
     /// A number that the file as a whole states; empty where it does not, or states none that is finite.
-    std::optional<double> number(const char* attribute) const;
+    std::optional<double> number(const char* name) const;
     /// The same for one that must be there, and above 0.
-    double positive(const char* attribute);
+    double positive(const char* name);
     /// A text that the file as a whole states; empty where it does not.
-    std::string text(const char* attribute) const;
+    std::string text(const char* name) const;
 
     /// Numbers of an array, unpacked, in the order of the selection; NaN where there are no data. Refused
     /// where a file of this size cannot hold them.
@@ -82,6 +82,7 @@ public:
     std::string speedUnitOf(const std::vector<Array>& arrays);
 
 private:
+    NetCdfArray::Attribute attribute(const char* name) const;
     bool holds(const NetCdfArray& array, const NetCdfSelection& selection);
     void unpack(const NetCdfArray& array, std::vector<float>& numbers) const;
 

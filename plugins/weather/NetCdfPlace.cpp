@@ -2,10 +2,10 @@
 #include <plugins/weather/NetCdfPlace.h>
 
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
 
-#include <cpl_conv.h>
 #include <ogr_spatialref.h>
 
 #include <cmath>
@@ -136,18 +136,12 @@ std::optional<Crs> mapOf(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoints
 }
 
 std::string nameOf(const Crs& crs) {
-    const GdalErrors errors;
     const Result<GdalCrs> reference = GdalCrs::parse(crs.text());
-    if (!reference)
-        return crs.name();
-    const char* known = OSRGetName(reference.value().reference());
-    std::string name = known ? known : "";
-    if (!name.empty() && name != "unnamed" && name != "unknown" && name != "undefined")
-        return name;
-    char* text = nullptr;
-    name = OSRExportToProj4(reference.value().reference(), &text) == OGRERR_NONE && text ? text : "";
-    CPLFree(text);
-    return name.empty() ? crs.name() : name;
+    const std::string name = reference ? orEmpty(OSRGetName(reference.value().reference())) : "";
+    for (const char* none : {"", "unnamed", "unknown", "undefined"})
+        if (name == none)
+            return projText(crs);
+    return name;
 }
 
 bool isRotated(const Crs& crs) {

@@ -18,16 +18,12 @@ namespace {
 using Array = NetCdfFile::Array;
 using Names = std::vector<std::string>;
 
-bool among(const Names& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// The arrays of at least two dimensions with one of these standard names, or of these names of their own.
 std::vector<Array> called(const NetCdfFile& file, const Names& standard, const Names& own) {
     std::vector<Array> found;
     for (const Array& array : file.arrays())
         if (array->dimensions.size() >= 2 &&
-            (among(standard, array->text("standard_name")) || among(own, lower(array->name))))
+            (among(array->text("standard_name"), standard) || among(lower(array->name), own)))
             found.push_back(array);
     return found;
 }

@@ -4,7 +4,6 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/places/CrsWay.h>
-#include <osgTreeWind/windfiles/GridPart.h>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>

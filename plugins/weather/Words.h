@@ -8,8 +8,9 @@
 
 namespace osgTreeWind {
 
-inline bool among(const std::string& word, std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(), [&](const char* one) { return word == one; });
+template <typename Words = std::initializer_list<const char*>>
+bool among(const std::string& word, const Words& words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// Whether it begins with any of these.

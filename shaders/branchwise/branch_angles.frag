@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The branch pass (thesis §5.2, appendix B): the next state of one branch unit from the one before, the wind
-// at its base and what it is made of. Texels are packed by osgTreeWind/gpu/branchwise/LawTexels.cpp.
+// at its base and what it is made of. Texels are packed by osgTreeWind/gpu/branchwise/AnglePrePass.cpp.
 
 #include "data.glsl"
 #include "target.glsl"

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The leaf pass (thesis §5.2, appendix D): the next angles of one leaf cluster from the ones before.
-// Texels are packed by osgTreeWind/gpu/branchwise/LawTexels.cpp.
+// Texels are packed by osgTreeWind/gpu/branchwise/AnglePrePass.cpp.
 
 #include "data.glsl"
 #include "target.glsl"

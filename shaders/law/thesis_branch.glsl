@@ -7,7 +7,7 @@ vec3 boundedVector(vec3 v, float limit) {
     return vec3(bounded(v.x, limit), bounded(v.y, limit), bounded(v.z, limit));
 }
 
-/// What a branch is to these laws; packed as it stands (osgTreeWind/gpu/branchwise/LawTexels.cpp).
+/// What a branch is to these laws; packed as it stands (osgTreeWind/gpu/branchwise/AnglePrePass.cpp).
 struct ThesisBranch {
     float spring;       // k of the cantilever, N/m
     float branchLength; // base to tip, metres

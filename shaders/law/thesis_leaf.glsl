@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs limits.glsl. The leaf law of the thesis, appendix D as published; angles in radians.
 
-/// What a leaf cluster is to the law; packed as it stands (osgTreeWind/gpu/branchwise/LawTexels.cpp).
+/// What a leaf cluster is to the law; packed as it stands (osgTreeWind/gpu/branchwise/AnglePrePass.cpp).
 struct ThesisLeaf {
     float maxAngleX;    // maxMotionAngleX, [0, pi/2]
     float maxAngleZ;    // maxMotionAngleZ, [0, pi/2]

@@ -14,19 +14,15 @@ namespace {
 
 using Lists = std::vector<std::vector<double>>;
 
-bool pass(Wire& wire, Lists& lists) {
-    return wire.pass(lists);
-}
-
 /// What arrives of what is sent when its bytes are changed on the way.
 std::optional<Result<Lists>> sent(Result<Lists> lists, off_t at = -1, char byte = 0) {
     const int file = memfd_create("wire", 0);
-    EXPECT_TRUE(Wire::send(file, lists, pass));
+    EXPECT_TRUE(Wire::send(file, lists));
     if (at >= 0) {
         EXPECT_EQ(pwrite(file, &byte, 1, at), 1);
     }
     lseek(file, 0, SEEK_SET);
-    auto received = Wire::receive(file, pass);
+    auto received = Wire::receive<Lists>(file);
     close(file);
     return received;
 }

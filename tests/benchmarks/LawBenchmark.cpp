@@ -3,9 +3,9 @@
 // wood, without graphics and leaves.
 #include <examples/osgtreewind/bench/BenchWood.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>

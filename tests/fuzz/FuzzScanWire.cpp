@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <tests/fuzz/FuzzScan.h>
 
+#include <osgTreeWind/base/Wire.h>
 #include <osgTreeWind/model/CheckScan.h>
-#include <osgTreeWind/scanfiles/ScanWire.h>
+#include <osgTreeWind/scanfiles/ScanFile.h>
 
 #include <sys/mman.h>
 #include <unistd.h>

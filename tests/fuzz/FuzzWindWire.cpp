@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/fuzz/Fuzz.h>
 
-#include <osgTreeWind/windfiles/WindWire.h>
+#include <osgTreeWind/base/Wire.h>
+#include <osgTreeWind/windfiles/WindContent.h>
 
 #include <sys/mman.h>
 #include <unistd.h>

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -138,7 +139,8 @@ TEST(GrowTree, BringsNumbersIntoTheirRange) {
         TreeHabit habit = oakHabit();
         habit.annualShoot.fill(bad);
         habit.internode.fill(bad);
-        habit.lightNeed = habit.leafArea = habit.trunkTop = habit.limbs = bad;
+        habit.lightNeed = habit.leafArea = habit.trunkTop = habit.whorl = bad;
+        habit.limbs = habit.deepest = std::isnan(bad) || bad < 0.0f ? INT_MIN : INT_MAX;
         GrowthSite site;
         site.shade = site.distance = bad;
         site.openSide = bad;

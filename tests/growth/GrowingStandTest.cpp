@@ -2,7 +2,7 @@
 #include <tests/growth/HabitCases.h>
 
 #include <osgTreeWind/growth/GrowingStand.h>
-#include <osgTreeWind/growth/HabitNumbers.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -19,7 +19,7 @@ constexpr std::size_t middle = rows * rows / 2;
 constexpr std::size_t atEdge = rows / 2; ///< In the middle of the row at the least y.
 
 GrowingStand spruces(int years) {
-    GrowingStand stand(gridCell(spruceHabit()));
+    GrowingStand stand(lightCell(spruceHabit()));
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < rows; ++x)
             stand.add(GrowingTree(spruceHabit(), {20.0f, 0.3f, 6.0f},

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/growth/GrowTree.h>
-#include <osgTreeWind/growth/HabitNumbers.h>
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 
 #include <glm/trigonometric.hpp>
 
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -70,21 +69,24 @@ inline TreeHabit oakHabit() {
 /// A habit with every number anywhere in its range.
 inline TreeHabit anyHabit(std::uint32_t seed) {
     Random random(seed);
-    TreeHabit habit;
-    for (const HabitNumber& number : habitNumbers()) {
-        const float unit = std::strncmp(number.unit, "degrees", 7) == 0 ? glm::radians(1.0f) : 1.0f;
-        const auto any = [&] {
-            const float u = random.uniform();
-            const float share = u < 0.1f ? 0.0f : u > 0.9f ? 1.0f : random.uniform();
-            return unit * (number.least + share * (number.most - number.least));
-        };
-        if (const auto* one = std::get_if<float TreeHabit::*>(&number.member))
-            habit.** one = any();
-        else
-            for (float& each : habit.*std::get<ByOrder TreeHabit::*>(number.member))
-                each = any();
+    GrowthParameters growth;
+    const auto any = [&](const Range& range) {
+        const float u = random.uniform();
+        const double share = u < 0.1f ? 0.0 : u > 0.9f ? 1.0 : static_cast<double>(random.uniform());
+        return range.min + share * (range.max - range.min);
+    };
+    for (const Field& field : fieldsOf<GrowthParameters>()) {
+        const Member member = field.member(&growth);
+        const Range range = memberRange(field);
+        if (const auto* whole = std::get_if<int*>(&member))
+            **whole = static_cast<int>(any(range));
+        else if (const auto* one = std::get_if<float*>(&member))
+            **one = static_cast<float>(any(range));
+        else if (const auto* some = std::get_if<std::array<float, 4>*>(&member))
+            for (float& each : **some)
+                each = static_cast<float>(any(range));
     }
-    return habit;
+    return growth.habit;
 }
 
 } // namespace osgTreeWind

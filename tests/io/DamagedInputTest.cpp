@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/Folders.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/model/Random.h>
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/model/TreeFields.h>
@@ -61,6 +62,12 @@ std::set<std::string> knownKeys() {
         "[species.leaf]\n[species.appearance]\n[tiles]\ncolumns = 1\nrows = 1\ntrees = [[0]]\nlow = "
         "[[0]]\nhigh = [[0]]\n[[wind.source]]\n[wind]\n";
     std::set<std::string> keys;
+    {
+        ForestReading reading;
+        TableReader::readDocument("version = 1\n[[species]]\n[species.habit]\n", reading.log,
+                                  [&](TableReader& root) { readRoot(root, reading); });
+        keys.insert(reading.log.keys.begin(), reading.log.keys.end());
+    }
     for (const char* wind :
          {"kind = \"calm\"", "kind = \"uniform\"", "kind = \"gusts\"\nheight = 1", "kind = \"file\"",
           "kind = \"grid\"\nvalues = [0]", "kind = \"grid\"\nfile = \"a.csv\"",
@@ -112,6 +119,13 @@ struct ManualCells {
         value = "`[" + rounded(static_cast<double>(member->x)) + ", " +
                 rounded(static_cast<double>(member->y)) + ", " + rounded(static_cast<double>(member->z)) +
                 "]`";
+    }
+    void operator()(const std::array<float, 4>* member) {
+        type = "array of 4 numbers", range = "each " + range;
+        for (const float number : *member)
+            value += (value.empty() ? "`[" : ", ") +
+                     rounded(static_cast<double>(field.degrees() ? glm::degrees(number) : number));
+        value += "]`";
     }
     void operator()(const std::string*) { type = "text"; }
     template <typename T>
@@ -183,6 +197,7 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     addRows<Species>(rows, "species");
     addRows<RecursiveTreeParameters>(rows, "species.tree");
     addRows<GrownTreeParameters>(rows, "species.growth");
+    addRows<GrowthParameters>(rows, "species.habit");
     addRows<LeafParameters>(rows, "species.leaves");
     addRows<TreePlacement>(rows, "tree");
     std::string text = manual();

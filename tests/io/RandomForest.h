@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/TomlText.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/species/SpeciesFields.h>
 #include <osgTreeWind/wind/ForestWind.h>
@@ -147,6 +147,10 @@ private:
             while (!range.contains(static_cast<double>(*value)));
         }
         void operator()(double* value) const { *value = forest.number(field.range); }
+        void operator()(std::array<float, 4>* values) const {
+            for (float& value : *values)
+                (*this)(&value);
+        }
         void operator()(glm::vec3* value) const {
             for (int i = 0; i < 3; ++i)
                 (*value)[i] = static_cast<float>(forest.number(field.range));

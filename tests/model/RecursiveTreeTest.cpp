@@ -26,7 +26,9 @@ float angleBetween(const glm::vec3& a, const glm::vec3& b) {
 }
 
 std::uint64_t unitsOf(const RecursiveTreeParameters& parameters) {
-    return countTree(TreeParameters{parameters, {}, {}, {}}).units;
+    TreeParameters tree;
+    tree.wood = parameters;
+    return countTree(tree).units;
 }
 
 TEST(RecursiveTree, ReferenceTreeHas122UnitsAnd1952Points) {

@@ -3,10 +3,11 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/model/ScanAxes.h>
 #include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/model/TreeModel.h>
+#include <osgTreeWind/model/WoodVolume.h>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ ScanCylinders littleTree() {
     return cylinders;
 }
 
-Skeleton skeletonOf(const ScanCylinders& cylinders, const ScanDetail& detail = {}) {
+Skeleton skeletonOf(const ScanCylinders& cylinders, const WoodDetail& detail = {}) {
     const auto tree = makeScannedTree(cylinders, detail);
     EXPECT_TRUE(tree) << firstProblem(tree);
     return tree.value().skeleton;
@@ -137,7 +138,7 @@ TEST(ScannedTree, TheTrunkGoesOnWhereMostWoodIsBorne) {
     cylinders.push_back(cylinder({0, 0, 3}, {0, 0, 5}, 0.05, 2)); // upright, but alone
     cylinders.push_back(cylinder({0, 0, 3}, {1, 0, 4}, 0.05, 2)); // bears more
     cylinders.push_back(cylinder({1, 0, 4}, {2, 0, 4.5}, 0.05, 4));
-    const std::vector<ScanAxis> axes = axesOfScan(cylinders);
+    const std::vector<WoodAxis> axes = axesOfScan(cylinders);
     ASSERT_EQ(axes.size(), 2u);
     EXPECT_NEAR(axes[0].line.points.back().x, 2.0, 1e-6);
     EXPECT_EQ(axes[1].order, 1);
@@ -147,7 +148,7 @@ TEST(ScannedTree, WhatBeginsBesideTheEndDoesNotCarryOn) {
     ScanCylinders cylinders = pole(3);
     cylinders.push_back(cylinder({0, 0, 3}, {0, 0, 4}, 0.1, 2));
     cylinders.push_back(cylinder({0, 0, 2.4}, {3, 0, 3.4}, 0.1, 2)); // longer, from the middle
-    const std::vector<ScanAxis> axes = axesOfScan(cylinders);
+    const std::vector<WoodAxis> axes = axesOfScan(cylinders);
     ASSERT_EQ(axes.size(), 2u);
     EXPECT_NEAR(axes[0].line.points.back().z, 4.0, 1e-6);
     EXPECT_NEAR(axes[1].attach, 2.4, 1e-6);
@@ -174,29 +175,79 @@ TEST(ScannedTree, NoBranchIsThickerThanWhatBearsIt) {
     expectWellFormed(skeletonOf(cylinders));
 }
 
-TEST(ScannedTree, ThinTwigsArePruned) {
-    ScanDetail detail;
+TEST(ScannedTree, ThinTwigsAreShootsOfWhatBearsThem) {
+    WoodDetail detail;
     detail.thinnest = 0.02;
     const auto tree = makeScannedTree(littleTree(), detail);
     ASSERT_TRUE(tree);
-    EXPECT_EQ(tree.value().report.taken, 10u);
-    for (const BranchUnit& unit : tree.value().skeleton.units)
+    EXPECT_EQ(tree.value().report.taken, 11u);
+    EXPECT_EQ(tree.value().report.shoots, 1u);
+    const Skeleton& skeleton = tree.value().skeleton;
+    for (const BranchUnit& unit : skeleton.units)
         EXPECT_LT(unit.level, 2);
+    ASSERT_EQ(skeleton.shoots.size(), 1u);
+    const Shoot& shoot = skeleton.shoots.front();
+    EXPECT_EQ(shoot.level, 2);
+    EXPECT_FLOAT_EQ(shoot.baseRadius, 0.01f);
+    EXPECT_NEAR(glm::distance(skeleton.shootPoint(shoot, 0), glm::vec3(1.5f, 0.0f, 3.5f)), 0.0f, 1e-5f);
+    EXPECT_NEAR(glm::distance(skeleton.shootPoint(shoot, 1), glm::vec3(1.5f, 0.0f, 4.0f)), 0.0f, 1e-5f);
+    const BranchUnit& bearer = skeleton.units[static_cast<std::size_t>(shoot.unit)];
+    EXPECT_LE(bearer.base.x, 1.5f);
+    EXPECT_GE(bearer.tip.x, 1.5f);
+    EXPECT_NEAR(bearer.base.z, 3.5f, 1e-5f);
+    EXPECT_EQ(problemOfSkeleton(skeleton), "");
 }
 
-TEST(ScannedTree, TheThinnestArePrunedFirstButNotTheHighest) {
+TEST(ScannedTree, ShootsBeyondTheirLimitArePruned) {
+    WoodDetail detail;
+    detail.thinnest = 0.045;
+    detail.mostShoots = 1;
+    const auto tree = makeScannedTree(littleTree(), detail);
+    ASSERT_TRUE(tree);
+    EXPECT_EQ(tree.value().report.shoots, 1u);
+    EXPECT_EQ(tree.value().report.taken, 10u);
+    EXPECT_NEAR(tree.value().skeleton.shoots.front().baseRadius, 0.04f, 0.002f);
+}
+
+TEST(ScannedTree, WhatBecomesShootsKeepsItsWoodAndWeighsOnItsUnit) {
+    WoodDetail detail;
+    detail.thinnest = 0.045;
+    const Skeleton all = skeletonOf(littleTree()), some = skeletonOf(littleTree(), detail);
+    EXPECT_NEAR(woodVolume(some) / woodVolume(all), 1.0, 1e-3);
+    const std::vector<ShootWood> shoots = shootWoodOf(some);
+    ASSERT_EQ(shoots.size(), some.units.size());
+    float volume = 0.0f, outline = 0.0f;
+    for (const ShootWood& wood : shoots) {
+        volume += wood.volume;
+        outline += wood.outline;
+    }
+    EXPECT_NEAR(volume, glm::pi<float>() * (0.04f * 0.04f * 1.9f + 0.01f * 0.01f * 0.5f), 2e-5f);
+    EXPECT_NEAR(outline, 0.08f * 1.9f + 0.02f * 0.5f, 0.005f); // goes on to the middle of the trunk
+    EXPECT_TRUE(shootWoodOf(all).empty());
+}
+
+TEST(ShootWood, ScalesWithTheLengthOfShootsOnAStretchedTree) {
+    const ShootWood level{2.0f, 3.0f, 0.0f}, upright{2.0f, 3.0f, 1.0f};
+    const glm::vec3 axes{3.0f, 3.0f, 5.0f};
+    EXPECT_FLOAT_EQ(level.scaled(axes, 2.0f).volume, 2.0f * 3.0f * 4.0f);
+    EXPECT_FLOAT_EQ(level.scaled(axes, 2.0f).outline, 3.0f * 3.0f * 2.0f);
+    EXPECT_FLOAT_EQ(upright.scaled(axes, 2.0f).volume, 2.0f * 5.0f * 4.0f);
+}
+
+TEST(ScannedTree, TheThinnestAreShootsFirstButNotTheHighest) {
     ScanCylinders cylinders = pole(8);
     for (int i = 0; i < 7; ++i) // thicker ones lower
         cylinders.push_back(cylinder({0, 0, i + 0.5}, {3.0, 0, i + 0.5}, 0.08 - 0.01 * i, i));
     cylinders.push_back(cylinder({3, 0, 6.5}, {3.2, 0, 9.5}, 0.005, 14)); // leads to the top
-    ScanDetail detail;
+    WoodDetail detail;
     detail.mostUnits = 20;
     const auto tree = makeScannedTree(cylinders, detail);
     ASSERT_TRUE(tree);
     const Skeleton& skeleton = tree.value().skeleton;
     expectWellFormed(skeleton);
     EXPECT_LE(skeleton.units.size(), 20u);
-    EXPECT_LT(tree.value().report.taken, cylinders.size());
+    EXPECT_GT(skeleton.shoots.size(), 0u);
+    EXPECT_EQ(tree.value().report.taken, cylinders.size());
     float top = 0.0f;
     bool thickest = false;
     for (const BranchUnit& unit : skeleton.units) {
@@ -227,6 +278,7 @@ TEST(ScannedTree, ALongChainOfBranchesOnBranchesIsCutShort) {
     }
     const Skeleton skeleton = skeletonOf(cylinders);
     EXPECT_LE(skeleton.units.size(), 400u);
+    EXPECT_EQ(skeleton.shoots.size(), 20000u);
 }
 
 TEST(ScannedTree, IsAModelLikeAnyOther) {

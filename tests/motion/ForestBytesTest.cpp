@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a tree costs, by what the allocator has given out.
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/wind/UniformWind.h>

@@ -3,7 +3,7 @@
 #include <tests/motion/OneTree.h>
 #include <tests/motion/Sapling.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>

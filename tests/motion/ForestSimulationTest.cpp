@@ -27,7 +27,7 @@ glm::vec3 turned(const glm::vec3& v, float heading) {
 TEST(ForestSimulation, StartsAtRest) {
     const ForestSimulation simulation(oneTree());
     ASSERT_EQ(SimulationParts::branches(simulation)->poses().size(), 14u);
-    ASSERT_EQ(SimulationParts::branches(simulation)->leaves().states().size(), 24u);
+    ASSERT_EQ(SimulationParts::branches(simulation)->leafStates().size(), 24u);
     for (std::size_t unit = 0; unit < 14; ++unit)
         EXPECT_EQ(tip(simulation, unit), SimulationParts::models(simulation)[0]->skeleton.units[unit].tip);
 }
@@ -198,8 +198,8 @@ TEST(ForestSimulation, ResetGoesBackToRest) {
     run(fresh, 20);
     EXPECT_TRUE(sameBits(SimulationParts::branches(simulation)->states(),
                          SimulationParts::branches(fresh)->states()));
-    EXPECT_TRUE(sameBits(SimulationParts::branches(simulation)->leaves().states(),
-                         SimulationParts::branches(fresh)->leaves().states()));
+    EXPECT_TRUE(sameBits(SimulationParts::branches(simulation)->leafStates(),
+                         SimulationParts::branches(fresh)->leafStates()));
 }
 
 TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
@@ -212,8 +212,8 @@ TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
     run(a, 50);
     run(b, 50);
     EXPECT_TRUE(sameBits(SimulationParts::branches(a)->states(), SimulationParts::branches(b)->states()));
-    EXPECT_TRUE(sameBits(SimulationParts::branches(a)->leaves().states(),
-                         SimulationParts::branches(b)->leaves().states()));
+    EXPECT_TRUE(
+        sameBits(SimulationParts::branches(a)->leafStates(), SimulationParts::branches(b)->leafStates()));
     EXPECT_TRUE(sameBits(SimulationParts::branches(a)->poses(), SimulationParts::branches(b)->poses()));
 }
 
@@ -223,7 +223,7 @@ TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
     forest.trees[1].seed = 3; // the same shape: 3 shapes
     ForestSimulation simulation(forest);
     run(simulation, 30);
-    const auto& leaves = SimulationParts::branches(simulation)->leaves().states();
+    const auto& leaves = SimulationParts::branches(simulation)->leafStates();
     EXPECT_EQ(SimulationParts::trees(simulation)[0].model, SimulationParts::trees(simulation)[1].model);
     EXPECT_NE(leaves[0].x, leaves[1].x);
     EXPECT_NE(leaves[0].x, leaves[SimulationParts::trees(simulation)[1].firstLeaf].x);
@@ -234,10 +234,10 @@ TEST(ForestSimulation, LeavesMoveSmoothly) {
     ForestSimulation simulation(oneTree());
     run(simulation, 60);
     for (int frame = 61; frame < 400; ++frame) {
-        const auto before = SimulationParts::branches(simulation)->leaves().states();
+        const auto before = SimulationParts::branches(simulation)->leafStates();
         simulation.advance(frame / 60.0);
         for (std::size_t i = 0; i < before.size(); ++i)
-            ASSERT_LT(std::abs(SimulationParts::branches(simulation)->leaves().states()[i].x - before[i].x),
+            ASSERT_LT(std::abs(SimulationParts::branches(simulation)->leafStates()[i].x - before[i].x),
                       0.05f);
     }
 }

@@ -58,12 +58,12 @@ TEST(ForestSteps, FirstCallPauseAndEarlierTimesHoldTheState) {
     EXPECT_EQ(SimulationParts::branches(simulation)->states()[3], glm::vec4(0.0f));
     EXPECT_TRUE(simulation.advance(5.1));
     const auto states = SimulationParts::branches(simulation)->states();
-    const auto leaves = SimulationParts::branches(simulation)->leaves().states();
+    const auto leaves = SimulationParts::branches(simulation)->leafStates();
     EXPECT_FALSE(simulation.advance(5.1));
     EXPECT_FALSE(simulation.advance(2.0));
     EXPECT_FALSE(simulation.advance(std::nan("")));
     EXPECT_TRUE(sameBits(states, SimulationParts::branches(simulation)->states()));
-    EXPECT_TRUE(sameBits(leaves, SimulationParts::branches(simulation)->leaves().states()));
+    EXPECT_TRUE(sameBits(leaves, SimulationParts::branches(simulation)->leafStates()));
     EXPECT_TRUE(simulation.advance(2.1)); // goes on from the earlier time
 }
 

@@ -11,6 +11,7 @@
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/StandOnGround.h>
+#include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/nodes/TreeUnit.h>
 #include <osgTreeWind/places/FunctionGround.h>
@@ -185,6 +186,11 @@ private:
             grown.boughs.count = 4;
             grown.branches.count = grown.twigs.count = 1;
             maybe(grown);
+        }
+        if (any.oneIn(6)) {
+            GrowthParameters& growth = kind.tree.growth.emplace();
+            growth.size = {4.0f, 0.1f, 3.0f};
+            maybe(growth);
         }
         if (any.oneIn(6))
             kind.tree.scans = scans();
@@ -599,7 +605,8 @@ TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
     std::set<std::string> known = {
         // Values, checked where they are handed over.
         "base/Result.h", "base/Span.h", "base/Executor.h", "forest/DrawingOptions.h",
-        "forest/ForestDescription.h", "forest/ForestTiles.h", "forest/TreeId.h",
+        "forest/ForestDescription.h", "forest/ForestTiles.h", "forest/TreeId.h", "growth/GrowthGoal.h",
+        "growth/GrowthParameters.h", "growth/GrowthSite.h", "growth/TreeHabit.h",
         "model/GrownTreeParameters.h", "model/Skeleton.h", "model/TreeParameters.h", "model/TreeSize.h",
         "motion/damage/TreeDamage.h", "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h",
         "wind/WindCanopy.h", "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",

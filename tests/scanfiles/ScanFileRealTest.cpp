@@ -75,6 +75,8 @@ TEST_P(RealScanTest, KeepsTheVolumeOfItsWoodAsDrawnAndAsSwayed) {
     double swayed = 0.0;
     for (const BranchUnit& unit : tree.skeleton.units)
         swayed += static_cast<double>(ScaledUnit(unit, {}).volume());
+    for (const ShootWood& shoots : shootWoodOf(tree.skeleton))
+        swayed += static_cast<double>(shoots.volume);
     EXPECT_NEAR(woodVolume(tree.skeleton) / GetParam().volume, 1.0, 0.05);
     EXPECT_NEAR(swayed / GetParam().volume, 1.0, 0.05);
     EXPECT_LE(tree.skeleton.units.size(), 400u);

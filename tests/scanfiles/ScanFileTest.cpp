@@ -6,7 +6,7 @@
 #include <tests/io/TemporaryFolder.h>
 #include <tests/scanfiles/ScanProblem.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/model/ScannedTree.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 

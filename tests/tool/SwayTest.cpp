@@ -139,12 +139,31 @@ TEST(Sway, ABareTreeIsQuicker) {
     EXPECT_EQ(runTool({"sway", "--leaves", "2"}).exitCode, 2);
 }
 
-TEST(Sway, AnUnknownSpeciesIsStoodInForAndSaid) {
+TEST(Sway, AnUnknownSpeciesIsRefusedWithTheLineOfItsRow) {
     const Outcome outcome = runTool({"sway", "--species", "lamp post", "--dbh", "30", "--height", "15"});
-    EXPECT_EQ(outcome.exitCode, 0);
-    EXPECT_NE(outcome.err.find("no built-in species \"lamp post\"; \"broadleaf\" stands for it"),
-              std::string::npos);
-    EXPECT_EQ(outcome.out.rfind("broadleaf, 30 cm, 15 m: frequency ", 0), 0u) << outcome.out;
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_NE(outcome.err.find("no built-in species \"lamp post\""), std::string::npos);
+    EXPECT_EQ(outcome.out, "");
+    const TemporaryFolder folder;
+    const std::string table = folder.write("t.csv", "species,dbh_cm,height_m\noak,30,15\nlamp post,30,15\n");
+    const Outcome row = runTool({"sway", "--table", table});
+    EXPECT_EQ(row.exitCode, 2);
+    EXPECT_NE(row.err.find("t.csv:3: no built-in species \"lamp post\""), std::string::npos) << row.err;
+}
+
+TEST(Sway, TakesASpeciesOfAFile) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write(
+        "a.treewind",
+        "version = 1\n[[species]]\nname = \"stiff\"\nlike = \"oak\"\n[species.wood]\nelastic_modulus = "
+        "4e10\n[[tree]]\nspecies = \"stiff\"\nposition = [0, 0]\n");
+    const auto frequency = [](const std::string& species) {
+        return swayOf({"--species", species, "--dbh", "30", "--height", "15"})["frequency_hz"].get<double>();
+    };
+    EXPECT_GT(frequency(file + ":stiff"), 1.5 * frequency("oak"));
+    const Outcome none = runTool({"sway", "--species", file + ":soft"});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_NE(none.err.find("no species \"soft\""), std::string::npos);
 }
 
 TEST(Sway, ListsSpeciesWithTheirSources) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/wind/Winds.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <gtest/gtest.h>

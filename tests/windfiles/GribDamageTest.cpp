@@ -193,6 +193,51 @@ TEST(GribDamage, PackingThatNobodyKnowsIsNamed) {
     EXPECT_FALSE(has(problem, "/vsi")) << problem;
 }
 
+TEST(GribDamage, OnlyMessagesThatAreAskedForHaveToBeDecoded) {
+    const auto onGrid999 = [](std::string message) {
+        message[sectionsOf(message, 2)[2] + 12] = '\3';
+        message[sectionsOf(message, 2)[2] + 13] = '\xe7';
+        return message;
+    };
+    const auto packedOtherwise = [](std::string message) {
+        message[sectionsOf(message, 2)[4] + 9] = '\3';
+        return message;
+    };
+    const auto secondOrder = [](std::string message) {
+        message[sectionsOf(message, 1)[3] + 3] |= 0x40;
+        return message;
+    };
+    const auto inMonth13 = [](std::string message) {
+        message[sectionsOf(message, 2)[1] + 14] = 13;
+        return message;
+    };
+    grib::Field temperature, temperature1 = edition1(), gusts, isobaric, height;
+    temperature.category = 0;
+    temperature1.number = 11;
+    gusts.product = 8; // over a span of time
+    isobaric.type = height.type = 100;
+    isobaric.level = height.level = 85000;
+    height.category = 3;
+    height.number = 5;
+    const std::string wind = messageOf({}) + messageOf(northwardOf({}));
+    for (const std::string& other :
+         {onGrid999(messageOf(temperature)), packedOtherwise(messageOf(temperature)),
+          secondOrder(messageOf(temperature1)), inMonth13(messageOf(temperature)),
+          onGrid999(messageOf(gusts)), onGrid999(messageOf(isobaric)), packedOtherwise(messageOf(height))}) {
+        EXPECT_EQ(problemOfGrib(wind + other), "");
+        EXPECT_EQ(problemOfGrib(other + wind), "");
+    }
+    grib::Field high;
+    high.level = 80.0;
+    const std::string place = "message 3, at byte " + std::to_string(wind.size()) + ": ";
+    EXPECT_EQ(problemOfGrib(wind + onGrid999(messageOf(high))),
+              place + "ecCodes cannot decode its grid, of template 999");
+    EXPECT_EQ(
+        problemOfGrib(messageOf(isobaric) + messageOf(northwardOf(isobaric)) + onGrid999(messageOf(height))),
+        "message 3, at byte " + std::to_string(wind.size()) +
+            ": ecCodes cannot decode its grid, of template 999");
+}
+
 TEST(GribDamage, NumbersThatAreNotWhatTheirSectionSaysAreRefused) {
     std::string first, second;
     for (const std::string& message : {messageOf(edition1()), messageOf(northwardOf(edition1()))}) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <tests/base/FirstProblem.h>
 
-#include <osgTreeWind/windfiles/WindWire.h>
+#include <osgTreeWind/base/Wire.h>
+#include <osgTreeWind/windfiles/WindContent.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/bench/BenchChart.h>
+#include <examples/osgtreewind/bench/BenchReport.h>
 
 #include <algorithm>
 #include <cmath>

@@ -61,3 +61,13 @@ void printBenchRow(std::ostream& out, const BenchResult& result);
 void printBenchViews(std::ostream& out, const BenchConditions& conditions,
                      const std::vector<BenchView>& views);
 void printBenchWorld(std::ostream& out, const BenchConditions& conditions, const BenchWorld& world);
+
+/// A flight through a forest in tiles: at 100 m/s of real time, 80 m above its trees, on an ellipse about its
+/// middle. Frames are drawn one after the other, however long they take.
+/// @param forest with tiles.
+BenchWorld runBenchWorld(const std::string& name, const osgTreeWind::ForestDescription& forest,
+                         const BenchSettings& settings, BenchDriver& driver);
+
+/// A chart like Fig 6.1 of the thesis, as an SVG document: frames a second over the number of trees, on the
+/// left as published, on the right as measured.
+std::string benchChart(const BenchConditions& conditions, const std::vector<BenchResult>& results);

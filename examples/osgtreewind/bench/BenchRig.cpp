@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/bench/BenchRig.h>
-
 #include <examples/osgtreewind/bench/BenchStage.h>
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>

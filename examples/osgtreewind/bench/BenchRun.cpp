@@ -54,15 +54,12 @@ std::string anglesOf(const BenchScene& scene) {
 
 } // namespace
 
-Result<BenchResult> runBench(const BenchStage& stage, int trees, const BenchSettings& settings,
-                             BenchDriver& driver) {
-    auto context = createOffscreenContext(settings.size.width, settings.size.height);
-    if (!context)
-        return context.problems();
+BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& settings, BenchDriver& driver) {
+    const auto context = valueOf(createOffscreenContext(settings.size.width, settings.size.height), Failed);
     enum { Moving, Still };
     const BenchScene scene = createBenchScene(stage, trees);
     const osg::Matrixd view = benchView(settings.size, scene.still->getBound());
-    BenchViewer viewer(settings.size, *context.value(), driver, {{scene.moving, view}, {scene.still, view}},
+    BenchViewer viewer(settings.size, *context, driver, {{scene.moving, view}, {scene.still, view}},
                        2 * (settings.warmUp + settings.frames));
     const BenchWinds winds;
     double time = 0.0;

@@ -4,8 +4,6 @@
 #include <examples/osgtreewind/bench/BenchStage.h>
 #include <examples/osgtreewind/bench/BenchViewer.h>
 
-#include <osgTreeWind/base/Result.h>
-
 /// What the moving scene consists of.
 struct BenchCounts {
     std::uint64_t units = 0, vertices = 0, triangles = 0, lines = 0;
@@ -28,6 +26,5 @@ struct BenchSettings {
     double step = 1.0 / 60.0; ///< Simulation time from one moving frame to the next, seconds.
 };
 
-/// Measures in a context of its own. @param driver is filled in.
-osgTreeWind::Result<BenchResult> runBench(const BenchStage& stage, int trees, const BenchSettings& settings,
-                                          BenchDriver& driver);
+/// Measures in a context of its own; ends the command where there is none. @param driver is filled in.
+BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& settings, BenchDriver& driver);

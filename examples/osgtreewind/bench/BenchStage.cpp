@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/bench/BenchStage.h>
 
-#include <examples/osgtreewind/bench/BenchRig.h>
 #include <examples/osgtreewind/bench/BenchWood.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/wind/GridWind.h>
 
 #include <osg/Geometry>
 #include <osgUtil/IntersectionVisitor>
 
-#include <cmath>
 #include <limits>
 
 using namespace osgTreeWind;

@@ -80,12 +80,10 @@ osg::ref_ptr<Forest> makeForest(const std::function<ForestDescription()>& make, 
 
 } // namespace
 
-Result<BenchView> runBenchView(const std::string& name, const std::function<ForestDescription()>& make,
-                               BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
-                               BenchDriver& driver) {
-    auto context = createOffscreenContext(settings.size.width, settings.size.height);
-    if (!context)
-        return context.problems();
+BenchView runBenchView(const std::string& name, const std::function<ForestDescription()>& make,
+                       BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
+                       BenchDriver& driver) {
+    const auto context = valueOf(createOffscreenContext(settings.size.width, settings.size.height), Failed);
     BenchView result;
     result.forest = name;
     result.viewpoint = viewpoint;
@@ -101,8 +99,7 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
         description.drawing.tiers = false;
         variants.push_back({new Forest(std::move(description)), view});
     }
-    BenchViewer viewer(settings.size, *context.value(), driver, variants,
-                       3 * (warmUpRounds + settings.frames));
+    BenchViewer viewer(settings.size, *context, driver, variants, 3 * (warmUpRounds + settings.frames));
     const BenchClock clock;
     viewer.draw(Drawn, 0.0);
     result.firstFrameSeconds = clock.seconds();
@@ -131,8 +128,8 @@ Result<BenchView> runBenchView(const std::string& name, const std::function<Fore
     return result;
 }
 
-Result<std::vector<BenchView>> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
-                                             BenchDriver& driver) {
+std::vector<BenchView> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
+                                     BenchDriver& driver) {
     const auto ownBytes = [](const BenchView& forest) {
         return forest.forestBytes - static_cast<double>(forest.archetypeBytes);
     };
@@ -143,12 +140,9 @@ Result<std::vector<BenchView>> runBenchScale(const std::vector<int>& trees, cons
     }
     std::vector<BenchView> results;
     for (const int count : trees) {
-        Result<BenchView> view = runBenchView(
+        results.push_back(runBenchView(
             "made trees", [=] { return createWood(static_cast<std::size_t>(count)); }, BenchViewpoint::Over,
-            false, settings, driver);
-        if (!view)
-            return view.problems();
-        results.push_back(std::move(view.value()));
+            false, settings, driver));
         if (BenchView& wood = results.back(); wood.trees > fewTrees)
             wood.bytesPerTree = (ownBytes(wood) - ownBytes(few)) / static_cast<double>(wood.trees - fewTrees);
     }

@@ -38,11 +38,10 @@ struct BenchView {
 };
 
 /// @param make called once, for the description. @param inFull whether to draw it without tiers as well.
-osgTreeWind::Result<BenchView> runBenchView(const std::string& name,
-                                            const std::function<osgTreeWind::ForestDescription()>& make,
-                                            BenchViewpoint viewpoint, bool inFull,
-                                            const BenchSettings& settings, BenchDriver& driver);
+BenchView runBenchView(const std::string& name, const std::function<osgTreeWind::ForestDescription()>& make,
+                       BenchViewpoint viewpoint, bool inFull, const BenchSettings& settings,
+                       BenchDriver& driver);
 
 /// Woods of so many trees each (createWood()), with what each takes of main memory.
-osgTreeWind::Result<std::vector<BenchView>> runBenchScale(const std::vector<int>& trees,
-                                                          const BenchSettings& settings, BenchDriver& driver);
+std::vector<BenchView> runBenchScale(const std::vector<int>& trees, const BenchSettings& settings,
+                                     BenchDriver& driver);

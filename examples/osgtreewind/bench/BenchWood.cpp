@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/bench/BenchWood.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 
 #include <cmath>

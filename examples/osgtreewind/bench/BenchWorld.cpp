@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/bench/BenchWorld.h>
+#include <examples/osgtreewind/bench/BenchReport.h>
 
 #include <examples/osgtreewind/bench/BenchClock.h>
 #include <examples/osgtreewind/bench/BenchStatistics.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/nodes/ForestStatistics.h>
 #include <osgTreeWind/nodes/TilePager.h>
 
 #include <cmath>
 #include <fstream>
-#include <unistd.h>
 
 using namespace osgTreeWind;
 
@@ -18,14 +18,6 @@ namespace {
 
 constexpr double speed = BenchWorld::speed, height = 80.0; // metres above the highest foot
 constexpr int mostFramesToFirst = 1000;
-
-/// Main memory of the process, bytes.
-double residentBytes() {
-    std::ifstream file("/proc/self/statm");
-    double total = 0.0, resident = 0.0;
-    file >> total >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 /// That the process has read by now, of files and whatever else.
 double bytesRead() {
@@ -84,8 +76,8 @@ private:
 
 } // namespace
 
-Result<BenchWorld> runBenchWorld(const std::string& name, const ForestDescription& description,
-                                 const BenchSettings& settings, BenchDriver& driver) {
+BenchWorld runBenchWorld(const std::string& name, const ForestDescription& description,
+                         const BenchSettings& settings, BenchDriver& driver) {
     BenchWorld result;
     result.forest = name;
     result.trees = description.tiles->treeCount();
@@ -95,8 +87,6 @@ Result<BenchWorld> runBenchWorld(const std::string& name, const ForestDescriptio
     const osg::ref_ptr<Forest> forest = new Forest(description);
     const TilePager* pager = pagerOf(*forest);
     OffscreenViewer drawing(settings.size.width, settings.size.height, 1);
-    if (!drawing.valid())
-        return Diagnostic{{}, 0, 0, {}, "no context to draw in"};
     osgViewer::Viewer& viewer = drawing.viewer();
     viewer.setSceneData(forest);
     osg::Camera& camera = *viewer.getCamera();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyGrid.h>
 
-#include <examples/osgtreewind/canopy/CanopyFootprint.h>
-#include <examples/osgtreewind/canopy/TreeBox.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 
@@ -89,6 +87,42 @@ double CanopyGrid::groundOf(int column, int row, const Ground* ground, double ot
         return otherwise;
     const glm::dvec2 middle(low.x + (column + 0.5) * cell.x, low.y + (row + 0.5) * cell.y);
     return ground->height(middle).value_or(otherwise);
+}
+
+TreeBox treeBox(const PlacedForest& forest, const PlacedTree& tree) {
+    const std::array<float, 5> reach = forest.modelOf(tree).extents.reach(tree.scale);
+    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
+    glm::vec3 low(0.0f), high(0.0f, 0.0f, reach[4]);
+    for (const float x : {reach[0], -reach[1]})
+        for (const float y : {reach[2], -reach[3]}) {
+            const glm::vec3 corner = turnHeading({x, y, 0.0f}, sine, cosine);
+            low = glm::min(low, corner);
+            high = glm::max(high, corner);
+        }
+    // Room for the rounding of floats.
+    const glm::vec3 rounding =
+        1e-4f * (high - low) * glm::vec3(1.0f, 1.0f, 0.0f) + glm::vec3(0, 0, 1e-4f * reach[4]);
+    const glm::dvec3 foot = glm::dvec3(tree.position) + forest.description().origin;
+    return {foot + glm::dvec3(low - rounding * glm::vec3(1.0f, 1.0f, 0.0f)),
+            foot + glm::dvec3(high + rounding)};
+}
+
+CanopyFootprint::CanopyFootprint(const CanopyGrid& grid, const TreeBox& box) : foot(box.low.z) {
+    for (int axis = 0; axis < 2; ++axis) {
+        const std::int64_t most = grid.cells[axis];
+        first[axis] = static_cast<int>(std::clamp<std::int64_t>(grid.index(axis, box.low[axis]), 0, most));
+        last[axis] =
+            static_cast<int>(std::clamp<std::int64_t>(grid.index(axis, box.high[axis]), -1, most - 1));
+    }
+}
+
+double CanopyFootprint::lowestGround(const CanopyGrid& grid, const Ground* ground) const {
+    double lowest = foot;
+    if (ground)
+        for (int row = first.y; row <= last.y; ++row)
+            for (int column = first.x; column <= last.x; ++column)
+                lowest = std::min(lowest, grid.groundOf(column, row, ground, foot));
+    return lowest;
 }
 
 Result<CanopyGrid> canopyGridOver(const PlacedForest& forest, const glm::dvec3& cell, bool aboveGround,

@@ -17,6 +17,13 @@ struct CanopyBounds {
     glm::dvec2 low{0.0}, high{0.0};
 };
 
+/// What holds all wood and leaves of a tree at rest, from its foot up; world coordinates, metres.
+struct TreeBox {
+    glm::dvec3 low{0.0}, high{0.0};
+};
+
+TreeBox treeBox(const PlacedForest& forest, const PlacedTree& tree);
+
 /// Cells of air over a forest, along the axes of the world; metres.
 struct CanopyGrid {
     /// Heights count from the ground below the middle of each column of cells, and where there is none from
@@ -34,6 +41,18 @@ struct CanopyGrid {
     std::int64_t index(int axis, double coordinate) const;
     /// Of a column: its ground, or where there is none `otherwise`.
     double groundOf(int column, int row, const Ground* ground, double otherwise) const;
+};
+
+/// The columns of a grid that a tree may reach.
+struct CanopyFootprint {
+    glm::ivec2 first{0}, last{-1}; ///< Column and row; both belong to it.
+    double foot = 0.0;             ///< Of the tree, world.
+
+    CanopyFootprint(const CanopyGrid& grid, const TreeBox& box);
+
+    bool isEmpty() const { return first.x > last.x || first.y > last.y; }
+    /// Of these columns, world; the foot where there is no ground.
+    double lowestGround(const CanopyGrid& grid, const Ground* ground) const;
 };
 
 /// The grid over all trees of a forest as they stand at rest, with its corner a whole number of cells from

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyFile.h>
-#include <examples/osgtreewind/output/NetCdfOutput.h>
 
 #include <osgTreeWind/places/CrsWay.h>
 #include <osgTreeWind/places/GridMapping.h>
 #include <osgTreeWind/species/Season.h>
+
+#include <netcdf.h>
 
 #include <algorithm>
 #include <ctime>
@@ -50,17 +51,18 @@ glm::dvec2 degreesOf(glm::dvec2 place, const std::optional<Crs>& map) {
     return way && way.value().go(place) ? place : glm::dvec2(0.0);
 }
 
-class NetCdfCanopy : public CanopyFile {
+class NetCdfCanopy final : public CanopyFile {
 public:
+    ~NetCdfCanopy() override { close(); }
     NetCdfCanopy(const std::string& path, const CanopyHead& head, bool isPalm)
-        : _cells(head.grid.cells), _isPalm(isPalm),
-          _file(path, sizeof(float) * static_cast<double>(_cells.x) * _cells.y * (_cells.z + 1)) {
+        : _cells(head.grid.cells), _isPalm(isPalm) {
+        create(path);
         const CanopyGrid& grid = head.grid;
         const int levels = _cells.z + isPalm; // PALM's first level is the ground
-        const std::vector<int> dimensions = {_file.dimension(isPalm ? "zlad" : "z", levels),
-                                             _file.dimension("y", _cells.y), _file.dimension("x", _cells.x)};
-        const int z = _file.coordinates(isPalm ? "zlad" : "z", {dimensions[0]}),
-                  y = _file.coordinates("y", {dimensions[1]}), x = _file.coordinates("x", {dimensions[2]});
+        const std::vector<int> dimensions = {dimension(isPalm ? "zlad" : "z", levels),
+                                             dimension("y", _cells.y), dimension("x", _cells.x)};
+        const int z = array(isPalm ? "zlad" : "z", NC_DOUBLE, {dimensions[0]}),
+                  y = array("y", NC_DOUBLE, {dimensions[1]}), x = array("x", NC_DOUBLE, {dimensions[2]});
         const std::optional<Crs> map = mapOf(head);
         sayAxes(x, y, z, map && !isPalm);
         const int crs = map ? sayMap(*map) : -1;
@@ -68,92 +70,134 @@ public:
         _drag = field("cda", "drag area density: Cd A of a force 0.5 rho Cd A U^2, in a m3 of air",
                       dimensions, map.has_value());
         sayFile(head, map);
-        _file.endDefinitions();
+        call(nc_enddef);
         if (map)
-            _file.write(crs, {0.0});
+            write(crs, {0.0});
         const glm::dvec3 low = isPalm ? glm::dvec3(0.0) : grid.low;
-        _file.write(x, middles(low.x, grid.cell.x, _cells.x));
-        _file.write(y, middles(low.y, grid.cell.y, _cells.y));
+        write(x, middles(low.x, grid.cell.x, _cells.x));
+        write(y, middles(low.y, grid.cell.y, _cells.y));
         std::vector<double> heights = middles(grid.low.z, grid.cell.z, _cells.z);
         if (isPalm)
             heights.insert(heights.begin(), 0.0);
-        _file.write(z, heights);
+        write(z, heights);
     }
 
     bool write(const CanopyRow& row) override {
         put(_leaf, row.row, row.leaf, row);
         put(_drag, row.row, row.drag, row);
-        return problem().empty();
+        return _problem.empty();
     }
 
     bool close() override {
-        _file.close();
-        return problem().empty();
+        if (_open)
+            keep(nc_close(_file));
+        _open = false;
+        return _problem.empty();
     }
 
-    std::string problem() const override { return _file.problem(); }
+    std::string problem() const override { return _problem; }
 
 private:
+    void create(const std::string& path) {
+        // The classic kind with long offsets, which all programs read; it holds 4 GiB an array.
+        const double bytes = sizeof(float) * static_cast<double>(_cells.x) * _cells.y * (_cells.z + 1);
+        keep(nc_create(path.c_str(), NC_CLOBBER | (bytes < 4.0e9 ? NC_64BIT_OFFSET : NC_64BIT_DATA), &_file));
+        _open = _problem.empty();
+        int before = 0;
+        call(nc_set_fill, NC_NOFILL, &before); // all of it is written
+    }
+
+    /// Only the first error.
+    void keep(int status) {
+        if (status != NC_NOERR && _problem.empty())
+            _problem = nc_strerror(status);
+    }
+    /// Nothing after an error.
+    template <typename Function, typename... Arguments>
+    void call(Function function, Arguments... arguments) {
+        if (_problem.empty())
+            keep(function(_file, arguments...));
+    }
+
+    int dimension(const char* name, int size) {
+        int id = 0;
+        call(nc_def_dim, name, static_cast<std::size_t>(size), &id);
+        return id;
+    }
+    int array(const char* name, int type, const std::vector<int>& dimensions) {
+        int id = 0;
+        call(nc_def_var, name, type, static_cast<int>(dimensions.size()), dimensions.data(), &id);
+        return id;
+    }
+    void say(int array, const char* name, const std::string& text) {
+        call(nc_put_att_text, array, name, text.size(), text.c_str());
+    }
+    void say(int array, const char* name, const std::vector<double>& numbers) {
+        call(nc_put_att_double, array, name, NC_DOUBLE, numbers.size(), numbers.data());
+    }
+    void write(int array, const std::vector<double>& numbers) {
+        call(nc_put_var_double, array, numbers.data());
+    }
+
     void sayAxes(int x, int y, int z, bool onMap) {
         for (const auto& [array, axis] : {std::pair(x, "x"), std::pair(y, "y")}) {
             const std::string name = axis;
-            _file.attribute(array, "long_name",
-                            _isPalm ? "distance to origin in " + name + "-direction"
-                                    : name + " of the middle of the cell");
+            say(array, "long_name",
+                _isPalm ? "distance to origin in " + name + "-direction"
+                        : name + " of the middle of the cell");
             if (onMap)
-                _file.attribute(array, "standard_name", "projection_" + name + "_coordinate");
-            _file.attribute(array, "units", std::string("m"));
-            _file.attribute(array, "axis", std::string(name == "x" ? "X" : "Y"));
+                say(array, "standard_name", "projection_" + name + "_coordinate");
+            say(array, "units", "m");
+            say(array, "axis", name == "x" ? "X" : "Y");
         }
-        _file.attribute(z, "long_name",
-                        std::string(_isPalm ? "height above ground" : "height of the middle of the cell"));
-        _file.attribute(z, "units", std::string("m"));
-        _file.attribute(z, "axis", std::string("Z"));
-        _file.attribute(z, "positive", std::string("up"));
+        say(z, "long_name", _isPalm ? "height above ground" : "height of the middle of the cell");
+        say(z, "units", "m");
+        say(z, "axis", "Z");
+        say(z, "positive", "up");
     }
 
     int sayMap(const Crs& map) {
-        const int crs = _file.coordinates("crs", {});
+        const int crs = array("crs", NC_DOUBLE, {});
         const Result<GridMapping> described = gridMappingOf(map);
         const GridMapping mapping = described ? described.value() : GridMapping();
-        _file.attribute(crs, "long_name", std::string("coordinate reference system"));
+        say(crs, "long_name", "coordinate reference system");
         if (!mapping.name.empty())
-            _file.attribute(crs, "grid_mapping_name", mapping.name);
+            say(crs, "grid_mapping_name", mapping.name);
         for (const auto& [name, numbers] : mapping.numbers)
-            _file.attribute(crs, name.c_str(), numbers);
-        _file.attribute(crs, "crs_wkt", mapping.wkt);
-        _file.attribute(crs, "units", std::string("m"));
+            say(crs, name.c_str(), numbers);
+        say(crs, "crs_wkt", mapping.wkt);
+        say(crs, "units", "m");
         if (const std::string text = map.text(); text.rfind("EPSG:", 0) == 0)
-            _file.attribute(crs, "epsg_code", text);
+            say(crs, "epsg_code", text);
         return crs;
     }
 
     int field(const char* name, const char* words, const std::vector<int>& dimensions, bool onMap) {
-        const int array = _file.field(name, dimensions);
+        const int id = array(name, NC_FLOAT, dimensions);
         if (_isPalm)
-            _file.attribute(array, "_FillValue", noPlants);
-        _file.attribute(array, "long_name", std::string(words));
-        _file.attribute(array, "units", std::string("m2 m-3"));
+            call(nc_put_att_float, id, "_FillValue", NC_FLOAT, std::size_t(1), &noPlants);
+        say(id, "long_name", words);
+        say(id, "units", "m2 m-3");
         if (onMap)
-            _file.attribute(array, "grid_mapping", std::string("crs"));
-        return array;
+            say(id, "grid_mapping", "crs");
+        return id;
     }
 
     void sayFile(const CanopyHead& head, const std::optional<Crs>& map) {
-        constexpr int file = NetCdfOutput::wholeFile;
-        _file.attribute(file, "Conventions", std::string("CF-1.7"));
-        _file.attribute(file, "title", std::string("Leaf area and drag area of a forest"));
-        _file.attribute(file, "source", std::string("osgtreewind " OSGTREEWIND_VERSION));
+        constexpr int file = NC_GLOBAL;
+        say(file, "Conventions", "CF-1.7");
+        say(file, "title", "Leaf area and drag area of a forest");
+        say(file, "source", "osgtreewind " OSGTREEWIND_VERSION);
         if (!_isPalm)
             return;
         const glm::dvec2 degrees = degreesOf(head.grid.low, map);
-        _file.attribute(file, "origin_x", std::vector{head.grid.low.x});
-        _file.attribute(file, "origin_y", std::vector{head.grid.low.y});
-        _file.attribute(file, "origin_z", std::vector{0.0});
-        _file.attribute(file, "origin_lon", std::vector{degrees.x});
-        _file.attribute(file, "origin_lat", std::vector{degrees.y});
-        _file.attribute(file, "origin_time", dateOf(head.season));
-        _file.attribute(file, "rotation_angle", std::vector{0.0});
+        say(file, "origin_x", std::vector{head.grid.low.x});
+        say(file, "origin_y", std::vector{head.grid.low.y});
+        say(file, "origin_z", std::vector{0.0});
+        say(file, "origin_lon", std::vector{degrees.x});
+        say(file, "origin_lat", std::vector{degrees.y});
+        say(file, "origin_time", dateOf(head.season));
+        say(file, "rotation_angle", std::vector{0.0});
     }
 
     /// In PALM's files a column without plants has the fill value at each level.
@@ -169,14 +213,16 @@ private:
             for (std::size_t z = 0; z < levels + ground && isBare; ++z)
                 _levels[z * width + x] = noPlants;
         }
-        _file.write(array, {0, static_cast<std::size_t>(row), 0}, {levels + ground, 1, width},
-                    _levels.data());
+        const std::size_t start[] = {0, static_cast<std::size_t>(row), 0},
+                          count[] = {levels + ground, 1, width};
+        call(nc_put_vara_float, array, &start[0], &count[0], _levels.data());
     }
 
     glm::ivec3 _cells;
     bool _isPalm;
-    NetCdfOutput _file;
-    int _leaf = 0, _drag = 0;
+    int _file = 0, _leaf = 0, _drag = 0;
+    bool _open = false;
+    std::string _problem;
     std::vector<float> _levels;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <examples/osgtreewind/bench/BenchChart.h>
 #include <examples/osgtreewind/bench/BenchReport.h>
 #include <examples/osgtreewind/bench/BenchRun.h>
-#include <examples/osgtreewind/bench/BenchWorld.h>
 #include <examples/osgtreewind/options/Command.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
@@ -35,25 +33,22 @@ void keepMemory() {
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
 }
 
-bool writeText(const std::string& path, const std::string& text) {
+void writeText(const std::string& path, const std::string& text) {
     std::ofstream file(path);
     file << text;
     file.close();
     if (!file)
-        std::cerr << path << ": cannot be written\n";
-    return !file.fail();
+        endUnwritten(path);
 }
 
 /// The SVG, and a PNG of it beside.
-bool writeChart(const std::string& path, const std::string& svg) {
-    if (!writeText(path, svg))
-        return false;
+void writeChart(const std::string& path, const std::string& svg) {
+    writeText(path, svg);
     const std::string picture = osgDB::getNameLessExtension(path) + ".png";
     osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
-    if (image && osgDB::writeImageFile(*image, picture))
-        return true;
-    std::cerr << picture << ": cannot be written; expected the svg and png plugins of OpenSceneGraph\n";
-    return false;
+    if (!image || !osgDB::writeImageFile(*image, picture))
+        throw Ending{Failed,
+                     picture + ": cannot be written; expected the svg and png plugins of OpenSceneGraph"};
 }
 
 // Stages of their own.
@@ -67,130 +62,85 @@ bool isAsked(const BenchOptions& options, const std::string& stage) {
 }
 
 /// Of the forest in a file.
-Result<std::vector<BenchView>> runBenchViews(const BenchOptions& options, const ForestDescription& forest,
-                                             const BenchSettings& settings, BenchDriver& driver) {
+std::vector<BenchView> runBenchViews(const BenchOptions& options, const ForestDescription& forest,
+                                     const BenchSettings& settings, BenchDriver& driver) {
     std::vector<BenchView> views;
     for (const BenchViewpoint viewpoint :
-         {BenchViewpoint::Over, BenchViewpoint::Home, BenchViewpoint::Inside}) {
-        Result<BenchView> view = runBenchView(
+         {BenchViewpoint::Over, BenchViewpoint::Home, BenchViewpoint::Inside})
+        views.push_back(runBenchView(
             options.forest, [&] { return forest; }, viewpoint, forest.trees.size() <= mostTreesInFull,
-            settings, driver);
-        if (!view)
-            return view.problems();
-        views.push_back(std::move(view.value()));
-    }
+            settings, driver));
     return views;
 }
 
-template <typename T>
-bool succeeded(const Result<T>& result) {
-    if (!result)
-        std::cerr << result.problems().front().text() << '\n';
-    return static_cast<bool>(result);
-}
-
-/// Of all numbers of trees. @return whether all went well.
-bool runStages(const BenchOptions& options, BenchConditions& conditions, std::vector<BenchResult>& results) {
+/// All that is asked for, said on standard output as it comes.
+void measure(const BenchOptions& options, const ForestDescription& forest, BenchConditions& conditions,
+             BenchReport& report) {
     for (const BenchStage& stage : benchStages()) {
         if (!isAsked(options, stage.name))
             continue;
         for (const int trees : options.trees) {
-            Result<BenchResult> result = runBench(stage, trees, conditions.settings, conditions.driver);
-            if (!succeeded(result))
-                return false;
-            if (results.empty())
+            BenchResult result = runBench(stage, trees, conditions.settings, conditions.driver);
+            if (report.results.empty())
                 printBenchHead(std::cout, conditions);
-            printBenchRow(std::cout, result.value());
-            results.push_back(std::move(result.value()));
+            printBenchRow(std::cout, result);
+            report.results.push_back(std::move(result));
         }
     }
-    return true;
-}
-
-/// All that is asked for, said on standard output as it comes. @return whether all went well.
-bool measure(const BenchOptions& options, const std::optional<ForestDescription>& forest,
-             BenchConditions& conditions, BenchReport& report) {
-    if (!runStages(options, conditions, report.results))
-        return false;
     if (isAsked(options, scaleStage)) {
-        auto scale = runBenchScale(options.scaleTrees, conditions.settings, conditions.driver);
-        if (!succeeded(scale))
-            return false;
-        report.scale = std::move(scale.value());
+        report.scale = runBenchScale(options.scaleTrees, conditions.settings, conditions.driver);
         printBenchViews(std::cout, conditions, report.scale);
     }
     if (isAsked(options, viewStage)) {
-        auto views = runBenchViews(options, *forest, conditions.settings, conditions.driver);
-        if (!succeeded(views))
-            return false;
-        report.views = std::move(views.value());
+        report.views = runBenchViews(options, forest, conditions.settings, conditions.driver);
         printBenchViews(std::cout, conditions, report.views);
     }
     if (isAsked(options, worldStage)) {
-        auto world = runBenchWorld(options.forest, *forest, conditions.settings, conditions.driver);
-        if (!succeeded(world))
-            return false;
-        report.world = std::move(world.value());
+        report.world = runBenchWorld(options.forest, forest, conditions.settings, conditions.driver);
         printBenchWorld(std::cout, conditions, *report.world);
     }
-    return true;
 }
 
-/// Of the file, as the stages need it. @return whether all went well.
-bool load(const BenchOptions& options, std::optional<ForestDescription>& forest) {
+/// Of the file, as the stages need it; empty where they need none.
+ForestDescription load(const BenchOptions& options) {
     const bool drawn = isAsked(options, viewStage), flown = isAsked(options, worldStage);
-    if ((drawn || flown) && options.forest.empty()) {
-        std::cerr << "--stage " << (drawn ? viewStage : worldStage) << ": expected --forest FILE\n";
-        return false;
-    }
-    if (flown) {
-        Result<ForestDescription> world = readForestFile(options.forest);
-        if (!succeeded(world))
-            return false;
-        if (!world.value().tiles || options.stages.size() > 1) {
-            std::cerr << "--stage world: expected it alone, with a --forest in tiles (osgtreewind tile)\n";
-            return false;
-        }
-        forest = std::move(world.value());
-    } else if (drawn) {
-        forest = loadForest(options.forest, {}, true);
-        return forest.has_value();
-    }
-    return true;
+    if ((drawn || flown) && options.forest.empty())
+        throw Ending{BadInput, "--stage " + (drawn ? viewStage : worldStage) + ": expected --forest FILE"};
+    if (!flown)
+        return drawn ? loadForest(options.forest, {}, true) : ForestDescription();
+    ForestDescription world = valueOf(readForestFile(options.forest));
+    if (!world.tiles || options.stages.size() > 1)
+        throw Ending{BadInput,
+                     "--stage world: expected it alone, with a --forest in tiles (osgtreewind tile)"};
+    return world;
 }
 
-ExitCode bench(const BenchOptions& options) {
+void bench(const BenchOptions& options) {
     BenchSettings settings;
     settings.size = parsePictureSize(options.size, maxOffscreenSize);
     settings.frames = options.frames;
     if (options.backend != offscreenBackendName())
-        return runOtherBackend(options.backend);
-    if (!options.chart.empty() && osgDB::getLowerCaseFileExtension(options.chart) != "svg") {
-        std::cerr << "--chart: expected a name that ends in .svg, found " << options.chart << '\n';
-        return BadInput;
-    }
-    std::optional<ForestDescription> forest;
-    if (!load(options, forest))
-        return BadInput;
+        runOtherBackend(options.backend);
+    if (!options.chart.empty() && osgDB::getLowerCaseFileExtension(options.chart) != "svg")
+        throw Ending{BadInput, "--chart: expected a name that ends in .svg, found " + options.chart};
+    const ForestDescription forest = load(options);
     for (const std::string& path : {options.output, options.chart})
-        if (!path.empty() && !writeText(path, "")) // before minutes of measuring
-            return Failed;
+        if (!path.empty())
+            writeText(path, ""); // before minutes of measuring
 
     keepMemory();
     BenchConditions conditions = benchConditions(settings);
     BenchReport report;
-    if (!measure(options, forest, conditions, report))
-        return Failed;
-    if (!options.output.empty() && !writeText(options.output, benchReport(conditions, report).dump(2) + '\n'))
-        return Failed;
-    if (!options.chart.empty() && !writeChart(options.chart, benchChart(conditions, report.results)))
-        return Failed;
-    return Succeeded;
+    measure(options, forest, conditions, report);
+    if (!options.output.empty())
+        writeText(options.output, benchReport(conditions, report).dump(2) + '\n');
+    if (!options.chart.empty())
+        writeChart(options.chart, benchChart(conditions, report.results));
 }
 
 } // namespace
 
-void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
+void addBenchCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("bench", "Measure the stages of the thesis' chapter 6, and beyond");
     auto options = std::make_shared<BenchOptions>();
@@ -228,5 +178,5 @@ void addBenchCommand(CLI::App& app, ExitCode& exitCode) {
                     "the machine does falls on both; ratios are medians of such pairs.\n"
                     "Example: osgtreewind bench --trees 1,4 --stage gpu,gpu-leaves -o results.json\n"
                     "         osgtreewind bench --forest campus.treewind");
-    command->callback([options, &exitCode] { exitCode = bench(*options); });
+    command->callback([options] { bench(*options); });
 }

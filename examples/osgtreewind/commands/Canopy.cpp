@@ -100,17 +100,8 @@ void noteWhatIsMissing(const CanopyOptions& options, const ForestDescription& fo
                   << options.output << '\n';
 }
 
-/// What is wrong with the name of the output; empty: nothing.
-std::string problemOfOutput(const CanopyOptions& options) {
-    if (formatOf(options).empty())
-        return "--output: expected a name that ends in .nc or .vti, or a --format, found " + options.output;
-    if (WholeFile(options.output).isTaken())
-        return "--output: expected a file or nothing yet at " + options.output + ", found something else";
-    return {};
-}
-
 /// Writes all of the file or nothing, and tells what is in it.
-ExitCode writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const CanopyGrid& grid) {
+void writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const CanopyGrid& grid) {
     WholeFile whole(options.output);
     const auto file =
         create(whole.unfinished(), formatOf(options), {grid, forest.description().crs, forest.season()});
@@ -121,42 +112,36 @@ ExitCode writeCanopy(const CanopyOptions& options, const PlacedForest& forest, c
     });
     if (!tally.finished || !file->close() || !whole.putInPlace()) {
         const std::string problem = file->problem();
-        std::cerr << options.output << ": cannot be written" << (problem.empty() ? "" : ": " + problem)
-                  << '\n';
-        return Failed;
+        throw Ending{Failed,
+                     options.output + ": cannot be written" + (problem.empty() ? "" : ": " + problem)};
     }
     noteWhatIsMissing(options, forest.description(), tally);
     if (options.json)
         std::cout << toJson(grid, tally).dump(2) << '\n';
     else
         print(grid, tally);
-    return Succeeded;
 }
 
-ExitCode run(const CanopyOptions& options) {
-    if (const std::string problem = problemOfOutput(options); !problem.empty()) {
-        std::cerr << problem << '\n';
-        return BadInput;
-    }
-    auto description = loadForest(options.file, options.tiles);
-    if (!description)
-        return BadInput;
-    description->season = options.season.value_or(description->season);
-    const PlacedForest forest(std::move(*description));
+void run(const CanopyOptions& options) {
+    if (formatOf(options).empty())
+        throw Ending{BadInput, "--output: expected a name that ends in .nc or .vti, or a --format, found " +
+                                   options.output};
+    checkIsFree(options.output);
+    ForestDescription description = loadForest(options.file, options.tiles);
+    description.season = options.season.value_or(description.season);
+    const PlacedForest forest(std::move(description));
     const Result<CanopyGrid> grid = gridOf(options, forest);
     const std::string problem =
         grid ? problemOfMemory("--cell: cells of this size", canopyBytes(forest, grid.value()))
              : "--" + grid.problems().front().text();
-    if (!problem.empty()) {
-        std::cerr << options.file << ": " << problem << '\n';
-        return BadInput;
-    }
-    return writeCanopy(options, forest, grid.value());
+    if (!problem.empty())
+        throw Ending{BadInput, options.file + ": " + problem};
+    writeCanopy(options, forest, grid.value());
 }
 
 } // namespace
 
-void addCanopyCommand(CLI::App& app, ExitCode& exitCode) {
+void addCanopyCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("canopy", "Write leaf and drag area on a grid, for flow models (CFD)");
     auto options = std::make_shared<CanopyOptions>();
@@ -166,7 +151,7 @@ void addCanopyCommand(CLI::App& app, ExitCode& exitCode) {
         ->add_option("--cell", options->cell, "DX[,DY,DZ]: size of a cell, metres; one number: of all sides")
         ->delimiter(',')
         ->required()
-        ->check(within(0.01, 1e6))
+        ->check(between(0.01, 1e6))
         ->expected(1, 3)
         ->allow_extra_args(false);
     command
@@ -174,7 +159,7 @@ void addCanopyCommand(CLI::App& app, ExitCode& exitCode) {
                      "x0,y0,x1,y1: the part of the map that the grid covers, a whole number of cells; by "
                      "default all trees")
         ->delimiter(',')
-        ->check(within(-1e9, 1e9))
+        ->check(between(-1e9, 1e9))
         ->expected(4)
         ->allow_extra_args(false);
     command
@@ -188,12 +173,9 @@ void addCanopyCommand(CLI::App& app, ExitCode& exitCode) {
         "Arrays: lad (leaf area density, m2/m3) and cda (drag area density, m2/m3). Heights are above\n"
         "the ground in palm, the world's in cf and vtk; docs/cfd.md says more.\n"
         "Example: osgtreewind canopy forest.treewind -o canopy.nc --cell 2,2,1 --season summer");
-    command->callback([options, &exitCode] {
-        if (options->cell.size() == 2) {
-            std::cerr << "--cell: expected DX or DX,DY,DZ, found two numbers\n";
-            exitCode = BadInput;
-            return;
-        }
-        exitCode = run(*options);
+    command->callback([options] {
+        if (options->cell.size() == 2)
+            throw Ending{BadInput, "--cell: expected DX or DX,DY,DZ, found two numbers"};
+        run(*options);
     });
 }

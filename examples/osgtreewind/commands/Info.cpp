@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/Json.h>
-#include <examples/osgtreewind/output/TreeList.h>
+#include <examples/osgtreewind/output/Progress.h>
 
+#include <osgTreeWind/base/CsvCell.h>
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/ForestMemory.h>
@@ -11,13 +16,53 @@
 
 #include <glm/common.hpp>
 
+#include <charconv>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <string>
 
 namespace {
 
 using namespace osgTreeWind;
+
+/// The shortest text that reads back as the same float.
+std::string cell(float number) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, number).ptr};
+}
+
+/// Writes a CSV row for every tree as it stands: sizes that were given, and where they were not those of its
+/// shape, and which were. False where the file cannot be written.
+bool writeTrees(const ForestDescription& forest, const std::string& path) {
+    std::ofstream output(path, std::ios::binary);
+    output << "id,species,x,y,z,height,trunk_diameter,crown_width,open,leaves,given\n";
+    ForestDescription shapes = forest;
+    shapes.trees.clear();
+    const PlacedForest placed(std::move(shapes));
+    Progress progress("measure", forest.trees.size());
+    for (const TreePlacement& tree : forest.trees) {
+        output << csvCell(tree.name) << ',' << csvCell(forest.species[tree.species].name);
+        for (int axis = 0; axis < 3; ++axis)
+            output << ',' << numberText(tree.position[axis]);
+        const TreeSize stands = placed.measured(placed.fitted(tree));
+        std::string given;
+        const auto write = [&](const char* name, float size, float standing, bool estimated) {
+            output << ',' << cell(size > 0.0f ? size : standing);
+            if (size > 0.0f && !estimated)
+                given += (given.empty() ? "" : "+") + std::string(name);
+        };
+        const EstimatedSizes& estimated = tree.estimated;
+        write("height", tree.size.height, stands.height, estimated.height);
+        write("trunk_diameter", tree.size.trunkDiameter, stands.trunkDiameter, estimated.trunkDiameter);
+        write("crown_width", tree.size.crownWidth, stands.crownWidth, estimated.crownWidth);
+        output << ',' << tree.openGrown << ',' << cell(tree.leaves) << ',' << (given.empty() ? "none" : given)
+               << '\n';
+        progress.advance();
+    }
+    return static_cast<bool>(output.flush());
+}
 
 Json toJson(const TreeCounts& counts, std::size_t trees) {
     return {{"trees", trees},
@@ -38,22 +83,11 @@ Json toJson(const ScanReport& scan) {
             {"taken", scan.taken},
             {"pruned", scan.cylinders - scan.taken},
             {"units", scan.units},
+            {"shoots", scan.shoots},
             {"height", scan.height},
             {"baseDiameter", scan.baseDiameter},
             {"cylinderVolume", scan.cylinderVolume},
             {"woodVolume", scan.woodVolume}};
-}
-
-const char* lawName(MotionLaw law) {
-    switch (law) {
-    case MotionLaw::Thesis:
-        return "thesis";
-    case MotionLaw::ThesisSmooth:
-        return "thesis-smooth";
-    case MotionLaw::Modal:
-        break;
-    }
-    return "modal";
 }
 
 /// The trees at rest, in world coordinates.
@@ -157,7 +191,7 @@ Json describe(const ForestDescription& forest) {
     info["origin"] = vectorJson(forest.origin);
     info["bounds"] = boundsOf(forest);
     info["wind"] = windOf(forest);
-    info["motion"] = {{"law", lawName(forest.law)}, {"gain", forest.gain}, {"noise", "perlin"}};
+    info["motion"] = {{"law", wordOf(forest.law)}, {"gain", forest.gain}, {"noise", "perlin"}};
     if (forest.noiseExponent) {
         info["motion"]["noise"] = "1/f";
         info["motion"]["noiseExponent"] = *forest.noiseExponent;
@@ -172,10 +206,10 @@ void printScans(const Json& species) {
         const auto number = [&](const char* key) { return scan[key].get<double>(); };
         std::cout << "scan    " << species["name"].get<std::string>() << ": "
                   << scan["source"].get<std::string>() << ", " << scan["cylinders"] << " cylinders, "
-                  << scan["pruned"] << " pruned; " << scan["units"] << " units, " << std::setprecision(3)
-                  << number("height") << " m high, " << number("baseDiameter") << " m thick at the ground, "
-                  << number("woodVolume") << " of " << number("cylinderVolume") << " m3 of wood"
-                  << std::setprecision(6) << '\n';
+                  << scan["pruned"] << " pruned; " << scan["units"] << " units, " << scan["shoots"]
+                  << " shoots, " << std::setprecision(3) << number("height") << " m high, "
+                  << number("baseDiameter") << " m thick at the ground, " << number("woodVolume") << " of "
+                  << number("cylinderVolume") << " m3 of wood" << std::setprecision(6) << '\n';
     }
 }
 
@@ -214,7 +248,7 @@ void printTable(const Json& info) {
 
 } // namespace
 
-void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
+void addInfoCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("info", "Count what a forest is made of");
     auto file = std::make_shared<std::string>();
     auto trees = std::make_shared<std::string>();
@@ -225,20 +259,14 @@ void addInfoCommand(CLI::App& app, ExitCode& exitCode) {
     auto tiles = std::make_shared<TileBox>();
     addTilesOption(*command, *tiles);
     command->footer("Example: osgtreewind info forest.treewind --json");
-    command->callback([=, &exitCode] {
-        const auto forest = loadForest(*file, *tiles);
-        if (!forest) {
-            exitCode = BadInput;
-            return;
-        }
-        const Json info = describe(*forest);
+    command->callback([=] {
+        const ForestDescription forest = loadForest(*file, *tiles);
+        const Json info = describe(forest);
         if (*json)
             std::cout << info.dump(2) << '\n';
         else
             printTable(info);
-        if (!trees->empty() && !writeTrees(*forest, *trees)) {
-            std::cerr << *trees << ": cannot be written\n";
-            exitCode = Failed;
-        }
+        if (!trees->empty() && !writeTrees(forest, *trees))
+            endUnwritten(*trees);
     });
 }

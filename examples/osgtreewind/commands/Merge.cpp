@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/WholeFile.h>
@@ -111,54 +110,37 @@ private:
     std::vector<std::pair<double, std::string>> _byTime;
 };
 
-/// How many trees a world has. Nothing, and a problem, where it cannot be read or is none.
-std::optional<std::size_t> treesOf(const std::string& world) {
-    const auto forest = readForestFile(world);
-    if (!forest || !forest.value().tiles) {
-        std::cerr << (forest ? world + ": expected a world, found a forest without tiles"
-                             : forest.problems().front().text())
-                  << '\n';
-        return {};
-    }
-    const ForestTiles& tiles = *forest.value().tiles;
-    return tiles.treeCount() - tiles.removed.size() + forest.value().trees.size();
+/// How many trees a world has.
+std::size_t treesOf(const std::string& world) {
+    const ForestDescription forest = valueOf(readForestFile(world));
+    if (!forest.tiles)
+        throw Ending{BadInput, world + ": expected a world, found a forest without tiles"};
+    return forest.tiles->treeCount() - forest.tiles->removed.size() + forest.trees.size();
 }
 
-ExitCode run(const MergeOptions& options) {
-    const auto trees = options.world.empty() ? std::optional<std::size_t>(0) : treesOf(options.world);
-    if (!trees)
-        return BadInput;
+void run(const MergeOptions& options) {
+    const std::size_t trees = options.world.empty() ? 0 : treesOf(options.world);
+    checkIsFree(options.output);
     WholeFile whole(options.output);
-    if (whole.isTaken()) {
-        std::cerr << "--output: expected a file or nothing yet at " << options.output
-                  << ", found something else\n";
-        return BadInput;
-    }
     std::ofstream output(whole.unfinished(), std::ios::binary);
     MergedTable table(output);
     for (const std::string& part : options.parts)
-        if (const Diagnostics problems = table.add(part); !problems.empty()) {
-            std::cerr << problems.front().text() << '\n';
-            return BadInput;
-        }
+        if (const Diagnostics problems = table.add(part); !problems.empty())
+            throw Ending{BadInput, problems.front().text()};
     const std::size_t rows = table.finish();
-    if (!options.world.empty() && (!table.hasATreeARow() || rows != *trees)) {
-        std::cerr << options.world << ": expected a row for each of its " << *trees << " trees, found "
-                  << (table.hasATreeARow() ? std::to_string(rows) : "a table of damage") << '\n';
-        return BadInput;
-    }
+    if (!options.world.empty() && (!table.hasATreeARow() || rows != trees))
+        throw Ending{BadInput, options.world + ": expected a row for each of its " + std::to_string(trees) +
+                                   " trees, found " +
+                                   (table.hasATreeARow() ? std::to_string(rows) : "a table of damage")};
     output.close();
-    if (!output || !whole.putInPlace()) {
-        std::cerr << options.output << ": cannot be written\n";
-        return Failed;
-    }
+    if (!output || !whole.putInPlace())
+        endUnwritten(options.output);
     std::cout << rows << " rows in " << options.output << '\n';
-    return Succeeded;
 }
 
 } // namespace
 
-void addMergeCommand(CLI::App& app, ExitCode& exitCode) {
+void addMergeCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("merge", "Put tables of parts of a world together");
     auto options = std::make_shared<MergeOptions>();
     command
@@ -171,5 +153,5 @@ void addMergeCommand(CLI::App& app, ExitCode& exitCode) {
         "Rows come in the order of the parts, those of simulate --damage by time. Parts have the same\n"
         "columns, and no tree is in two of them.\n"
         "Example: osgtreewind merge 0.csv 1.csv 2.csv -o risk.csv --world world/world.treewind");
-    command->callback([options, &exitCode] { exitCode = run(*options); });
+    command->callback([options] { run(*options); });
 }

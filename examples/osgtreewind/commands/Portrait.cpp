@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/options/Offscreen.h>
+#include <examples/osgtreewind/options/OneTree.h>
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/portraits/PortraitMotion.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
@@ -38,26 +39,6 @@ struct PortraitOptions {
 /// What it is shown grown in.
 const char* companyOf(const PortraitOptions& options) {
     return options.forest ? "a forest" : "the open";
-}
-
-/// A built-in species, or FILE.treewind:name. Nothing, said on standard error, where there is none.
-std::optional<Species> speciesCalled(const std::string& name) {
-    const std::size_t colon = name.rfind(".treewind:");
-    if (colon == std::string::npos) {
-        if (std::optional<Species> species = findSpecies(name))
-            return species;
-        std::cerr << "no built-in species \"" << name << "\"; osgtreewind sway --list names them\n";
-        return {};
-    }
-    const std::string file = name.substr(0, colon + 9), own = name.substr(colon + 10);
-    const auto forest = loadForest(file);
-    if (!forest)
-        return {};
-    for (const Species& species : forest->species)
-        if (species.name == own)
-            return species;
-    std::cerr << file << ": no species \"" << own << "\"\n";
-    return {};
 }
 
 Json toJson(const Species& species, const TreeLooks& looks) {
@@ -128,44 +109,33 @@ void print(const Species& species, const char* company, const TreeLooks& looks) 
     line("greenShare", looks.greenShare);
 }
 
-ExitCode portrait(const PortraitOptions& options) {
-    std::optional<Species> species = speciesCalled(options.species);
-    if (!species)
-        return BadInput;
-    species->tree = growthOf(*species, !options.forest);
+void portrait(const PortraitOptions& options) {
+    Species species = speciesCalled(options.species);
+    species.tree = growthOf(species, !options.forest);
     if ((!options.output.empty() || options.motion) && options.backend != offscreenBackendName())
-        return runOtherBackend(options.backend);
+        runOtherBackend(options.backend);
     if (!options.output.empty()) {
         const osg::ref_ptr<osg::Image> sheet =
-            drawPortrait(*species, !options.forest, options.panel, options.season.value_or(midspring));
-        if (!sheet)
-            return Failed;
-        if (!osgDB::writeImageFile(*sheet, options.output)) {
-            std::cerr << options.output << ": cannot be written\n";
-            return Failed;
-        }
+            drawPortrait(species, !options.forest, options.panel, options.season.value_or(midspring));
+        if (!osgDB::writeImageFile(*sheet, options.output))
+            endUnwritten(options.output);
     }
-    const TreeLooks looks = measureLooks(*species);
-    Json json = toJson(*species, looks);
+    const TreeLooks looks = measureLooks(species);
+    Json json = toJson(species, looks);
     json["grown"] = companyOf(options);
     if (options.edges)
-        json["edges"] = edgesJson(*species);
-    if (options.motion) {
-        const std::optional<PortraitMotion> motion = measureMotion(*species);
-        if (!motion)
-            return Failed;
-        json["motion"] = toJson(*motion);
-    }
+        json["edges"] = edgesJson(species);
+    if (options.motion)
+        json["motion"] = toJson(measureMotion(species));
     if (options.json || options.edges || options.motion)
         std::cout << json.dump(2) << '\n';
     else
-        print(*species, companyOf(options), looks);
-    return Succeeded;
+        print(species, companyOf(options), looks);
 }
 
 } // namespace
 
-void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
+void addPortraitCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("portrait", "Draw a species on a sheet, and measure its looks");
     auto options = std::make_shared<PortraitOptions>();
     command->add_option("species", options->species, "A built-in species, or FILE.treewind:name")->required();
@@ -194,5 +164,5 @@ void addPortraitCommand(CLI::App& app, ExitCode& exitCode) {
     command->footer(std::string(portraitLayout) +
                     "\nThe numbers are means over three shapes; docs/species.md says what they should be.\n"
                     "Example: osgtreewind portrait oak -o oak.png --json");
-    command->callback([options, &exitCode] { exitCode = portrait(*options); });
+    command->callback([options] { portrait(*options); });
 }

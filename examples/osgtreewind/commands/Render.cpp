@@ -18,7 +18,6 @@
 #include <osgUtil/UpdateVisitor>
 
 #include <cmath>
-#include <iostream>
 #include <regex>
 
 namespace {
@@ -97,23 +96,18 @@ bool isVideo(const RenderOptions& options) {
     return osgDB::getLowerCaseFileExtension(options.output) == "mp4";
 }
 
-/// Says what is wrong with the name of the output.
-ExitCode checkOutput(const RenderOptions& options) {
-    if (options.frames > 1 && !isVideo(options) && framePath(options.output, 0) == options.output) {
-        std::cerr << "--output: " << options.frames
-                  << " frames need a name with %04d in it, or one that ends in .mp4\n";
-        return BadInput;
-    }
-    if (isVideo(options) && !VideoWriter::available()) {
-        std::cerr << options.output
-                  << ": MP4 needs the ffmpeg program; render PNG frames with -o 'frame_%04d.png'\n";
-        return Failed;
-    }
-    if (!isVideo(options) && osgDB::getLowerCaseFileExtension(options.output) != "png") {
-        std::cerr << "--output: expected a name that ends in .png or .mp4, found " << options.output << '\n';
-        return BadInput;
-    }
-    return Succeeded;
+/// Ends the command where there is something wrong with the name of the output.
+void checkOutput(const RenderOptions& options) {
+    if (options.frames > 1 && !isVideo(options) && framePath(options.output, 0) == options.output)
+        throw Ending{BadInput, "--output: " + std::to_string(options.frames) +
+                                   " frames need a name with %04d in it, or one that ends in .mp4"};
+    if (isVideo(options) && !VideoWriter::available())
+        throw Ending{Failed,
+                     options.output +
+                         ": MP4 needs the ffmpeg program; render PNG frames with -o 'frame_%04d.png'"};
+    if (!isVideo(options) && osgDB::getLowerCaseFileExtension(options.output) != "png")
+        throw Ending{BadInput,
+                     "--output: expected a name that ends in .png or .mp4, found " + options.output};
 }
 
 /// Has trees drawn by their stand-ins, whose leaves are shaded as a crown, in the next frame too.
@@ -123,7 +117,7 @@ void keepStandIns(const BranchwiseForest& forest) {
 }
 
 /// @param posed by shaders in all frames; may be null.
-ExitCode writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const RenderOptions& options) {
+void writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const RenderOptions& options) {
     std::unique_ptr<VideoWriter> movie;
     if (isVideo(options))
         movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
@@ -133,46 +127,32 @@ ExitCode writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, co
             keepStandIns(*posed);
         osg::Image& image = drawing.frame(options.start + frame / options.fps);
         const std::string path = framePath(options.output, frame);
-        if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path))) {
-            std::cerr << path << ": cannot be written\n";
-            return Failed;
-        }
+        if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path)))
+            endUnwritten(path);
         progress.advance();
     }
-    if (movie && !movie->close()) {
-        std::cerr << options.output << ": ffmpeg failed\n";
-        return Failed;
-    }
-    return Succeeded;
+    if (movie && !movie->close())
+        throw Ending{Failed, options.output + ": ffmpeg failed"};
 }
 
-ExitCode render(const RenderOptions& options) {
+void render(const RenderOptions& options) {
     if (options.backend != offscreenBackendName())
-        return runOtherBackend(options.backend);
-    if (const ExitCode problem = checkOutput(options); problem != Succeeded)
-        return problem;
-    auto description = loadForest(options.file, options.tiles);
-    if (!description)
-        return BadInput;
+        runOtherBackend(options.backend);
+    checkOutput(options);
+    ForestDescription description = loadForest(options.file, options.tiles);
     if (!options.tiers.empty())
-        description->drawing.tiers = options.tiers == "on";
-    description->season = options.season.value_or(description->season);
-    if (!description->ground)
-        description->ground = groundThroughFeet(*description);
-    const Result<osg::ref_ptr<Forest>> made = Forest::create(std::move(*description));
-    if (!made) {
-        std::cerr << options.file << ": " << made.problems().front().text() << '\n';
-        return BadInput;
-    }
-    const osg::ref_ptr<Forest>& forest = made.value();
+        description.drawing.tiers = options.tiers == "on";
+    description.season = options.season.value_or(description.season);
+    if (!description.ground)
+        description.ground = groundThroughFeet(description);
+    const osg::ref_ptr<Forest> forest =
+        valueOf(Forest::create(std::move(description)), BadInput, options.file);
     const Lens lens{options.fov, static_cast<double>(options.width) / options.height};
     const ForestView view = viewOf(options, *forest, lens);
     osg::ref_ptr<osg::Group> scene =
         createSetting(*forest, {options.shadows, Daylight(options.sun), view.eye});
 
     OffscreenViewer drawing(options.width, options.height, samplesAcross(options));
-    if (!drawing.valid())
-        return Failed;
     osgViewer::Viewer& viewer = drawing.viewer();
     placeCamera(*viewer.getCamera(), view, lens);
     const BranchwiseForest* posed = nullptr;
@@ -181,15 +161,12 @@ ExitCode render(const RenderOptions& options) {
         branchwise->setAngleSource(onCpu ? BranchwiseForest::CPU_ANGLES : BranchwiseForest::GPU_ANGLES);
         if (options.pose != "scenegraph")
             posed = branchwise;
-    } else if (!options.pose.empty()) {
-        std::cerr << "--pose " << options.pose << ": for a law of a branch, not \"modal\"\n";
-        return BadInput;
-    }
+    } else if (!options.pose.empty())
+        throw Ending{BadInput, "--pose " + options.pose + ": for a law of a branch, not \"modal\""};
     viewer.setSceneData(scene);
     viewer.realize();
     runUp(*scene, *viewer.getFrameStamp(), options);
-
-    return writeFrames(drawing, posed, options);
+    writeFrames(drawing, posed, options);
 }
 
 void addViewOptions(CLI::App& command, RenderOptions& options) {
@@ -202,19 +179,19 @@ void addViewOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--eye", options.eye, "Where the camera is instead: x,y,z in the scene, metres")
         ->delimiter(',')
         ->expected(3)
-        ->check(within(-1e7, 1e7));
+        ->check(between(-1e7, 1e7));
     command.add_option("--center", options.center, "Where it looks")
         ->delimiter(',')
         ->expected(3)
-        ->check(within(-1e7, 1e7));
+        ->check(between(-1e7, 1e7));
     command.add_option("--fov", options.fov, "Vertical field of view, degrees")
-        ->check(within(1.0, 170.0))
+        ->check(between(1.0, 170.0))
         ->capture_default_str();
 }
 
 } // namespace
 
-void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
+void addRenderCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Draw frames without a display");
     auto options = std::make_shared<RenderOptions>();
     command->add_option("file", options->file, "A .treewind file")->required();
@@ -225,12 +202,12 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_option("--fps", options->fps, "Frames a second of simulation time")
-        ->check(within(0.001, 10000.0))
+        ->check(between(0.001, 10000.0))
         ->capture_default_str();
     command
         ->add_option("--start", options->start,
                      "Simulation time of the first frame, seconds; the forest moves there from rest")
-        ->check(within(0.0, 1e6))
+        ->check(between(0.0, 1e6))
         ->capture_default_str();
     addViewOptions(*command, *options);
     addSeasonOption(*command, options->season);
@@ -254,12 +231,12 @@ void addRenderCommand(CLI::App& app, ExitCode& exitCode) {
     command->footer(
         "The same file and arguments give the same pixels.\n"
         "Example: osgtreewind render forest.treewind -o clip.mp4 --size 1920x1080 --frames 300 --fps 30");
-    command->callback([options, &exitCode] {
+    command->callback([options] {
         const PictureSize size = parsePictureSize(options->size, maxOffscreenSize / samplesAcross(*options));
         options->width = size.width;
         options->height = size.height;
         if (!options->eye.empty() && options->eye == options->center)
             throw CLI::ValidationError("--eye", "expected another place than --center");
-        exitCode = render(*options);
+        render(*options);
     });
 }

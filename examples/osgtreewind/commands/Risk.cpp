@@ -117,43 +117,33 @@ bool writeCsv(const PointTable& table, const std::string& path) {
 }
 
 /// Writes all of it or nothing.
-ExitCode write(const PointTable& table, const std::string& output) {
+void write(const PointTable& table, const std::string& output) {
     WholeFile whole(output);
     Diagnostics problems;
     const bool written = osgDB::getLowerCaseFileExtension(output) == "gpkg"
                              ? (problems = writeGeoPackage(table, whole.unfinished())).empty()
                              : writeCsv(table, whole.unfinished());
-    if (!written || !whole.putInPlace()) {
-        std::cerr << output << ": " << (problems.empty() ? "cannot be written" : problems.front().message)
-                  << '\n';
-        return Failed;
-    }
+    if (!written || !whole.putInPlace())
+        throw Ending{Failed,
+                     output + ": " + (problems.empty() ? "cannot be written" : problems.front().message)};
     std::cout << table.rows.size() << " trees in " << output << '\n';
-    return Succeeded;
 }
 
-ExitCode run(const RiskOptions& options) {
+void run(const RiskOptions& options) {
     const std::string extension = osgDB::getLowerCaseFileExtension(options.output);
-    if (extension != "csv" && extension != "gpkg") {
-        std::cerr << "--output: expected a name that ends in .csv or .gpkg, found " << options.output << '\n';
-        return BadInput;
-    }
-    if (WholeFile(options.output).isTaken()) {
-        std::cerr << "--output: expected a file or nothing yet at " << options.output
-                  << ", found something else\n";
-        return BadInput;
-    }
-    auto part = loadPart(options.file, options.tiles);
-    if (!part)
-        return BadInput;
-    part->forest.season = options.season.value_or(part->forest.season);
-    const PlacedForest forest(std::move(part->forest));
-    return write(tableOf(options, forest, riskOf(options, forest, part->wanted)), options.output);
+    if (extension != "csv" && extension != "gpkg")
+        throw Ending{BadInput,
+                     "--output: expected a name that ends in .csv or .gpkg, found " + options.output};
+    checkIsFree(options.output);
+    ForestPart part = loadPart(options.file, options.tiles);
+    part.forest.season = options.season.value_or(part.forest.season);
+    const PlacedForest forest(std::move(part.forest));
+    write(tableOf(options, forest, riskOf(options, forest, part.wanted)), options.output);
 }
 
 } // namespace
 
-void addRiskCommand(CLI::App& app, ExitCode& exitCode) {
+void addRiskCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("risk", "Write in which winds each tree overturns, breaks or loses boughs");
     auto options = std::make_shared<RiskOptions>();
@@ -164,9 +154,9 @@ void addRiskCommand(CLI::App& app, ExitCode& exitCode) {
             "--speed", options->speed,
             "Mean wind of a storm 10 m above open country, m/s: adds the ratios of the largest moment "
             "in an hour of it to those the tree bears")
-        ->check(within(1.0, 80.0));
+        ->check(between(1.0, 80.0));
     command->add_option("--direction", options->direction, "Where the wind comes from, degrees from north")
-        ->check(within(-360.0, 360.0))
+        ->check(between(-360.0, 360.0))
         ->capture_default_str();
     command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
     addSeasonOption(*command, options->season);
@@ -178,5 +168,5 @@ void addRiskCommand(CLI::App& app, ExitCode& exitCode) {
         "empty cell: not known, or beyond 80 m/s.\n"
         "What it reckons with and what not: docs/risk.md.\n"
         "Example: osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225");
-    command->callback([options, &exitCode] { exitCode = run(*options); });
+    command->callback([options] { run(*options); });
 }

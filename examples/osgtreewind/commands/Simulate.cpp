@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 
 namespace {
@@ -66,32 +65,25 @@ void writeDamage(std::FILE* out, const ForestSimulation& simulation, std::size_t
     }
 }
 
-ExitCode simulate(const SimulateOptions& options) {
-    auto part = loadPart(options.file, options.tiles);
-    if (!part)
-        return BadInput;
-    ForestDescription* const description = &part->forest;
-    if (description->wind.canopy.value_or(WindCanopy()).source != CanopySource::Forest)
-        description->trees.resize(part->wanted); // nothing shelters them
-    description->season = options.season.value_or(description->season);
-    if (options.damage && description->law != MotionLaw::Modal) {
-        std::cerr << options.file << ": --damage expects a forest under the law \"modal\"\n";
-        return BadInput;
-    }
-    description->damage = description->damage || options.damage;
-    auto growing = std::make_optional<Progress>("grow", description->trees.size());
+void simulate(const SimulateOptions& options) {
+    auto [description, wanted] = loadPart(options.file, options.tiles);
+    if (description.wind.canopy.value_or(WindCanopy()).source != CanopySource::Forest)
+        description.trees.resize(wanted); // nothing shelters them
+    description.season = options.season.value_or(description.season);
+    if (options.damage && description.law != MotionLaw::Modal)
+        throw Ending{BadInput, options.file + ": --damage expects a forest under the law \"modal\""};
+    description.damage = description.damage || options.damage;
+    auto growing = std::make_optional<Progress>("grow", description.trees.size());
     SimulationOptions simulationOptions;
     simulationOptions.leaves = false;
     simulationOptions.placed = [&] { growing->advance(); };
-    ForestSimulation simulation(std::move(*description), simulationOptions);
+    ForestSimulation simulation(std::move(description), simulationOptions);
     growing.reset();
 
     const bool toFile = options.output != "-";
     std::FILE* out = toFile ? std::fopen(options.output.c_str(), "w") : stdout;
-    if (!out) {
-        std::cerr << options.output << ": cannot be written\n";
-        return Failed;
-    }
+    if (!out)
+        endUnwritten(options.output);
     if (options.damage)
         std::fputs("time,tree,name,species,kind,unit,moment,limit,wind_x,wind_y,wind_z\n", out);
     else
@@ -103,30 +95,29 @@ ExitCode simulate(const SimulateOptions& options) {
         const double time = static_cast<double>(frame) / options.fps;
         simulation.advance(time);
         if (options.damage)
-            writeDamage(out, simulation, part->wanted, time);
+            writeDamage(out, simulation, wanted, time);
         else
-            writeFrame(out, simulation, part->wanted, time, options.tips);
+            writeFrame(out, simulation, wanted, time, options.tips);
         progress.advance();
     }
     const bool failed = std::fflush(out) != 0 || std::ferror(out);
     if (toFile)
         std::fclose(out);
     if (failed)
-        std::cerr << options.output << ": writing failed\n";
-    return failed ? Failed : Succeeded;
+        throw Ending{Failed, options.output + ": writing failed"};
 }
 
 } // namespace
 
-void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
+void addSimulateCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("simulate", "Compute the motion without graphics, as CSV");
     auto options = std::make_shared<SimulateOptions>();
     command->add_option("file", options->file, "A .treewind file")->required();
     command->add_option("--duration", options->duration, "Seconds to simulate, from time 0")
-        ->check(within(0.0, 1e6))
+        ->check(between(0.0, 1e6))
         ->capture_default_str();
     command->add_option("--fps", options->fps, "Steps a second")
-        ->check(within(1e-3, 1e5))
+        ->check(between(1e-3, 1e5))
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "CSV file, or - for standard output")
         ->capture_default_str();
@@ -143,5 +134,5 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         "base\n"
         "it falls, moment and limit at the foot or at that base (N m), wind in the crown (m/s).\n"
         "Example: osgtreewind simulate thesis.treewind --duration 5 --fps 30 --tips -o motion.csv");
-    command->callback([options, &exitCode] { exitCode = simulate(*options); });
+    command->callback([options] { simulate(*options); });
 }

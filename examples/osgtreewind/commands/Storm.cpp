@@ -39,8 +39,8 @@ struct StormJob {
     Species species;
     TreePlacement tree;
 
-    explicit StormJob(const StormOptions& given)
-        : options(given), species(given.kind()), tree(options.grown(species)) {
+    StormJob(const StormOptions& given, Species kind)
+        : options(given), species(std::move(kind)), tree(options.grown(species)) {
         if (options.spacing == 0.0) // their crowns are as large as the ground: sqrt(pi / 4)
             options.spacing = 0.886 * options.crownWidth;
     }
@@ -156,28 +156,23 @@ void print(const Json& storm) {
     std::printf(" m/s at the top\n");
 }
 
-ExitCode storm(const StormOptions& options) {
-    const StormJob job(options);
+void storm(const StormOptions& options) {
+    const StormJob job(options, speciesCalled(options.species));
     std::FILE* trace = options.output.empty() ? nullptr : std::fopen(options.output.c_str(), "w");
-    if (!options.output.empty() && !trace) {
-        std::cerr << options.output << ": cannot be written\n";
-        return Failed;
-    }
+    if (!options.output.empty() && !trace)
+        endUnwritten(options.output);
     if (trace)
         std::fprintf(trace, "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");
     const Json object = measured(job, trace);
     bool failed = trace && (std::fflush(trace) != 0 || std::ferror(trace) != 0);
     if (trace)
         failed |= std::fclose(trace) != 0;
-    if (failed) {
-        std::cerr << options.output << ": writing failed\n";
-        return Failed;
-    }
+    if (failed)
+        throw Ending{Failed, options.output + ": writing failed"};
     if (options.json)
         std::cout << object.dump(2) << '\n';
     else
         print(object);
-    return Succeeded;
 }
 
 /// What a table has of each storm: the places in its object, which are called as they are, "moment_max".
@@ -225,42 +220,37 @@ std::string rowOfTable(const Json& storm) {
     return row + '\n';
 }
 
-ExitCode stormTable(const StormOptions& usual) {
-    const std::optional<TreeTable> table = TreeTable::read(usual.table);
-    if (!table)
-        return BadInput;
+void stormTable(const StormOptions& usual) {
+    const TreeTable table = TreeTable::read(usual.table);
     std::vector<StormJob> jobs;
     std::vector<std::string> ids;
-    for (const CsvTable::Row& row : table->rows()) {
+    for (const CsvTable::Row& row : table.rows()) {
         StormOptions options = usual;
-        if (!table->read(row, options) || !table->read(row, "spacing_m", 0.1, 1000.0, options.spacing) ||
-            !table->read(row, "speed_ms", 0.0, 80.0, options.speed))
-            return BadInput;
-        jobs.emplace_back(options);
-        ids.push_back(table->hasIds() ? csvCell(table->id(row)) + ',' : "");
+        table.read(row, options);
+        table.read(row, "spacing_m", 0.1, 1000.0, options.spacing);
+        table.read(row, "speed_ms", 0.0, 80.0, options.speed);
+        jobs.emplace_back(options, table.species(row, options));
+        ids.push_back(table.hasIds() ? csvCell(table.id(row)) + ',' : "");
     }
     std::vector<std::string> rows(jobs.size());
     ThreadPool::executor()(jobs.size(),
                            [&](std::size_t i) { rows[i] = ids[i] + rowOfTable(measured(jobs[i], nullptr)); });
-    std::string text = (table->hasIds() ? "id," : "") + headOfTable();
+    std::string text = (table.hasIds() ? "id," : "") + headOfTable();
     for (const std::string& row : rows)
         text += row;
     if (usual.output.empty()) {
         std::cout << text;
-        return Succeeded;
+        return;
     }
     WholeFile whole(usual.output);
     std::ofstream file(whole.unfinished(), std::ios::binary);
-    if (!(file << text).flush() || !whole.putInPlace()) {
-        std::cerr << usual.output << ": cannot be written\n";
-        return Failed;
-    }
-    return Succeeded;
+    if (!(file << text).flush() || !whole.putInPlace())
+        endUnwritten(usual.output);
 }
 
 } // namespace
 
-void addStormCommand(CLI::App& app, ExitCode& exitCode) {
+void addStormCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "storm", "Stand one tree in a storm, among its like or alone, and measure its sway");
     auto options = std::make_shared<StormOptions>();
@@ -268,18 +258,18 @@ void addStormCommand(CLI::App& app, ExitCode& exitCode) {
     command
         ->add_option("--spacing", options->spacing,
                      "From tree to tree of the stand, m; without it their crowns just fill the ground")
-        ->check(within(0.1, 1000.0))
+        ->check(between(0.1, 1000.0))
         ->excludes("--open");
     command
         ->add_option("--speed", options->speed,
                      "Mean wind at the top of the canopy, with --open at the top of the tree, m/s")
-        ->check(within(0.0, 80.0))
+        ->check(between(0.0, 80.0))
         ->capture_default_str();
     command->add_option("--duration", options->duration, "Seconds that count, after a minute that does not")
-        ->check(within(1.0, 1e6))
+        ->check(between(1.0, 1e6))
         ->capture_default_str();
     command->add_option("--step", options->step, "Seconds from row to row of the trace")
-        ->check(within(1e-3, 0.125))
+        ->check(between(1e-3, 0.125))
         ->capture_default_str();
     command->add_option("--seed", options->seed, "One seed, one wind")->capture_default_str();
     command->add_option("-o,--output", options->output,
@@ -303,6 +293,5 @@ void addStormCommand(CLI::App& app, ExitCode& exitCode) {
         "bear;\n"
         "the mean of three hours.\n"
         "Example: osgtreewind storm --species \"Sitka spruce\" --dbh 24 --height 20 --speed 10 --json");
-    command->callback(
-        [options, &exitCode] { exitCode = options->table.empty() ? storm(*options) : stormTable(*options); });
+    command->callback([options] { options->table.empty() ? storm(*options) : stormTable(*options); });
 }

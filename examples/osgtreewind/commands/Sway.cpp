@@ -68,29 +68,23 @@ void printLines(const SwayOptions& options, const Species& species, const FreeSw
                     modes[k].share);
 }
 
-ExitCode sway(SwayOptions options) {
-    const Species species = options.kind();
+void sway(SwayOptions options) {
+    const Species species = speciesCalled(options.species);
     const TreePlacement tree = treeOf(options, species);
     const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
-    if (!free) {
-        std::cerr << "the tree does not swing: three periods take more than ten minutes\n";
-        return Failed;
-    }
+    if (!free)
+        throw Ending{Failed, "the tree does not swing: three periods take more than ten minutes"};
     (options.json ? printObject : printLines)(options, species, *free, swayModes(species, tree));
-    return Succeeded;
 }
 
 /// A tree for each row; what a row or the table does not say is as in the options.
-ExitCode swayTable(const SwayOptions& usual) {
-    const std::optional<TreeTable> table = TreeTable::read(usual.table);
-    if (!table)
-        return BadInput;
+void swayTable(const SwayOptions& usual) {
+    const TreeTable table = TreeTable::read(usual.table);
     std::printf("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,damping_ratio\n");
-    for (const CsvTable::Row& row : table->rows()) {
+    for (const CsvTable::Row& row : table.rows()) {
         SwayOptions options = usual;
-        if (!table->read(row, options))
-            return BadInput;
-        const Species species = options.kind();
+        table.read(row, options);
+        const Species species = table.species(row, options);
         const TreePlacement tree = treeOf(options, species);
         const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
         std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
@@ -100,19 +94,18 @@ ExitCode swayTable(const SwayOptions& usual) {
         else
             std::printf(",\n"); // it does not swing
     }
-    return Succeeded;
 }
 
 } // namespace
 
-void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
+void addSwayCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("sway", "Pull one tree, let go in a calm and measure how it sways");
     auto options = std::make_shared<SwayOptions>();
     addTreeOptions(*command, *options);
     addSeasonOption(*command, options->season);
     command->add_option("--pull", options->pull, "How far the top of the trunk is pulled, over its height")
-        ->check(within(1e-4, 0.2))
+        ->check(between(1e-4, 0.2))
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print an object instead of a line");
     command->add_option(
@@ -126,12 +119,12 @@ void addSwayCommand(CLI::App& app, ExitCode& exitCode) {
         "The frequency is that of the top of the trunk; method and validation: docs/validation.md.\n"
         "A crown that is not given follows the diameter, another size the shape of the species.\n"
         "Example: osgtreewind sway --species oak --dbh 40 --height 18 --json");
-    command->callback([options, list, &exitCode] {
+    command->callback([options, list] {
         if (*list)
             listSpecies();
         else if (!options->table.empty())
-            exitCode = swayTable(*options);
+            swayTable(*options);
         else
-            exitCode = sway(*options);
+            sway(*options);
     });
 }

@@ -36,44 +36,37 @@ void print(const ForestTiles& tiles, bool json) {
                   << " m\n";
 }
 
-ExitCode cut(const TileOptions& options) {
+void cut(const TileOptions& options) {
     const auto forest = ForestStream::read(options.file, {options.output});
-    if (!forest) {
-        std::cerr << linesOf(forest.problems()) << '\n';
-        return forest.problems().front().file == options.output ? Failed : BadInput;
-    }
-    for (const std::string& note : forest.value().description().notes)
-        std::cerr << options.file << ": note: " << note << '\n';
-    if (forest.value().description().tiles) {
-        std::cerr << options.file << ": its trees are in tiles already\n";
-        return BadInput;
-    }
+    if (!forest)
+        throw Ending{forest.problems().front().file == options.output ? Failed : BadInput,
+                     linesOf(forest.problems())};
+    printNotes(options.file, forest.value().description().notes);
+    if (forest.value().description().tiles)
+        throw Ending{BadInput, options.file + ": its trees are in tiles already"};
     TilingOptions tiling;
     tiling.size = options.size;
     tiling.range = options.range;
     tiling.executor = ThreadPool::executor(static_cast<unsigned>(options.threads));
-    const Result<ForestTiles> tiles = writeTiledForest(forest.value(), options.output, tiling);
-    if (!tiles) {
-        std::cerr << tiles.problems().front().text() << '\n';
-        return Failed;
-    }
-    print(tiles.value(), options.json);
-    return Succeeded;
+    print(valueOf(writeTiledForest(forest.value(), options.output, tiling), Failed), options.json);
 }
 
 /// Of input that is no good nothing is left, not even a folder.
-ExitCode run(const TileOptions& options) {
+void run(const TileOptions& options) {
     std::error_code ignored; // reading says so, where the folder is not there
     const bool isNew = std::filesystem::create_directories(options.output, ignored);
-    const ExitCode exitCode = cut(options);
-    if (exitCode == BadInput && isNew)
-        std::filesystem::remove(options.output, ignored);
-    return exitCode;
+    try {
+        cut(options);
+    } catch (const Ending& ending) {
+        if (ending.exitCode == BadInput && isNew)
+            std::filesystem::remove(options.output, ignored);
+        throw;
+    }
 }
 
 } // namespace
 
-void addTileCommand(CLI::App& app, ExitCode& exitCode) {
+void addTileCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("tile", "Cut a forest into tiles that come and go with the camera");
     auto options = std::make_shared<TileOptions>();
@@ -83,17 +76,17 @@ void addTileCommand(CLI::App& app, ExitCode& exitCode) {
         ->add_option(
             "--size", options->size,
             "Side of a tile, metres; by default 1 km or so much less that a tile has some 2,000 trees")
-        ->check(within(10, 100000));
+        ->check(between(10, 100000));
     command
         ->add_option("--range", options->range,
                      "From how far trees are there, metres; by default as far as some 50,000 are, from 1 to "
                      "5 km")
-        ->check(within(10, 100000));
+        ->check(between(10, 100000));
     command->add_option("--parallel", options->threads, "Threads; by default one for each processor")
-        ->check(within(1, 1024));
+        ->check(between(1, 1024));
     command->add_flag("--json", options->json, "Print JSON");
     command->footer("The folder holds world.treewind, which osgviewer and all commands open, and tiles/;\n"
                     "docs/worlds.md says more.\n"
                     "Example: osgtreewind tile region.treewind -o world --size 500");
-    command->callback([options, &exitCode] { exitCode = run(*options); });
+    command->callback([options] { run(*options); });
 }

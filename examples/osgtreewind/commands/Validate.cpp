@@ -5,12 +5,12 @@
 
 #include <iostream>
 
-void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
+void addValidateCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("validate", "List every problem of a file, with line and column");
     auto file = std::make_shared<std::string>();
     command->add_option("file", *file, "A .treewind file")->required();
     command->footer("Example: osgtreewind validate forest.treewind");
-    command->callback([file, &exitCode] {
+    command->callback([file] {
         auto forest = osgTreeWind::readForestFile(*file);
         osgTreeWind::Diagnostics problems = forest.problems();
         if (forest)
@@ -21,8 +21,6 @@ void addValidateCommand(CLI::App& app, ExitCode& exitCode) {
             std::cout << *file << ": good, " << forest.value().trees.size() << " trees\n";
             return;
         }
-        for (const osgTreeWind::Diagnostic& problem : problems)
-            std::cerr << problem.text() << '\n';
-        exitCode = BadInput;
+        throw Ending{BadInput, linesOf(problems)};
     });
 }

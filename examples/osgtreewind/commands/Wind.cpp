@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/Json.h>
-#include <examples/osgtreewind/scene/Arrows.h>
 
 #include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/wind/WindField.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <osg/Image>
+#include <osg/ref_ptr>
 #include <osgDB/WriteFile>
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -18,6 +24,83 @@
 namespace {
 
 using namespace osgTreeWind;
+
+constexpr int longSide = 960, shortSide = 240; // pixels
+constexpr int arrowCell = 32;                  // pixels from arrow to arrow
+
+/// Viridis in five colours.
+glm::vec3 colourOf(double share) {
+    static const glm::vec3 colours[] = {{0.267f, 0.005f, 0.329f},
+                                        {0.229f, 0.322f, 0.546f},
+                                        {0.128f, 0.567f, 0.551f},
+                                        {0.369f, 0.789f, 0.383f},
+                                        {0.993f, 0.906f, 0.144f}};
+    const double place = std::clamp(share, 0.0, 1.0) * 4.0;
+    const int below = std::min(3, static_cast<int>(place));
+    return glm::mix(colours[below], colours[below + 1], static_cast<float>(place - below));
+}
+
+struct Canvas {
+    osg::ref_ptr<osg::Image> image = new osg::Image; ///< The lowest row first.
+
+    explicit Canvas(const glm::ivec2& size) {
+        image->allocateImage(size.x, size.y, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    }
+
+    void set(int x, int y, const glm::vec3& colour) {
+        if (x < 0 || y < 0 || x >= image->s() || y >= image->t())
+            return;
+        for (int i = 0; i < 3; ++i)
+            image->data(x, y)[i] = static_cast<unsigned char>(std::lround(255.0f * colour[i]));
+    }
+
+    void line(const glm::vec2& from, const glm::vec2& to, const glm::vec3& colour) {
+        const int steps = static_cast<int>(std::ceil(2.0f * glm::length(to - from)));
+        for (int i = 0; i <= steps; ++i) {
+            const glm::vec2 at =
+                glm::mix(from, to, steps > 0 ? static_cast<float>(i) / static_cast<float>(steps) : 0.0f);
+            set(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)), colour);
+        }
+    }
+
+    /// An arrow around its middle; a dot for no length.
+    void arrow(const glm::vec2& middle, const glm::vec2& along, const glm::vec3& colour) {
+        const glm::vec2 tip = middle + 0.5f * along, side(-along.y, along.x);
+        line(middle - 0.5f * along, tip, colour);
+        line(tip, tip - 0.3f * along + 0.18f * side, colour);
+        line(tip, tip - 0.3f * along - 0.18f * side, colour);
+    }
+};
+
+/// A map of a wind, north up: speed as colour, from dark blue (calm) to yellow (`fastest`), with arrows
+/// toward where the air goes. The lowest layer at time 0; of a plane along x or y, or a single point, what
+/// there is.
+/// @param low, high corners in the scene, metres.
+/// @param fastest m/s.
+osg::ref_ptr<osg::Image> drawArrows(const WindField& wind, const glm::dvec3& low, const glm::dvec3& high,
+                                    double fastest) {
+    glm::dvec2 extent = glm::dvec2(high - low);
+    const double longest = std::max({extent.x, extent.y, 1.0});
+    const glm::ivec2 size = glm::clamp(glm::ivec2(glm::round(extent / longest * double(longSide))),
+                                       glm::ivec2(shortSide), glm::ivec2(longSide));
+    Canvas canvas(size);
+    const auto windAt = [&](const glm::dvec2& pixel) {
+        const glm::dvec2 share = pixel / glm::dvec2(size);
+        return wind.velocity(glm::vec3(low + glm::dvec3(share * extent, 0.0)), 0.0);
+    };
+    const double scale = 1.0 / std::max(fastest, 1e-9);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            canvas.set(x, y, colourOf(glm::length(windAt({x + 0.5, y + 0.5})) * scale));
+    for (int y = arrowCell / 2; y < size.y; y += arrowCell)
+        for (int x = arrowCell / 2; x < size.x; x += arrowCell) {
+            const glm::vec3 velocity = windAt({x, y});
+            const bool bright = glm::length(velocity) * scale > 0.6;
+            canvas.arrow({x, y}, glm::vec2(velocity) * static_cast<float>(0.9 * arrowCell * scale),
+                         glm::vec3(bright ? 0.0f : 1.0f));
+        }
+    return canvas.image;
+}
 
 struct WindArguments {
     std::vector<std::string> files;
@@ -89,9 +172,8 @@ void print(const WindSummary& summary) {
         row("note") << note << '\n';
 }
 
-/// The wind with the map place `origin` at the scene's middle, where floats are exact; else its problem is
-/// printed.
-std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& origin) {
+/// The wind with the map place `origin` at the scene's middle, where floats are exact.
+WindFile load(const WindArguments& arguments, const glm::dvec3& origin) {
     WindFileOptions options;
     options.speedUnit = arguments.unit;
     options.origin = origin;
@@ -100,12 +182,8 @@ std::optional<WindFile> load(const WindArguments& arguments, const glm::dvec3& o
     options.high = glm::dvec2(1000.0);
     options.asStored = arguments.crs.empty();
     const bool alone = arguments.files.size() == 1 && arguments.times.empty();
-    Result<WindFile> wind = alone ? readWindFile(arguments.files.front(), options)
-                                  : readWindFiles(arguments.files, arguments.times, options);
-    if (wind)
-        return std::move(wind.value());
-    std::cerr << wind.problems().front().text() << '\n';
-    return {};
+    return valueOf(alone ? readWindFile(arguments.files.front(), options)
+                         : readWindFiles(arguments.files, arguments.times, options));
 }
 
 /// Seconds of a wind's own time; nothing where its file does not say when that is.
@@ -116,14 +194,13 @@ std::optional<double> secondsOf(const std::string& time, const WindSummary& summ
     return asked && start ? std::optional<double>(*asked - *start) : std::nullopt;
 }
 
-ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
+void printVelocity(const WindFile& wind, const WindArguments& arguments) {
     const std::vector<double>& at = arguments.at;
     const auto time = secondsOf(arguments.time, wind.summary);
-    if (!time) {
-        std::cerr << "--time: expected seconds, or a date and time of a file that says its own; found "
-                  << arguments.time << '\n';
-        return BadInput;
-    }
+    if (!time)
+        throw Ending{BadInput,
+                     "--time: expected seconds, or a date and time of a file that says its own; found " +
+                         arguments.time};
     const glm::dvec3 velocity = asField(wind.wind)->velocity({0.0f, 0.0f, static_cast<float>(at[2])}, *time);
     if (!wind.covers(glm::dvec2(0.0)))
         std::cerr << arguments.files.front()
@@ -138,47 +215,39 @@ ExitCode printVelocity(const WindFile& wind, const WindArguments& arguments) {
                           {"notes", wind.summary.notes}}
                          .dump(2)
                   << '\n';
-        return Succeeded;
+        return;
     }
     std::cout << text(velocity, 6) << " m/s toward east, north, up\n";
-    for (const std::string& note : wind.summary.notes)
-        std::cerr << arguments.files.front() << ": note: " << note << '\n';
-    return Succeeded;
+    printNotes(arguments.files.front(), wind.summary.notes);
 }
 
-ExitCode drawPicture(const WindArguments& arguments, const WindSummary& summary) {
+void drawPicture(const WindArguments& arguments, const WindSummary& summary) {
     const glm::dvec3 corner{summary.low.x, summary.low.y, 0.0};
-    const auto wind = load(arguments, corner);
-    if (!wind)
-        return BadInput;
+    const WindFile wind = load(arguments, corner);
     const auto image =
-        drawArrows(*asField(wind->wind), summary.low - corner, summary.high - corner, summary.fastest);
-    if (osgDB::writeImageFile(*image, arguments.picture))
-        return Succeeded;
-    std::cerr << arguments.picture << ": cannot be written\n";
-    return Failed;
+        drawArrows(*asField(wind.wind), summary.low - corner, summary.high - corner, summary.fastest);
+    if (!osgDB::writeImageFile(*image, arguments.picture))
+        endUnwritten(arguments.picture);
 }
 
-ExitCode run(const WindArguments& arguments) {
+void run(const WindArguments& arguments) {
     glm::dvec3 origin(0.0);
     if (!arguments.at.empty())
         origin = {arguments.at[0], arguments.at[1], 0.0};
-    const auto wind = load(arguments, origin);
-    if (!wind)
-        return BadInput;
-    if (!arguments.at.empty()) {
-        if (const ExitCode problem = printVelocity(*wind, arguments); problem != Succeeded)
-            return problem;
-    } else if (arguments.json)
-        std::cout << toJson(wind->summary).dump(2) << '\n';
+    const WindFile wind = load(arguments, origin);
+    if (!arguments.at.empty())
+        printVelocity(wind, arguments);
+    else if (arguments.json)
+        std::cout << toJson(wind.summary).dump(2) << '\n';
     else
-        print(wind->summary);
-    return arguments.picture.empty() ? Succeeded : drawPicture(arguments, wind->summary);
+        print(wind.summary);
+    if (!arguments.picture.empty())
+        drawPicture(arguments, wind.summary);
 }
 
 } // namespace
 
-void addWindCommand(CLI::App& app, ExitCode& exitCode) {
+void addWindCommand(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("wind", "Show what a file of wind data says, or the wind at a place");
     auto arguments = std::make_shared<WindArguments>();
@@ -200,7 +269,7 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
                 "the file's heights are above")
             ->delimiter(',')
             ->expected(3)
-            ->check(within(-1e15, 1e15))
+            ->check(between(-1e15, 1e15))
             ->allow_extra_args(false);
     command
         ->add_option("--time", arguments->time,
@@ -215,5 +284,5 @@ void addWindCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("-o,--output", arguments->picture, "Draw arrows over speed into this image, .png");
     command->add_flag("--json", arguments->json, "Print JSON");
     command->footer("Example: osgtreewind wind wind.vtk --at 120,40,10");
-    command->callback([arguments, &exitCode] { exitCode = run(*arguments); });
+    command->callback([arguments] { run(*arguments); });
 }

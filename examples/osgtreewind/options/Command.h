@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <examples/osgtreewind/output/Ending.h>
+
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TiledForest.h>
 
@@ -9,39 +11,42 @@
 #include <optional>
 #include <string>
 
-/// How a command ended; the exit status of the program.
-enum ExitCode { Succeeded = 0, Failed = 1, BadInput = 2 };
-
-// Each command adds itself to the program and, when it was the one asked for, sets `exitCode`.
-void addInfoCommand(CLI::App& app, ExitCode& exitCode);
-void addValidateCommand(CLI::App& app, ExitCode& exitCode);
-void addRenderCommand(CLI::App& app, ExitCode& exitCode);
-void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
-void addSwayCommand(CLI::App& app, ExitCode& exitCode);
-void addStormCommand(CLI::App& app, ExitCode& exitCode);
-void addRiskCommand(CLI::App& app, ExitCode& exitCode);
-void addPortraitCommand(CLI::App& app, ExitCode& exitCode);
-void addBenchCommand(CLI::App& app, ExitCode& exitCode);
-void addWindCommand(CLI::App& app, ExitCode& exitCode);
-void addTileCommand(CLI::App& app, ExitCode& exitCode);
-void addCanopyCommand(CLI::App& app, ExitCode& exitCode);
-void addMergeCommand(CLI::App& app, ExitCode& exitCode);
-void addViewCommand(CLI::App& app, ExitCode& exitCode);
+// Each command adds itself to the program.
+void addInfoCommand(CLI::App& app);
+void addValidateCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
+void addSimulateCommand(CLI::App& app);
+void addSwayCommand(CLI::App& app);
+void addStormCommand(CLI::App& app);
+void addRiskCommand(CLI::App& app);
+void addPortraitCommand(CLI::App& app);
+void addBenchCommand(CLI::App& app);
+void addWindCommand(CLI::App& app);
+void addTileCommand(CLI::App& app);
+void addCanopyCommand(CLI::App& app);
+void addMergeCommand(CLI::App& app);
+void addViewCommand(CLI::App& app);
 
 /// Adds --season: a word, number or date (species/Season.h).
 void addSeasonOption(CLI::App& command, std::optional<float>& season);
 
 /// Finite numbers from `low` to `high`; CLI::Range lets "nan" through.
-CLI::Validator within(double low, double high);
+CLI::Validator between(double low, double high);
 
 /// Adds --tiles: which of a world's.
 void addTilesOption(CLI::App& command, osgTreeWind::TileBox& tiles);
 
-/// The forest in `file`; prints the problems, or what is worth knowing, on standard error.
+/// Says on standard error what is worth knowing of a file.
+void printNotes(const std::string& file, const std::vector<std::string>& notes);
+
+/// Ends the command where something stands at an output's place that is no file.
+void checkIsFree(const std::string& output);
+
+/// The forest in `file`; says on standard error what is worth knowing. Ends the command where there is none.
 /// @param tiles of a world whose trees are wanted: there are no tiles in what comes out.
 /// @param withNodes it is going to be drawn, and there must be memory for that.
-std::optional<osgTreeWind::ForestDescription>
-loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {}, bool withNodes = false);
+osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {},
+                                          bool withNodes = false);
 
 /// What one run does of a world, so that many runs do all of it.
 struct ForestPart {
@@ -49,4 +54,4 @@ struct ForestPart {
     std::size_t wanted = 0; ///< Trees that are asked for, the first ones; others stand around them.
 };
 /// As loadForest(), with the trees around those tiles that shelter trees in them.
-std::optional<ForestPart> loadPart(const std::string& file, const osgTreeWind::TileBox& tiles);
+ForestPart loadPart(const std::string& file, const osgTreeWind::TileBox& tiles);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <regex>
 #include <unistd.h>
 
@@ -25,14 +24,12 @@ void addBackendOption(CLI::App& command, std::string& backend) {
         ->check(CLI::IsMember({"osmesa", "egl"}));
 }
 
-ExitCode runOtherBackend(const std::string& backend) {
+void runOtherBackend(const std::string& backend) {
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
     const std::filesystem::path other =
         self.parent_path() / (backend == "egl" ? "osgtreewind-egl" : "osgtreewind");
-    if (other == self) {
-        std::cerr << "osgtreewind was built without the backend \"" << backend << "\"\n";
-        return Failed;
-    }
+    if (other == self)
+        throw Ending{Failed, "osgtreewind was built without the backend \"" + backend + "\""};
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::vector<std::string> words;
     for (std::string word; std::getline(file, word, '\0');)
@@ -42,6 +39,5 @@ ExitCode runOtherBackend(const std::string& backend) {
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execv(other.c_str(), arguments.data());
-    std::cerr << other.string() << ": cannot be run, so there is no backend \"" << backend << "\"\n";
-    return Failed;
+    throw Ending{Failed, other.string() + ": cannot be run, so there is no backend \"" + backend + "\""};
 }

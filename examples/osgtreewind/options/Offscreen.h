@@ -14,5 +14,5 @@ struct PictureSize {
 PictureSize parsePictureSize(const std::string& text, int largest);
 
 void addBackendOption(CLI::App& command, std::string& backend);
-/// Runs this command in the program that is linked with the other backend; returns only on failure.
-ExitCode runOtherBackend(const std::string& backend);
+/// Runs this command in the program that is linked with the other backend.
+[[noreturn]] void runOtherBackend(const std::string& backend);

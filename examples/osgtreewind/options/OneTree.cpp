@@ -2,24 +2,36 @@
 #include <examples/osgtreewind/options/OneTree.h>
 
 #include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/output/Ending.h>
 
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
-#include <iostream>
-#include <set>
+#include <map>
+#include <optional>
 
 using namespace osgTreeWind;
 
-Species OneTree::kind() const {
-    static std::set<std::string> unknown;
-    const std::optional<Species> known = findSpecies(species);
-    if (!known && unknown.insert(species).second)
-        std::cerr << "note: no built-in species \"" << species << "\"; \"" << defaultSpecies().name
-                  << "\" stands for it\n";
-    return known.value_or(defaultSpecies());
+Species speciesCalled(const std::string& name) {
+    const std::size_t colon = name.rfind(".treewind:");
+    if (colon == std::string::npos) {
+        if (const std::optional<Species> species = findSpecies(name))
+            return *species;
+        throw Ending{BadInput,
+                     "no built-in species \"" + name +
+                         "\"; osgtreewind sway --list names them, FILE.treewind:name takes one of a file"};
+    }
+    static std::map<std::string, Species> read; // rows of a table name one file again and again
+    if (const auto known = read.find(name); known != read.end())
+        return known->second;
+    const std::string file = name.substr(0, colon + 9), own = name.substr(colon + 10);
+    const ForestDescription forest = loadForest(file);
+    for (const Species& species : forest.species)
+        if (species.name == own)
+            return read[name] = species;
+    throw Ending{BadInput, file + ": no species \"" + own + "\""};
 }
 
 TreePlacement OneTree::grown(const Species& kind) {
@@ -44,15 +56,15 @@ TreePlacement OneTree::grown(const Species& kind) {
 }
 
 void addTreeOptions(CLI::App& command, OneTree& tree) {
-    command.add_option("--species", tree.species, "Common or scientific name of a built-in species")
+    command.add_option("--species", tree.species, "A built-in species by its name, or FILE.treewind:name")
         ->capture_default_str();
     command.add_option("--dbh", tree.diameter, "Diameter of the trunk at breast height, cm")
-        ->check(within(0.1, 2000.0));
-    command.add_option("--height", tree.height, "Height of the tree, m")->check(within(0.1, 150.0));
+        ->check(between(0.1, 2000.0));
+    command.add_option("--height", tree.height, "Height of the tree, m")->check(between(0.1, 150.0));
     command.add_option("--crown-width", tree.crownWidth, "Mean width of the crown, m")
-        ->check(within(0.1, 150.0));
+        ->check(between(0.1, 150.0));
     command.add_flag("--open", tree.open, "It stands by itself: its crown is wider than in a forest");
     command.add_option("--leaves", tree.leaves, "Share of its leaves that it bears, 0 to 1")
-        ->check(within(0.0, 1.0))
+        ->check(between(0.0, 1.0))
         ->capture_default_str();
 }

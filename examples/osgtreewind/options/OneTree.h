@@ -7,6 +7,9 @@
 
 #include <string>
 
+/// A built-in species by its name, or FILE.treewind:name. A name that is none ends the command.
+osgTreeWind::Species speciesCalled(const std::string& name);
+
 /// A tree as the words of a command ask for it.
 struct OneTree {
     std::string species = "broadleaf";
@@ -14,8 +17,6 @@ struct OneTree {
     double leaves = 1.0;                                   ///< Share that it bears.
     bool open = false;
 
-    /// That of its species' name; the usual one stands for a name that is none, which is said once.
-    osgTreeWind::Species kind() const;
     /// Its placement. Fills in the sizes that were not given, as the tree has them.
     osgTreeWind::TreePlacement grown(const osgTreeWind::Species& kind);
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 
+#include <examples/osgtreewind/output/Ending.h>
+
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -8,7 +10,6 @@
 
 #include <array>
 #include <cmath>
-#include <iostream>
 
 namespace {
 
@@ -55,15 +56,12 @@ void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
 OffscreenViewer::OffscreenViewer(int width, int height, int samplesAcross)
     : _samplesAcross(samplesAcross), _image(new osg::Image) {
     _image->allocateImage(width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-    auto context = osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross);
-    if (!context) {
-        std::cerr << context.problems().front().text() << '\n';
-        return;
-    }
+    const auto context =
+        valueOf(osgTreeWind::createOffscreenContext(width * samplesAcross, height * samplesAcross), Failed);
     _viewer.setThreadingModel(osgViewer::Viewer::SingleThreaded);
     _viewer.setKeyEventSetsDone(0);
     _viewer.setLightingMode(osg::View::NO_LIGHT);
-    _drawn = osgTreeWind::attachFrameImage(*_viewer.getCamera(), *context.value());
+    _drawn = osgTreeWind::attachFrameImage(*_viewer.getCamera(), *context);
     _viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
     // Pixels are those of the picture, not samples.
     _viewer.getCamera()->setLODScale(static_cast<float>(samplesAcross));

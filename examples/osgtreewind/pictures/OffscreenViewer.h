@@ -6,11 +6,9 @@
 /// Draws pictures without a display.
 class OffscreenViewer {
 public:
-    /// @param samplesAcross a pixel, whose means smooth edges.
+    /// Ends the command where there is no context. @param samplesAcross a pixel, whose means smooth edges.
     OffscreenViewer(int width, int height, int samplesAcross);
 
-    /// Says on standard error why there is no context.
-    bool valid() const { return _drawn.valid(); }
     osgViewer::Viewer& viewer() { return _viewer; }
     /// RGBA; until the next one.
     osg::Image& frame(double time);

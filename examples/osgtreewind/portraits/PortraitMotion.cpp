@@ -27,8 +27,6 @@ public:
         : _forest(new Forest(describe(species))), _size(sizeOf(*_forest)), _samplesAcross(samplesAcross),
           _perMetre(static_cast<double>(EdgePicture::pixelsPerMetreAt1m) / distance),
           _viewer(pixels(1.1f * _size.crownWidth), pixels(1.1f * _size.height), samplesAcross) {
-        if (!_viewer.valid())
-            return;
         osg::Camera& camera = *_viewer.viewer().getCamera();
         const double height = camera.getViewport()->height(), width = camera.getViewport()->width();
         const double half =
@@ -40,8 +38,6 @@ public:
                                      osg::Z_AXIS);
         _viewer.viewer().setSceneData(createSetting(*_forest));
     }
-
-    bool valid() const { return _viewer.valid(); }
 
     /// @param seenAs height on the screen by which its tier is chosen, over what it is.
     Luminance frame(double time, double seenAs = 1.0) {
@@ -80,11 +76,9 @@ private:
 };
 
 /// Root mean square from frame to frame.
-std::optional<double> changeOf(const Species& species, int samplesAcross) {
+double changeOf(const Species& species, int samplesAcross) {
     constexpr int frames = 4;
     TreeInView tree(species, 40.0, samplesAcross);
-    if (!tree.valid())
-        return {};
     double time = 0.0, sum = 0.0;
     for (; time < 2.5; time += 1.0) // it begins at rest
         tree.frame(time);
@@ -116,11 +110,9 @@ double changedShare(const Luminance& a, const Luminance& b) {
     return static_cast<double>(changed) / static_cast<double>(a.size());
 }
 
-std::optional<PortraitMotion::Pop> popAt(const Species& species, double height, double pixels) {
+PortraitMotion::Pop popAt(const Species& species, double height, double pixels) {
     const double distance = static_cast<double>(EdgePicture::pixelsPerMetreAt1m) * height / pixels;
     TreeInView tree(species, distance, 2);
-    if (!tree.valid())
-        return {};
     const auto seen = [&](double seenAs) {
         tree.frame(0.0, seenAs); // what is seen for the first time is there from the next one on
         return tree.frame(0.0, seenAs);
@@ -136,18 +128,12 @@ std::optional<PortraitMotion::Pop> popAt(const Species& species, double height, 
 
 } // namespace
 
-std::optional<PortraitMotion> measureMotion(const Species& species) {
+PortraitMotion measureMotion(const Species& species) {
     PortraitMotion motion;
-    const std::optional<double> coarse = changeOf(species, 2), fine = changeOf(species, 8);
-    if (!coarse || !fine)
-        return {};
-    motion.flicker = *coarse / std::max(*fine, 1e-9);
+    const double coarse = changeOf(species, 2), fine = changeOf(species, 8);
+    motion.flicker = coarse / std::max(fine, 1e-9);
     const double height = measureTree(makeTreeModel(species.tree)).height;
-    for (const double pixels : thresholds()) {
-        const auto pop = popAt(species, height, pixels);
-        if (!pop)
-            return {};
-        motion.pops.push_back(*pop);
-    }
+    for (const double pixels : thresholds())
+        motion.pops.push_back(popAt(species, height, pixels));
     return motion;
 }

@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/species/Species.h>
 
-#include <optional>
 #include <vector>
 
 /// How restless the picture of a tree is, of 960 x 720 pixels and 40 degrees with 4 samples a pixel.
@@ -21,5 +20,5 @@ struct PortraitMotion {
     std::vector<Pop> pops;
 };
 
-/// Draws the first shape of a species. Nothing where there is no graphics context, said on standard error.
-std::optional<PortraitMotion> measureMotion(const osgTreeWind::Species& species);
+/// Draws the first shape of a species. Ends the command where there is no graphics context.
+PortraitMotion measureMotion(const osgTreeWind::Species& species);

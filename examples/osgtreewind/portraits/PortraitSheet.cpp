@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
-#include <examples/osgtreewind/pictures/PanelLabel.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/nodes/Forest.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
+#include <osg/Image>
 #include <osg/Math>
+#include <osgText/Font>
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +30,51 @@ namespace {
 
 using namespace osgTreeWind;
 
+constexpr int glyphWidth = 8, glyphHeight = 12; // of the font that needs no file
+
+/// Bytes of coverage from the bottom up, or null for a space.
+const osgText::Glyph* glyphOf(char letter) {
+    const osgText::FontResolution resolution(glyphWidth, glyphHeight);
+    const auto font = osgText::Font::getDefaultFont();
+    return letter == ' ' ? nullptr : font->getGlyph(resolution, static_cast<unsigned char>(letter));
+}
+
+/// Brings a pixel toward a grey. @param share of it.
+void mixGrey(unsigned char* pixel, int grey, int share) {
+    for (int channel = 0; channel < 3; ++channel)
+        pixel[channel] = static_cast<unsigned char>((grey * share + pixel[channel] * (255 - share)) / 255);
+}
+
+/// Writes a line of ASCII into the upper left corner of an RGB or RGBA picture of bytes, white on a darker
+/// strip. Where it does not fit nothing is written.
+void writeLabel(osg::Image& picture, const std::string& text) {
+    const int scale = std::max(picture.s() / 192, 1), margin = 2 * scale;
+    const int width = scale * glyphWidth * static_cast<int>(text.size()) + 2 * margin,
+              height = scale * glyphHeight + 2 * margin;
+    if (width > picture.s() || height > picture.t())
+        return;
+    const auto pixel = [&](int x, int y) { return picture.data(x, picture.t() - height + y); };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            mixGrey(pixel(x, y), 0, 150);
+    int left = margin;
+    for (const char letter : text) {
+        if (const osgText::Glyph* glyph = glyphOf(letter))
+            for (int y = 0; y < scale * glyph->t(); ++y)
+                for (int x = 0; x < scale * glyph->s(); ++x)
+                    if (y < height - margin && left + x < width)
+                        mixGrey(pixel(left + x, margin + y), 255, *glyph->data(x / scale, y / scale));
+        left += scale * glyphWidth;
+    }
+}
+
 constexpr int sheetColumns = 5, sheetRows = 3, panelSamplesAcross = 3;
 
 /// Of a tree in a forest by the species' own laws, as high as it grows; nothing where they do not tell.
 TreeSize forestSize(Species species) {
     species.height.spread = species.crown.spread = 0.0f;
-    return species.tree.grown && species.height.scale > 0.0f
-               ? estimateSize({species.tree.grown->height, 0.0f, 0.0f}, species, false, "").size
+    return usualHeight(species) > 0.0f && species.height.scale > 0.0f
+               ? estimateSize({usualHeight(species), 0.0f, 0.0f}, species, false, "").size
                : TreeSize{};
 }
 
@@ -73,8 +113,6 @@ public:
                 osg::Vec3d(0, 0, tree.scale.axes.z * leaf.anchor.z) / static_cast<double>(leaves.size());
         _image->allocateImage(sheetColumns * panel, sheetRows * panel, 1, GL_RGB, GL_UNSIGNED_BYTE);
     }
-
-    bool valid() const { return _drawing.valid(); }
 
     osg::ref_ptr<osg::Image> draw(float season) {
         _drawing.viewer().getCamera()->setProjectionMatrixAsPerspective(fieldOfView, 1.0, 0.5, 10000.0);
@@ -183,6 +221,5 @@ private:
 } // namespace
 
 osg::ref_ptr<osg::Image> drawPortrait(const Species& species, bool openGrown, int panel, float season) {
-    Sheet sheet(species, openGrown, panel);
-    return sheet.valid() ? sheet.draw(season) : osg::ref_ptr<osg::Image>();
+    return Sheet(species, openGrown, panel).draw(season);
 }

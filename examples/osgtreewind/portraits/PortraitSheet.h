@@ -10,6 +10,6 @@ extern const char* const portraitLayout;
 
 /// Draws the sheet of a species. @param openGrown as it grows by itself; else as in a forest, of the sizes
 /// that its laws have for its height. @param panel width and height of each picture, pixels. @param season of
-/// the whole tree at the lower right. Null where there is no graphics context, said on standard error.
+/// the whole tree at the lower right. Ends the command where there is no graphics context.
 osg::ref_ptr<osg::Image> drawPortrait(const osgTreeWind::Species& species, bool openGrown, int panel,
                                       float season);

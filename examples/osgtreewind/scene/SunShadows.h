@@ -6,7 +6,6 @@
 #include <osg/TexGen>
 
 #include <array>
-#include <string>
 
 /// A group whose casters throw the sun's shadows on all that is in it. One shadow map holds what is near the
 /// eye, the other what is far; both follow the view. It stands at the scene's root, and is seen by one

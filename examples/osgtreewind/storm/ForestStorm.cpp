@@ -8,8 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
-
 namespace osgTreeWind {
 
 namespace {
@@ -33,8 +31,7 @@ ForestStorm::ForestStorm(const PlacedForest& forest, const glm::vec3& toward, Ex
         if (slot >= most)
             continue;
         _slots.push_back(slot);
-        swaying.push_back(
-            {{&model, &species, tree.scale, tree.leaves}, tree.position, tree.heading, ModalLevel::Far});
+        swaying.push_back(swayingTree(forest, tree, ModalLevel::Far));
         const SwayingTree& form = swaying.back().form;
         const std::vector<UnitLoad> loads = makeUnitLoads(model, form.scale, species, form.leaves);
         _joints.push_back({{0, loads[0].stiffness, 0.0f}, thickestBoughs(form, loads)});
@@ -66,7 +63,7 @@ std::vector<ForestStorm::Loads> ForestStorm::hourOf(double speed, std::uint32_t 
         float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
         motion.poseVector(i, vector);
         const auto momentAt = [&](const HeldJoint& base) {
-            return static_cast<double>(base.moment(motion, i, vector));
+            return static_cast<double>(static_cast<float>(base.moment(motion, i, vector)));
         };
         largest[i].foot = std::max(largest[i].foot, momentAt(_joints[i].foot));
         for (const HeldJoint& bough : _joints[i].boughs)

@@ -5,7 +5,7 @@
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
-#include <osgTreeWind/motion/sway/LoneTree.h>
+#include <osgTreeWind/motion/sway/CalmTree.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <glm/geometric.hpp>
@@ -42,8 +42,8 @@ WindSampler windOf(const PlacedForest& forest, const Storm& storm) {
 } // namespace
 
 StormTree::StormTree(const Species& species, const TreePlacement& given, const Storm& storm)
-    : _forest(loneTree(species, given)), _motion({swayingTree(_forest)}, 1.0f, {}, true),
-      _wind(windOf(_forest, storm)), _foot(swayingTree(_forest).form) {
+    : _forest(loneTree(species, given)),
+      _motion({swayingTree(_forest, _forest.trees.front())}, 1.0f, {}, true), _wind(windOf(_forest, storm)) {
     const PlacedTree& tree = _forest.trees.front();
     const TreeModel& model = _forest.modelOf(tree);
     const std::vector<UnitLoad> loads = makeUnitLoads(model, tree.scale, species, tree.leaves);
@@ -54,7 +54,7 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
             if (units[i].base.z <= 0.5f * model.skeleton.height())
                 _middle = i;
         }
-    _stiffness = static_cast<double>(loads.front().stiffness);
+    _foot.stiffness = loads.front().stiffness;
     const double diameter = breastDiameter(model, tree.scale);
     _strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads.front().modulus) * diameter * diameter *
                       diameter);
@@ -76,7 +76,7 @@ void StormTree::advance(double time, const std::function<void()>& stepped) {
 
 double StormTree::largestMoment(double time) {
     double largest = 0.0;
-    advance(time, [&] { largest = std::max(largest, _foot.of(_motion, 0)); });
+    advance(time, [&] { largest = std::max(largest, _foot.moment(_motion, 0)); });
     return largest;
 }
 
@@ -102,7 +102,7 @@ StormMoment StormTree::advance(double time) {
     StormMoment now;
     const glm::dvec2 foot(turned(0));
     const double sine = std::min(glm::length(foot), 1.0);
-    now.moment = foot * (_stiffness * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
+    now.moment = foot * (static_cast<double>(_foot.stiffness) * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
     now.strain = now.moment * _strain;
     now.tilt = turned(_middle);
     const glm::vec3 top = tree.scale.axes * skeleton.units[_top].tip;

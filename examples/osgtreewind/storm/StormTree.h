@@ -3,7 +3,7 @@
 
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 #include <osgTreeWind/forest/PlacedForest.h>
-#include <osgTreeWind/motion/damage/FootMoment.h>
+#include <osgTreeWind/motion/damage/HeldJoint.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/WindSampler.h>
 
@@ -50,8 +50,8 @@ private:
     PlacedForest _forest;
     ModalMotion _motion;
     WindSampler _wind;
-    FootMoment _foot;
-    double _time = 0.0, _stiffness = 0.0, _strain = 0.0;
+    HeldJoint _foot;
+    double _time = 0.0, _strain = 0.0;
     std::size_t _middle = 0, _top = 0; ///< Of the trunk's units.
 };
 

@@ -3,7 +3,6 @@
 
 #include <glm/vec2.hpp>
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 

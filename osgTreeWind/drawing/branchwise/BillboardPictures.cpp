@@ -1,11 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/BillboardPictures.h>
 
-#include <osgTreeWind/drawing/branchwise/BillboardDrawable.h>
+#include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/drawing/looks/SpeciesLooks.h>
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
+
+#include <osg/GLExtensions>
 
 namespace osgTreeWind {
+namespace {
+
+/// A tree as a picture that faces the eye and stands still (thesis §7): the strip of an ImpostorStrip.
+class BillboardDrawable : public TreeDrawable {
+public:
+    /// @param ownNumber of the tree, [0, 1).
+    BillboardDrawable(osg::Geometry* geometry, PosedTree* tree, float ownNumber)
+        : TreeDrawable("BillboardDrawable", geometry, tree), _ownNumber(ownNumber) {}
+    void drawImplementation(osg::RenderInfo& renderInfo) const override {
+        const TreeScale& scale = _tree->scale();
+        const auto* gl = renderInfo.getState()->get<osg::GLExtensions>();
+        gl->glVertexAttrib4f(treePlaceLocation, 0.0f, 0.0f, 0.0f, 0.0f);
+        gl->glVertexAttrib4f(treeSizeLocation, scale.axes.x, scale.axes.z, 0.0f, 0.0f);
+        gl->glVertexAttrib4f(treeStateLocation, 0.0f, 0.0f, 1.0f, _ownNumber);
+        TreeDrawable::drawImplementation(renderInfo);
+    }
+
+protected:
+    Triangles posedTriangles() const override { return {}; } // nothing to pick on a picture
+
+private:
+    float _ownNumber;
+};
+
+} // namespace
 
 osg::ref_ptr<osg::Drawable> BillboardPictures::of(const PlacedTree& tree, PosedTree& posed,
                                                   const Appearance& appearance, float season) {

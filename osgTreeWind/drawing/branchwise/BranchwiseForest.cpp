@@ -4,12 +4,14 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
+#include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePrePass.h>
-#include <osgTreeWind/gpu/branchwise/FloatTargetProbe.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 
+#include <osg/GLExtensions>
 #include <osg/Notify>
 
+#include <atomic>
 #include <utility>
 
 namespace osgTreeWind {
@@ -22,6 +24,32 @@ std::shared_ptr<ForestSimulation> noTrees() {
 }
 
 } // namespace
+
+/// Finds out, when it is first drawn, whether a context can run the angle passes: draw into RGBA32F textures
+/// and read textures in vertex shaders, as OpenGL 3.3 does, of which GLSL 3.30 is. Draws nothing.
+class BranchwiseForest::FloatTargetProbe : public osg::Drawable {
+public:
+    enum Answer { NOT_KNOWN_YET, SUPPORTED, MISSING };
+
+    FloatTargetProbe() {
+        setSupportsDisplayList(false);
+        setCullingActive(false);
+    }
+    Answer answer() const { return _answer; }
+    osg::BoundingBox computeBoundingBox() const override { return {}; }
+    void drawImplementation(osg::RenderInfo& renderInfo) const override {
+        if (_answer != NOT_KNOWN_YET)
+            return;
+        osg::State& state = *renderInfo.getState();
+        const auto* gl = state.get<osg::GLExtensions>();
+        const bool supported = gl && canRunPrograms(state) && gl->isFrameBufferObjectSupported &&
+                               gl->glslLanguageVersion >= 3.3f;
+        _answer = supported ? SUPPORTED : MISSING;
+    }
+
+private:
+    mutable std::atomic<Answer> _answer{NOT_KNOWN_YET};
+};
 
 BranchwiseForest::BranchwiseForest() : BranchwiseForest(noTrees()) {}
 
@@ -118,7 +146,7 @@ void BranchwiseForest::traverse(osg::NodeVisitor& visitor) {
         if (_probe)
             _probe->accept(visitor);
         if (_prePass)
-            _prePass->node()->accept(visitor);
+            _prePass->cull(visitor);
     }
     ForestTechnique::traverse(visitor);
 }

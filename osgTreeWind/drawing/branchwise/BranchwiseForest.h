@@ -12,7 +12,6 @@ namespace osgTreeWind {
 
 class AnglePrePass;
 class BranchwiseTrees;
-class FloatTargetProbe;
 
 /// Trees drawn as the thesis published it: each branch below a BranchTransform of its own (§3.1.3), each leaf
 /// cluster below a transform over one shared drawable (§2.4.1).
@@ -68,6 +67,8 @@ protected:
 
 private:
     friend struct BranchwiseParts;
+    class FloatTargetProbe;
+
     void startPasses();
     void chooseAngleSource();
     bool stepOnCpu(double time);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/BranchwiseTrees.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
@@ -70,7 +70,7 @@ void BranchwiseTrees::useLeafAngles(osg::Texture2D* texture) {
 }
 
 void BranchwiseTrees::uploadLeafAngles() {
-    _leafAngles.fill(SimulationParts::branches(*_simulation)->leaves().states());
+    _leafAngles.fill(SimulationParts::branches(*_simulation)->leafStates());
 }
 
 void BranchwiseTrees::uploadUnitPoses() {

@@ -33,6 +33,33 @@ osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units, const Bra
     return geometry;
 }
 
+/// One leaf cluster in the leaf frame, size 1: the thesis' display list (§2.4.1), to stand below the
+/// transform of each cluster of all trees of a model.
+class LeafClusterDrawable : public TreeDrawable {
+public:
+    explicit LeafClusterDrawable(const TreeModel& model)
+        : TreeDrawable("LeafClusterDrawable",
+                       makeLeafGeometry(std::vector<LeafCluster>(1), model.leafMesh, CrownShade()), nullptr) {
+        _geometry->setName("leaf cluster");
+        for (const LeafVertex& vertex : model.leafMesh)
+            _corners.push_back(toOsg(vertex.corner));
+    }
+    osg::BoundingBox computeBoundingBox() const override {
+        osg::BoundingBox box;
+        for (const osg::Vec3& corner : _corners)
+            box.expandBy(corner);
+        return box;
+    }
+
+protected:
+    Triangles posedTriangles() const override {
+        return {_corners, leafIndices(_corners.size() / verticesPerLeafCluster)};
+    }
+
+private:
+    std::vector<osg::Vec3> _corners;
+};
+
 } // namespace
 
 TreeBuffers::Meshes::Meshes(const TreeModel& model, LeafForm leafForm) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/branchwise/LeafClusterDrawable.h>
+#include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/species/Appearance.h>
 
 #include <memory>
@@ -20,7 +20,8 @@ public:
     osg::Geometry* leaves() const { return _meshes->leaves.get(); }
     /// The bark of the units that bear no leaves, over the same vertex buffer.
     osg::Geometry* bareSkin() const { return _meshes->bareSkin.get(); }
-    LeafClusterDrawable* leafCluster() const { return _leafCluster.get(); }
+    /// One in the leaf frame, size 1.
+    TreeDrawable* leafCluster() const { return _leafCluster.get(); }
     /// The bark of one branch unit, over the same vertex buffer. Made on the first call; call it from one
     /// thread.
     osg::Geometry* unitSkin(unsigned unit);
@@ -40,7 +41,7 @@ private:
 
     std::shared_ptr<const TreeModel> _model;
     osg::ref_ptr<Meshes> _meshes;
-    osg::ref_ptr<LeafClusterDrawable> _leafCluster;
+    osg::ref_ptr<TreeDrawable> _leafCluster;
     std::vector<osg::ref_ptr<osg::Geometry>> _unitSkins;
 };
 

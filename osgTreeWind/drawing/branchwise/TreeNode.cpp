@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
 
-#include <osgTreeWind/drawing/branchwise/LeafDrawable.h>
-#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+#include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
 #include <osgTreeWind/model/MeasureTree.h>
 

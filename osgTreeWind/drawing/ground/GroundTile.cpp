@@ -10,7 +10,6 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace osgTreeWind {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/impostors/ImpostorPainter.h>
 
-#include <osgTreeWind/drawing/impostors/ImpostorAtlas.h>
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 #include <osgTreeWind/drawing/impostors/LightLobe.h>
+#include <osgTreeWind/drawing/looks/ByteOf.h>
 #include <osgTreeWind/drawing/looks/LeafStencils.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/model/CrownShade.h>
@@ -21,6 +21,38 @@
 
 namespace osgTreeWind {
 namespace {
+
+osg::ref_ptr<osg::Image> blankImage(int width, int height) {
+    osg::Image::MipmapDataType offsets;
+    unsigned bytes = 0;
+    for (int w = width, h = height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
+        bytes += static_cast<unsigned>(4 * w * h);
+        if (w == 1 && h == 1)
+            break;
+        offsets.push_back(bytes);
+    }
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->setImage(width, height, 1, GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, new unsigned char[bytes](),
+                    osg::Image::USE_NEW_DELETE);
+    image->setMipmapLevels(offsets);
+    return image;
+}
+
+unsigned char* texels(osg::Image& image, int level) {
+    return level ? image.getMipmapData(static_cast<unsigned>(level)) : image.data();
+}
+
+void halve(osg::Image& image, int level) {
+    const unsigned char* from = texels(image, level - 1);
+    unsigned char* to = texels(image, level);
+    const int width = image.s() >> level, height = image.t() >> level, row = 8 * width;
+    for (int y = 0; y < height; ++y)
+        for (int i = 0; i < 4 * width; ++i) {
+            const unsigned char* at = from + 2 * row * y + 8 * (i / 4) + i % 4;
+            const int half = 1 + ((i / 4 + y) & 1); // rounded up as often as down: dark leaves are few steps
+            *to++ = static_cast<unsigned char>((at[0] + at[4] + at[row] + at[row + 4] + half) / 4);
+        }
+}
 
 /// A stretch of a branch.
 struct BarkPiece {
@@ -68,16 +100,14 @@ public:
     }
 
     ImpostorPictures pictures() {
-        ImpostorAtlas atlas(_settings.azimuths, _settings.elevations, _settings.pixels);
         for (int row = 0; row < _settings.elevations; ++row)
             for (int column = 0; column < _settings.azimuths; ++column) {
                 draw(row, column);
-                resolve(row, column, atlas);
+                resolve(row, column);
             }
         for (int level = 1; level < _pictures.levels(); ++level)
-            atlas.shrink(level);
-        _pictures.colors = atlas.colors();
-        _pictures.normals = atlas.normals();
+            for (osg::Image* image : {_pictures.colors.get(), _pictures.normals.get()})
+                halve(*image, level);
         return _pictures;
     }
 
@@ -91,6 +121,9 @@ private:
         _pictures.azimuths = _settings.azimuths;
         _pictures.elevations = _settings.elevations;
         _pictures.pixels = _settings.pixels;
+        for (osg::ref_ptr<osg::Image>* image : {&_pictures.colors, &_pictures.normals})
+            *image =
+                blankImage(_settings.azimuths * _settings.pixels, _settings.elevations * _settings.pixels);
         _pictures.halfWidth = _pictures.height = 1e-3f;
         _pictures.extents.assign(static_cast<std::size_t>(_settings.elevations), glm::vec2(0.0f, 1e-3f));
         for (const BarkPiece& piece : _bark)
@@ -149,7 +182,7 @@ private:
         }
     }
 
-    void resolve(int row, int column, ImpostorAtlas& atlas) {
+    void resolve(int row, int column) {
         const int n = _settings.samples;
         const float weight = 1.0f / static_cast<float>(n * n);
         for (int y = 0; y < _settings.pixels; ++y)
@@ -159,8 +192,13 @@ private:
                     add(_raster.sample(n * x + i % n, n * y + i / n), sum);
                 if (sum.color.a == 0.0f)
                     continue;
-                atlas.set(column, row, x, y, weight * sum.color,
-                          weight * sum.color.a / sum.strength * sum.light);
+                const glm::vec4 color = weight * sum.color,
+                                normal = weight * sum.color.a / sum.strength * sum.light;
+                const int s = column * _settings.pixels + x, t = row * _settings.pixels + y;
+                for (int c = 0; c < 4; ++c) {
+                    _pictures.colors->data(s, t)[c] = byteOf(color[c]);
+                    _pictures.normals->data(s, t)[c] = byteOf(normal[c]);
+                }
             }
     }
 

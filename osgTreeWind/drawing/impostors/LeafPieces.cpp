@@ -2,7 +2,6 @@
 #include <osgTreeWind/drawing/impostors/LeafPieces.h>
 
 #include <osgTreeWind/motion/laws/Laws.h>
-#include <osgTreeWind/species/LeafCoverage.h>
 
 #include <glm/common.hpp>
 

@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/drawing/instanced/InstanceList.h>
+#include <osgTreeWind/gpu/PosePass.h>
 
 #include <osg/Geometry>
 
 namespace osgTreeWind {
+
+/// A tree in an instanced draw: its vertex attributes (shaders/instance.glsl, shaders/impostor.vert).
+struct TreeInstance {
+    float place[4]; ///< Foot in the forest's frame; tangent of half its heading (impostors: the heading).
+    float size[4];  ///< Scale of lengths across and upward, of radii, of leaf clusters (impostors: those of
+                    ///< lengths; how far it has come down, a level rotation vector x, y, radians).
+    float state[4]; ///< Row of its poses, fade, its own number, share of its leaves (impostors: lean x, lean
+                    ///< y, fade, its own number).
+};
+
+/// Trees of one model and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at
+/// a time.
+struct InstanceList : osg::Referenced {
+    InstanceList() {
+        osg::ref_ptr<osg::VertexBufferObject> buffer = new osg::VertexBufferObject;
+        buffer->setUsage(GL_STREAM_DRAW_ARB);
+        values->setVertexBufferObject(buffer);
+    }
+    void add(const TreeInstance& tree) {
+        const float* first = tree.place;
+        values->insert(values->end(), first, first + sizeof tree / sizeof(float));
+    }
+    std::size_t size() const { return values->size() * sizeof(float) / sizeof(TreeInstance); }
+    void clear() {
+        values->clear();
+        passes = nullptr;
+        page = nullptr;
+    }
+
+    osg::ref_ptr<osg::FloatArray> values = new osg::FloatArray;
+    osg::ref_ptr<const PosePass> passes; ///< None for impostors.
+    osg::ref_ptr<PosePage> page;
+    osg::Vec3 flutter; ///< Phases of the leaves' waves.
+};
 
 /// One part (bark, leaves, impostors) of the trees of a list, in one instanced draw. Made by cull for a
 /// frame; never part of the scene graph.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/BoughCard.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/looks/Parallelogram.h>
-#include <osgTreeWind/model/Random.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

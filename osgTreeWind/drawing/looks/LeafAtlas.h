@@ -8,7 +8,6 @@
 #include <glm/vec2.hpp>
 
 #include <array>
-#include <cstdint>
 
 namespace osgTreeWind {
 

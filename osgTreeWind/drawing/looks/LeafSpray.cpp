@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/LeafSpray.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/drawing/looks/LeafOutlines.h>
 #include <osgTreeWind/drawing/looks/SprayCanvas.h>
 #include <osgTreeWind/drawing/looks/SprayCover.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <glm/common.hpp>

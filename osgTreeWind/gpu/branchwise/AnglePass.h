@@ -21,7 +21,7 @@ public:
 
     /// State of the pass: bind its inputs here, from texture unit 1 on; unit 0 holds the states before.
     osg::StateSet& inputs() { return *_camera->getStateSet(); }
-    /// To be culled below a OncePerFrame.
+    /// To be culled once a frame.
     osg::Node* node() const { return _camera.get(); }
 
     /// The next frame draws the pass.

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
-#include <osgTreeWind/gpu/branchwise/OncePerFrame.h>
 #include <osgTreeWind/motion/branchwise/BranchwiseMotion.h>
 
+#include <map>
+#include <mutex>
 #include <vector>
 
 namespace osgTreeWind {
@@ -17,8 +18,11 @@ public:
     /// Goes on from the states of `motion`.
     explicit AnglePrePass(const BranchwiseMotion& motion);
 
-    /// To be culled with the forest; no child of any node.
+    /// What keeps the passes; no child of any node.
     osg::Node* node() const { return _node.get(); }
+    /// With the forest. Only the first cull traversal of a frame in each context gets through: however many
+    /// views, shadow passes and cameras see a scene, the passes are drawn once.
+    void cull(osg::NodeVisitor& visitor);
 
     /// Has the next frame take a step, in the wind that SimulationParts::beginStep() sampled.
     /// @param time as of that call.
@@ -35,7 +39,9 @@ public:
     osg::Texture2D* wind() const { return _wind.texture(); }
 
 private:
-    osg::ref_ptr<OncePerFrame> _node;
+    osg::ref_ptr<osg::Group> _node;
+    std::mutex _mutex;                       // guards _lastFrame
+    std::map<unsigned, unsigned> _lastFrame; ///< By context.
     AnglePass _branches, _leaves;
     DataTexture _wind, _branchParameters, _leafParameters, _species;
     std::vector<glm::vec4> _states; ///< As read back.

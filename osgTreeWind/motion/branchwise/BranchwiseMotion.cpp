@@ -14,8 +14,9 @@ namespace osgTreeWind {
 
 BranchwiseMotion::BranchwiseMotion(const PlacedForest& forest, bool leaves,
                                    const std::function<void()>& placed)
-    : _forest(forest), _withLeaves(leaves), _leaves(forest, leaves), _winds(forest.units),
-      _windTexels(forest.units), _states(forest.units), _rotations(forest.units), _poses(forest.units) {
+    : _forest(forest), _withLeaves(leaves), _winds(forest.units), _windTexels(forest.units),
+      _states(forest.units), _leafStates(leaves ? forest.leaves : 0), _rotations(forest.units),
+      _poses(forest.units) {
     for (const PlacedTree& tree : _forest.trees) {
         const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
         for (const BranchUnit& unit : _forest.modelOf(tree).skeleton.units) {
@@ -38,9 +39,9 @@ void BranchwiseMotion::reset() {
     std::fill(_winds.begin(), _winds.end(), glm::vec3(0.0f));
     std::fill(_windTexels.begin(), _windTexels.end(), glm::vec4(0.0f));
     std::fill(_states.begin(), _states.end(), glm::vec4(0.0f));
+    std::fill(_leafStates.begin(), _leafStates.end(), glm::vec4(0.0f));
     std::fill(_rotations.begin(), _rotations.end(), glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
     std::fill(_poses.begin(), _poses.end(), UnitPose());
-    _leaves.reset();
 }
 
 void BranchwiseMotion::meet(const WindField* wind, double time) {
@@ -60,8 +61,9 @@ void BranchwiseMotion::step(const WindField* wind, double time, float) {
     for (const PlacedTree& tree : _forest.trees) {
         turn(tree, time);
         pose(tree);
+        if (_withLeaves)
+            flutter(tree, time);
     }
-    _leaves.step(time);
 }
 
 void BranchwiseMotion::setStates(const std::vector<glm::vec4>& states) {
@@ -70,14 +72,24 @@ void BranchwiseMotion::setStates(const std::vector<glm::vec4>& states) {
         pose(tree);
 }
 
+void BranchwiseMotion::setLeafStates(const std::vector<glm::vec4>& states) {
+    std::copy_n(states.begin(), _leafStates.size(), _leafStates.begin());
+}
+
 TreeMotion BranchwiseMotion::motion(std::size_t slot) const {
     if (slot >= _forest.trees.size())
         return {};
     const PlacedTree& tree = _forest.trees[slot];
     const std::size_t first = tree.firstUnit, units = _forest.unitsOf(tree);
-    return {{_poses.data() + first, units},  {_rotations.data() + first, units},
-            {_states.data() + first, units}, {_winds.data() + first, units},
-            _leaves.statesOf(tree),          {}};
+    Span<glm::vec4> leaves;
+    if (_withLeaves)
+        leaves = {_leafStates.data() + tree.firstLeaf, _forest.leavesOf(tree)};
+    return {{_poses.data() + first, units},
+            {_rotations.data() + first, units},
+            {_states.data() + first, units},
+            {_winds.data() + first, units},
+            leaves,
+            {}};
 }
 
 void BranchwiseMotion::turn(const PlacedTree& tree, double time) {
@@ -104,6 +116,21 @@ void BranchwiseMotion::pose(const PlacedTree& tree) {
         _rotations[i] = branchRotation(_states[i]);
     composePoses(_forest.modelOf(tree).skeleton, tree.scale, _rotations.data() + first,
                  _poses.data() + first);
+}
+
+void BranchwiseMotion::flutter(const PlacedTree& tree, double time) {
+    Laws laws;
+    const LeafMotion& motion = _forest.speciesOf(tree).leaf;
+    const Laws::ThesisLeaf leaf = makeThesisLeaf(motion);
+    const NoiseTime now = NoiseTime::at(time, motion.noiseFrequency, _forest.description().noiseExponent);
+    const auto noise = [&](std::uint32_t i, std::uint32_t axis) {
+        return laws.motionNoise(laws.noiseStream(tree.seed, i, axis), now.cell, now.fraction, now.gain);
+    };
+    const auto leaves = static_cast<std::uint32_t>(_forest.leavesOf(tree));
+    for (std::uint32_t i = 0; i < leaves; ++i) {
+        glm::vec4& state = _leafStates[tree.firstLeaf + i];
+        state = laws.thesisLeafStep(state, noise(i, 3), noise(i, 4), leaf);
+    }
 }
 
 } // namespace osgTreeWind

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/motion/branchwise/LeafFlutter.h>
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/Motion.h>
 
@@ -9,10 +9,10 @@
 
 namespace osgTreeWind {
 
-/// The laws of the thesis (`thesis`, `thesis-smooth`) for a forest: a state per unit. All arrays run tree
-/// after tree and, within a tree, in access order. Nothing allocates but the constructor. Its trees are those
-/// that it began with.
-/// Not for installed headers, as Laws.h.
+/// The laws of the thesis (`thesis`, `thesis-smooth`; of leaves appendix D) for a forest: a state per unit
+/// and per leaf cluster. All arrays run tree after tree and, within a tree, in access order. Nothing
+/// allocates but the constructor. Its trees are those that it began with. Not for installed headers, as
+/// Laws.h.
 class BranchwiseMotion final : public Motion {
 public:
     /// At rest. @param forest must outlive it. @param leaves whether they flutter. @param placed called after
@@ -36,10 +36,9 @@ public:
 
     /// Takes over states computed elsewhere, at least one per unit, and composes the poses.
     void setStates(const std::vector<glm::vec4>& states);
+    void setLeafStates(const std::vector<glm::vec4>& states); ///< Likewise, at least one per cluster.
 
     const PlacedForest& forest() const { return _forest; }
-    LeafFlutter& leaves() { return _leaves; }
-    const LeafFlutter& leaves() const { return _leaves; }
     /// Where the wind is sampled: base of each unit at rest, scene coordinates, over ground at the foot of
     /// its tree.
     const std::vector<WindPlace>& windPlaces() const { return _windPlaces; }
@@ -47,21 +46,23 @@ public:
     /// The same in the axes of each tree's own frame, w 0.
     const std::vector<glm::vec4>& windTexels() const { return _windTexels; }
     const std::vector<glm::vec4>& states() const { return _states; } ///< TreeMotion::states.
-    const std::vector<UnitPose>& poses() const { return _poses; }    ///< TreeMotion::poses.
+    /// (motionAngleX, motionAngleZ, totalRotaAngle, noise), in the leaf's own frame: TreeMotion::leaves.
+    const std::vector<glm::vec4>& leafStates() const { return _leafStates; }
+    const std::vector<UnitPose>& poses() const { return _poses; } ///< TreeMotion::poses.
     /// What the units are to the law.
     const std::vector<Laws::ThesisBranch>& thesisBranches() const { return _branches; }
 
 private:
     void turn(const PlacedTree& tree, double time);
     void pose(const PlacedTree& tree);
+    void flutter(const PlacedTree& tree, double time);
 
     const PlacedForest& _forest;
     bool _withLeaves;
-    LeafFlutter _leaves;
     std::vector<Laws::ThesisBranch> _branches;
     std::vector<WindPlace> _windPlaces;
     std::vector<glm::vec3> _winds;
-    std::vector<glm::vec4> _windTexels, _states;
+    std::vector<glm::vec4> _windTexels, _states, _leafStates;
     std::vector<glm::quat> _rotations;
     std::vector<UnitPose> _poses;
 };

@@ -45,9 +45,7 @@ FallingTree::FallingTree(const SwayingTree& tree, unsigned unit, double moment, 
     const std::vector<UnitLoad> loads = makeUnitLoads(*tree.model, tree.scale, *tree.species, tree.leaves);
     const glm::dvec3 hinge = tree.scale.axes * units[unit].base;
     const std::vector<std::size_t> carried = carriedBy(units, unit);
-    const auto massOf = [&](std::size_t i) {
-        return static_cast<double>(loads[i].woodMass + loads[i].leafMass);
-    };
+    const auto massOf = [&](std::size_t i) { return static_cast<double>(loads[i].mass()); };
     const auto placeOf = [&](std::size_t i) {
         return glm::dvec3(0.5f * tree.scale.axes * (units[i].base + units[i].tip)) - hinge;
     };

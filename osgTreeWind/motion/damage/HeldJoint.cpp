@@ -9,8 +9,15 @@
 
 namespace osgTreeWind {
 
-float HeldJoint::moment(const ModalMotion& motion, std::size_t tree, const float* vector) const {
-    return stiffness * glm::length(motion.unitAngles(tree, unit, vector));
+double HeldJoint::moment(const ModalMotion& motion, std::size_t tree, const float* vector) const {
+    return static_cast<double>(stiffness) *
+           static_cast<double>(glm::length(motion.unitAngles(tree, unit, vector)));
+}
+
+double HeldJoint::moment(const ModalMotion& motion, std::size_t tree) const {
+    float vector[ModalDetail::maxModes + 3 * ModalDetail::maxPatches];
+    motion.poseVector(tree, vector);
+    return moment(motion, tree, vector);
 }
 
 std::vector<HeldJoint> thickestBoughs(const SwayingTree& tree, const std::vector<UnitLoad>& loads) {

@@ -16,7 +16,8 @@ struct HeldJoint {
 
     /// The moment of weight, inertia and the air there, K theta, N m. @param tree its number in `motion`.
     /// @param vector ModalMotion::poseVector() of it.
-    float moment(const ModalMotion& motion, std::size_t tree, const float* vector) const;
+    double moment(const ModalMotion& motion, std::size_t tree, const float* vector) const;
+    double moment(const ModalMotion& motion, std::size_t tree) const; ///< Works the vector out.
 };
 
 /// Bases of the 32 thickest boughs of a tree, the thickest first; each bears what wood as thick does

@@ -19,10 +19,6 @@ constexpr float stump = 1.3f; // metres; TreeStrength
 constexpr float gentle = 0.3f;
 constexpr float fewLeaves = 0.05f; // share of them: a tree sways on as if it had not lost that
 
-SwayingTree formOf(const PlacedForest& forest, const PlacedTree& tree) {
-    return {&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves};
-}
-
 /// The unit of its trunk above which it snaps: the first joint from breast height on.
 unsigned unitAtBreast(const PlacedForest& forest, const PlacedTree& tree) {
     const std::vector<BranchUnit>& units = forest.modelOf(tree).skeleton.units;
@@ -50,7 +46,7 @@ glm::vec3 meanWind(const ModalMotion& sway, std::size_t slot, const PlacedTree& 
 } // namespace
 
 WindDamage::Tree WindDamage::treeOf(const PlacedForest& forest, const PlacedTree& tree) {
-    const SwayingTree form = formOf(forest, tree);
+    const SwayingTree form = swayingTree(forest, tree).form;
     const std::vector<UnitLoad> loads = makeUnitLoads(*form.model, form.scale, *form.species, form.leaves);
     const TreeStrength strength(*form.model, form.scale, *form.species);
     Tree result;
@@ -76,7 +72,7 @@ void WindDamage::meet(PlacedForest& forest, const ModalMotion& sway, std::size_t
     sway.poseVector(slot, vector);
     const float exaggeration = std::max(forest.description().gain, 1.0e-3f);
     const auto momentAt = [&](const HeldJoint& base) {
-        return base.moment(sway, slot, vector) / exaggeration;
+        return static_cast<float>(base.moment(sway, slot, vector)) / exaggeration;
     };
     tree.roots.moment = tree.stem.moment = momentAt(tree.roots.base);
     const bool isGentle = tree.stem.moment < gentle * tree.stem.base.limit;
@@ -175,7 +171,7 @@ void WindDamage::breakOff(const PlacedForest& forest, ModalMotion& sway, std::si
     const glm::vec2 way = length > 0.0f ? lean / length : glm::vec2(1.0f, 0.0f);
     const double angle =
         std::atan(static_cast<double>(length / std::max(forest.measured(tree).height, 0.1f)));
-    FallingTree body(formOf(forest, tree), joint.base.unit, static_cast<double>(joint.base.limit),
+    FallingTree body(swayingTree(forest, tree).form, joint.base.unit, static_cast<double>(joint.base.limit),
                      isBough ? 0.0 : angle);
     const glm::vec2 leeward(
         turnHeading({-way.y, way.x, 0.0f}, -std::sin(tree.heading), std::cos(tree.heading)));

@@ -51,17 +51,21 @@ float crownOutline(const TreeModel& model, const TreeScale& scale) {
 void weighBranches(std::vector<UnitLoad>& loads, const std::vector<BranchUnit>& units,
                    const WoodParameters& wood, double diameter, double height) {
     double trunk = 0.0, drawn = 0.0;
-    for (std::size_t i = 0; i < units.size(); ++i)
+    for (std::size_t i = 0; i < units.size(); ++i) {
         (units[i].level > 0 ? drawn : trunk) += loads[i].woodMass;
+        drawn += loads[i].shootMass;
+    }
     if (!(drawn > 0.0))
         return;
     const auto factor = static_cast<float>(branchWoodMass(wood, diameter, height, trunk, drawn) / drawn);
-    for (std::size_t i = 0; i < units.size(); ++i)
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        loads[i].shootMass *= factor;
         if (units[i].level > 0) {
             loads[i].woodMass *= factor;
             if (wood.branchWood == WoodAllometry::Conifer)
                 loads[i].modulus *= factor;
         }
+    }
 }
 
 /// What a unit carries, from its base along it.
@@ -78,7 +82,7 @@ std::vector<CarriedLoad> carriedBy(const std::vector<UnitLoad>& loads, const std
     for (std::size_t i = 0; i < units.size(); ++i) {
         const ScaledUnit unit(units[i], scale);
         directions.push_back(unit.direction());
-        const float mass = loads[i].leafMass + loads[i].woodMass;
+        const float mass = loads[i].mass();
         for (int a = static_cast<int>(i); a >= 0; a = units[static_cast<std::size_t>(a)].parent) {
             const auto carrier = static_cast<std::size_t>(a);
             const float arm = std::max(
@@ -159,6 +163,11 @@ std::vector<UnitLoad> makeAirLoads(const TreeModel& model, const TreeScale& scal
         loads[i].leafMass = wood.leafMass * loads[i].leafArea;
         loads[i].leafDrag = crown * shares[i];
         loads[i].woodDrag = wood.woodDrag * 0.5f * (d0 + d1) * unit.length;
+        if (!model.shootWood.empty()) {
+            const ShootWood shoots = model.shootWood[i].scaled(scale.axes, scale.radius);
+            loads[i].shootMass = wood.density * shoots.volume;
+            loads[i].woodDrag += wood.woodDrag * shoots.outline;
+        }
         if (known && units[i].level > 0) // a crown is measured with its branches
             loads[i].woodDrag *= 1.0f - share;
     }

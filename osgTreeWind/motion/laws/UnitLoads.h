@@ -11,7 +11,8 @@ namespace osgTreeWind {
 
 /// What one unit bears by itself and what holds it, SI units.
 struct UnitLoad {
-    float woodMass = 0.0f;  ///< Fresh, with bark, kg.
+    float woodMass = 0.0f;  ///< Of the unit itself, fresh, with bark, kg.
+    float shootMass = 0.0f; ///< Of the shoots that ride on it, likewise.
     float leafArea = 0.0f;  ///< m^2.
     float leafMass = 0.0f;  ///< Fresh, kg.
     float woodDrag = 0.0f;  ///< CdA that keeps its form, m^2.
@@ -19,6 +20,8 @@ struct UnitLoad {
     float modulus = 1.0f;   ///< Of its section as if it were all wood, Pa.
     float rootGive = 0.0f;  ///< Of what holds its base, rad/(N m): roots and soil under a trunk, else 0.
     float stiffness = 1.0f; ///< K of the joint at its base (jointStiffness()) and of its roots, N m/rad.
+
+    float mass() const { return woodMass + shootMass + leafMass; } ///< Kg.
 };
 
 /// Loads of every unit of a tree. Leaves, and the drag of a crown that was measured, are where leaves are

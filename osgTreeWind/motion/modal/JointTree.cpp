@@ -60,9 +60,9 @@ JointTree makeJointTree(const TreeModel& model, const TreeScale& scale, const Sp
             point.place = link.base + at * along;
             point.lever = bentLever(at, length, reach[i]) * along;
             const double share = (a * a + a * b + b * b) / (d0 * d0 + d0 * d1 + d1 * d1);
-            point.mass =
-                (share * static_cast<double>(loads[i].woodMass) + static_cast<double>(loads[i].leafMass)) /
-                pointsPerUnit;
+            point.mass = (share * static_cast<double>(loads[i].woodMass) +
+                          static_cast<double>(loads[i].shootMass + loads[i].leafMass)) /
+                         pointsPerUnit;
             tree.points.push_back(point);
         }
         JointTree::Point air;

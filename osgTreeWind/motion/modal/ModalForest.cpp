@@ -32,18 +32,11 @@ std::unique_ptr<Motion> ModalForest::restarted(const PlacedForest& forest) const
     return std::unique_ptr<Motion>(new ModalForest(*this, forest));
 }
 
-ModalTree ModalForest::swaying(const PlacedTree& tree) const {
-    return {{&_forest.modelOf(tree), &_forest.speciesOf(tree), tree.scale, tree.leaves},
-            tree.position,
-            tree.heading,
-            _level};
-}
-
 std::vector<ModalTree> ModalForest::swayingTrees() const {
     std::vector<ModalTree> trees;
     trees.reserve(_forest.trees.size());
     for (const PlacedTree& tree : _forest.trees)
-        trees.push_back(swaying(tree));
+        trees.push_back(swayingTree(_forest, tree, _level));
     return trees;
 }
 
@@ -84,7 +77,7 @@ void ModalForest::followOn() {
     for (; _behind < _forest.trees.size() && slots.size() < treesAtOnce; ++_behind)
         if (_forest.trees[_behind].alive) {
             slots.push_back(_behind);
-            wanted.push_back(swaying(_forest.trees[_behind]));
+            wanted.push_back(swayingTree(_forest, _forest.trees[_behind], _level));
         }
     const std::size_t ready = _sway.prepare(wanted, archetypesAtOnce);
     for (std::size_t i = 0; i < ready; ++i)
@@ -95,7 +88,7 @@ void ModalForest::followOn() {
 
 void ModalForest::followLeaves(const std::vector<std::size_t>& slots) {
     for (const std::size_t slot : slots)
-        _sway.replace(slot, swaying(_forest.trees[slot]));
+        _sway.replace(slot, swayingTree(_forest, _forest.trees[slot], _level));
 }
 
 void ModalForest::remove(std::size_t slot) {

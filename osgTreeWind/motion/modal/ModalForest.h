@@ -33,9 +33,11 @@ public:
         _sway.runUp(slots, wind, time, seconds);
     }
     Diagnostics fixed() const override { return {}; }
-    std::size_t add(const PlacedTree& tree) override { return _sway.add(swaying(tree)); }
+    std::size_t add(const PlacedTree& tree) override { return _sway.add(swayingTree(_forest, tree, _level)); }
     void remove(std::size_t slot) override;
-    void replace(std::size_t slot, const PlacedTree& tree) override { _sway.replace(slot, swaying(tree)); }
+    void replace(std::size_t slot, const PlacedTree& tree) override {
+        _sway.replace(slot, swayingTree(_forest, tree, _level));
+    }
     const TreeFall* fall(std::size_t slot) const override { return _sway.fall(slot); }
     void putUpright(std::size_t slot) override { _sway.putUpright(slot); }
     TreeMotion motion(std::size_t slot) const override;
@@ -44,7 +46,6 @@ public:
 
 private:
     ModalForest(const ModalForest& other, const PlacedForest& forest);
-    ModalTree swaying(const PlacedTree& tree) const;
     void followOn();
     std::vector<ModalTree> swayingTrees() const;
     UnitValues& valuesOf(std::size_t slot) const;

@@ -4,7 +4,6 @@
 #include <osgTreeWind/motion/modal/ModalModel.h>
 
 #include <cstddef>
-#include <string>
 
 namespace osgTreeWind {
 

@@ -4,7 +4,7 @@
 #include <osgTreeWind/motion/modal/ModalArchetypes.h>
 #include <osgTreeWind/motion/modal/ModalReader.h>
 #include <osgTreeWind/motion/modal/ModalStepJob.h>
-#include <osgTreeWind/wind/TreeCompany.h>
+#include <osgTreeWind/wind/CanopyMap.h>
 
 namespace osgTreeWind {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/modal/Archetype.h>
-
-#include <glm/vec3.hpp>
 
 #include <cstdint>
 
@@ -22,5 +21,14 @@ struct ModalTree {
     float heading = 0.0f;                ///< Radians, counter-clockwise from above.
     ModalLevel level = ModalLevel::Near; ///< At first.
 };
+
+/// A tree of a forest.
+inline ModalTree swayingTree(const PlacedForest& forest, const PlacedTree& tree,
+                             ModalLevel level = ModalLevel::Near) {
+    return {{&forest.modelOf(tree), &forest.speciesOf(tree), tree.scale, tree.leaves},
+            tree.position,
+            tree.heading,
+            level};
+}
 
 } // namespace osgTreeWind

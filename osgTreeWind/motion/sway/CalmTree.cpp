@@ -2,12 +2,12 @@
 #include <osgTreeWind/motion/sway/CalmTree.h>
 
 #include <osgTreeWind/motion/laws/Laws.h>
-#include <osgTreeWind/motion/sway/LoneTree.h>
 
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace osgTreeWind {
 
@@ -53,9 +53,20 @@ private:
 
 } // namespace
 
+PlacedForest loneTree(const Species& species, const TreePlacement& tree) {
+    ForestDescription forest;
+    forest.species = {species};
+    forest.trees = {tree};
+    forest.trees[0].species = 0;
+    forest.trees[0].position = glm::dvec3(0.0);
+    forest.trees[0].heading = 0.0f;
+    return PlacedForest(std::move(forest));
+}
+
 CalmTree::CalmTree(const Species& species, const TreePlacement& tree)
-    : _forest(loneTree(species, tree)), _motion({swayingTree(_forest)}, 1.0f, {}, true),
-      _angles(_forest.units), _rotations(_forest.units), _poses(_forest.units) {
+    : _forest(loneTree(species, tree)),
+      _motion({swayingTree(_forest, _forest.trees.front())}, 1.0f, {}, true), _angles(_forest.units),
+      _rotations(_forest.units), _poses(_forest.units) {
     const PlacedTree& placed = _forest.trees.front();
     const std::vector<BranchUnit>& units = _forest.modelOf(placed).skeleton.units;
     for (std::size_t i = 0; i < units.size(); ++i) {

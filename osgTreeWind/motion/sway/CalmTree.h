@@ -12,6 +12,9 @@
 
 namespace osgTreeWind {
 
+/// A forest of one tree, which stands at the origin and is not turned.
+PlacedForest loneTree(const Species& species, const TreePlacement& tree);
+
 /// One tree under the law `modal`, with modes of its own, in a calm.
 class CalmTree {
 public:

@@ -3,8 +3,6 @@
 
 #include <osgTreeWind/motion/sway/CalmTree.h>
 
-#include <cmath>
-
 namespace osgTreeWind {
 
 std::optional<FreeSway> pullAndRelease(const Species& species, const TreePlacement& placement, double pull) {

@@ -121,11 +121,10 @@ TEST_F(BranchwiseForestGlTest, picksLeavesWhereTheyAreSeen) {
     ForestSimulation oracle(description);
     for (int i = 2; i <= now - 1; ++i) // passes begin in the second frame; what came back is a frame old
         oracle.advance(i / 25.0);
-    const auto& leaves = SimulationParts::branches(forest->getSimulation())->leaves().states();
+    const auto& leaves = SimulationParts::branches(forest->getSimulation())->leafStates();
     float fluttering = 0.0f;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        ASSERT_NEAR(leaves[i].x, SimulationParts::branches(oracle)->leaves().states()[i].x, 5e-4f)
-            << "leaf " << i;
+        ASSERT_NEAR(leaves[i].x, SimulationParts::branches(oracle)->leafStates()[i].x, 5e-4f) << "leaf " << i;
         fluttering = std::max(fluttering, std::abs(leaves[i].x));
     }
     EXPECT_GT(fluttering, 0.01f);

@@ -193,10 +193,10 @@ TEST_F(GpuForestGlTest, NoiseOfEitherKindMovesLeavesAsOnTheCpu) {
             oracle.advance(i / 60.0);
         }
         frame(30.0 / 60.0);
-        ASSERT_FALSE(SimulationParts::branches(oracle)->leaves().states().empty());
-        EXPECT_GT(std::abs(SimulationParts::branches(oracle)->leaves().states()[0].x), 1e-3f);
-        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->leaves().states(),
-                                    SimulationParts::branches(oracle)->leaves().states()),
+        ASSERT_FALSE(SimulationParts::branches(oracle)->leafStates().empty());
+        EXPECT_GT(std::abs(SimulationParts::branches(oracle)->leafStates()[0].x), 1e-3f);
+        EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->leafStates(),
+                                    SimulationParts::branches(oracle)->leafStates()),
                   5e-4f);
         EXPECT_LT(largestDifference(SimulationParts::branches(forest->getSimulation())->states(),
                                     SimulationParts::branches(oracle)->states()),
@@ -341,9 +341,8 @@ TEST_F(GpuForestGlTest, LeafTransformsStandWhereTheShaderDrawsLeaves) {
                 osg::Quat(SimulationParts::trees(forest->getSimulation())[0].heading, osg::Z_AXIS))
                 .preMult(toOsg(corners[2])));
         found.push_back(toOsg(tree.model().leafMesh[2].corner) * leaves.matrices[leaf]);
-        fluttering =
-            std::max(fluttering,
-                     std::abs(SimulationParts::branches(forest->getSimulation())->leaves().states()[leaf].x));
+        fluttering = std::max(
+            fluttering, std::abs(SimulationParts::branches(forest->getSimulation())->leafStates()[leaf].x));
     }
     EXPECT_GT(fluttering, 1e-3f);
     for (const osg::Vec3& point : found) { // transforms stand in scene order, leaves in access order

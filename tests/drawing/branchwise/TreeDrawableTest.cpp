@@ -3,8 +3,7 @@
 #include <tests/drawing/branchwise/Onlooker.h>
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseParts.h>
-#include <osgTreeWind/drawing/branchwise/LeafDrawable.h>
-#include <osgTreeWind/drawing/branchwise/SkinDrawable.h>
+#include <osgTreeWind/drawing/branchwise/TreeDrawable.h>
 
 #include <osgUtil/IntersectionVisitor>
 #include <osgUtil/LineSegmentIntersector>

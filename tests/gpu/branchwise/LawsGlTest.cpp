@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/gpu/branchwise/AnglePass.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/NoiseTime.h>
 

@@ -2,7 +2,7 @@
 // Any law, for any input: finite, within limits, and recovered when the input is sane again.
 #include <osgTreeWind/motion/laws/Laws.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/laws/Reconfiguration.h>
 #include <osgTreeWind/motion/laws/Rotations.h>

@@ -3,7 +3,7 @@
 
 #include <tests/Near.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 
 #include <gtest/gtest.h>
 

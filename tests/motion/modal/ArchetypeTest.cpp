@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/Archetype.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/motion/modal/TreeModes.h>

@@ -2,7 +2,7 @@
 // Trees that come, go and change while others sway.
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <tests/motion/GrownTree.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalKernel.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 
 #include <tests/EnvironmentVariable.h>
 #include <tests/motion/GrownTree.h>

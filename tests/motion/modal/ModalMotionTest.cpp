@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 
+#include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/base/ThreadPool.h>
-#include <osgTreeWind/model/Random.h>
 #include <osgTreeWind/wind/UniformWind.h>
 
 #include <tests/motion/GrownTree.h>

@@ -2,7 +2,7 @@
 #include <tests/base/FirstProblem.h>
 #include <tests/tool/canopy/SmallWood.h>
 
-#include <examples/osgtreewind/canopy/TreeBox.h>
+#include <examples/osgtreewind/canopy/CanopyGrid.h>
 
 #include <cmath>
 

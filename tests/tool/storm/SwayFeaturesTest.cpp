@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/storm/SwayFeatures.h>
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/ReaderProcess.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace osgTreeWind {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the program is: what the environment says, else in osgTreeWind/ beside the library; for a program
+/// into which the library was built, in the folder of libraries, installed or not.
+std::string placeOf(const ReaderProgram& reader) {
+    if (const char* named = std::getenv(reader.variable))
+        return named;
+    static const char inside = 0;
+    Dl_info here{};
+    dladdr(&inside, &here);
+    std::error_code ignored;
+    fs::path object = here.dli_fname ? here.dli_fname : "", program;
+    if (!object.is_absolute()) // as a program was called
+        object = fs::read_symlink("/proc/self/exe", ignored);
+    for (const char* libraries : {"", OSGTREEWIND_LIBRARIES_FROM_PROGRAMS, "../lib"})
+        if (program = object.parent_path() / libraries / "osgTreeWind" / reader.name;
+            fs::exists(program, ignored))
+            break;
+    return program;
+}
+
+/// Starts a program whose standard input and output are one end of a socket, without the other descriptors
+/// and the screen of this process. @return errno.
+int start(const std::string& program, const std::vector<std::string>& command, pid_t& process,
+          int& descriptor) {
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        return errno;
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+    std::vector<std::string> words = {program};
+    words.insert(words.end(), command.begin(), command.end());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+        argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const int error = posix_spawn(&process, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    if (error == 0)
+        descriptor = ends[0];
+    else
+        ::close(ends[0]);
+    return error;
+}
+
+/// Waits for its end. @return how it came to it.
+std::string endOf(pid_t process) {
+    int status = 0;
+    pid_t ended = 0;
+    while ((ended = waitpid(process, &status, 0)) < 0 && errno == EINTR)
+        ;
+    if (ended != process) // someone else waited for it
+        return "its reader ended early";
+    if (!WIFSIGNALED(status))
+        return "its reader ended with status " + std::to_string(WEXITSTATUS(status));
+    if (WTERMSIG(status) == SIGALRM)
+        return "it took its reader too long";
+    const char* name = sigdescr_np(WTERMSIG(status));
+    return std::string("its reader ended with: ") + (name ? name : "a signal");
+}
+
+} // namespace
+
+ReaderProcess::ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& command)
+    : _reader(reader) {
+    const std::string program = placeOf(reader);
+    if (const int error = start(program, command, _process, _descriptor); error != 0)
+        _startProblem = std::string(reader.format) + " needs " + reader.library + ", and the program " +
+                        program + ": " + std::generic_category().message(error);
+}
+
+ReaderProcess::~ReaderProcess() {
+    close();
+}
+
+void ReaderProcess::close() {
+    if (_descriptor < 0)
+        return;
+    ::close(_descriptor); // ends a program that still writes, or waits for a question
+    _descriptor = -1;
+    _end = endOf(_process);
+}
+
+std::string ReaderProcess::problem() {
+    close();
+    return _startProblem.empty() ? _end : _startProblem;
+}
+
+} // namespace osgTreeWind

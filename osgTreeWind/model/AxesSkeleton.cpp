@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/model/AxesSkeleton.h>
+
+#include <osgTreeWind/base/UnitVectors.h>
+#include <osgTreeWind/model/CheckScan.h>
+#include <osgTreeWind/model/WoodVolume.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr double shortestBranch = 1e-3; // branch, over the tree's height
+constexpr double offShoot = 0.5;        // by which the course of a shoot may be off, over its radius
+
+/// Arc lengths at which an axis is cut into units, both ends among them: halves of halves, until none is
+/// longer than `longest` or crooked.
+std::vector<double> cutsOf(const WoodLine& line, double longest) {
+    constexpr double straightest = 0.88; // of chord over arc: an arc of 100 degrees
+    constexpr double most = 64.0;
+    longest = std::max(longest, line.length() / most);
+    std::vector<double> cuts = {0.0}, ends = {line.length()}; // those to come, the next one last
+    while (!ends.empty()) {
+        const double from = cuts.back(), to = ends.back(), length = to - from;
+        const bool isCrooked = glm::distance(line.at(from), line.at(to)) < straightest * length;
+        if (length > longest || (isCrooked && length > 0.25 * longest)) {
+            ends.push_back(0.5 * (from + to));
+        } else {
+            cuts.push_back(to);
+            ends.pop_back();
+        }
+    }
+    return cuts;
+}
+
+/// Radii at the cuts, fitted to those of the axis by least squares, tapering.
+std::vector<double> fittedRadii(const WoodAxis& axis, const std::vector<double>& cuts) {
+    const std::size_t count = cuts.size() - 1;
+    // Normal equations of a line with bends at the cuts; tridiagonal.
+    std::vector<double> diagonal(count + 1, 0.0), beside(count + 1, 0.0), right(count + 1, 0.0);
+    std::size_t stretch = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double from = cuts[i], to = cuts[i + 1], length = to - from;
+        double t = 0.0;
+        for (;; ++stretch) {
+            const double end = axis.line.arc[stretch + 1];
+            const bool isLast = end >= to || stretch + 1 == axis.radii.size();
+            const double u = isLast ? 1.0 : (end - from) / length;
+            const double first = length * (u - t), second = length * 0.5 * (u * u - t * t),
+                         third = length * (u * u * u - t * t * t) / 3.0;
+            diagonal[i] += first - 2.0 * second + third;
+            diagonal[i + 1] += third;
+            beside[i] += second - third;
+            right[i] += axis.radii[stretch] * (first - second);
+            right[i + 1] += axis.radii[stretch] * second;
+            t = u;
+            if (isLast)
+                break;
+        }
+    }
+    for (std::size_t i = 1; i <= count; ++i) {
+        const double factor = beside[i - 1] / diagonal[i - 1];
+        diagonal[i] -= factor * beside[i - 1];
+        right[i] -= factor * right[i - 1];
+    }
+    std::vector<double> radii(count + 1);
+    for (std::size_t i = count + 1; i-- > 0;)
+        radii[i] = (right[i] - (i < count ? beside[i] * radii[i + 1] : 0.0)) / diagonal[i];
+    radii[0] = std::max(radii[0], axis.radii.front());
+    for (std::size_t i = 1; i <= count; ++i)
+        radii[i] = glm::clamp(radii[i], 0.2 * radii[i - 1], radii[i - 1]);
+    return radii;
+}
+
+class SkeletonMaker {
+public:
+    SkeletonMaker(std::vector<WoodAxis> axes, const WoodDetail& detail)
+        : _axes(std::move(axes)), _detail(detail), _branches(_axes.size()), _cuts(_axes.size()),
+          _isShoot(_axes.size()) {
+        _detail.ringsPerBranch = glm::clamp(detail.ringsPerBranch, 2, 64);
+        _detail.mostUnits = std::min(detail.mostUnits, mostScanUnits);
+        _detail.mostShoots = std::min(detail.mostShoots, mostScanShoots);
+        for (const WoodAxis& axis : _axes)
+            for (const glm::dvec3& point : axis.line.points)
+                _height = std::max(_height, point.z);
+        choose();
+    }
+
+    SkeletonOfAxes make() {
+        _tree.skeleton.ringsPerBranch = _detail.ringsPerBranch;
+        _tree.skeleton.joined = true;
+        grow(0, -1, 1.0f);
+        std::stable_sort(_tree.skeleton.shoots.begin(), _tree.skeleton.shoots.end(),
+                         [](const Shoot& a, const Shoot& b) { return a.unit < b.unit; });
+        for (std::size_t i = 0; i < _axes.size(); ++i)
+            _tree.pieces += isTaken(i) || _isShoot[i] ? _axes[i].pieces : 0;
+        return std::move(_tree);
+    }
+
+private:
+    /// Decides which axes are units, and how many each, and which are shoots.
+    void choose() {
+        const double longest = 0.125 * _height;
+        std::vector<double> thickness(_axes.size());
+        std::vector<std::size_t> order(_axes.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (std::size_t i = 0; i < _axes.size(); ++i) {
+            const WoodAxis& axis = _axes[i];
+            thickness[i] = axis.radii.front();
+            if (axis.parent >= 0) // taken after its parent
+                thickness[i] = std::min(thickness[i], thickness[static_cast<std::size_t>(axis.parent)]);
+        }
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return thickness[a] > thickness[b]; });
+        std::size_t count = 0;
+        const auto take = [&](std::size_t i) {
+            std::vector<double> cuts = cutsOf(_axes[i].line, longest);
+            if (count > 0 && count + cuts.size() - 1 > _detail.mostUnits)
+                return false;
+            count += cuts.size() - 1;
+            _cuts[i] = std::move(cuts);
+            return true;
+        };
+        for (const std::size_t i : wayUp())
+            if (!take(i))
+                break;
+        std::size_t shoots = 0;
+        bool isFull = false;
+        for (const std::size_t i : order) {
+            if (isTaken(i) || _axes[i].line.length() < shortestBranch * _height)
+                continue;
+            const auto parent = static_cast<std::size_t>(_axes[i].parent);
+            isFull = isFull || thickness[i] < _detail.thinnest;
+            if (!isFull && isTaken(parent) && take(i))
+                continue;
+            isFull = isFull || isTaken(parent);
+            if ((isTaken(parent) || _isShoot[parent]) && shoots < _detail.mostShoots) {
+                _isShoot[i] = true;
+                ++shoots;
+            }
+        }
+        for (std::size_t i = 1; i < _axes.size(); ++i)
+            if (isTaken(i) || _isShoot[i])
+                _branches[static_cast<std::size_t>(_axes[i].parent)].push_back(i);
+        for (std::vector<std::size_t>& branches : _branches)
+            std::sort(branches.begin(), branches.end(), [&](std::size_t a, std::size_t b) {
+                return std::make_pair(_axes[a].attach, a) < std::make_pair(_axes[b].attach, b);
+            });
+    }
+
+    /// The axes from the trunk to the highest point.
+    std::vector<std::size_t> wayUp() const {
+        const auto reaches = [&](const glm::dvec3& point) { return point.z >= _height; };
+        std::size_t highest = 0;
+        for (std::size_t i = 0; i < _axes.size(); ++i)
+            if (std::any_of(_axes[i].line.points.begin(), _axes[i].line.points.end(), reaches))
+                highest = i;
+        std::vector<std::size_t> way;
+        for (int i = static_cast<int>(highest); i >= 0; i = _axes[static_cast<std::size_t>(i)].parent)
+            way.push_back(static_cast<std::size_t>(i));
+        return {way.rbegin(), way.rend()};
+    }
+
+    bool isTaken(std::size_t axis) const { return !_cuts[axis].empty(); }
+
+    /// Radii at the cuts of an axis: of the volume of its cylinders, at most `thickest`.
+    std::vector<double> radiiOf(const WoodAxis& axis, const std::vector<double>& cuts,
+                                double thickest) const {
+        std::vector<double> radii = fittedRadii(axis, cuts);
+        double volume = 0.0;
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const double arc = cuts[i + 1] - cuts[i],
+                         chord = glm::distance(axis.line.at(cuts[i]), axis.line.at(cuts[i + 1]));
+            volume += frustumVolume(0.5 * (arc + chord), radii[i], radii[i + 1]);
+        }
+        const double factor = std::sqrt(axis.volume / volume);
+        for (double& radius : radii)
+            radius = glm::clamp(factor * radius, 1e-5 * _height, thickest);
+        return radii;
+    }
+
+    /// Adds the units of an axis, each followed by what springs from it.
+    /// @param attach on the unit `parent`.
+    void grow(std::size_t index, int parent, float attach) {
+        const WoodAxis& axis = _axes[index];
+        const std::vector<double>& cuts = _cuts[index];
+        const double thickest = parent < 0 ? axis.radii.front() * 2.0 : radiusAt(parent, attach);
+        const std::vector<double> radii = radiiOf(axis, cuts, thickest);
+        auto branch = _branches[index].begin();
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const double from = cuts[i], to = cuts[i + 1];
+            BranchUnit unit;
+            unit.parent = parent;
+            unit.level = axis.order;
+            unit.attach = i == 0 ? attach : 1.0f;
+            unit.base = parent < 0 ? glm::vec3(0.0f) : pointAt(parent, unit.attach);
+            unit.baseRadius = static_cast<float>(radii[i]);
+            unit.tipRadius = static_cast<float>(radii[i + 1]);
+            parent = add(unit, axis.line, from, to);
+            if (axis.leafy)
+                _tree.skeleton.leafyUnits.push_back(leafyPart(axis, from, to));
+            const bool isLast = i + 2 == cuts.size();
+            for (; branch != _branches[index].end() && (isLast || _axes[*branch].attach <= to); ++branch) {
+                const double t = (_axes[*branch].attach - from) / (to - from);
+                const auto place = static_cast<float>(glm::clamp(t, 0.02, 1.0));
+                if (_isShoot[*branch])
+                    addShoots({*branch, pointAt(parent, place), radiusAt(parent, place)}, parent);
+                else
+                    grow(*branch, parent, place);
+            }
+        }
+    }
+
+    /// A shoot to be added where it springs: from wood that is `thickest` there.
+    struct Spring {
+        std::size_t axis;
+        glm::vec3 base;
+        double thickest;
+    };
+
+    /// Adds a shoot of a unit and all that it bears.
+    void addShoots(const Spring& first, int unit) {
+        std::vector<Spring> springs{first};
+        while (!springs.empty()) {
+            const Spring spring = springs.back();
+            springs.pop_back();
+            const WoodAxis& axis = _axes[spring.axis];
+            const double length = axis.line.length();
+            const std::vector<double> radii = radiiOf(axis, {0.0, length}, spring.thickest);
+            addShoot(axis, spring.base, radii, unit);
+            for (const std::size_t branch : _branches[spring.axis]) {
+                const double along = _axes[branch].attach;
+                springs.push_back({branch, glm::vec3(axis.line.at(along)),
+                                   glm::mix(radii.front(), radii.back(), along / length)});
+            }
+        }
+    }
+
+    /// @param radii at its base and its tip.
+    void addShoot(const WoodAxis& axis, const glm::vec3& base, const std::vector<double>& radii, int unit) {
+        std::vector<glm::vec3>& points = _tree.skeleton.shootPoints;
+        Shoot shoot;
+        shoot.unit = unit;
+        shoot.level = axis.order;
+        shoot.baseRadius = static_cast<float>(radii.front());
+        shoot.tipRadius = static_cast<float>(radii.back());
+        if (axis.leafy)
+            shoot.leafy = leafyPart(axis, 0.0, axis.line.length());
+        shoot.first = points.size();
+        points.push_back(base);
+        const std::vector<glm::dvec3>& line = axis.line.points;
+        for (std::size_t i = 1; i + 1 < line.size(); ++i)
+            if (isBend(glm::dvec3(points.back()), line[i], line[i + 1], offShoot * radii.front()))
+                points.emplace_back(line[i]);
+        points.emplace_back(line.back());
+        shoot.count = points.size() - shoot.first;
+        _tree.skeleton.shoots.push_back(shoot);
+    }
+
+    /// Of the part of an axis between two arc lengths.
+    static BranchPart leafyPart(const WoodAxis& axis, double from, double to) {
+        return {static_cast<float>(std::max(axis.leafy->first - from, 0.0)),
+                static_cast<float>(std::min(axis.leafy->second, to) - from)};
+    }
+
+    /// Whether a point is farther than `off` from the line between two others.
+    static bool isBend(const glm::dvec3& before, const glm::dvec3& point, const glm::dvec3& after,
+                       double off) {
+        const glm::dvec3 along = after - before, from = point - before;
+        const double square = glm::dot(along, along);
+        const double part = square > 0.0 ? glm::dot(from, along) / square : 0.0;
+        return !(glm::distance(from, part * along) <= off);
+    }
+
+    /// Appends a unit and its points, which follow the line. @return its index.
+    int add(BranchUnit unit, const WoodLine& line, double from, double to) {
+        const int last = _detail.ringsPerBranch - 1;
+        std::vector<glm::vec3> points = {unit.base};
+        for (int i = 1; i <= last; ++i)
+            points.emplace_back(line.at(glm::mix(from, to, static_cast<double>(i) / last)));
+        if (isFolded(points, static_cast<float>(to - from)))
+            straighten(points, static_cast<float>(to - from));
+        unit.tip = points.back();
+        _tree.skeleton.units.push_back(unit);
+        _tree.skeleton.points.insert(_tree.skeleton.points.end(), points.begin(), points.end());
+        return static_cast<int>(_tree.skeleton.units.size()) - 1;
+    }
+
+    /// Whether points lie so near together that the line between them has no clear direction.
+    static bool isFolded(const std::vector<glm::vec3>& points, float length) {
+        const float nearest = 0.1f * length / static_cast<float>(points.size() - 1);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (glm::distance(points[i > 0 ? i - 1 : 0], points[std::min(i + 1, points.size() - 1)]) <
+                nearest)
+                return true;
+        return glm::distance(points.front(), points.back()) < 0.1f * length;
+    }
+
+    static void straighten(std::vector<glm::vec3>& points, float length) {
+        const glm::vec3 base = points.front();
+        glm::vec3 along = points.back() - base;
+        if (glm::length(along) < 0.1f * length)
+            along = 0.1f * length * directionOr(along / length, glm::vec3(0.0f, 0.0f, 1.0f));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i] = base + along * (static_cast<float>(i) / static_cast<float>(points.size() - 1));
+    }
+
+    glm::vec3 pointAt(int unit, float along) const {
+        const float place = along * static_cast<float>(_detail.ringsPerBranch - 1);
+        const int ring = std::min(static_cast<int>(place), _detail.ringsPerBranch - 2);
+        const auto index = static_cast<std::size_t>(unit);
+        const float part = place - static_cast<float>(ring);
+        const glm::vec3& after = _tree.skeleton.point(index, ring + 1);
+        return part >= 1.0f ? after : glm::mix(_tree.skeleton.point(index, ring), after, part);
+    }
+
+    double radiusAt(int unit, float along) const {
+        const BranchUnit& carrier = _tree.skeleton.units[static_cast<std::size_t>(unit)];
+        return static_cast<double>(glm::mix(carrier.baseRadius, carrier.tipRadius, along));
+    }
+
+    std::vector<WoodAxis> _axes;
+    WoodDetail _detail;
+    std::vector<std::vector<std::size_t>> _branches; ///< Units and shoots that spring from an axis, upward.
+    std::vector<std::vector<double>> _cuts;          ///< Of each axis; none: a shoot, or pruned.
+    std::vector<bool> _isShoot;                      ///< Of each axis.
+    double _height = 0.0;
+    SkeletonOfAxes _tree;
+};
+
+} // namespace
+
+SkeletonOfAxes makeSkeleton(std::vector<WoodAxis> axes, const WoodDetail& detail) {
+    return SkeletonMaker(std::move(axes), detail).make();
+}
+
+} // namespace osgTreeWind

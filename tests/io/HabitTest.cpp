@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/HabitCatalogue.h>
+#include <osgTreeWind/io/NameMatching.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
+#include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/species/GrowthLaws.h>
+
+#include <tests/base/FirstProblem.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace osgTreeWind {
+namespace {
+
+Result<ForestDescription> readHabitFile(const std::string& text) {
+    std::istringstream input("version = 1\n" + text + "[[tree]]\nposition = [0, 0]\n");
+    return readForest(input, {"a.treewind", "/nowhere"});
+}
+
+std::string habitRefusal(const std::string& text) {
+    const auto forest = readHabitFile(text);
+    return forest ? "" : forest.problems().front().text();
+}
+
+Species speciesByLight(const std::string& text) {
+    const auto forest = readHabitFile(text);
+    EXPECT_TRUE(forest) << firstProblem(forest);
+    return forest.value().species.front();
+}
+
+const std::string oakByLight =
+    "[[species]]\nname = \"an oak\"\nlike = \"oak\"\n[species.habit]\nlike = \"oak\"\n";
+
+} // namespace
+
+TEST(Habit, EachBuiltInSpeciesThatHasAGenusHasOneWithinItsRanges) {
+    for (const Species& species : SpeciesCatalogue::builtIn().species()) {
+        if (species.name == "palm")
+            continue;
+        const auto habit = builtInHabits().find(foldedName(species.name));
+        ASSERT_NE(habit, builtInHabits().end()) << species.name;
+        GrowthParameters growth;
+        growth.habit = habit->second;
+        Diagnostics problems;
+        checkFields(growth, "", problems);
+        EXPECT_TRUE(problems.empty()) << species.name << ": " << problems.front().text();
+        EXPECT_FALSE(habit->second.model.empty()) << species.name;
+    }
+}
+
+TEST(Habit, ASpeciesHasTheSizeOfTheOneThatItIsLikeUnlessTold) {
+    const Species model = *SpeciesCatalogue::builtIn().find("oak");
+    const Species grown = speciesByLight(oakByLight);
+    ASSERT_TRUE(grown.tree.growth);
+    EXPECT_FALSE(grown.tree.grown);
+    EXPECT_FLOAT_EQ(grown.tree.growth->size.height, model.tree.grown->height);
+    EXPECT_FLOAT_EQ(grown.tree.growth->size.crownWidth, model.tree.grown->crownWidth);
+    EXPECT_NEAR(grown.tree.growth->size.trunkDiameter, measureTree(makeTreeModel(model.tree)).trunkDiameter,
+                0.02f);
+    const Species told = speciesByLight(oakByLight + "height = 9\nbranch_angle = [80, 70, 60, 50]\n");
+    EXPECT_FLOAT_EQ(told.tree.growth->size.height, 9.0f);
+    EXPECT_FLOAT_EQ(told.tree.growth->habit.branchAngle[3], 0.87266463f);
+}
+
+TEST(Habit, ItsTreeHasTheSizeItGrowsToAndShootsThatBearItsLeaves) {
+    const Species species =
+        speciesByLight(oakByLight + "height = 12\ntrunk_diameter = 0.4\ncrown_width = 9\n");
+    const TreeModel model = makeTreeModel(species.tree);
+    const TreeSize size = measureTree(model);
+    EXPECT_NEAR(size.height, 12.0f, 0.8f); // with its leaves
+    EXPECT_NEAR(size.trunkDiameter, 0.4f, 0.03f);
+    EXPECT_NEAR(size.crownWidth, 9.0f, 2.0f);
+    EXPECT_LE(model.skeleton.units.size(), 250u);
+    EXPECT_GT(model.skeleton.shoots.size(), 500u);
+    EXPECT_EQ(model.skeleton.leafyUnits.size(), model.skeleton.units.size());
+    EXPECT_NEAR(static_cast<double>(model.leaves.size()), 3000.0, 30.0);
+    for (const LeafCluster& leaf : model.leaves)
+        EXPECT_GT(leaf.anchor.z, 0.3f);
+}
+
+TEST(Habit, TreesOfAForestGrowInItsShade) {
+    const Species species = speciesByLight(oakByLight);
+    ASSERT_TRUE(growsByCompany(species));
+    EXPECT_EQ(growthOf(species, true).growth->site.shade, 0.0f);
+    EXPECT_EQ(growthOf(species, false).growth->site.shade, 1.0f);
+    const TreeModel open = makeTreeModel(growthOf(species, true)),
+                    closed = makeTreeModel(growthOf(species, false));
+    const auto lowest = [](const TreeModel& model) {
+        float low = 1e9f;
+        for (const LeafCluster& leaf : model.leaves)
+            low = std::min(low, leaf.anchor.z);
+        return low;
+    };
+    EXPECT_GT(lowest(closed), lowest(open) + 1.0f);
+}
+
+TEST(Habit, IsWrittenAndReadToTheBit) {
+    const auto forest =
+        readHabitFile(oakByLight + "model = \"Massart\"\nsink = [0, -1.5, 3, 120]\nseed = 7\n");
+    ASSERT_TRUE(forest) << firstProblem(forest);
+    std::stringstream text;
+    ASSERT_TRUE(writeForest(forest.value(), text).empty());
+    const auto again = readForest(text, {"b.treewind", "/nowhere"});
+    ASSERT_TRUE(again) << firstProblem(again);
+    EXPECT_TRUE(
+        sameFields(*again.value().species.front().tree.growth, *forest.value().species.front().tree.growth));
+}
+
+TEST(Habit, SaysWhatIsWrongWithIt) {
+    const std::string start = "[[species]]\nname = \"a\"\n";
+    EXPECT_EQ(habitRefusal(start + "[species.habit]\nlike = \"willow\"\n"),
+              "a.treewind:5:8: species.habit.like: no built-in habit \"willow\"");
+    EXPECT_EQ(habitRefusal(start + "[species.growth]\n[species.habit]\n"),
+              "a.treewind:5:1: species.habit: give either this or tree or growth");
+    EXPECT_EQ(habitRefusal(start + "[species.habit]\nrise = [0, 1, 7, 0]\n").find("a.treewind:5"), 0u);
+    EXPECT_EQ(habitRefusal(start + "[species.habit]\nrise = [0, 1]\n").find("a.treewind:5"), 0u);
+    EXPECT_EQ(habitRefusal(start + "[species.habit]\nrise = 3\n").find("a.treewind:5"), 0u);
+    EXPECT_EQ(habitRefusal(start + "[species.habit]\ndeepest = nan\n").find("a.treewind:5"), 0u);
+}
+
+} // namespace osgTreeWind
