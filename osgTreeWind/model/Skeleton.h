@@ -23,7 +23,8 @@ struct BranchUnit {
 
 /// A part of a branch: metres along it from its base; none if `to` is not beyond `from`.
 struct BranchPart {
-    float from = 0.0f, to = 0.0f;
+    float from = 0.0f; ///< Metres.
+    float to = 0.0f;   ///< Likewise.
 };
 
 /// A twig that is drawn and weighed and does not turn by itself: it rides on a unit.

@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -80,11 +82,14 @@ void sway(SwayOptions options) {
 /// A tree for each row; what a row or the table does not say is as in the options.
 void swayTable(const SwayOptions& usual) {
     const TreeTable table = TreeTable::read(usual.table);
-    std::printf("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,damping_ratio\n");
+    std::vector<std::pair<SwayOptions, Species>> trees; // all, before anything is printed
     for (const CsvTable::Row& row : table.rows()) {
         SwayOptions options = usual;
         table.read(row, options);
-        const Species species = table.species(row, options);
+        trees.emplace_back(options, table.species(row, options));
+    }
+    std::printf("species,dbh_cm,height_m,crown_width_m,open,leaves,frequency_hz,damping_ratio\n");
+    for (auto& [options, species] : trees) {
         const TreePlacement tree = treeOf(options, species);
         const std::optional<FreeSway> free = pullAndRelease(species, tree, options.pull);
         std::printf("%s,%g,%g,%g,%d,%g,", species.name.c_str(), options.diameter, options.height,
