@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <examples/osgtreewind/bench/BenchRig.h>
+
 #include <examples/osgtreewind/bench/BenchStage.h>
 
 #include <osgTreeWind/drawing/instanced/TreeGeometry.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/bench/BenchStage.h>
 
+#include <examples/osgtreewind/bench/BenchRig.h>
 #include <examples/osgtreewind/bench/BenchWood.h>
 
 #include <osgTreeWind/base/Random.h>

@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/drawing/branchwise/BranchwiseForest.h>
 #include <osgTreeWind/drawing/branchwise/TreeNode.h>
-#include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/nodes/Forest.h>
 
@@ -66,11 +65,3 @@ private:
     static constexpr int stepsPerWind = 30;
     osgTreeWind::WindFieldPtr _winds[2];
 };
-
-/// The trees of a forest as users of OSG have them today: a rig of osgAnimation each, a bone a unit, bark and
-/// leaves skinned with one bone a vertex. A motion that was recorded under the law `modal` plays on the
-/// bones; what works it out is not counted, and leaves do not flutter. Lit, textured and coloured as the
-/// trees of a Forest.
-/// @param forest all of its trees are of model 0. @param hardware skinned by a vertex shader, else by the
-/// CPU.
-osg::ref_ptr<osg::Group> createRiggedTrees(const osgTreeWind::PlacedForest& forest, bool hardware);

@@ -5,6 +5,7 @@
 #include <examples/osgtreewind/scene/GroundShadows.h>
 #include <examples/osgtreewind/scene/Sky.h>
 #include <examples/osgtreewind/scene/SunShadows.h>
+#include <examples/osgtreewind/scene/Tufts.h>
 
 #include <osgTreeWind/forest/ForestDescription.h>
 

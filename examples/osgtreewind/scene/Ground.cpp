@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Ground.h>
 
-#include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/Sky.h>
 
 #include <osgTreeWind/base/Random.h>
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string>
 
 namespace {
@@ -243,45 +241,6 @@ osg::ref_ptr<osg::Geometry> createLevel(const Rim& rim) {
     return ground;
 }
 
-/// How its grass looks. @param define TUFTS: a vertex is one of a blade of grass, with how far up that is, 0
-/// to 1, and a number of its own, as texture coordinates.
-osg::ref_ptr<osg::StateSet> createGrassState(const Forest& forest, const std::string& define = "") {
-    const Rim rim = forest.getGround() ? reliefRim(forest) : levelRim(forest);
-    return grass((forest.getGround() ? "#define RELIEF\n" : "") + define, rim);
-}
-
-constexpr double farthestTuft = 40.0, tuftSpacing = 0.34; // metres
-
-/// The blades of a tuft.
-class Tuft {
-public:
-    /// @param nearness 1 at the eye, 0 where there are none any more.
-    Tuft(osg::Vec3Array& corners, osg::Vec2Array& coords, const osg::Vec3& foot, float nearness)
-        : _corners(corners), _coords(coords), _foot(foot), _nearness(nearness) {}
-
-    void add(osgTreeWind::Random& random) {
-        const float angle = 6.2832f * random.uniform(), lean = 0.2f + 0.6f * random.uniform();
-        const float height = (0.10f + 0.18f * random.uniform()) * std::sqrt(_nearness);
-        const float width = 0.004f + 0.02f * (1.0f - _nearness); // some pixels, far away as well
-        const osg::Vec3 way(std::cos(angle), std::sin(angle), 0.0f),
-            side(-way.y() * width, way.x() * width, 0.0f);
-        const osg::Vec3 foot = _foot + way * (0.07f * random.uniform());
-        const float own = random.uniform();
-        for (const auto& [corner, rise] :
-             {std::pair(foot - side, 0.0f), std::pair(foot + side, 0.0f),
-              std::pair(foot + way * (lean * height) + osg::Vec3(0, 0, height), 1.0f)}) {
-            _corners.push_back(corner);
-            _coords.push_back({rise, own});
-        }
-    }
-
-private:
-    osg::Vec3Array& _corners;
-    osg::Vec2Array& _coords;
-    osg::Vec3 _foot;
-    float _nearness;
-};
-
 } // namespace
 
 osg::ref_ptr<osg::Uniform> sunOnGround(float share) {
@@ -297,40 +256,14 @@ float groundRadius(const osg::BoundingSphere& bound) {
     return std::max(3000.0f, 8.0f * bound.radius());
 }
 
+osg::ref_ptr<osg::StateSet> createGrassState(const Forest& forest, const std::string& define) {
+    const Rim rim = forest.getGround() ? reliefRim(forest) : levelRim(forest);
+    return grass((forest.getGround() ? "#define RELIEF\n" : "") + define, rim);
+}
+
 osg::ref_ptr<osg::Node> createGround(const Forest& forest) {
     osg::ref_ptr<osg::Group> ground = new osg::Group;
     ground->addChild(forest.getGround() ? forest.getGround() : createLevel(levelRim(forest)).get());
     ground->setStateSet(createGrassState(forest));
     return ground;
-}
-
-osg::ref_ptr<osg::Geometry> createTufts(const Forest& forest, const osg::Vec3d& eye) {
-    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    osg::ref_ptr<osg::Vec2Array> coords = new osg::Vec2Array;
-    const auto cellOf = [](double place) {
-        return static_cast<std::int64_t>(std::floor(place / tuftSpacing));
-    };
-    for (std::int64_t j = cellOf(eye.y() - farthestTuft); j <= cellOf(eye.y() + farthestTuft); ++j)
-        for (std::int64_t i = cellOf(eye.x() - farthestTuft); i <= cellOf(eye.x() + farthestTuft); ++i) {
-            osgTreeWind::Random random(static_cast<std::uint32_t>(i * 73856093 ^ j * 19349663));
-            osg::Vec2d place(static_cast<double>(i), static_cast<double>(j));
-            for (int axis = 0; axis < 2; ++axis)
-                place[axis] = tuftSpacing * (place[axis] + random.uniform());
-            const double away = (place - osg::Vec2d(eye.x(), eye.y())).length() / farthestTuft;
-            const auto nearness = static_cast<float>(1.0 - away);
-            if (random.uniform() >= nearness * nearness)
-                continue;
-            Tuft tuft(*corners, *coords, osg::Vec3(osg::Vec3d(place, groundHeight(forest, place, 0.0))),
-                      nearness);
-            for (int blade = 0; blade < 8; ++blade)
-                tuft.add(random);
-        }
-    osg::ref_ptr<osg::Geometry> tufts = new osg::Geometry;
-    tufts->setUseDisplayList(false);
-    tufts->setUseVertexBufferObjects(true);
-    tufts->setVertexArray(corners);
-    tufts->setTexCoordArray(0, coords);
-    tufts->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    tufts->setStateSet(createGrassState(forest, "#define TUFTS\n"));
-    return tufts;
 }

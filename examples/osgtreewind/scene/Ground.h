@@ -6,16 +6,18 @@
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osg/BoundingSphere>
-#include <osg/Geometry>
 #include <osg/StateSet>
+
+#include <string>
 
 /// Grassland below a forest, lit by light 0 and under the fog and shadows of the scene (shaders/scene.glsl):
 /// on the ground that it has, or level at height 0. Haze hides its rim.
 osg::ref_ptr<osg::Node> createGround(const osgTreeWind::Forest& forest);
 
-/// Tufts of grass on the ground of a forest within 40 m of an eye, fewer and lower the farther. A place has
-/// the same tuft whoever looks.
-osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const osg::Vec3d& eye);
+/// How its grass looks. @param define TUFTS: a vertex is one of a blade of grass, with how far up that is, 0
+/// to 1, and a number of its own, as texture coordinates.
+osg::ref_ptr<osg::StateSet> createGrassState(const osgTreeWind::Forest& forest,
+                                             const std::string& define = "");
 
 /// What the sky gives the ground, and all of the sun.
 void setGroundLight(osg::StateSet& state, const Daylight& day);
