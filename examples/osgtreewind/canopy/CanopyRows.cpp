@@ -1,135 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/canopy/CanopyRows.h>
 
-#include <osgTreeWind/motion/laws/ScaledUnit.h>
-#include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <examples/osgtreewind/canopy/TreeAreas.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
-#include <vector>
 
 namespace osgTreeWind {
 
 namespace {
-
-/// Where a tree has its leaves and its drag, at rest: points with an area each, which add up to what
-/// makeUnitLoads() says of the tree. Leaves and the drag of the crown lie over the cards that are drawn, that
-/// of bare wood along it.
-class TreeAreas {
-public:
-    /// A point of a tree: metres from its foot, x east, y north.
-    struct Point {
-        glm::vec3 place{0.0f};
-        AreaSums area;
-    };
-
-    /// @param step the farthest that points of a branch are to be apart, metres.
-    TreeAreas(const PlacedForest& forest, double step);
-
-    /// Of a tree of the forest, as many leaves as it bears now. Holds until the next call.
-    const std::vector<Point>& of(const PlacedTree& tree);
-    /// All of it together.
-    AreaSums sumOf(const PlacedTree& tree) const;
-
-private:
-    /// A quarter of a quad of a cluster of leaves.
-    struct Card {
-        glm::vec3 anchor, offset; ///< Of the cluster; from there.
-        float size;               ///< What it has of the leaves, by the area of its cluster.
-    };
-    /// Of a shape.
-    struct Cards {
-        std::vector<Card> list;
-        double size = 0.0; ///< Of all.
-    };
-
-    const Cards& cardsOf(const PlacedTree& tree);
-    std::vector<UnitLoad> loadsOf(const PlacedTree& tree) const;
-    void addWood(const PlacedTree& tree, const std::vector<UnitLoad>& loads);
-    void addLeaves(const PlacedTree& tree, const AreaSums& leaves);
-
-    const PlacedForest& _forest;
-    double _step;
-    std::vector<Cards> _cards; ///< By model; empty until a tree asks.
-    std::vector<Point> _points;
-};
-
-TreeAreas::TreeAreas(const PlacedForest& forest, double step)
-    : _forest(forest), _step(step), _cards(forest.models().size()) {}
-
-std::vector<UnitLoad> TreeAreas::loadsOf(const PlacedTree& tree) const {
-    return makeUnitLoads(_forest.modelOf(tree), tree.scale, _forest.speciesOf(tree), tree.leaves);
-}
-
-AreaSums TreeAreas::sumOf(const PlacedTree& tree) const {
-    AreaSums sum;
-    for (const UnitLoad& load : loadsOf(tree))
-        sum += {load.leafArea, static_cast<double>(load.woodDrag) + static_cast<double>(load.leafDrag)};
-    return sum;
-}
-
-const TreeAreas::Cards& TreeAreas::cardsOf(const PlacedTree& tree) {
-    Cards& cards = _cards[tree.model];
-    if (!cards.list.empty())
-        return cards;
-    const TreeModel& model = _forest.modelOf(tree);
-    const auto& mesh = model.leafMesh;
-    cards.list.reserve(model.leaves.size() * mesh.size());
-    for (const LeafCluster& leaf : model.leaves)
-        for (std::size_t i = 0; i < mesh.size(); ++i) {
-            const std::size_t quad = i - i % 4;
-            const glm::vec3 centre = 0.25f * (mesh[quad].corner + mesh[quad + 1].corner +
-                                              mesh[quad + 2].corner + mesh[quad + 3].corner);
-            const glm::vec3 middle = 0.5f * (centre + mesh[i].corner);
-            cards.list.push_back(
-                {leaf.anchor, leaf.size * (leaf.orientation * middle), leaf.size * leaf.size});
-            cards.size += static_cast<double>(cards.list.back().size);
-        }
-    return cards;
-}
-
-void TreeAreas::addWood(const PlacedTree& tree, const std::vector<UnitLoad>& loads) {
-    const std::vector<BranchUnit>& units = _forest.modelOf(tree).skeleton.units;
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        if (!(loads[i].woodDrag > 0.0f))
-            continue;
-        const ScaledUnit unit(units[i], tree.scale);
-        const auto slices = static_cast<int>(std::clamp(std::ceil(unit.length / _step), 1.0, 1000.0));
-        const double drag = 2.0 * static_cast<double>(loads[i].woodDrag) /
-                            (slices * static_cast<double>(unit.baseDiameter + unit.tipDiameter));
-        for (int slice = 0; slice < slices; ++slice) {
-            const float at = (static_cast<float>(slice) + 0.5f) / static_cast<float>(slices);
-            const double diameter = glm::mix(unit.baseDiameter, unit.tipDiameter, at);
-            _points.push_back({unit.base + at * unit.span, {0.0, drag * diameter}});
-        }
-    }
-}
-
-void TreeAreas::addLeaves(const PlacedTree& tree, const AreaSums& leaves) {
-    const Cards& cards = cardsOf(tree);
-    const AreaSums each = leaves * (1.0 / cards.size);
-    for (const Card& card : cards.list)
-        _points.push_back({tree.scale.axes * card.anchor + tree.scale.leaf * card.offset,
-                           each * static_cast<double>(card.size)});
-}
-
-const std::vector<TreeAreas::Point>& TreeAreas::of(const PlacedTree& tree) {
-    const std::vector<UnitLoad> loads = loadsOf(tree);
-    _points.clear();
-    addWood(tree, loads);
-    AreaSums leaves;
-    for (const UnitLoad& load : loads)
-        leaves += {load.leafArea, load.leafDrag};
-    if (leaves.leaf > 0.0 || leaves.drag > 0.0)
-        addLeaves(tree, leaves);
-    const float sine = std::sin(tree.heading), cosine = std::cos(tree.heading);
-    for (Point& point : _points) {
-        point.place = turnHeading(point.place, sine, cosine);
-        point.place.z = std::max(point.place.z, 0.0f); // leaves that hang lower lie on the ground
-    }
-    return _points;
-}
 
 /// Areas of the cells of some rows, the first of which moves north.
 class Window {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <examples/osgtreewind/canopy/AreaSums.h>
 #include <examples/osgtreewind/canopy/CanopyGrid.h>
 #include <osgTreeWind/base/Span.h>
 
@@ -13,19 +14,6 @@ struct CanopyRow {
     int row = 0;      ///< From the south.
     Span<float> leaf; ///< Leaf area density, m^2/m^3.
     Span<float> drag; ///< CdA density, m^2/m^3.
-};
-
-/// How much plant there is.
-struct AreaSums {
-    double leaf = 0.0; ///< One side of leaves, m^2.
-    double drag = 0.0; ///< CdA of wood and leaves in a wind of 10 m/s, m^2.
-
-    AreaSums& operator+=(const AreaSums& other) {
-        leaf += other.leaf;
-        drag += other.drag;
-        return *this;
-    }
-    AreaSums operator*(double factor) const { return {factor * leaf, factor * drag}; }
 };
 
 /// What lies on a grid, and what of the forest's trees beyond its sides.
