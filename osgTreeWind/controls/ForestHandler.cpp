@@ -5,7 +5,8 @@
 #include <osgTreeWind/controls/FormattedText.h>
 #include <osgTreeWind/controls/TextPanel.h>
 #include <osgTreeWind/controls/WatchedTree.h>
-#include <osgTreeWind/controls/WindPictures.h>
+#include <osgTreeWind/controls/WindArrows.h>
+#include <osgTreeWind/controls/WindStreaks.h>
 #include <osgTreeWind/drawing/instanced/DrawnTrees.h>
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 #include <osgTreeWind/drawing/instanced/InstancedParts.h>
