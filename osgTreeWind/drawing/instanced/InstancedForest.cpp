@@ -1,104 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/instanced/InstancedForest.h>
 
-#include <osgTreeWind/drawing/BranchTransform.h>
+#include <osgTreeWind/drawing/instanced/FollowedBranches.h>
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
-#include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 
 #include <osg/Notify>
 
-#include <map>
-
 namespace osgTreeWind {
-
-/// Branches that someone hangs things on: transforms that follow the state of a simulation under `modal`. A
-/// part of an InstancedForest.
-class FollowedBranches : public osg::Group {
-public:
-    FollowedBranches();
-
-    /// The one of that branch; null where there is none.
-    BranchTransform* follow(const ForestSimulation& simulation, TreeId tree, unsigned unit);
-    /// Takes it away. @return false where none is followed.
-    bool unfollow(TreeId tree, unsigned unit);
-    bool follows(TreeId tree) const { return _branches.count(tree) > 0; }
-    /// A tree is another one by now: sets those on it where it has their branches.
-    void treeChanged(const ForestSimulation& simulation, TreeId tree);
-    /// Sets all where their branches are now. Those that are gone, with their tree or without, stay.
-    void update(const ForestSimulation& simulation);
-
-protected:
-    ~FollowedBranches() override = default;
-
-private:
-    void place(const ForestSimulation& simulation, TreeId tree);
-
-    std::map<TreeId, std::map<unsigned, osg::ref_ptr<BranchTransform>>> _branches;
-};
-
-FollowedBranches::FollowedBranches() {
-    setName("followed branches");
-    setDataVariance(osg::Object::DYNAMIC);
-}
-
-BranchTransform* FollowedBranches::follow(const ForestSimulation& simulation, TreeId tree, unsigned unit) {
-    if (!simulation.holds(tree))
-        return nullptr;
-    const PlacedTree& placed = SimulationParts::trees(simulation)[simulation.slotOf(tree)];
-    const std::vector<BranchUnit>& units = SimulationParts::forest(simulation).modelOf(placed).skeleton.units;
-    if (unit >= units.size())
-        return nullptr;
-    osg::ref_ptr<BranchTransform>& branch = _branches[tree][unit];
-    if (!branch) {
-        branch = new BranchTransform(unit, osg::Vec3());
-        addChild(branch);
-        place(simulation, tree);
-    }
-    return branch;
-}
-
-bool FollowedBranches::unfollow(TreeId tree, unsigned unit) {
-    const auto of = _branches.find(tree);
-    if (of == _branches.end())
-        return false;
-    const auto branch = of->second.find(unit);
-    if (branch == of->second.end())
-        return false;
-    removeChild(branch->second);
-    of->second.erase(branch);
-    if (of->second.empty())
-        _branches.erase(of);
-    return true;
-}
-
-void FollowedBranches::treeChanged(const ForestSimulation& simulation, TreeId tree) {
-    if (simulation.holds(tree) && follows(tree))
-        place(simulation, tree);
-}
-
-void FollowedBranches::update(const ForestSimulation& simulation) {
-    for (const auto& [tree, branches] : _branches)
-        if (simulation.holds(tree))
-            place(simulation, tree);
-}
-
-void FollowedBranches::place(const ForestSimulation& simulation, TreeId tree) {
-    const std::size_t slot = simulation.slotOf(tree);
-    const PlacedTree& placed = SimulationParts::trees(simulation)[slot];
-    const std::vector<BranchUnit>& units = SimulationParts::forest(simulation).modelOf(placed).skeleton.units;
-    const osg::Matrix toForest = osg::Matrix::rotate(static_cast<double>(placed.heading), osg::Z_AXIS) *
-                                 osg::Matrix::translate(toOsg(placed.position));
-    for (const auto& [unit, branch] : _branches[tree]) {
-        if (unit >= units.size()) // it has become a tree of fewer branches
-            continue;
-        const UnitMotion motion = simulation.unitMotion(slot, unit);
-        branch->setPose(toOsg(placed.scale.axes * units[unit].base),
-                        osg::Matrix::rotate(toOsg(motion.pose.rotation)) *
-                            osg::Matrix::translate(toOsg(motion.pose.translation)) * toForest,
-                        toOsg(motion.rotation));
-    }
-}
 
 namespace {
 

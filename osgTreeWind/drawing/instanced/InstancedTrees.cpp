@@ -2,7 +2,7 @@
 #include <osgTreeWind/drawing/instanced/InstancedTrees.h>
 
 #include <osgTreeWind/drawing/instanced/InstancedCull.h>
-#include <osgTreeWind/drawing/instanced/TreeHit.h>
+#include <osgTreeWind/drawing/instanced/TreePicking.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/SimulationParts.h>
@@ -13,53 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <utility>
 
 namespace osgTreeWind {
 namespace {
 
 constexpr unsigned framesNear = 60; // for which a tree is followed closely after it was last seen so
-
-/// Trees within bounds, met if the visitor's intersector reaches these. Not a part of any path.
-class Within : public osg::Group {
-public:
-    explicit Within(std::function<void()> meet) : _meet(std::move(meet)) {}
-    void meet(osg::NodeVisitor& visitor, const osg::BoundingBox& box) {
-        _sphere = osg::BoundingSphere(box);
-        dirtyBound();
-        visitor.apply(*this); // only there it is asked in coordinates of this place
-    }
-    osg::BoundingSphere computeBound() const override { return _sphere; }
-    void traverse(osg::NodeVisitor&) override { _meet(); }
-
-private:
-    std::function<void()> _meet;
-    osg::BoundingSphere _sphere;
-};
-
-/// Has an intersection visitor meet the trees that it may hit, each as a TreeHit. Between frames, or in
-/// any traversal that does not move the trees.
-void intersectTrees(osgUtil::IntersectionVisitor& visitor, const ForestSimulation& simulation,
-                    const TreeCells& cells) {
-    const TreeCells::Cell* cell = nullptr;
-    const TreeCells::Tree* tree = nullptr;
-    const osg::ref_ptr<Within> ofTree = new Within([&] {
-        const osg::ref_ptr<TreeHit> picked = new TreeHit(simulation, tree->number);
-        picked->accept(visitor);
-    });
-    const osg::ref_ptr<Within> ofCell = new Within([&] {
-        for (const TreeCells::Tree& each : cell->trees) {
-            tree = &each;
-            ofTree->meet(visitor, TreeCells::boxOf(each));
-        }
-    });
-    for (const TreeCells::Cell& each : cells.cells())
-        if (!each.trees.empty()) {
-            cell = &each;
-            ofCell->meet(visitor, each.box);
-        }
-}
 
 } // namespace
 
