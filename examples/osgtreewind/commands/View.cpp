@@ -3,7 +3,7 @@
 #include <examples/osgtreewind/options/LightOptions.h>
 #include <examples/osgtreewind/options/Offscreen.h>
 #include <examples/osgtreewind/options/Setting.h>
-#include <examples/osgtreewind/pictures/VideoWriter.h>
+#include <examples/osgtreewind/pictures/ClipRecorder.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/FeetGround.h>
 
@@ -14,11 +14,8 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
-#include <osg/Camera>
 #include <osg/DisplaySettings>
-#include <osg/Image>
 #include <osg/Quat>
-#include <osg/RenderInfo>
 #include <osg/os_utils>
 #include <osgGA/FirstPersonManipulator>
 #include <osgGA/FlightManipulator>
@@ -31,75 +28,10 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <mutex>
-#include <string>
 
 namespace {
 
 using namespace osgTreeWind;
-
-/// Writes what a window's camera draws into clips, without text over it. While it does, each frame is a
-/// twenty-fifth of a second, however long it takes.
-class ClipRecorder : public osg::Camera::DrawCallback {
-public:
-    static constexpr double framesPerSecond = 25.0;
-
-    /// Begins clip_0.mp4, clip_1.mp4, ... in the current folder, or ends it. @return what to tell a person.
-    std::string toggle();
-    /// Of the next frame. @param elapsed seconds that have passed for the person.
-    double referenceTime(double elapsed);
-
-    void operator()(osg::RenderInfo& info) const override;
-
-private:
-    mutable std::mutex _mutex; ///< Guards what follows: cameras may be drawn in a thread of theirs.
-    std::string _path;         ///< Of the clip; empty: there is none.
-    mutable std::unique_ptr<VideoWriter> _writer;
-    mutable osg::ref_ptr<osg::Image> _image = new osg::Image;
-    mutable int _frames = 0;
-    double _time = 0.0, _elapsed = 0.0;
-};
-
-std::string ClipRecorder::toggle() {
-    const std::lock_guard<std::mutex> lock(_mutex);
-    if (!_path.empty()) {
-        const bool good = _writer && _writer->close();
-        const std::string said = good ? "wrote " + _path + ", " + std::to_string(_frames) + " frames"
-                                      : _path + " could not be written";
-        _writer.reset();
-        _path.clear();
-        return said;
-    }
-    if (!VideoWriter::available())
-        return "no clip: there is no ffmpeg";
-    int number = 0;
-    while (std::filesystem::exists(_path = "clip_" + std::to_string(number) + ".mp4"))
-        ++number;
-    _frames = 0;
-    return "recording " + _path;
-}
-
-double ClipRecorder::referenceTime(double elapsed) {
-    const std::lock_guard<std::mutex> lock(_mutex);
-    _time += _path.empty() ? elapsed - _elapsed : 1.0 / framesPerSecond;
-    _elapsed = elapsed;
-    return _time;
-}
-
-void ClipRecorder::operator()(osg::RenderInfo& info) const {
-    const std::lock_guard<std::mutex> lock(_mutex);
-    const osg::Viewport* viewport = info.getCurrentCamera()->getViewport();
-    if (_path.empty() || !viewport)
-        return;
-    const int width = static_cast<int>(viewport->width()), height = static_cast<int>(viewport->height());
-    if (!_writer)
-        _writer = std::make_unique<VideoWriter>(_path, width, height, framesPerSecond);
-    else if (width != _image->s() || height != _image->t())
-        return; // a clip has one size
-    _image->readPixels(static_cast<int>(viewport->x()), static_cast<int>(viewport->y()), width, height,
-                       GL_RGBA, GL_UNSIGNED_BYTE);
-    _frames += _writer->write(*_image);
-}
 
 struct ViewOptions {
     std::string file, size = "1280x720", save;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Setting.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
+#include <examples/osgtreewind/pictures/PanelLabel.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -9,9 +10,7 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
-#include <osg/Image>
 #include <osg/Math>
-#include <osgText/Font>
 
 #include <algorithm>
 #include <cmath>
@@ -29,44 +28,6 @@ const char* const portraitLayout =
 namespace {
 
 using namespace osgTreeWind;
-
-constexpr int glyphWidth = 8, glyphHeight = 12; // of the font that needs no file
-
-/// Bytes of coverage from the bottom up, or null for a space.
-const osgText::Glyph* glyphOf(char letter) {
-    const osgText::FontResolution resolution(glyphWidth, glyphHeight);
-    const auto font = osgText::Font::getDefaultFont();
-    return letter == ' ' ? nullptr : font->getGlyph(resolution, static_cast<unsigned char>(letter));
-}
-
-/// Brings a pixel toward a grey. @param share of it.
-void mixGrey(unsigned char* pixel, int grey, int share) {
-    for (int channel = 0; channel < 3; ++channel)
-        pixel[channel] = static_cast<unsigned char>((grey * share + pixel[channel] * (255 - share)) / 255);
-}
-
-/// Writes a line of ASCII into the upper left corner of an RGB or RGBA picture of bytes, white on a darker
-/// strip. Where it does not fit nothing is written.
-void writeLabel(osg::Image& picture, const std::string& text) {
-    const int scale = std::max(picture.s() / 192, 1), margin = 2 * scale;
-    const int width = scale * glyphWidth * static_cast<int>(text.size()) + 2 * margin,
-              height = scale * glyphHeight + 2 * margin;
-    if (width > picture.s() || height > picture.t())
-        return;
-    const auto pixel = [&](int x, int y) { return picture.data(x, picture.t() - height + y); };
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            mixGrey(pixel(x, y), 0, 150);
-    int left = margin;
-    for (const char letter : text) {
-        if (const osgText::Glyph* glyph = glyphOf(letter))
-            for (int y = 0; y < scale * glyph->t(); ++y)
-                for (int x = 0; x < scale * glyph->s(); ++x)
-                    if (y < height - margin && left + x < width)
-                        mixGrey(pixel(left + x, margin + y), 255, *glyph->data(x / scale, y / scale));
-        left += scale * glyphWidth;
-    }
-}
 
 constexpr int sheetColumns = 5, sheetRows = 3, panelSamplesAcross = 3;
 

@@ -34,10 +34,9 @@ std::vector<Tree> middleTrees(const Forest& forest) {
     constexpr std::size_t most = 1500;
     const osg::Vec3d centre = forest.getBound().center();
     std::vector<Tree> trees;
-    for (const osgTreeWind::PlacedTree& tree : osgTreeWind::SimulationParts::trees(forest.getSimulation()))
+    for (const osgTreeWind::PlacedTree& tree : SimulationParts::trees(forest.getSimulation()))
         if (tree.alive) {
-            const osgTreeWind::TreeSize size =
-                osgTreeWind::SimulationParts::forest(forest.getSimulation()).measured(tree);
+            const osgTreeWind::TreeSize size = SimulationParts::forest(forest.getSimulation()).measured(tree);
             trees.push_back({osg::Vec3d(tree.position.x, tree.position.y, tree.position.z), size.height,
                              0.5 * size.crownWidth, !forest.getGround()});
         }
