@@ -4,8 +4,7 @@
 #include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/RoomFor.h>
-
-#include <Eigen/Cholesky>
+#include <osgTreeWind/motion/modal/CarriedSway.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,41 +22,6 @@ constexpr float contactDamping = 0.05f;
 
 std::size_t groupAt(std::size_t archetype, ModalLevel level) {
     return Archetype::levels * archetype + static_cast<std::size_t>(level);
-}
-
-constexpr double certainty = 1.0e-3; // what the least of the modes counts of the most, so that none runs away
-
-float topOf(const ModalModel& model) {
-    float top = 1.0e-6f;
-    for (const ModalModel::Patch& patch : model.patches)
-        top = std::max(top, patch.place.z);
-    return top;
-}
-
-using Levers = Eigen::Matrix<double, Eigen::Dynamic, 3>; // of a patch, per mode and axis
-
-Levers leversOf(const ModalModel& model, std::size_t patch) {
-    const auto modes = static_cast<Eigen::Index>(model.modes.size());
-    const float* levers = model.levers.data() + 3 * patch * model.modes.size();
-    return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3>>(levers, modes, 3).cast<double>();
-}
-
-/// What moves the patches of another tree as nearly as its modes can as those of a tree move: the sway of a
-/// tree that becomes another one, as amplitudes of the other tree's modes by each of the tree's.
-/// @param length of the tree over that of its model, over the same of the other one.
-/// @param nearest per patch of the other tree, that of the tree.
-Eigen::MatrixXd carriedSway(const ModalModel& from, const ModalModel& to, double length,
-                            const std::vector<std::size_t>& nearest) {
-    const auto modes = static_cast<Eigen::Index>(to.modes.size());
-    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(modes, modes);
-    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(modes, static_cast<Eigen::Index>(from.modes.size()));
-    for (std::size_t p = 0; p < nearest.size(); ++p) {
-        const Levers levers = leversOf(to, p);
-        squares += levers * levers.transpose();
-        moved += levers * leversOf(from, nearest[p]).transpose();
-    }
-    squares.diagonal().array() += certainty * std::max(squares.diagonal().maxCoeff(), 1.0e-12);
-    return length * squares.llt().solve(moved);
 }
 
 } // namespace
@@ -142,18 +106,13 @@ void ModalMotion::replace(std::size_t tree, const Tree& other) {
         const ModalModel& from = model(tree);
         const std::vector<float> numbers = moveTo(tree, after);
         stand(tree, other, was);
-        const ModalModel& to = model(tree);
-        const std::vector<std::size_t> nearest = nearestPatches(to, topOf(to), from, topOf(from));
-        const Eigen::MatrixXd sway = carriedSway(
-            from, to, static_cast<double>(was.length) / static_cast<double>(factors(tree).length), nearest);
+        const CarriedSway sway(from, was.length, model(tree), factors(tree).length);
         for (const std::size_t part : {0, 1}) { // amplitudes, speeds
-            const Eigen::Map<const Eigen::VectorXf> before(numbers.data() + part * from.modes.size(),
-                                                           sway.cols());
-            const Eigen::VectorXf carried = (sway * before.cast<double>()).cast<float>();
-            for (std::size_t k = 0; k < to.modes.size(); ++k)
-                _state.number(tree, part * to.modes.size() + k) = carried[static_cast<Eigen::Index>(k)];
+            const std::vector<float> carried = sway.carried(numbers.data() + part * from.modes.size());
+            for (std::size_t k = 0; k < carried.size(); ++k)
+                _state.number(tree, part * carried.size() + k) = carried[k];
         }
-        setWinds(tree, numbers.data() + 2 * from.modes.size(), nearest);
+        setWinds(tree, numbers.data() + 2 * from.modes.size(), sway.patches());
     }
     _state.refreshLean(tree);
 }
