@@ -4,7 +4,7 @@
 #include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/Ground.h>
 
-#include <osgTreeWind/model/Random.h>
+#include <osgTreeWind/base/Random.h>
 
 #include <cmath>
 #include <cstdint>
