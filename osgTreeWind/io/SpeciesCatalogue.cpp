@@ -22,10 +22,15 @@ constexpr const char* fileName = "species.treewind";
 
 /// The first one in the folders of OSG_FILE_PATH; empty: none.
 std::filesystem::path fileOfHost() {
+#ifdef _WIN32
+    constexpr char separator = ';';
+#else
+    constexpr char separator = ':';
+#endif
     const char* folders = std::getenv("OSG_FILE_PATH");
     std::istringstream rest(folders ? folders : "");
     std::error_code error;
-    for (std::string folder; std::getline(rest, folder, ':');)
+    for (std::string folder; std::getline(rest, folder, separator);)
         if (auto path = std::filesystem::path(folder) / fileName;
             !folder.empty() && std::filesystem::is_regular_file(path, error))
             return path;

@@ -2,7 +2,6 @@
 #include <osgTreeWind/io/TiledForest.h>
 
 #include <osgTreeWind/base/Batches.h>
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/CheckForest.h>
@@ -10,13 +9,11 @@
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/TileTrees.h>
 #include <osgTreeWind/io/TileWriter.h>
+#include <osgTreeWind/io/TilesFlight.h>
 #include <osgTreeWind/io/TreesInAll.h>
 #include <osgTreeWind/motion/CanopyOfTrees.h>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -103,53 +100,6 @@ std::string clear(const std::string& folder, const std::string& tiles) {
     for (const fs::directory_entry& file : fs::directory_iterator(tiles, error))
         fs::remove(file.path(), error);
     return error ? error.message() : "";
-}
-
-constexpr double speed = 50.0, farthestApart = 200.0; // m/s; metres from one place to the next
-constexpr double inward = 0.6;                        // radians that the camera looks to the inside
-
-/// Of the feet in the tile there and in those around it, metres.
-double highestAt(const ForestTiles& tiles, const glm::dvec2& place) {
-    const glm::dvec2 at = glm::floor((place - tiles.corner) / tiles.size);
-    double highest = -1e9, any = -1e9;
-    for (std::size_t i = 0; i < tiles.tiles.size(); ++i) {
-        if (tiles.tiles[i].trees == 0)
-            continue;
-        const glm::dvec2 off = glm::abs(glm::dvec2(i % tiles.columns, i / tiles.columns) - at);
-        const auto high = static_cast<double>(tiles.tiles[i].high);
-        any = std::max(any, high);
-        if (off.x <= 1.0 && off.y <= 1.0)
-            highest = std::max(highest, high);
-    }
-    return highest > -1e9 ? highest : any;
-}
-
-/// A flight over the tiles, for `osgviewer -p`: an ellipse about their middle, half as long and wide, at 50
-/// m/s and above the trees, looking ahead and to the inside. A line each of time (s), place and rotation (x,
-/// y, z, w) of the camera.
-/// @param origin of the forest, in whose frame the places are.
-std::string flightOver(const ForestTiles& tiles, const glm::dvec3& origin) {
-    const glm::dvec2 size = tiles.size * glm::dvec2(tiles.columns, tiles.rows()),
-                     middle = tiles.corner + 0.5 * size, half = glm::max(0.25 * size, 50.0);
-    const double turn = glm::two_pi<double>(),
-                 around = turn * std::sqrt(0.5 * glm::dot(half, half)); // metres, nearly
-    const double least = std::min(half.x, half.y), clearance = std::clamp(0.8 * least, 40.0, 70.0),
-                 tilt = std::clamp(std::atan(clearance / least), 0.12, 0.7); // radians downward
-    const int places = std::max(static_cast<int>(std::ceil(around / farthestApart)), 24);
-    std::string text;
-    for (int i = 0; i <= places; ++i) {
-        const double angle = turn * i / places;
-        const glm::dvec2 at = middle + half * glm::dvec2(std::cos(angle), std::sin(angle));
-        const double ahead = std::atan2(half.y * std::cos(angle), -half.x * std::sin(angle));
-        const glm::dquat rotation = glm::angleAxis(ahead + inward - 0.25 * turn, glm::dvec3(0.0, 0.0, 1.0)) *
-                                    glm::angleAxis(0.25 * turn - tilt, glm::dvec3(1.0, 0.0, 0.0));
-        const glm::dvec3 eye = glm::dvec3(at, highestAt(tiles, at) + clearance) - origin;
-        for (const double number : {around / speed * i / places, eye.x, eye.y, eye.z, rotation.x, rotation.y,
-                                    rotation.z, rotation.w})
-            text += numberText(number) + ' ';
-        text.back() = '\n';
-    }
-    return text;
 }
 
 using Take = std::function<void(const std::vector<TreePlacement>&)>;

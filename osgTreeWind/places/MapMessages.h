@@ -32,15 +32,14 @@ struct MapQuestion {
         FilterFeatures, ///< A condition.
         RewindFeatures, ///< Places from a text to another, and which columns: all where none is named.
         NextFeatures,   ///< FeatureBatch.
-        WriteTable      ///< A file and a PointTable.
+        WriteTable      ///< A file; the PointTable follows.
     };
     Task task = Task::ParseCrs;
     std::vector<std::string> texts{};
     std::vector<glm::dvec2> places{};
     std::vector<std::size_t> columns{};
-    std::optional<PointTable> table{};
 
-    auto parts() { return std::tie(task, texts, places, columns, table); }
+    auto parts() { return std::tie(task, texts, places, columns); }
 };
 
 /// A task that has nothing to say but that it is done.

@@ -31,6 +31,13 @@ public:
         const std::lock_guard lock(_mutex);
         return put(question) ? take<Answer>() : Result<Answer>(problem());
     }
+    /// The same of a question that a value follows.
+    template <typename Answer, typename Value>
+    Result<Answer> ask(MapQuestion question, Value& value) {
+        const std::lock_guard lock(_mutex);
+        return put(question) && Wire::sender(_process->descriptor()).pass(value) ? take<Answer>()
+                                                                                 : Result<Answer>(problem());
+    }
     /// Sends a question whose answer get() takes later. For a program that one object holds.
     void send(MapQuestion question);
     /// Waits for the answer to what was sent, or for the next part of an answer.

@@ -59,7 +59,7 @@ Result<MapCells> readGeoTiffCells(const std::string& path) {
 }
 
 Diagnostics writeGeoPackage(PointTable table, const std::string& path) {
-    return MapProgram({path}).ask<MapDone>({Task::WriteTable, {path}, {}, {}, std::move(table)}).problems();
+    return MapProgram({path}).ask<MapDone>({Task::WriteTable, {path}}, table).problems();
 }
 
 } // namespace osgTreeWind

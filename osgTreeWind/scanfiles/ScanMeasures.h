@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/model/ScannedTree.h>
-
-#include <glm/geometric.hpp>
 
 #include <string>
 
@@ -24,12 +21,6 @@ constexpr ScanMeasure scanLength{"a length above 0 and of at most 200 m", within
 constexpr ScanMeasure scanDirection{"a part of a direction of length 1", within(-1.01, 1.01)};
 
 /// Lets a cylinder end so far from its start along an axis. @return what is wrong with that; empty: nothing.
-inline std::string endAlong(const glm::dvec3& axis, double length, ScanCylinder& cylinder) {
-    const double size = glm::length(axis);
-    if (!(size >= 0.9 && size <= 1.1))
-        return "expected a direction of length 1, found one of " + numberText(size);
-    cylinder.end = cylinder.start + axis * (length / size);
-    return {};
-}
+std::string endAlong(const glm::dvec3& axis, double length, ScanCylinder& cylinder);
 
 } // namespace osgTreeWind

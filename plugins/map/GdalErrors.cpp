@@ -13,25 +13,23 @@ namespace osgTreeWind {
 
 GdalErrors::GdalErrors() {
     CPLPushErrorHandlerEx(
-        [](CPLErr severity, CPLErrorNum, const char* text) {
-            static_cast<GdalErrors*>(CPLGetErrorHandlerUserData())->hear(severity, text);
-        },
-        this);
+        [](CPLErr severity, CPLErrorNum number, const char* text) { hear(severity, number, text); }, this);
 }
 
 GdalErrors::~GdalErrors() {
     CPLPopErrorHandler();
 }
 
-void GdalErrors::hear(int severity, const char* text) {
+void GdalErrors::hear(int severity, int, const char* text) {
     constexpr std::size_t mostWarnings = 3;
+    auto& self = *static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
     std::string line = printable(text ? text : "");
     if (severity >= CE_Failure) {
-        if (_error.empty())
-            _error = std::move(line);
-    } else if (severity == CE_Warning && _warnings.size() < mostWarnings &&
-               std::find(_warnings.begin(), _warnings.end(), line) == _warnings.end())
-        _warnings.push_back(std::move(line));
+        if (self._error.empty())
+            self._error = std::move(line);
+    } else if (severity == CE_Warning && self._warnings.size() < mostWarnings &&
+               std::find(self._warnings.begin(), self._warnings.end(), line) == self._warnings.end())
+        self._warnings.push_back(std::move(line));
 }
 
 void registerGdal() {

@@ -22,7 +22,7 @@ public:
     const std::vector<std::string>& warnings() const { return _warnings; }
 
 private:
-    void hear(int severity, const char* text);
+    static void hear(int severity, int number, const char* text);
 
     std::string _error;
     std::vector<std::string> _warnings;

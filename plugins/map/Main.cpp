@@ -64,8 +64,10 @@ public:
             return send(readGeoTiffCells(first));
         case Task::KnowFeatures:
             return send(Result<bool>(FeatureFile::knows(first)));
-        case Task::WriteTable:
-            return send(done(writeGeoPackage(question.table.value_or(PointTable()), first)));
+        case Task::WriteTable: {
+            PointTable table;
+            return Wire::receiver(_descriptor).pass(table) && send(done(writeGeoPackage(table, first)));
+        }
         default:
             return answerOfFeatures(question, first, second);
         }

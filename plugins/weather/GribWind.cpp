@@ -2,6 +2,7 @@
 #include <plugins/weather/GribWind.h>
 
 #include <plugins/weather/GribChoice.h>
+#include <plugins/weather/GribHeights.h>
 #include <plugins/weather/GribNumbers.h>
 #include <plugins/weather/TurnToMap.h>
 
@@ -14,7 +15,6 @@
 #include <cpl_virtualmem.h>
 #include <cpl_vsi.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -25,56 +25,6 @@
 namespace osgTreeWind {
 
 namespace {
-
-constexpr float leastStep = 0.01f; // metres; floats tell it apart up to 100 km
-
-/// A column of points above one place at one time.
-struct PointColumn {
-    GridWind::Grid& grid;
-    std::size_t first, layerStep, layers;
-
-    float& height(std::size_t layer) const { return grid.heights[first + layer * layerStep]; }
-    float* values(std::size_t layer) const { return grid.values.data() + 3 * (first + layer * layerStep); }
-
-    void replaceWindBelowGround() const {
-        std::size_t lowest = 0;
-        while (lowest < layers && !(height(lowest) > (grid.aboveGround ? 0.0f : -1e9f)))
-            ++lowest;
-        for (std::size_t layer = 0; lowest < layers && layer < lowest; ++layer)
-            std::copy(values(lowest), values(lowest) + 3, values(layer));
-    }
-
-    void increaseUpward() const {
-        std::size_t known = 0;
-        while (known < layers && !std::isfinite(height(known)))
-            ++known;
-        if (known == layers)
-            height(known = 0) = 0.0f;
-        for (std::size_t layer = known; layer > 0; --layer)
-            height(layer - 1) = height(layer) - leastStep;
-        for (std::size_t layer = known + 1; layer < layers; ++layer)
-            if (const float least = height(layer - 1) + leastStep; !(height(layer) >= least))
-                height(layer) = least;
-    }
-};
-
-/// Makes heights that a file gives for each point and time increase upward in each column, as GridWind needs
-/// them. A level without height, or not above the one below it, comes 1 cm above that one.
-///
-/// Where heights count from the model's ground, levels below it, which a model only makes up, get the wind of
-/// the lowest level above it; so do those without height.
-/// @param grid with heights, NaN where there are none, and values for each point and time.
-void settleHeights(GridWind::Grid& grid) {
-    const auto layers = static_cast<std::size_t>(grid.points.z);
-    const std::size_t perLayer =
-        static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y);
-    for (std::size_t step = 0; step * perLayer * layers < grid.heights.size(); ++step)
-        for (std::size_t place = 0; place < perLayer; ++place) {
-            const PointColumn column{grid, step * perLayer * layers + place, perLayer, layers};
-            column.replaceWindBelowGround();
-            column.increaseUpward();
-        }
-}
 
 using Numbers = std::vector<float>;
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
