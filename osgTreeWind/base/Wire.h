@@ -77,7 +77,7 @@ template <typename T>
 std::optional<Result<T>> Wire::receive(int descriptor) {
     Wire wire(descriptor, false);
     bool good = false;
-    T value;
+    T value{};
     Diagnostic problem;
     if (!wire.pass(good) || !(good ? wire.pass(value) : wire.pass(problem)))
         return std::nullopt;
