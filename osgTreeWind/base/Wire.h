@@ -30,7 +30,7 @@ public:
     static Wire sender(int descriptor) { return Wire(descriptor, true); }
     static Wire receiver(int descriptor) { return Wire(descriptor, false); }
 
-    /// A number, a struct of numbers, or a struct with parts(), a std::tie() of what passes of it.
+    /// A number, a struct of numbers, or a struct whose parts() is a std::tie() of the members to pass.
     template <typename T>
     bool pass(T& value);
     bool pass(bool& value);

@@ -28,8 +28,8 @@ public:
     /// The field and the adjustment that it had when the host last set it.
     void restoreWind();
 
-    /// Puts the next of five sources to a tree in place of the one before; behind the last there is none: a
-    /// helicopter, a fan, a whirl, a shelter, an explosion.
+    /// Puts the next source of wind beside a tree in place of the present one: a helicopter, a fan, a whirl,
+    /// a shelter, an explosion, then no source.
     void nextSource(const glm::dvec3& foot, double height, double time);
     void keepSource() { _byHand.reset(); } ///< The next one comes beside it.
     void removeSource();                   ///< The last of the wind's.

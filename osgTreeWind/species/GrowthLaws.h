@@ -18,7 +18,7 @@ TreeParameters growthOf(const Species& species, bool openGrown);
 /// Whether these are two.
 bool growsByCompany(const Species& species);
 
-/// Of a species' shapes where nothing tells the height of a tree, metres; 0: it has none of its own.
+/// Height to which a species grows when no size of a tree is given, metres. 0: the species does not say.
 float usualHeight(const Species& species);
 
 /// Modulus of a living trunk: that of clear wood, less what knots and young wood take, and less where it is

@@ -26,7 +26,8 @@ struct CfDate {
 /// its own 1 January 0000 where its years have another length.
 class CfCalendar {
 public:
-    /// "standard", "noleap", "360_day", ...; nothing for none of these. An empty text is the standard one.
+    /// The calendar of a CF name such as "noleap" or "360_day"; nothing for an unknown name. An empty name
+    /// means the standard calendar.
     static std::optional<CfCalendar> named(const std::string& name);
 
     /// Whether its days are those that we live by.

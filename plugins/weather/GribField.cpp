@@ -254,7 +254,7 @@ private:
         return hasProduct ? Problem("section 4 without numbers") : Problem();
     }
 
-    /// An octet of a section, counted from 0; 255, which is none, beyond its end.
+    /// The octet of a section at a place counted from 0. Beyond the end of the section it is 255, "missing".
     int octet(std::size_t section, std::size_t at) const {
         return at < _sections[section].size() ? static_cast<unsigned char>(_sections[section][at]) : 255;
     }

@@ -26,5 +26,6 @@ struct BenchSettings {
     double step = 1.0 / 60.0; ///< Simulation time from one moving frame to the next, seconds.
 };
 
-/// Measures in a context of its own; ends the command where there is none. @param driver is filled in.
+/// Measures in a context of its own. The command ends if no context can be made.
+/// @param driver is filled in.
 BenchResult runBench(const BenchStage& stage, int trees, const BenchSettings& settings, BenchDriver& driver);

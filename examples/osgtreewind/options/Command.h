@@ -42,7 +42,7 @@ void printNotes(const std::string& file, const std::vector<std::string>& notes);
 /// Ends the command where something stands at an output's place that is no file.
 void checkIsFree(const std::string& output);
 
-/// The forest in `file`; says on standard error what is worth knowing. Ends the command where there is none.
+/// Reads the forest in `file` and prints its notes on standard error. The command ends if it cannot be read.
 /// @param tiles of a world whose trees are wanted: there are no tiles in what comes out.
 /// @param withNodes it is going to be drawn, and there must be memory for that.
 osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTreeWind::TileBox& tiles = {},

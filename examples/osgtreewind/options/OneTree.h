@@ -7,7 +7,7 @@
 
 #include <string>
 
-/// A built-in species by its name, or FILE.treewind:name. A name that is none ends the command.
+/// A built-in species by its name, or FILE.treewind:name. The command ends if there is no such species.
 osgTreeWind::Species speciesCalled(const std::string& name);
 
 /// A tree as the words of a command ask for it.
