@@ -33,9 +33,8 @@ std::string fileText(const std::string& name, Source source) {
             return text.value();
         OSG_WARN << "osgTreeWind: " << text.problems().front().text() << std::endl;
     }
-    for (const EmbeddedText& shader : embeddedTexts())
-        if (shader.name == "shaders/" + name)
-            return shader.text;
+    if (const EmbeddedText* shader = findEmbeddedText("shaders/" + name))
+        return shader->text;
     OSG_WARN << "osgTreeWind: no shader called \"" << name << "\"" << std::endl;
     return {};
 }

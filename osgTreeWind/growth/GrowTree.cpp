@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/GrowTree.h>
 
+#include <osgTreeWind/base/ClampOr.h>
 #include <osgTreeWind/base/PortableMath.h>
 #include <osgTreeWind/growth/GrowingStand.h>
 #include <osgTreeWind/growth/GrowthFields.h>
@@ -23,8 +24,9 @@ constexpr float usualCrown = 150.0f;
 constexpr float nearEnough = 0.08f;
 
 GrowthSite inRange(GrowthSite site) {
-    site.shade = std::isnan(site.shade) ? 0.0f : std::clamp(site.shade, 0.0f, 1.0f);
-    site.distance = std::isnan(site.distance) ? 5.0f : std::clamp(site.distance, 0.5f, 100.0f);
+    constexpr GrowthSite usual;
+    site.shade = clampOr(site.shade, 0.0f, 1.0f, usual.shade);
+    site.distance = clampOr(site.distance, 0.5f, 100.0f, usual.distance);
     if (site.openSide && !std::isfinite(*site.openSide))
         site.openSide.reset();
     return site;

@@ -4,16 +4,16 @@
 #include <algorithm>
 
 namespace osgTreeWind {
-
-float lightCell(const TreeHabit& habit) {
-    return std::clamp(1.8f * habit.internode[0], 0.3f, 1.0f);
-}
 namespace {
 
 /// Height of neighbours that do not grow here over that of the tree among them.
 constexpr float neighbourHeight = 0.94f;
 
 } // namespace
+
+float lightCell(const TreeHabit& habit) {
+    return std::clamp(1.8f * habit.internode[0], 0.3f, 1.0f);
+}
 
 void GrowingStand::growYear(const GrowthSite& site) {
     if (_trees.empty())

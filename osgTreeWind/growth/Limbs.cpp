@@ -15,8 +15,6 @@ namespace {
 
 /// Share of its height at which a tree in a closed wood dissolves.
 constexpr float forestTrunk = 0.68f;
-/// Turn from limb to limb: the golden angle.
-constexpr float limbTurn = 2.399963f;
 /// Boughs above this share of the trunk may become limbs.
 constexpr float youngBoughs = 0.3f;
 /// Angle of the uppermost limb over that of the lowest: in the open, and in a wood, where it goes straight
@@ -59,7 +57,7 @@ bool trunkDissolves(const TreeState& tree, const ShadeGrid& light, const glm::ve
 }
 
 void dissolveTrunk(TreeState& tree, const Bud& end) {
-    const auto limbs = tree.habit.limbs;
+    const int limbs = tree.habit.limbs;
     const float narrow = glm::clamp(std::sqrt(tree.spread), 0.6f, 1.2f);
     const float first = tree.grown() > tree.habit.trunkTop + 0.12f ? forestLimb : openLimb;
     BudPlace place;
@@ -73,7 +71,7 @@ void dissolveTrunk(TreeState& tree, const Bud& end) {
         place.heading = node.heading;
         place.angle = aim * (share + 0.15f * scatter(tree.random));
         tree.axisOf(addSideBud(tree, place, 1)).leading = true;
-        place.azimuth += limbTurn + 0.4f * scatter(tree.random);
+        place.azimuth += goldenTurn + 0.4f * scatter(tree.random);
         if (node.parent > 0 && (i > 0 || limbs == 2))
             place.node = node.parent;
     }

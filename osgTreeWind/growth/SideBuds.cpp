@@ -12,9 +12,6 @@
 namespace osgTreeWind {
 namespace {
 
-/// Turn from whorl to whorl of a trunk: the golden angle.
-constexpr float whorlTurn = 2.399963f;
-
 /// How many side buds a node has, and how much they weigh among others.
 struct NodeBuds {
     int count;
@@ -69,7 +66,7 @@ void addSideBuds(TreeState& tree, const Bud& end, float along, bool last) {
         return;
     const bool whorl = habit.whorl > 0.0f && order == 0;
     float& phase = tree.axisOf(end).phase;
-    phase += whorl ? whorlTurn : habit.divergence;
+    phase += whorl ? goldenTurn : habit.divergence;
     BudPlace place{end.node, end.heading, order};
     const float first = phase;
     for (int i = 0; i < buds.count; ++i) {

@@ -5,6 +5,9 @@
 
 namespace osgTreeWind {
 
+/// Turn from whorl to whorl of a trunk, and from limb to limb.
+constexpr float goldenTurn = 2.399963f;
+
 /// Where a side bud sits on its axis.
 struct BudPlace {
     int node = 0;                        ///< Index of the metamer that bears it.

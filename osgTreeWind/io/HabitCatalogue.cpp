@@ -7,17 +7,12 @@
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 
-#include <algorithm>
-
 namespace osgTreeWind {
 namespace {
 
 std::map<std::string, TreeHabit> readHabits() {
     std::map<std::string, TreeHabit> habits;
-    const auto& texts = embeddedTexts();
-    const auto text = std::find_if(texts.begin(), texts.end(), [](const EmbeddedText& embedded) {
-        return embedded.name == std::string("osgTreeWind/growth/habits.treewind");
-    });
+    const EmbeddedText* text = findEmbeddedText("osgTreeWind/growth/habits.treewind");
     ReadLog log;
     log.file = text->name;
     TableReader::readDocument(text->text, log, [&](TableReader& root) {

@@ -25,6 +25,11 @@ void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
     reportConflicts(table, conflictsOf(tree));
 }
 
+/// Radius of a trunk of that length at breast height over that at the ground.
+float shareAtBreastHeight(const GrownTreeParameters& tree, float length) {
+    return 1.0f - (1.0f - tree.trunkTaper) * breastHeight / length;
+}
+
 /// Of the trunk at breast height, in place of its radius at the ground.
 void readTrunkDiameter(TableReader& table, GrownTreeParameters& tree) {
     float diameter = 0.0f;
@@ -35,7 +40,7 @@ void readTrunkDiameter(TableReader& table, GrownTreeParameters& tree) {
     const float length = tree.trunk * tree.height;
     if (!(length > breastHeight))
         return table.problem("trunk_diameter", "expected a trunk, height * trunk, above 1.3 m");
-    tree.radius = 0.5f * diameter / (1.0f - (1.0f - tree.trunkTaper) * breastHeight / length);
+    tree.radius = 0.5f * diameter / shareAtBreastHeight(tree, length);
 }
 
 void readGrowth(TableReader& table, GrownTreeParameters& tree) {
@@ -81,8 +86,7 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
 
 /// Of a tree as it was said to be before it grew by light: at breast height.
 float trunkDiameter(const GrownTreeParameters& tree) {
-    const float length = std::max(tree.trunk * tree.height, breastHeight);
-    return 2.0f * tree.radius * (1.0f - (1.0f - tree.trunkTaper) * breastHeight / length);
+    return 2.0f * tree.radius * shareAtBreastHeight(tree, std::max(tree.trunk * tree.height, breastHeight));
 }
 
 /// `habit`: the species grows by light.

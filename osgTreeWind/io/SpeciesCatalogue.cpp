@@ -56,10 +56,7 @@ bool isNamed(const Species& species, const std::string& folded) {
 
 const SpeciesCatalogue& SpeciesCatalogue::builtIn() {
     static const SpeciesCatalogue catalogue = [] {
-        const auto& texts = embeddedTexts();
-        const auto text = std::find_if(texts.begin(), texts.end(), [](const EmbeddedText& embedded) {
-            return embedded.name == std::string("osgTreeWind/species/") + fileName;
-        });
+        const EmbeddedText* text = findEmbeddedText(std::string("osgTreeWind/species/") + fileName);
         return SpeciesCatalogue().with(text->text, text->name, "").value();
     }();
     return catalogue;

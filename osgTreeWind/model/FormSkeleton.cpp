@@ -21,6 +21,7 @@ std::vector<WoodAxis> axesOf(const GrownForm& form) {
     };
     std::vector<WoodAxis> axes(1);
     axes.front().line.add(glm::dvec3(0.0));
+    axes.front().leafy = {0.0, 0.0};
     std::vector<Place> places(form.metamers.size(), Place{0, 0.0});
     std::map<int, std::size_t> indices{{form.metamers.front().axis, 0}};
     for (std::size_t i = 1; i < form.metamers.size(); ++i) {
@@ -33,6 +34,7 @@ std::vector<WoodAxis> axesOf(const GrownForm& form) {
             axis.order = metamer.order;
             axis.attach = places[parent].along;
             axis.line.add(glm::dvec3(form.metamers[parent].position));
+            axis.leafy = {0.0, 0.0}; // no leaf so far
             axes.push_back(std::move(axis));
         }
         WoodAxis& axis = axes[found->second];
@@ -43,8 +45,6 @@ std::vector<WoodAxis> axesOf(const GrownForm& form) {
         axis.radii.push_back(0.5 * (base + tip));
         axis.volume += frustumVolume(axis.line.length() - before, base, tip);
         ++axis.pieces;
-        if (!axis.leafy)
-            axis.leafy = {0.0, 0.0};
         if (metamer.leafArea > 0.0f)
             axis.leafy = {axis.leafy->second > 0.0 ? axis.leafy->first : before, axis.line.length()};
         places[i] = {found->second, axis.line.length()};

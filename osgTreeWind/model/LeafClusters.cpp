@@ -198,9 +198,8 @@ LeafSeat seatOn(const Skeleton& skeleton, std::size_t unit, float along, float a
                   skeleton.tangent(unit, ring), around);
 }
 
-/// @param along the shoot, 0 to 1.
-LeafSeat seatOn(const Skeleton& skeleton, const Shoot& shoot, float along, float around) {
-    float left = along * lengthOf(skeleton, shoot);
+/// @param left metres along the shoot.
+LeafSeat seatOn(const Skeleton& skeleton, const Shoot& shoot, float left, float around) {
     for (std::size_t i = 1;; ++i) {
         const glm::vec3 from = skeleton.shootPoint(shoot, i - 1), way = skeleton.shootPoint(shoot, i) - from;
         const float length = glm::length(way);
@@ -236,7 +235,7 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
             const float left = passed - (static_cast<float>(clusters.size()) + 0.5f) * spacing;
             const float t = glm::clamp((stretch.to - left) / stretch.length, 0.0f, 1.0f);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
-            const LeafSeat seat = stretch.shoot ? seatOn(skeleton, *stretch.shoot, t, around)
+            const LeafSeat seat = stretch.shoot ? seatOn(skeleton, *stretch.shoot, t * stretch.length, around)
                                                 : seatOn(skeleton, stretch.unit, t, around);
             const glm::vec3 petiole = petioleOf(seat, 0.8f, p.droop);
 

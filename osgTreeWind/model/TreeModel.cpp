@@ -77,9 +77,11 @@ std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
         addBytes(scan.points, key);
         for (const Shoot& shoot : scan.shoots) { // which has bytes without a meaning
             key += std::to_string(shoot.unit) + ' ' + std::to_string(shoot.count) + ' ';
-            addBytes(std::vector<float>{shoot.baseRadius, shoot.tipRadius}, key);
+            addBytes(std::vector<float>{shoot.baseRadius, shoot.tipRadius, shoot.leafy.from, shoot.leafy.to},
+                     key);
         }
         addBytes(scan.shootPoints, key);
+        addBytes(scan.leafyUnits, key);
     } else if (parameters.growth) {
         const GrowthSite& site = parameters.growth->site;
         key += "growth";

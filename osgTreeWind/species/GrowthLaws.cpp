@@ -27,9 +27,9 @@ GrowthGoal forestSize(const Species& species) {
     if (!(height.scale > 0.0f) || !(height.power > 0.0f))
         return size;
     size.trunkDiameter = std::pow(size.height / height.scale, 1.0f / height.power);
-    const float width = species.crown.base + species.crown.perDiameter * size.trunkDiameter;
-    if (width > 0.0f)
-        size.crownWidth = width;
+    const TreeSize crowned = withCrown({size.height, size.trunkDiameter, 0.0f}, species.crown, false);
+    if (crowned.crownWidth > 0.0f)
+        size.crownWidth = crowned.crownWidth;
     return size;
 }
 
@@ -76,8 +76,7 @@ float usualHeight(const Species& species) {
 bool growsByCompany(const Species& species) {
     if (species.tree.scans)
         return false;
-    return species.tree.growth ||
-           (species.tree.grown && !species.tree.scans && forestBase(species) > species.tree.grown->crownBase);
+    return species.tree.growth || (species.tree.grown && forestBase(species) > species.tree.grown->crownBase);
 }
 
 TreeParameters growthOf(const Species& species, bool openGrown) {
