@@ -10,7 +10,7 @@ namespace {
 void gatherGains(TreeState& tree) {
     for (Metamer& metamer : tree.metamers)
         metamer.mainGain = metamer.sideGain = 0.0f;
-    const float need = tree.habit.lightNeed;
+    const float need = tree.lightNeed();
     for (Bud& bud : tree.buds) {
         bud.gain = bud.weight * std::max(bud.light - need, 0.0f) / (1.0f - need);
         Metamer& metamer = tree.metamers[static_cast<std::size_t>(bud.node)];

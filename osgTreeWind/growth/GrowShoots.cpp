@@ -16,8 +16,8 @@ namespace {
 
 /// A bud grows when it has been allotted this share of an internode.
 constexpr float shortestShoot = 0.6f;
-/// Smallest pull of limbs upwards, 1/m.
-constexpr float limbRise = 0.15f;
+/// Smallest pull of limbs upwards in the open and in a closed wood, 1/m.
+constexpr float openLimbRise = 0.15f, forestLimbRise = 0.4f;
 /// Angle of a side shoot that takes over from a dead end, over that of others.
 constexpr float takingOver = 0.45f;
 
@@ -101,6 +101,7 @@ private:
         const glm::vec3 before = bud.heading, level = directionOr({before.x, before.y, 0.0f}, before);
         const float x = scatter(_tree.random), y = scatter(_tree.random), z = scatter(_tree.random);
         axis.bending = 0.6f * axis.bending + glm::vec3(x, y, z);
+        const float limbRise = glm::mix(forestLimbRise, openLimbRise, _tree.openness());
         const float rise = axis.leading ? std::max(_habit.rise[rank], limbRise) : _habit.rise[rank];
         const glm::vec3 ahead = _foot + _tree.metamerOf(bud).position + length * before;
         glm::vec3 pull = rise * up + _habit.levelling[rank] * (level - before) +
@@ -119,7 +120,7 @@ private:
     /// The trunk may dissolve, and any end may die. @return whether one of them happened.
     bool endsHere(const Bud& bud) {
         const int order = _tree.axisOf(bud).order;
-        if (order == 0 && trunkDissolves(_tree, _light, _foot)) {
+        if (order == 0 && trunkDissolves(_tree)) {
             dissolveTrunk(_tree, bud);
             return true;
         }
@@ -132,7 +133,7 @@ private:
     /// A side bud takes over from a dead end, which makes a bend; or both of a pair, which makes a fork.
     void replaceEnd(const Bud& dead) {
         const ShootAxis axis = _tree.axisOf(dead);
-        const bool fork = axis.leading || _habit.budsPerNode >= 2;
+        const bool fork = axis.order > 0 && (axis.leading || _habit.budsPerNode >= 2);
         BudPlace place{dead.node, dead.heading, axis.order, axis.phase + _habit.divergence};
         const float angle = takingOver * _habit.branchAngle[TreeState::rank(axis.order)];
         place.angle = angle * (1.0f + 0.2f * scatter(_tree.random));

@@ -49,7 +49,9 @@ void GrowingTree::unfold(glm::vec3& lowest, glm::vec3& highest) {
     const TreeHabit& habit = _state.habit;
     for (Metamer& metamer : _state.metamers) {
         const auto age = static_cast<float>(_state.year - metamer.born);
-        metamer.leafArea = metamer.died < 0 && age < habit.leafYears ? habit.leafArea * metamer.length : 0.0f;
+        metamer.leafArea = metamer.died < 0 && age < static_cast<float>(habit.leafYears)
+                               ? habit.leafArea * metamer.length
+                               : 0.0f;
         lowest = glm::min(lowest, _foot + metamer.position);
         highest = glm::max(highest, _foot + metamer.position);
     }
@@ -74,12 +76,22 @@ void GrowingTree::growYear(const ShadeGrid& grid) {
         const Metamer& metamer = _state.metamers[static_cast<std::size_t>(bud.node)];
         bud.light = grid.light(_foot + metamer.position + 0.7f * grid.cell() * bud.heading);
     }
+    lookAround(grid);
     ++_state.year;
     shedBranches(_state);
     allotGrowth(_state);
     growShoots(_state, grid, _foot);
     sinkBoughs(_state);
     measure();
+}
+
+void GrowingTree::lookAround(const ShadeGrid& grid) {
+    const float out = 1.5f * _state.reach + grid.cell();
+    const glm::vec3 middle = _foot + glm::vec3(0.0f, 0.0f, 0.75f * _state.height);
+    _state.sideLight = 0.0f;
+    for (const glm::vec2& side :
+         {glm::vec2(out, 0), glm::vec2(-out, 0), glm::vec2(0, out), glm::vec2(0, -out)})
+        _state.sideLight += 0.25f * grid.light(middle + glm::vec3(side, 0.0f));
 }
 
 void GrowingTree::measure() {

@@ -31,6 +31,7 @@ public:
     const TreeState& state() const { return _state; }
 
 private:
+    void lookAround(const ShadeGrid& grid);
     void measure();
 
     TreeState _state;

@@ -14,7 +14,7 @@ namespace osgTreeWind {
 namespace {
 
 /// Share of its height at which a tree in a closed wood dissolves.
-constexpr float forestTrunk = 0.68f;
+constexpr float forestTrunk = 0.72f;
 /// Boughs above this share of the trunk may become limbs.
 constexpr float youngBoughs = 0.3f;
 /// Angle of the uppermost limb over that of the lowest: in the open, and in a wood, where it goes straight
@@ -43,17 +43,11 @@ void promoteBoughs(TreeState& tree) {
 
 } // namespace
 
-bool trunkDissolves(const TreeState& tree, const ShadeGrid& light, const glm::vec3& foot) {
+bool trunkDissolves(const TreeState& tree) {
     const float top = tree.habit.trunkTop, share = tree.height / tree.goal.height;
     if (top >= 1.0f || share < top)
         return false;
-    const float out = 1.5f * tree.reach + light.cell();
-    const glm::vec3 middle = foot + 0.75f * tree.height * up;
-    float sides = 0.0f;
-    for (const glm::vec2& side :
-         {glm::vec2(out, 0), glm::vec2(-out, 0), glm::vec2(0, out), glm::vec2(0, -out)})
-        sides += 0.25f * light.light(middle + glm::vec3(side, 0.0f));
-    return share > glm::mix(std::max(top, forestTrunk), top, glm::smoothstep(0.3f, 0.75f, sides));
+    return share > glm::mix(std::max(top, forestTrunk), top, tree.openness());
 }
 
 void dissolveTrunk(TreeState& tree, const Bud& end) {

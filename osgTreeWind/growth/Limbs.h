@@ -7,8 +7,8 @@
 namespace osgTreeWind {
 
 /// Whether the trunk now dissolves into limbs: at TreeHabit::trunkTop where light comes from the sides, later
-/// in a closed wood. @param foot of the tree in the grid.
-bool trunkDissolves(const TreeState& tree, const ShadeGrid& light, const glm::vec3& foot);
+/// in a closed wood.
+bool trunkDissolves(const TreeState& tree);
 
 /// Ends the trunk. Limbs spring from its last nodes and aim at the width of the crown, the lower the wider;
 /// the youngest boughs become limbs, too. @param end bud at the end of the trunk.

@@ -42,7 +42,7 @@ constexpr std::array<float, 3> layerWay = {1.0f, 1.57f, 2.6f};
 /// Shade of leaves of all inclinations, and of the twigs among them, over the leaves' area.
 constexpr float extinction = 1.0f;
 /// One side of the leaves above a square metre of a closed wood.
-constexpr float closedWood = 2.8f;
+constexpr float closedWood = 2.4f;
 
 /// exp(-x) nearly, the same on every machine.
 float passing(float x) {
@@ -106,10 +106,12 @@ void ShadeGrid::addNeighbours(const GrowthSite& site, const glm::vec2& tree, flo
                                (1.0f - glm::smoothstep(0.85f * height, height, z));
         const float leaves = density * inCrowns * _cell * _cell * _cell;
         _neighbourLeaves[static_cast<std::size_t>(k)] = leaves;
+        // Their crowns are domes: between them the wood opens upwards.
+        const float gap = 0.45f + 0.25f * glm::smoothstep(0.45f * height, height, z);
         for (int j = 0; j < _size.y; ++j)
             for (int i = 0; i < _size.x; ++i, ++box) {
                 const glm::vec2 from = glm::vec2(_lowest) + _cell * glm::vec2(i, j) - tree;
-                const float there = glm::smoothstep(0.4f, 0.7f, glm::length(from) / site.distance);
+                const float there = glm::smoothstep(gap, gap + 0.3f, glm::length(from) / site.distance);
                 if (leaves > 0.0f && there > 0.0f)
                     *box += leaves * there * closedTowards(site, from);
             }

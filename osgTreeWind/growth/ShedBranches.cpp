@@ -13,9 +13,12 @@ constexpr float snapped = 0.5f;
 /// Below this share of the clean stem nothing hangs: browsed or mown.
 constexpr float browsed = 0.6f;
 
-/// Leaves of all that a metamer bears, and their light.
+/// Light that a branch needs for its wood: this share of full light, as if all of it bore leaves.
+constexpr float upkeep = 0.04f;
+
+/// Leaves of all that a metamer bears, their light, and the length of its living wood.
 struct Foliage {
-    float area = 0.0f, light = 0.0f;
+    float area = 0.0f, light = 0.0f, wood = 0.0f;
 };
 
 std::vector<Foliage> foliageOf(const std::vector<Metamer>& metamers) {
@@ -23,9 +26,11 @@ std::vector<Foliage> foliageOf(const std::vector<Metamer>& metamers) {
     for (std::size_t i = metamers.size() - 1; i > 0; --i) {
         foliage[i].area += metamers[i].leafArea;
         foliage[i].light += metamers[i].leafArea * metamers[i].light;
+        foliage[i].wood += metamers[i].died < 0 ? metamers[i].length : 0.0f;
         Foliage& parent = foliage[static_cast<std::size_t>(metamers[i].parent)];
         parent.area += foliage[i].area;
         parent.light += foliage[i].light;
+        parent.wood += foliage[i].wood;
     }
     return foliage;
 }
@@ -45,7 +50,9 @@ bool branchDies(TreeState& tree, const Metamer& first, const Foliage& foliage) {
         if (first.position.z < clean && tree.height > 2.0f * first.position.z + 1.0f && age > 4)
             return true;
     }
-    return foliage.area <= 0.0f || foliage.light < habit.lightNeed * foliage.area;
+    if (age > 4 && foliage.light < upkeep * habit.leafArea * foliage.wood)
+        return true;
+    return foliage.area <= 0.0f || foliage.light < tree.lightNeed() * foliage.area;
 }
 
 std::vector<Fate> fatesOf(TreeState& tree) {

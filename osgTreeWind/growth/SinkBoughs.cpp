@@ -13,6 +13,9 @@ constexpr float lowestShoot = 0.35f;
 /// Years in which half of the sinking is done.
 constexpr float sinkingYears = 12.0f;
 
+/// How much of its lean a stem loses as it thickens, where its pull upwards is 1.
+constexpr float righting = 0.9f;
+
 /// `heading` turned down by a small angle, at most nearly to the vertical.
 glm::vec3 bentDown(const glm::vec3& heading, float angle) {
     const float across = std::sqrt(heading.x * heading.x + heading.y * heading.y);
@@ -46,15 +49,17 @@ void sinkBoughs(TreeState& tree) {
         Metamer& metamer = tree.metamers[i];
         metamer.tilt = 0.0f;
         const Metamer& parent = tree.metamers[static_cast<std::size_t>(metamer.parent)];
+        const float age = static_cast<float>(tree.year - metamer.born) / sinkingYears;
+        const float yearly = 1.0f / (sinkingYears * (1.0f + age) * (1.0f + age));
         if (metamer.order == 0) {
             // A leader that nods straightens as it thickens.
-            if (habit.hang[0] > 0.0f && tree.year - metamer.born >= 2)
-                metamer.heading = directionOr(metamer.heading + 0.8f * up, up);
+            const float pull = habit.hang[0] > 0.0f && tree.year - metamer.born >= 2
+                                   ? 0.8f
+                                   : righting * yearly * std::max(habit.rise[0], 0.0f);
+            metamer.heading = directionOr(metamer.heading + pull * up, up);
             continue;
         }
         const std::size_t rank = TreeState::rank(metamer.order);
-        const float age = static_cast<float>(tree.year - metamer.born) / sinkingYears;
-        const float yearly = 1.0f / (sinkingYears * (1.0f + age) * (1.0f + age));
         const float level = std::sqrt(std::max(1.0f - metamer.heading.z * metamer.heading.z, 0.0f));
         const ShootAxis& axis = tree.axes[static_cast<std::size_t>(metamer.axis)];
         float bend = axis.leading ? 0.0f : habit.hang[rank] * metamer.length * level;

@@ -5,6 +5,7 @@
 #include <osgTreeWind/growth/GrowthGoal.h>
 #include <osgTreeWind/growth/TreeHabit.h>
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -61,9 +62,10 @@ struct TreeState {
     std::vector<Metamer> metamers; ///< Parents before children; the first is the foot.
     std::vector<Bud> buds;
     std::vector<ShootAxis> axes;
-    bool mature = false; ///< It has its height, and fills its crown.
-    float height = 0.0f; ///< Of the highest living node.
-    float reach = 0.0f;  ///< Mean of the living nodes' reach in eight directions.
+    bool mature = false;    ///< It has its height, and fills its crown.
+    float height = 0.0f;    ///< Of the highest living node.
+    float reach = 0.0f;     ///< Mean of the living nodes' reach in eight directions.
+    float sideLight = 1.0f; ///< Around its crown: 1 in the open, little in a closed wood.
 
     ShootAxis& axisOf(const Bud& bud) { return axes[static_cast<std::size_t>(bud.axis)]; }
     const ShootAxis& axisOf(const Bud& bud) const { return axes[static_cast<std::size_t>(bud.axis)]; }
@@ -72,6 +74,10 @@ struct TreeState {
     static std::size_t rank(int order) { return static_cast<std::size_t>(std::min(order, 3)); }
     /// Share of the final height that it has.
     float grown() const { return std::min(height / goal.height, 1.0f); }
+    /// 0 in a closed wood, 1 in the open.
+    float openness() const { return glm::smoothstep(0.5f, 0.9f, sideLight); }
+    /// TreeHabit::lightNeed of its leaves: those of trees in a wood do with less.
+    float lightNeed() const { return habit.lightNeed * glm::mix(0.5f, 1.0f, openness()); }
 };
 
 } // namespace osgTreeWind
