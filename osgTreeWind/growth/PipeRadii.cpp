@@ -29,6 +29,25 @@ float naturalLog(float x) {
     return static_cast<float>(std::log(static_cast<double>(x)));
 }
 
+/// Radius by the ends that wood bears. Boughs have the trunk's area between them, as Leonardo saw; twigs
+/// taper faster, to the radius of the thinnest.
+class Pipes {
+public:
+    Pipes(float trunk, float twig, int ends)
+        : _trunk(trunk), _logEnds(naturalLog(static_cast<float>(ends))),
+          _thinning(std::min(naturalLog(twig / trunk) + area * _logEnds, 0.4f * area * _logEnds)) {}
+
+    float radius(int ends) const {
+        const float share = naturalLog(static_cast<float>(ends)) / _logEnds, thin = 1.0f - share;
+        return _trunk *
+               static_cast<float>(std::exp(static_cast<double>(thin * (thin * _thinning - area * _logEnds))));
+    }
+
+private:
+    static constexpr float area = 0.5f;
+    float _trunk, _logEnds, _thinning;
+};
+
 } // namespace
 
 void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
@@ -36,8 +55,7 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
     const std::vector<int> ends = endsOf(metamers);
     const float breast = std::min(1.3f, 0.1f * goal.height), atBreast = 0.5f * goal.trunkDiameter;
     const float twig = std::min(twigRadius, 0.2f * atBreast);
-    const float exponent = std::clamp(
-        naturalLog(atBreast / twig) / naturalLog(static_cast<float>(std::max(ends[0], 3))), 0.3f, 0.75f);
+    const Pipes pipes(atBreast, twig, std::max(ends[0], 3));
     float trunkTop = 0.0f;
     for (const GrownMetamer& metamer : metamers)
         if (metamer.axis == 0)
@@ -46,7 +64,7 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
     std::vector<float> factor(metamers.size(), 1.0f);
     for (std::size_t i = 0; i < metamers.size(); ++i) {
         GrownMetamer& metamer = metamers[i];
-        const float pipe = twig * power(static_cast<float>(ends[i]), exponent);
+        const float pipe = pipes.radius(ends[i]);
         const auto parent = static_cast<std::size_t>(std::max(metamer.parent, 0));
         if (metamer.axis == 0) {
             const float above = std::max(goal.height - metamer.position.z, 0.0f) / (goal.height - breast);
