@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/vec2.hpp>
 
 #include <array>
 #include <cmath>
@@ -17,9 +18,9 @@ namespace {
 constexpr float forestTrunk = 0.72f;
 /// Boughs above this share of the trunk may become limbs.
 constexpr float youngBoughs = 0.3f;
-/// Angle of the uppermost limb over that of the lowest: in the open, and in a wood, where it goes straight
-/// on.
-constexpr float openLimb = 0.45f, forestLimb = 0.1f;
+/// Angles of the uppermost and of the lowest limb over that which leads to the shoulder of the crown: in the
+/// open, and in a wood, where the uppermost goes straight on.
+constexpr glm::vec2 openLimbs(0.35f, 1.7f), forestLimbs(0.1f, 1.0f);
 
 float arcTangent(float x) {
     return static_cast<float>(std::atan(static_cast<double>(x)));
@@ -53,7 +54,7 @@ bool trunkDissolves(const TreeState& tree) {
 void dissolveTrunk(TreeState& tree, const Bud& end) {
     const int limbs = tree.habit.limbs;
     const float narrow = glm::clamp(std::sqrt(tree.spread), 0.6f, 1.2f);
-    const float first = tree.grown() > tree.habit.trunkTop + 0.12f ? forestLimb : openLimb;
+    const glm::vec2 angles = glm::mix(forestLimbs, openLimbs, tree.openness());
     BudPlace place;
     place.node = end.node;
     place.azimuth = glm::pi<float>() * tree.random.symmetric();
@@ -61,7 +62,8 @@ void dissolveTrunk(TreeState& tree, const Bud& end) {
         const Metamer& node = tree.metamers[static_cast<std::size_t>(place.node)];
         const float above = std::max(tree.goal.height - node.position.z, 0.5f);
         const float aim = narrow * arcTangent(0.5f * tree.goal.crownWidth / above);
-        const float share = glm::mix(first, 1.0f, static_cast<float>(i) / static_cast<float>(limbs - 1));
+        const float share =
+            glm::mix(angles.x, angles.y, static_cast<float>(i) / static_cast<float>(limbs - 1));
         place.heading = node.heading;
         place.angle = aim * (share + 0.15f * scatter(tree.random));
         tree.axisOf(addSideBud(tree, place, 1)).leading = true;

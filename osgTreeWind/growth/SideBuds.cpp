@@ -12,6 +12,9 @@
 namespace osgTreeWind {
 namespace {
 
+/// How unlike in vigour the side shoots of the straightest species are; those of crooked ones are more so.
+constexpr float leastUnlike = 0.2f;
+
 /// How many side buds a node has, and how much they weigh among others.
 struct NodeBuds {
     int count;
@@ -44,7 +47,7 @@ Bud& addSideBud(TreeState& tree, const BudPlace& place, int order) {
     const glm::vec3 aside =
         directionOr(cosine(place.azimuth) * left + round * sine(place.azimuth) * above, left);
     ShootAxis axis;
-    axis.luck = 1.0f + 0.3f * scatter(tree.random);
+    axis.luck = 1.0f + (leastUnlike + tree.habit.wander[1]) * scatter(tree.random);
     axis.order = order;
     axis.born = tree.year;
     Bud bud;
