@@ -30,7 +30,7 @@ set(public_headers
     osgTreeWind/growth/GrowthParameters.h
     osgTreeWind/growth/GrowthSite.h
     osgTreeWind/growth/TreeHabit.h
-    osgTreeWind/model/GrownTreeParameters.h
+    osgTreeWind/model/PalmParameters.h
     osgTreeWind/model/ScannedTree.h
     osgTreeWind/model/Skeleton.h
     osgTreeWind/model/TreeParameters.h

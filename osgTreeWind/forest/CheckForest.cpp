@@ -95,8 +95,8 @@ Diagnostics check(const Species& species) {
     Diagnostics problems;
     checkFields(species, "", problems);
     checkWhole(species.tree.wood, "tree", problems);
-    if (species.tree.grown)
-        checkWhole(*species.tree.grown, "growth", problems);
+    if (species.tree.palm)
+        checkWhole(*species.tree.palm, "palm", problems);
     if (species.tree.growth)
         checkFields(*species.tree.growth, "habit", problems);
     if (species.tree.scans)

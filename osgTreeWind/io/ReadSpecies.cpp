@@ -2,7 +2,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/HabitCatalogue.h>
+#include <osgTreeWind/io/FormerGrowth.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/TreeFields.h>
@@ -16,36 +16,11 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr int usualGrownClusters = 1300, usualGrowthClusters = 3000;
+constexpr int scanClusters = 1300, palmClusters = 240, habitClusters = 3000;
 constexpr float usualInclination = 0.6f; // of leaves, where the species does not tell it
-constexpr float breastHeight = 1.3f;
 
 void readWoodShape(TableReader& table, RecursiveTreeParameters& tree) {
     readFields(table, tree);
-    reportConflicts(table, conflictsOf(tree));
-}
-
-/// Radius of a trunk of that length at breast height over that at the ground.
-float shareAtBreastHeight(const GrownTreeParameters& tree, float length) {
-    return 1.0f - (1.0f - tree.trunkTaper) * breastHeight / length;
-}
-
-/// Of the trunk at breast height, in place of its radius at the ground.
-void readTrunkDiameter(TableReader& table, GrownTreeParameters& tree) {
-    float diameter = 0.0f;
-    if (!table.read("trunk_diameter", diameter, within(0.002, 20)))
-        return;
-    if (table.has("radius"))
-        return table.problem("trunk_diameter", "give either this or radius");
-    const float length = tree.trunk * tree.height;
-    if (!(length > breastHeight))
-        return table.problem("trunk_diameter", "expected a trunk, height * trunk, above 1.3 m");
-    tree.radius = 0.5f * diameter / shareAtBreastHeight(tree, length);
-}
-
-void readGrowth(TableReader& table, GrownTreeParameters& tree) {
-    readFields(table, tree);
-    readTrunkDiameter(table, tree);
     reportConflicts(table, conflictsOf(tree));
 }
 
@@ -84,43 +59,56 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     return true;
 }
 
-/// Of a tree as it was said to be before it grew by light: at breast height.
-float trunkDiameter(const GrownTreeParameters& tree) {
-    return 2.0f * tree.radius * shareAtBreastHeight(tree, std::max(tree.trunk * tree.height, breastHeight));
+void useLeaves(LeafParameters& leaves, int clusters) {
+    leaves.clusters = clusters;
+    if (!(leaves.inclination > 0.0f))
+        leaves.inclination = usualInclination;
 }
 
 /// `habit`: the species grows by light.
-void readHabit(TableReader& table, Species& species) {
-    TreeParameters& tree = species.tree;
+void readHabit(TableReader& table, ForestReading& reading, TreeParameters& tree) {
     if (!tree.growth) {
         tree.growth.emplace();
-        if (tree.grown) {
-            tree.growth->size = {tree.grown->height, trunkDiameter(*tree.grown), tree.grown->crownWidth};
-            tree.growth->flare = tree.grown->flare;
-        }
-        tree.leaves.clusters = usualGrowthClusters;
-        if (!(tree.leaves.inclination > 0.0f))
-            tree.leaves.inclination = usualInclination;
+        useLeaves(tree.leaves, habitClusters);
     }
     if (std::string like; table.read("like", like)) {
-        const auto habit = builtInHabits().find(foldedName(like));
-        if (habit != builtInHabits().end())
-            tree.growth->habit = habit->second;
+        const Species* model = reading.builtIn().findModel(like);
+        if (model && model->tree.growth)
+            tree.growth->habit = model->tree.growth->habit;
         else
-            table.problem("like", "no built-in habit " + inQuotes(like));
+            table.problem("like", "no built-in species with a habit is called " + inQuotes(like));
     }
     readFields(table, *tree.growth);
-    tree.grown.reset();
+    tree.palm.reset();
+}
+
+void readPalm(TableReader& table, TreeParameters& tree) {
+    if (!tree.palm) {
+        tree.palm.emplace();
+        tree.leaves.clusters = palmClusters;
+        tree.leaves.frond = true;
+    }
+    readFields(table, *tree.palm);
+    reportConflicts(table, conflictsOf(*tree.palm));
+    tree.growth.reset();
+}
+
+/// Whether `leaves` says that they are fronds, or else the species that this one is like.
+bool isPalm(TableReader& table, const TreeParameters& tree) {
+    bool frond = tree.palm.has_value();
+    table.table("leaves", [&](TableReader& leaves) {
+        leaves.read("frond", frond);
+        leaves.ignoreRest();
+    });
+    return frond;
 }
 
 /// A scan knows of no leaves: those of the species, so many as on a built-in tree, on the thinner wood.
 void spreadOnScans(LeafParameters& leaves) {
     leaves.firstLevel = 0;
-    leaves.clusters = usualGrownClusters;
     leaves.bare = 0.0f;
     leaves.thinWood = 0.6f;
-    if (!(leaves.inclination > 0.0f))
-        leaves.inclination = usualInclination;
+    useLeaves(leaves, scanClusters);
 }
 
 /// `scan`: a file of measured trees, or several. They are the shapes.
@@ -129,7 +117,7 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
     const bool given = table.hasArray("scan") ? table.read("scan", names) : table.read("scan", names.front());
     if (!given)
         return;
-    for (const char* key : {"tree", "growth", "habit", "shapes"})
+    for (const char* key : {"tree", "growth", "habit", "palm", "shapes"})
         if (table.has(key))
             return table.problem(key, "expected none beside scan, whose trees are the shapes");
     std::vector<ScannedTree> scans;
@@ -140,20 +128,48 @@ void readScans(TableReader& table, ForestReading& reading, Species& species) {
         return table.problem("scan", "expected at least one file");
     species.shapes = static_cast<int>(scans.size());
     spreadOnScans(species.tree.leaves);
-    species.tree.grown.reset();
+    species.tree.palm.reset();
     species.tree.growth.reset();
     species.tree.scans = std::make_shared<const std::vector<ScannedTree>>(std::move(scans));
 }
 
 /// A note where a species is called as a built-in one, says nothing of its shape and is not like it.
 void noteUnlike(TableReader& table, ForestReading& reading, const std::string& name) {
-    for (const char* key : {"like", "tree", "growth", "habit", "scan"})
+    for (const char* key : {"like", "tree", "growth", "habit", "palm", "scan"})
         if (table.has(key))
             return;
     if (const Species* known = reading.builtIn().find(name))
         reading.forest.notes.push_back("the species " + inQuotes(name) +
                                        " has the shape of the thesis' tree; like = " + inQuotes(known->name) +
                                        " gives it that of the built-in one");
+}
+
+/// The tables that describe a tree's form: `tree`, and one of the others in its place.
+void readForm(TableReader& table, ForestReading& reading, Species& species) {
+    const char* given = nullptr;
+    for (const char* key : {"growth", "habit", "palm"}) {
+        if (!table.has(key))
+            continue;
+        if (given) {
+            table.ignoreRest();
+            return table.problem(key, std::string("give either this or ") + given);
+        }
+        given = key;
+    }
+    TreeParameters& tree = species.tree;
+    table.table("tree", [&](TableReader& t) {
+        tree.palm.reset();
+        tree.growth.reset();
+        readWoodShape(t, tree.wood);
+    });
+    table.table("growth", [&](TableReader& t) {
+        const bool palm = isPalm(table, tree), isNew = !tree.palm && !tree.growth;
+        readFormerGrowth(t, reading, species, palm);
+        if (isNew)
+            useLeaves(tree.leaves, palm ? palmClusters : habitClusters);
+    });
+    table.table("habit", [&](TableReader& t) { readHabit(t, reading, tree); });
+    table.table("palm", [&](TableReader& t) { readPalm(t, tree); });
 }
 
 void addName(TableReader& table, ForestReading& reading, const std::string& key, const std::string& name) {
@@ -178,22 +194,7 @@ void readSpecies(TableReader& table, ForestReading& reading) {
     }
     species.aliases.clear();
     readScans(table, reading, species);
-    table.table("tree", [&](TableReader& t) {
-        species.tree.grown.reset();
-        species.tree.growth.reset();
-        readWoodShape(t, species.tree.wood);
-    });
-    table.table("growth", [&](TableReader& t) {
-        species.tree.growth.reset();
-        if (!species.tree.grown)
-            species.tree.leaves.clusters = usualGrownClusters;
-        readGrowth(t, species.tree.grown ? *species.tree.grown : species.tree.grown.emplace());
-    });
-    table.table("habit", [&](TableReader& t) {
-        if (table.has("tree") || table.has("growth"))
-            return table.problem("habit", "give either this or tree or growth");
-        readHabit(t, species);
-    });
+    readForm(table, reading, species);
     bool sized = false;
     table.table("leaves", [&](TableReader& t) {
         species.tree.leaves.area = 0.0f;
@@ -208,7 +209,7 @@ void readSpecies(TableReader& table, ForestReading& reading) {
         addName(table, reading, "aliases", alias);
     if (!sized)
         species.tree.leaves.area =
-            species.tree.growth || species.tree.grown || species.tree.scans ? cardArea(species) : 0.0f;
+            species.tree.growth || species.tree.palm || species.tree.scans ? cardArea(species) : 0.0f;
     reading.forest.species.push_back(std::move(species));
 }
 

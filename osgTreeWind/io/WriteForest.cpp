@@ -89,8 +89,8 @@ private:
                 return add(key, "expected all trees of " + inQuotes(scan.file) + ", in their order");
             ofFile(scan.file, key);
         }
-        if (species.shapes != static_cast<int>(scans.size()) || species.tree.grown)
-            add(key, "expected as many shapes as scans, and no growth beside them");
+        if (species.shapes != static_cast<int>(scans.size()) || species.tree.palm || species.tree.growth)
+            add(key, "expected as many shapes as scans, and no palm or habit beside them");
         const RecursiveTreeParameters usual;
         for (const Field& field : fieldsOf<RecursiveTreeParameters>())
             if (!sameField(field, &species.tree.wood, &usual))
@@ -118,9 +118,9 @@ void writeSpecies(std::ostream& output, const Species& species) {
     }
     writeFields(output, "species", species, usual);
     writeTable(output, "species.tree", species.tree.wood);
-    if (species.tree.grown) {
-        output << "\n[species.growth]\n";
-        writeFields(output, "species.growth", *species.tree.grown);
+    if (species.tree.palm) {
+        output << "\n[species.palm]\n";
+        writeFields(output, "species.palm", *species.tree.palm);
     }
     if (species.tree.growth) {
         output << "\n[species.habit]\n";

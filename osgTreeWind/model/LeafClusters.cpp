@@ -18,6 +18,8 @@ namespace osgTreeWind {
 namespace {
 
 constexpr float goldenAngle = 2.3999632f;
+/// The leader is clad all around: clusters on a metre of a trunk's leafy end over those on other shoots.
+constexpr float leaderWeight = 3.0f;
 /// Faces of leaves are inclined by what their clusters are, by how their quads are turned within them, and by
 /// how they stand on these: as variances, these shares of the first two leave the third one its own.
 constexpr float clusterShare = 0.2f, quadShare = 1.0f;
@@ -51,6 +53,9 @@ struct Stretch {
     const Shoot* shoot = nullptr;
     float from = 0.0f, to = 0.0f;
     float length = 0.0f; ///< Of the unit or the shoot.
+    float weight = 1.0f; ///< Clusters on a metre over those on a metre of other stretches.
+
+    float share() const { return weight * std::max(to - from, 0.0f); }
 };
 
 float lengthOf(const Skeleton& skeleton, const Shoot& shoot) {
@@ -89,7 +94,9 @@ float lengthOf(const Skeleton& skeleton, std::size_t unit) {
 std::vector<Stretch> knownStretches(const Skeleton& skeleton) {
     std::vector<Stretch> stretches;
     const auto add = [&](std::size_t unit, const Shoot* shoot, const BranchPart& leafy, float length) {
-        stretches.push_back({unit, shoot, leafy.from, std::min(leafy.to, length), length});
+        const bool leader = !shoot && skeleton.units[unit].level == 0;
+        stretches.push_back(
+            {unit, shoot, leafy.from, std::min(leafy.to, length), length, leader ? leaderWeight : 1.0f});
     };
     auto shoot = skeleton.shoots.begin();
     for (std::size_t i = 0; i < skeleton.units.size(); ++i) {
@@ -220,7 +227,7 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
     const std::vector<Stretch> stretches = leafyStretches(skeleton, p);
     float whole = 0.0f;
     for (const Stretch& stretch : stretches)
-        whole += std::max(stretch.to - stretch.from, 0.0f);
+        whole += stretch.share();
     std::vector<LeafCluster> clusters;
     if (!(whole > 0.0f))
         return clusters;
@@ -229,11 +236,11 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
     Random random(p.seed), angles(p.seed ^ 0x5eafull << 32);
     float passed = 0.0f;
     for (const Stretch& stretch : stretches) {
-        passed += std::max(stretch.to - stretch.from, 0.0f);
+        passed += stretch.share();
         const float start = random.uniform() * glm::two_pi<float>();
         for (int i = 0; static_cast<float>(clusters.size()) * spacing < passed - 0.5f * spacing; ++i) {
             const float left = passed - (static_cast<float>(clusters.size()) + 0.5f) * spacing;
-            const float t = glm::clamp((stretch.to - left) / stretch.length, 0.0f, 1.0f);
+            const float t = glm::clamp((stretch.to - left / stretch.weight) / stretch.length, 0.0f, 1.0f);
             const float around = start + goldenAngle * static_cast<float>(i) + 0.5f * random.symmetric();
             const LeafSeat seat = stretch.shoot ? seatOn(skeleton, *stretch.shoot, t * stretch.length, around)
                                                 : seatOn(skeleton, stretch.unit, t, around);

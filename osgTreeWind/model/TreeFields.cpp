@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/model/TreeFields.h>
 
-#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/RecursiveTree.h>
 
 namespace osgTreeWind {
@@ -46,69 +45,27 @@ const Fields& fieldsOf<RecursiveTreeParameters>() {
 }
 
 template <>
-const Fields& fieldsOf<GrownBranches>() {
-    using P = GrownBranches;
+const Fields& fieldsOf<PalmParameters>() {
+    using P = PalmParameters;
     static const Fields fields = {
-        {"count", at<&P::count>, within(0, 200),
-         "of boughs on the tree; of others on the longest that bears them, fewer on shorter ones"},
-        {"units", at<&P::units>, within(1, 3), "rigid pieces each is made of"},
-        {"start", at<&P::start>, within(0, 0.95),
-         "bare share of what bears them; of boughs `crown_base` tells it"},
-        {"length", at<&P::length>, within(0.02, 2),
-         "of boughs over the way to the crown's outline; of others over what bears them less 0.6 of the way "
-         "along it"},
-        {"length_variation", at<&P::lengthVariation>, within(0, 1), "random part that shortens them"},
-        {"inclination", at<&P::inclination>, within(0, 180), "of the first of them from what bears them",
-         "degrees"},
-        {"inclination_end", at<&P::inclinationEnd>, within(0, 180), "of the last", "degrees"},
-        {"inclination_variation", at<&P::inclinationVariation>, within(0, 85), "largest random part of it",
-         "degrees"},
-        {"flat", at<&P::flat>, within(0, 1), "0: on all sides of what bears them; 1: left and right of it"},
-        {"rise", at<&P::rise>, within(-180, 180), "by which the inner half of each turns up; below 0 down",
-         "degrees"},
-        {"rise_outside", at<&P::riseOutside>, within(-180, 180), "likewise the outer half", "degrees"},
-        {"crook", at<&P::crook>, within(0, 1), "how far each winds"},
-        {"sections", at<&P::sections>, within(0.01, 2),
-         "cross-sections of all together over that of what bears them; 1 is Leonardo's rule"},
-        {"power", at<&P::power>, within(0, 3), "radii of sisters go as length to this power"},
-        {"taper", at<&P::taper>, within(0.05, 1), "radius at the tip over that at the base"},
-    };
-    return fields;
-}
-
-template <>
-const Fields& fieldsOf<GrownTreeParameters>() {
-    using P = GrownTreeParameters;
-    static const Fields fields = {
-        {"height", at<&P::height>, within(0.1, 150), "of the tree", "m"},
-        {"radius", at<&P::radius>, within(0.001, 10),
-         "of the trunk at the ground; at most a quarter of the height", "m"},
-        {"trunk", at<&P::trunk>, within(0.05, 1), "height of the trunk over that of the tree"},
-        {"trunk_units", at<&P::trunkUnits>, within(1, 16), "rigid pieces of it"},
-        {"trunk_taper", at<&P::trunkTaper>, within(0.01, 1),
-         "radius at its top over that at the ground; linear between"},
-        {"trunk_crook", at<&P::trunkCrook>, within(0, 1), "how far it winds"},
+        {"height", at<&P::height>, within(0.5, 60), "of its highest frond", "m"},
+        {"trunk_diameter", at<&P::trunkDiameter>, within(0.01, 5), "of its stem at breast height", "m"},
+        {"crown_width", at<&P::crownWidth>, within(0.1, 30), "from end to end of fronds", "m"},
+        {"crown_base", at<&P::crownBase>, within(0.05, 1),
+         "height of the oldest frond's foot over that of the palm"},
+        {"trunk", at<&P::trunk>, within(0.05, 1),
+         "height of the stem over that of the palm, at least `crown_base`"},
+        {"trunk_taper", at<&P::trunkTaper>, within(0.05, 1),
+         "radius at the top of the stem over that at the ground"},
+        {"trunk_crook", at<&P::trunkCrook>, within(0, 1), "how far the stem winds"},
         {"flare", at<&P::flare>, within(0, 3),
-         "how much wider its bark is at the ground than it, over its radius; the wood that bends is not"},
-        {"forks", at<&P::forks>, within(0, 16), "boughs that spring from its very end"},
-        {"fork_inclination", at<&P::forkInclination>, within(0, 180), "of these from the trunk", "degrees"},
-        {"shape",
-         at<&P::shape>,
-         {},
-         "outline of the crown; boughs reach to it",
-         "",
-         inOrder({"cone", "sphere", "hemisphere", "cylinder", "tapered_cylinder", "flame", "inverse_cone",
-                  "tend_flame"})},
-        {"crown_base", at<&P::crownBase>, within(0, 0.95),
-         "height of the lowest bough over that of the tree"},
-        {"crown_width", at<&P::crownWidth>, within(0.001, 600),
-         "of the outline where it is widest; branches reach a little beyond", "m"},
-        {"whorl", at<&P::whorl>, within(1, 32), "boughs at about one height"},
-        {"rings_per_branch", at<&P::ringsPerBranch>, within(2, 64), "rings of vertices along each piece"},
+         "how much wider the stem is drawn at the ground, over its radius"},
+        {"fronds", at<&P::fronds>, within(0, 200), "how many it has"},
+        {"inclination", at<&P::inclination>, within(0, 180), "of the oldest frond from the stem", "degrees"},
+        {"inclination_end", at<&P::inclinationEnd>, within(0, 180), "of the youngest frond", "degrees"},
+        {"droop", at<&P::droop>, within(0, 180), "by which a frond bends down along its length", "degrees"},
+        {"frond_radius", at<&P::frondRadius>, within(0.001, 0.2), "of a frond's stalk at its foot", "m"},
         {"seed", at<&P::seed>, {}, "of its random parts"},
-        {"boughs", at<&P::boughs>, {}, "branches on the trunk"},
-        {"branches", at<&P::branches>, {}, "branches on boughs"},
-        {"twigs", at<&P::twigs>, {}, "branches on branches"},
     };
     return fields;
 }
@@ -119,8 +76,8 @@ const Fields& fieldsOf<LeafParameters>() {
     static const Fields fields = {
         {"clusters_per_branch", at<&P::clustersPerBranch>, within(0, 64), "0 for a bare tree"},
         {"clusters", at<&P::clusters>, within(0, 100000),
-         "of the whole tree, spread evenly along its branches; 0: `clusters_per_branch` holds; 1300 with "
-         "`[species.growth]`, 3000 with `[species.habit]`"},
+         "of the whole tree, spread evenly along its branches; 0: `clusters_per_branch` holds; 3000 with "
+         "`[species.habit]`, 240 with `[species.palm]`"},
         {"bare", at<&P::bare>, within(0, 0.95),
          "with `clusters`: share of a branch at `first_level` without any, from its base; less on further "
          "levels"},
@@ -151,7 +108,7 @@ const Fields& fieldsOf<LeafParameters>() {
         {"area", at<&P::area>, within(0, 1e6),
          "of all quads over the cross-section of the trunk at breast height: then `length` and `width` tell "
          "their proportions; 0: they hold as they are; without it as `wood.leaf_area` needs with "
-         "`[species.growth]`, `[species.habit]` or `scan` and no size of a cluster, else 0"},
+         "`[species.habit]`, `[species.palm]` or `scan` and no size of a cluster, else 0"},
         {"seed", at<&P::seed>, {}, "of their places"},
     };
     return fields;
@@ -168,14 +125,12 @@ std::vector<FieldConflict> conflictsOf(const RecursiveTreeParameters& tree) {
     return conflicts;
 }
 
-std::vector<FieldConflict> conflictsOf(const GrownTreeParameters& tree) {
+std::vector<FieldConflict> conflictsOf(const PalmParameters& palm) {
     std::vector<FieldConflict> conflicts;
-    if (tree.radius > 0.25f * tree.height)
-        conflicts.push_back({"radius", "trunk_diameter", "expected at most a quarter of the height"});
-    if (clamped(tree).twigs.count != tree.twigs.count)
-        conflicts.push_back({"", "",
-                             "boughs, branches and twigs make more than " +
-                                 std::to_string(maxSkeletonPoints) + " skeleton points"});
+    if (palm.trunk < palm.crownBase)
+        conflicts.push_back({"trunk", "crown_base", "expected at least crown_base"});
+    if (palm.trunkDiameter > 0.5f * palm.height * palm.trunk)
+        conflicts.push_back({"trunk_diameter", "", "expected at most half the height of the stem"});
     return conflicts;
 }
 

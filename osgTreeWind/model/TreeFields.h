@@ -9,14 +9,12 @@ namespace osgTreeWind {
 template <>
 const Fields& fieldsOf<RecursiveTreeParameters>();
 template <>
-const Fields& fieldsOf<GrownBranches>();
-template <>
-const Fields& fieldsOf<GrownTreeParameters>();
+const Fields& fieldsOf<PalmParameters>();
 template <>
 const Fields& fieldsOf<LeafParameters>();
 
 /// What keeps numbers that are each in range from going together. A key of "" means the whole.
 std::vector<FieldConflict> conflictsOf(const RecursiveTreeParameters& tree);
-std::vector<FieldConflict> conflictsOf(const GrownTreeParameters& tree);
+std::vector<FieldConflict> conflictsOf(const PalmParameters& palm);
 
 } // namespace osgTreeWind

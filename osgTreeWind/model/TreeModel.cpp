@@ -5,8 +5,8 @@
 #include <osgTreeWind/growth/GrowTree.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/model/FormSkeleton.h>
-#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/MeasureTree.h>
+#include <osgTreeWind/model/PalmTree.h>
 #include <osgTreeWind/model/RecursiveTree.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/model/TreeSize.h>
@@ -31,10 +31,10 @@ Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
         skeleton.flare = p.flare;
         return skeleton;
     }
-    if (parameters.grown) {
-        GrownTreeParameters grown = *parameters.grown;
-        grown.seed += variant;
-        return makeGrownTree(grown);
+    if (parameters.palm) {
+        PalmParameters palm = *parameters.palm;
+        palm.seed += variant;
+        return makePalmTree(palm);
     }
     RecursiveTreeParameters wood = parameters.wood;
     wood.seed += variant;
@@ -87,9 +87,9 @@ std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
         key += "growth";
         addBytes(std::vector<float>{site.shade, site.distance, site.openSide.value_or(-1000.0f)}, key);
         addFieldBytes(*parameters.growth, key);
-    } else if (parameters.grown) {
-        key += "grown";
-        addFieldBytes(*parameters.grown, key);
+    } else if (parameters.palm) {
+        key += "palm";
+        addFieldBytes(*parameters.palm, key);
     } else {
         key += "wood";
         addFieldBytes(parameters.wood, key);
@@ -163,7 +163,7 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
     TreeCounts counts;
     std::uint64_t clusters = 0;
     SkinSize skin;
-    if (parameters.scans || parameters.growth || parameters.grown) {
+    if (parameters.scans || parameters.growth || parameters.palm) {
         const Skeleton skeleton = makeSkeleton(parameters, variant);
         counts.units = skeleton.units.size();
         counts.skeletonPoints = skeleton.points.size();
@@ -201,8 +201,8 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
 TreeCounts countLargest(const TreeParameters& parameters, int shapes) {
     TreeCounts largest = countTree(parameters);
     const int distinct = parameters.scans ? std::min(shapes, static_cast<int>(parameters.scans->size()))
-                         : parameters.growth || parameters.grown ? shapes
-                                                                 : 1;
+                         : parameters.growth || parameters.palm ? shapes
+                                                                : 1;
     for (int shape = 1; shape < distinct; ++shape) {
         const TreeCounts counts = countTree(parameters, static_cast<std::uint32_t>(shape));
         for (const auto number : {&TreeCounts::units, &TreeCounts::branches, &TreeCounts::skeletonPoints,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/growth/GrowthParameters.h>
-#include <osgTreeWind/model/GrownTreeParameters.h>
+#include <osgTreeWind/model/PalmParameters.h>
 #include <osgTreeWind/model/ScannedTree.h>
 
 #include <cstdint>
@@ -67,9 +67,9 @@ struct LeafParameters {
 
 /// Everything that shapes a tree.
 struct TreeParameters {
-    RecursiveTreeParameters wood;             ///< Of a tree grown by the rule of the thesis.
-    std::optional<GrownTreeParameters> grown; ///< In place of `wood`.
-    std::optional<GrowthParameters> growth;   ///< In place of both: it grows by light.
+    RecursiveTreeParameters wood;           ///< Of a tree grown by the rule of the thesis.
+    std::optional<PalmParameters> palm;     ///< In place of `wood`.
+    std::optional<GrowthParameters> growth; ///< In place of both: it grows by light.
     /// In place of all: variant v takes scan v modulo their number. Null or at least one.
     std::shared_ptr<const std::vector<ScannedTree>> scans;
     LeafParameters leaves; ///< That hang on its wood.

@@ -15,7 +15,7 @@ namespace {
 std::vector<std::string> problemsAfter(void (*spoil)(ForestDescription&)) {
     ForestDescription forest;
     forest.species.emplace_back().name = "oak";
-    forest.species.back().tree.grown.emplace();
+    forest.species.back().tree.palm.emplace();
     forest.trees.emplace_back();
     spoil(forest);
     std::vector<std::string> texts;
@@ -52,8 +52,8 @@ TEST(CheckForest, SaysWhatIsOutOfRangeAndWhere) {
               Texts{"drawing.reduced: expected reduced below full, found 250 and 50"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].shapes = 65; }),
               Texts{"species[0].shapes: expected a whole number in [1, 64], found 65"});
-    EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].tree.grown->radius = 4.0f; }),
-              Texts{"species[0].growth.radius: expected at most a quarter of the height"});
+    EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].tree.palm->height = 0.8f; }),
+              Texts{"species[0].palm.trunk_diameter: expected at most half the height of the stem"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.species[0].tree.leaves.droop = -2.0f; }),
               Texts{"species[0].leaves.droop: expected a finite number in [-1, 1], found -2"});
     EXPECT_EQ(problemsAfter([](ForestDescription& f) { f.trees[0].heading = 2e4f; }),

@@ -54,18 +54,17 @@ std::set<std::string> knownKeys() {
         "version = 1\n[ground]\n[motion]\n[drawing]\n[[tree]]\n[tree.estimated]\n[scatter]\nheight = "
         "1\n[inventory]\nfile = "
         "\"a.csv\"\n[inventory.columns]\n"
-        "[inventory.units]\n[[species]]\n[species.tree]\n[species.growth]\n[species.growth.boughs]\n"
-        "[species.growth.branches]\n[species.growth.twigs]\n[species.leaves]\n[species.height]\n[species."
+        "[inventory.units]\n[[species]]\n[species.tree]\n\n[species.leaves]\n[species.height]\n[species."
         "crown]\n[species.wood]"
         "\n[species."
         "branch]\n"
         "[species.leaf]\n[species.appearance]\n[tiles]\ncolumns = 1\nrows = 1\ntrees = [[0]]\nlow = "
         "[[0]]\nhigh = [[0]]\n[[wind.source]]\n[wind]\n";
     std::set<std::string> keys;
-    {
+    for (const char* form : {"habit", "palm"}) {
         ForestReading reading;
-        TableReader::readDocument("version = 1\n[[species]]\n[species.habit]\n", reading.log,
-                                  [&](TableReader& root) { readRoot(root, reading); });
+        TableReader::readDocument(std::string("version = 1\n[[species]]\n[species.") + form + "]\n",
+                                  reading.log, [&](TableReader& root) { readRoot(root, reading); });
         keys.insert(reading.log.keys.begin(), reading.log.keys.end());
     }
     for (const char* wind :
@@ -196,7 +195,7 @@ TEST(DocumentedKeys, RowsOfTheManualAreAsTheFieldsSay) {
     addRows<DrawingOptions>(rows, "drawing");
     addRows<Species>(rows, "species");
     addRows<RecursiveTreeParameters>(rows, "species.tree");
-    addRows<GrownTreeParameters>(rows, "species.growth");
+    addRows<PalmParameters>(rows, "species.palm");
     addRows<GrowthParameters>(rows, "species.habit");
     addRows<LeafParameters>(rows, "species.leaves");
     addRows<TreePlacement>(rows, "tree");

@@ -206,15 +206,15 @@ TEST(ForestFile, AnglesAreDegrees) {
 TEST(ForestFile, ASpeciesSaysAllThatBuiltInOnesDo) {
     const ForestDescription forest =
         forestOf(treeAtOrigin + "[[species]]\nname = \"elm\"\nsource = \"by hand\"\naliases = [\"Ulmus\"]\n"
-                                "[species.growth]\nheight = 26\ntrunk = 0.5\ntrunk_taper = 0.5\n"
-                                "trunk_diameter = 0.57\n[species.leaves]\nthin_wood = 0.5\narea = 4000\n"
+                                "[species.habit]\nheight = 26\ntrunk_diameter = "
+                                "0.57\n[species.leaves]\nthin_wood = 0.5\narea = 4000\n"
                                 "length = 0.4\n[species.crown]\nbase = 1\nper_diameter = 15\nopen_base = 2\n"
                                 "open_per_diameter = 20\n[species.wood]\nbranch_wood = \"broadleaf\"\n");
     const Species& elm = forest.species.front();
     EXPECT_EQ(elm.source, "by hand");
     EXPECT_EQ(elm.aliases, std::vector<std::string>{"Ulmus"});
-    // A tenth of the stem is below breast height, so it has lost a twentieth of its radius there.
-    EXPECT_FLOAT_EQ(elm.tree.grown->radius, 0.3f);
+    EXPECT_EQ(elm.tree.growth->size.height, 26.0f);
+    EXPECT_EQ(elm.tree.growth->size.trunkDiameter, 0.57f);
     EXPECT_EQ(elm.tree.leaves.thinWood, 0.5f);
     EXPECT_EQ(elm.tree.leaves.area, 4000.0f);
     EXPECT_EQ(elm.crown.base, 1.0f);
@@ -400,7 +400,7 @@ TEST(ForestFile, ASpeciesCalledAsABuiltInOneSaysThatItIsNotLikeIt) {
                                "the species \"silver birch\" has the shape of the thesis' tree; like = "
                                "\"silver birch\" gives it that of the built-in one"});
     EXPECT_TRUE(notesOf("like = \"silver birch\"\n").empty());
-    EXPECT_TRUE(notesOf("[species.growth]\nheight = 12\n").empty());
+    EXPECT_TRUE(notesOf("[species.habit]\nheight = 12\n").empty());
 }
 
 } // namespace osgTreeWind

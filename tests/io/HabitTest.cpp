@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestFile.h>
-#include <osgTreeWind/io/HabitCatalogue.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/species/GrowthLaws.h>
@@ -41,26 +39,20 @@ TEST(Habit, EachBuiltInSpeciesThatHasAGenusHasOneWithinItsRanges) {
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
         if (species.name == "palm")
             continue;
-        const auto habit = builtInHabits().find(foldedName(species.name));
-        ASSERT_NE(habit, builtInHabits().end()) << species.name;
-        GrowthParameters growth;
-        growth.habit = habit->second;
+        ASSERT_TRUE(species.tree.growth) << species.name;
         Diagnostics problems;
-        checkFields(growth, "", problems);
+        checkFields(*species.tree.growth, "", problems);
         EXPECT_TRUE(problems.empty()) << species.name << ": " << problems.front().text();
-        EXPECT_FALSE(habit->second.model.empty()) << species.name;
+        EXPECT_FALSE(species.tree.growth->habit.model.empty()) << species.name;
     }
 }
 
 TEST(Habit, ASpeciesHasTheSizeOfTheOneThatItIsLikeUnlessTold) {
-    const Species model = *SpeciesCatalogue::builtIn().find("oak");
-    const Species grown = speciesByLight(oakByLight);
-    ASSERT_TRUE(grown.tree.growth);
-    EXPECT_FALSE(grown.tree.grown);
-    EXPECT_FLOAT_EQ(grown.tree.growth->size.height, model.tree.grown->height);
-    EXPECT_FLOAT_EQ(grown.tree.growth->size.crownWidth, model.tree.grown->crownWidth);
-    EXPECT_NEAR(grown.tree.growth->size.trunkDiameter, measureTree(makeTreeModel(model.tree)).trunkDiameter,
-                0.02f);
+    const GrowthGoal model = SpeciesCatalogue::builtIn().find("oak")->tree.growth->size;
+    const GrowthGoal grown = speciesByLight(oakByLight).tree.growth->size;
+    EXPECT_FLOAT_EQ(grown.height, model.height);
+    EXPECT_FLOAT_EQ(grown.crownWidth, model.crownWidth);
+    EXPECT_FLOAT_EQ(grown.trunkDiameter, model.trunkDiameter);
     const Species told = speciesByLight(oakByLight + "height = 9\nbranch_angle = [80, 70, 60, 50]\n");
     EXPECT_FLOAT_EQ(told.tree.growth->size.height, 9.0f);
     EXPECT_FLOAT_EQ(told.tree.growth->habit.branchAngle[3], 0.87266463f);
@@ -86,7 +78,7 @@ TEST(Habit, TreesOfAForestGrowInItsShade) {
     const Species species = speciesByLight(oakByLight);
     ASSERT_TRUE(growsByCompany(species));
     EXPECT_EQ(growthOf(species, true).growth->site.shade, 0.0f);
-    EXPECT_EQ(growthOf(species, false).growth->site.shade, 1.0f);
+    EXPECT_GT(growthOf(species, false).growth->site.shade, 0.2f);
     const TreeModel open = makeTreeModel(growthOf(species, true)),
                     closed = makeTreeModel(growthOf(species, false));
     const auto lowest = [](const TreeModel& model) {
@@ -113,9 +105,9 @@ TEST(Habit, IsWrittenAndReadToTheBit) {
 TEST(Habit, SaysWhatIsWrongWithIt) {
     const std::string start = "[[species]]\nname = \"a\"\n";
     EXPECT_EQ(habitRefusal(start + "[species.habit]\nlike = \"willow\"\n"),
-              "a.treewind:5:8: species.habit.like: no built-in habit \"willow\"");
+              "a.treewind:5:8: species.habit.like: no built-in species with a habit is called \"willow\"");
     EXPECT_EQ(habitRefusal(start + "[species.growth]\n[species.habit]\n"),
-              "a.treewind:5:1: species.habit: give either this or tree or growth");
+              "a.treewind:5:1: species.habit: give either this or growth");
     EXPECT_EQ(habitRefusal(start + "[species.habit]\nrise = [0, 1, 7, 0]\n").find("a.treewind:5"), 0u);
     EXPECT_EQ(habitRefusal(start + "[species.habit]\nrise = [0, 1]\n").find("a.treewind:5"), 0u);
     EXPECT_EQ(habitRefusal(start + "[species.habit]\nrise = 3\n").find("a.treewind:5"), 0u);

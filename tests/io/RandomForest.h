@@ -81,10 +81,8 @@ public:
                         keys<RecursiveTreeParameters>(
                             {"levels", "children_per_branch", "rings_per_branch", "radius"});
             else
-                text += "[species.growth]\nrings_per_branch = 2\nradius = 0.003\n" +
-                        keys<GrownTreeParameters>({"rings_per_branch", "radius"}) +
-                        "[species.growth.boughs]\ncount = 3\n" + keys<GrownBranches>({"count"}) +
-                        "[species.growth.branches]\ncount = 1\n" + keys<GrownBranches>({"count"});
+                text += "[species.palm]\ntrunk = 1\ntrunk_diameter = 0.01\nfronds = 3\n" +
+                        keys<PalmParameters>({"trunk", "trunk_diameter", "fronds"});
         }
         for (int i = 0, count = whole(1, 3); i < count; ++i)
             text += "[[tree]]\nspecies = \"bush\"\nposition = [" + decimal(within(-1e4, 1e4)) + ", 2]\n" +
@@ -213,11 +211,11 @@ private:
         wood.radius = std::min(wood.radius, 0.49f * wood.length * static_cast<float>(wood.trunkUnits));
         species.tree.leaves.clustersPerBranch = whole(0, 2), species.tree.leaves.clusters = whole(0, 9);
         if (maybe()) {
-            GrownTreeParameters& grown = species.tree.grown.emplace();
-            fill(grown);
-            grown.radius = std::min(grown.radius, 0.24f * grown.height);
-            grown.boughs.count = whole(0, 3), grown.branches.count = whole(0, 2),
-            grown.twigs.count = whole(0, 1);
+            PalmParameters& palm = species.tree.palm.emplace();
+            fill(palm);
+            palm.trunk = std::max(palm.trunk, palm.crownBase);
+            palm.trunkDiameter = std::min(palm.trunkDiameter, 0.49f * palm.height * palm.trunk);
+            palm.fronds = whole(0, 3);
         }
         return species;
     }

@@ -54,8 +54,8 @@ TEST(SpeciesCatalogue, ASpeciesOfOurNameTakesItsPlaceAndKeepsItsAliases) {
     EXPECT_EQ(catalogue.species().size(), ours());
     EXPECT_EQ(catalogue.find("Quercus robur"), catalogue.find("OAK"));
     EXPECT_EQ(catalogue.find("oak")->wood.density, 1000.0f);
-    EXPECT_EQ(catalogue.find("oak")->tree.grown->height,
-              SpeciesCatalogue::builtIn().find("oak")->tree.grown->height);
+    EXPECT_EQ(catalogue.find("oak")->tree.growth->size.height,
+              SpeciesCatalogue::builtIn().find("oak")->tree.growth->size.height);
 }
 
 TEST(SpeciesCatalogue, AnAliasGoesToTheSpeciesOfTheFile) {

@@ -47,7 +47,8 @@ struct Differences {
         compare(path + ".name", a.name, b.name);
         fields(path, a, b);
         fields(path + ".tree", a.tree.wood, b.tree.wood);
-        optionalFields(path + ".growth", a.tree.grown, b.tree.grown);
+        optionalFields(path + ".palm", a.tree.palm, b.tree.palm);
+        optionalFields(path + ".habit", a.tree.growth, b.tree.growth);
         fields(path + ".leaves", a.tree.leaves, b.tree.leaves);
         compare(path + ".scan", a.tree.scans ? a.tree.scans->size() : 0,
                 b.tree.scans ? b.tree.scans->size() : 0);
@@ -216,11 +217,10 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
     };
     refused("species[0].wood.density: expected a finite number in [1, 10000], found 0",
             [](auto& f) { f.species[0].wood.density = 0; });
-    refused(
-        "species[0].growth.boughs.rise: expected a finite number in [-180, 180] degrees, found nan degrees",
-        [](auto& f) {
-            f.species[0].tree.grown.emplace().boughs.rise = std::numeric_limits<float>::quiet_NaN();
-        });
+    refused("species[0].palm.inclination: expected a finite number in [0, 180] degrees, found nan degrees",
+            [](auto& f) {
+                f.species[0].tree.palm.emplace().inclination = std::numeric_limits<float>::quiet_NaN();
+            });
     refused("species[0].tree.radius: expected at most half the trunk, length * trunk_units",
             [](auto& f) { f.species[0].tree.wood.radius = 5.0f; });
     refused("drawing.impostor: expected impostor below reduced, found 250 and 250",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/model/TreeSize.h>
+#include <tests/model/SampleTree.h>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -15,10 +15,7 @@ namespace osgTreeWind {
 namespace {
 
 Skeleton grown(float flare = 0.6f, std::uint32_t seed = 1) {
-    GrownTreeParameters p;
-    p.flare = flare;
-    p.seed = seed;
-    return makeGrownTree(p);
+    return sampleTree(seed, flare);
 }
 
 /// The vertices of a unit's first ring: those before the first that another ring repeats in `uv.x`.
@@ -151,20 +148,20 @@ TEST(JoinedSkin, FarAwayItIsAPrismAUnit) {
 }
 
 TEST(JoinedSkin, IsFiniteInExtremeTrees) {
-    std::vector<GrownTreeParameters> extremes(7);
-    extremes[0].ringsPerBranch = 2;
-    extremes[1].height = 0.1f;
-    extremes[1].radius = 0.025f;
-    extremes[2].height = extremes[2].crownWidth = 150.0f;
-    extremes[2].radius = 10.0f;
-    extremes[3].boughs.inclination = extremes[3].boughs.inclinationEnd = 0.0f;    // along the trunk
-    extremes[4].forkInclination = extremes[4].branches.inclination = 3.14159265f; // back into it
-    extremes[5].radius = 0.001f;
-    extremes[5].trunkTaper = extremes[5].boughs.taper = 0.01f;
-    extremes[6].trunkCrook = extremes[6].boughs.crook = extremes[6].branches.crook = 1.0f;
+    std::vector<PalmParameters> extremes(7);
+    extremes[0].fronds = 200;
+    extremes[1].height = 0.5f;
+    extremes[1].trunkDiameter = 0.25f;
+    extremes[2].height = extremes[2].crownWidth = 60.0f;
+    extremes[2].trunkDiameter = 5.0f;
+    extremes[3].inclination = extremes[3].inclinationEnd = 0.0f;        // along the stem
+    extremes[4].inclination = extremes[4].inclinationEnd = 3.14159265f; // back into it
+    extremes[5].trunkDiameter = 0.01f;
+    extremes[5].trunkTaper = 0.05f;
+    extremes[6].trunkCrook = 1.0f;
     for (std::size_t i = 0; i < extremes.size(); ++i) {
         extremes[i].flare = 3.0f;
-        const Skeleton skeleton = makeGrownTree(extremes[i]);
+        const Skeleton skeleton = makePalmTree(extremes[i]);
         for (const float tolerance : {0.0f, 0.003f, 0.02f, 1.0f}) {
             const BranchSkin skin = makeBranchSkin(skeleton, tolerance);
             for (const SkinVertex& vertex : skin.vertices) {
@@ -177,17 +174,21 @@ TEST(JoinedSkin, IsFiniteInExtremeTrees) {
 }
 
 TEST(JoinedSkin, AFootThatLiesBetweenTwoRingsIsNotDrawn) {
-    const BranchSkin flared = makeBranchSkin(grown(2.0f), 1e9f), plain = makeBranchSkin(grown(0.0f), 1e9f);
+    const auto pole = [](float flare) {
+        PalmParameters parameters = barePole(8.0f);
+        parameters.flare = flare;
+        return makePalmTree(parameters);
+    };
+    const BranchSkin flared = makeBranchSkin(pole(2.0f), 1e9f), plain = makeBranchSkin(pole(0.0f), 1e9f);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(flared.vertices[i].radius, plain.vertices[i].radius);
-    EXPECT_GT(makeBranchSkin(grown(2.0f), 0.01f).vertices[0].radius, 2.0f * plain.vertices[0].radius);
+    EXPECT_GT(makeBranchSkin(pole(2.0f), 0.01f).vertices[0].radius, 2.0f * plain.vertices[0].radius);
 }
 
 TEST(JoinedSkin, AFlareMakesTheFootWiderAndTheTreeNoLarger) {
     TreeParameters plain, flared;
-    plain.grown = GrownTreeParameters{};
-    flared.grown = GrownTreeParameters{};
-    flared.grown->flare = 3.0f;
+    plain.palm.emplace().flare = 0.0f;
+    flared.palm.emplace().flare = 3.0f;
     const TreeModel a = makeTreeModel(plain), b = makeTreeModel(flared);
     EXPECT_GT(b.skin.vertices[0].radius, 2.0f * a.skin.vertices[0].radius);
     const TreeSize before = measureTree(a), after = measureTree(b);

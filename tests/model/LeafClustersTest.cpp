@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tests/model/ModelTestCases.h>
 
-#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/LeafClusters.h>
 
 #include <glm/geometric.hpp>
@@ -187,7 +186,7 @@ LeafParameters sprays(float inclination) {
 }
 
 TEST(LeafSprays, AreAsManyAsToldAndSpreadEvenlyByLength) {
-    const Skeleton skeleton = makeGrownTree({});
+    const Skeleton skeleton = sampleTree();
     const std::vector<LeafCluster> clusters = makeLeafClusters(skeleton, sprays(0.5f));
     EXPECT_EQ(clusters.size(), 1900u);
     std::vector<float> length(skeleton.units.size()), count(skeleton.units.size());
@@ -205,9 +204,7 @@ TEST(LeafSprays, AreAsManyAsToldAndSpreadEvenlyByLength) {
 }
 
 TEST(LeafSprays, LeaveTheInnerPartOfABoughBare) {
-    GrownTreeParameters p;
-    p.boughs.units = 2;
-    const Skeleton skeleton = makeGrownTree(p);
+    const Skeleton skeleton = sampleTree();
     LeafParameters leaves = sprays(0.5f);
     leaves.bare = 0.6f;
     for (const LeafCluster& cluster : makeLeafClusters(skeleton, leaves)) {
@@ -220,7 +217,7 @@ TEST(LeafSprays, LeaveTheInnerPartOfABoughBare) {
 
 TEST(LeafSprays, FacesHaveTheInclinationOfTheirKind) {
     // Chianucci et al. 2018: hornbeam 13, beech 18, Norway maple and red oak 27, oak 35, aspen 37, birch 56.
-    const Skeleton skeleton = makeGrownTree({});
+    const Skeleton skeleton = sampleTree();
     for (const float degrees : {13.0f, 18.0f, 27.0f, 35.0f, 37.0f, 56.0f}) {
         const LeafParameters leaves = sprays(glm::radians(degrees));
         const auto mesh = makeLeafMesh(leaves);
@@ -244,7 +241,7 @@ TEST(LeafSprays, FacesHaveTheInclinationOfTheirKind) {
 
 TEST(LeafSprays, PointOutwardAndLieInTheirPlane) {
     const LeafParameters leaves = sprays(0.6f);
-    for (const LeafCluster& cluster : makeLeafClusters(makeGrownTree({}), leaves)) {
+    for (const LeafCluster& cluster : makeLeafClusters(sampleTree(), leaves)) {
         ASSERT_NEAR(glm::length(cluster.orientation), 1.0f, 1e-5f);
         const glm::vec3 face = cluster.orientation * glm::vec3(0, -1, 0);
         ASSERT_GE(face.z, -1e-5f) << "the upper side is up";
@@ -273,7 +270,7 @@ TEST(Fronds, HaveTwoRowsOfLeafletsInAVAndOneThatHangs) {
         EXPECT_LT(mesh[i].normal.y, 0.0f);
         EXPECT_NEAR(mesh[i].corner.z, 0.4f * mesh[i].uv.x, 1e-6f) << "along the frond";
     }
-    const Skeleton skeleton = makeGrownTree({});
+    const Skeleton skeleton = sampleTree();
     for (const LeafCluster& cluster : makeLeafClusters(skeleton, fronds)) {
         const glm::vec3 up = cluster.orientation * glm::vec3(0, -1, 0),
                         along = cluster.orientation * glm::vec3(0, 0, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/StemFoot.h>
+#include <tests/model/SampleTree.h>
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
@@ -9,10 +9,9 @@ namespace osgTreeWind {
 namespace {
 
 Skeleton stem(float height, float flare) {
-    GrownTreeParameters p;
-    p.height = height;
-    p.flare = flare;
-    return makeGrownTree(p);
+    PalmParameters pole = barePole(height);
+    pole.flare = flare;
+    return makePalmTree(pole);
 }
 
 TEST(StemFoot, IsAsMuchWiderAtTheGroundAsTheFlareSays) {

@@ -76,7 +76,7 @@ TEST(TreeModel, AVariantIsAnOffsetOfBothSeeds) {
 
 TEST(TreeModel, CountsOfGrownTreesAreKnownWithoutLeaves) {
     TreeParameters p;
-    p.grown.emplace();
+    p.growth.emplace().size = {6.0f, 0.2f, 4.0f};
     for (const int clusters : {0, 1000})
         for (const int firstLevel : {1, 3, 9}) {
             p.leaves.clusters = clusters;
@@ -88,7 +88,7 @@ TEST(TreeModel, CountsOfGrownTreesAreKnownWithoutLeaves) {
 
 TEST(TreeModel, LeafCardsHaveTheAreaThatIsAskedFor) {
     TreeParameters p;
-    p.grown.emplace();
+    p.growth.emplace().size = {6.0f, 0.2f, 4.0f};
     p.leaves.clusters = 700;
     p.leaves.area = 3000.0f;
     for (const std::uint32_t variant : {0u, 1u, 5u}) {
@@ -105,7 +105,7 @@ TEST(TreeModel, LeafCardsHaveTheAreaThatIsAskedFor) {
 
 TEST(TreeModel, ShootsThatHangChangeNoSizeAndNoArea) {
     TreeParameters p;
-    p.grown.emplace();
+    p.palm.emplace();
     p.leaves.clusters = 300;
     p.leaves.inclination = 0.8f;
     for (const float area : {0.0f, 2000.0f}) {
@@ -169,14 +169,13 @@ TEST(TreeModel, EveryParameterTellsSharedOnesApart) {
     TreeParameters hanging = small();
     hanging.leaves.hanging = !hanging.leaves.hanging; // shares its word with `frond`
     EXPECT_NE(sharedTreeModel(hanging), sharedTreeModel(small()));
-    const auto grown = [&] {
+    const auto palm = [&] {
         TreeParameters parameters = small();
-        parameters.grown.emplace().boughs.count = 2;
-        parameters.grown->branches.count = parameters.grown->twigs.count = 1;
+        parameters.palm.emplace().fronds = 2;
         return parameters;
     };
     expectEachWordCounts<>(
-        grown, [](TreeParameters & p) -> auto& { return *p.grown; });
+        palm, [](TreeParameters & p) -> auto& { return *p.palm; });
 }
 
 TEST(TreeModel, ScansAreToldApartByWhatTheyHold) {

@@ -182,10 +182,9 @@ private:
         maybe(kind.tree.wood);
         maybe(kind.tree.leaves);
         if (any.oneIn(4)) {
-            GrownTreeParameters& grown = kind.tree.grown.emplace();
-            grown.boughs.count = 4;
-            grown.branches.count = grown.twigs.count = 1;
-            maybe(grown);
+            PalmParameters& palm = kind.tree.palm.emplace();
+            palm.fronds = 4;
+            maybe(palm);
         }
         if (any.oneIn(6)) {
             GrowthParameters& growth = kind.tree.growth.emplace();
@@ -606,10 +605,10 @@ TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
         // Values, checked where they are handed over.
         "base/Result.h", "base/Span.h", "base/Executor.h", "forest/DrawingOptions.h",
         "forest/ForestDescription.h", "forest/ForestTiles.h", "forest/TreeId.h", "growth/GrowthGoal.h",
-        "growth/GrowthParameters.h", "growth/GrowthSite.h", "growth/TreeHabit.h",
-        "model/GrownTreeParameters.h", "model/Skeleton.h", "model/TreeParameters.h", "model/TreeSize.h",
-        "motion/damage/TreeDamage.h", "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h",
-        "wind/WindCanopy.h", "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",
+        "growth/GrowthParameters.h", "growth/GrowthSite.h", "growth/TreeHabit.h", "model/PalmParameters.h",
+        "model/Skeleton.h", "model/TreeParameters.h", "model/TreeSize.h", "motion/damage/TreeDamage.h",
+        "motion/laws/TreeMotion.h", "species/Appearance.h", "species/Species.h", "wind/WindCanopy.h",
+        "wind/WindField.h", "wind/WindPlace.h", "windfiles/WindSeriesColumns.h",
         // Macros.
         "base/Export.h", "base/Version.h",
         // They read and write files: tests/io, tests/windfiles and tests/fuzz damage those.

@@ -146,7 +146,7 @@ TEST(SizeLaws, WithNothingGivenTheTypicalTreeIsSpread) {
     EXPECT_EQ(tree.size.trunkDiameter, 0.0f) << "in proportion";
     EXPECT_EQ(tree.size.crownWidth, 0.0f);
     const auto off = [&](const TreeSize& size) {
-        return std::log(size.height / static_cast<double>(oak.tree.grown->height));
+        return std::log(size.height / static_cast<double>(oak.tree.growth->size.height));
     };
     expectSpread(spreadOf({}, oak, false, off), static_cast<double>(oak.height.spread));
 }

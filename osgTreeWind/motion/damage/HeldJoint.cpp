@@ -25,7 +25,7 @@ std::vector<HeldJoint> thickestBoughs(const SwayingTree& tree, const std::vector
     const std::vector<BranchUnit>& units = tree.model->skeleton.units;
     std::vector<HeldJoint> boughs;
     for (std::size_t i = 1; i < units.size(); ++i)
-        if (units[i].level == 1 && units[static_cast<std::size_t>(units[i].parent)].level == 0) {
+        if (units[i].level > units[static_cast<std::size_t>(units[i].parent)].level) {
             const double diameter = 2.0 * static_cast<double>(tree.scale.radius * units[i].baseRadius);
             boughs.push_back({static_cast<unsigned>(i), loads[i].stiffness,
                               static_cast<float>(breakingMoment(tree.species->wood, diameter))});

@@ -11,13 +11,17 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Where the wind pushes, metres: the middle of the crown.
+/// Where the wind pushes, metres: the middle of the crown, from the foot of its lowest green bough on.
 double crownMiddle(const TreeModel& model, const TreeScale& scale) {
+    const std::vector<BranchUnit>& units = model.skeleton.units;
     const float height = model.skeleton.height();
     float lowest = height;
-    for (const BranchUnit& unit : model.skeleton.units)
-        if (unit.level > 0)
-            lowest = std::min(lowest, unit.base.z);
+    for (const LeafCluster& leaf : model.leaves) {
+        auto bough = static_cast<std::size_t>(leaf.unit);
+        while (units[bough].level > 1)
+            bough = static_cast<std::size_t>(units[bough].parent);
+        lowest = std::min(lowest, units[bough].level == 1 ? units[bough].base.z : leaf.anchor.z);
+    }
     return 0.5f * scale.axes.z * (lowest + height);
 }
 

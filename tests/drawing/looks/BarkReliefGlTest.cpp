@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/gl/GlTest.h>
 #include <tests/io/TemporaryFolder.h>
+#include <tests/model/SampleTree.h>
 #include <tests/nodes/ForestFixtures.h>
 
 #include <osgDB/WriteFile>
@@ -21,15 +22,12 @@ protected:
 
     /// @param width of the picture, metres. @param file of bark.
     osg::ref_ptr<osg::Image> pole(BarkForm form, float radius, double width, const std::string& file = {}) {
-        GrownTreeParameters wood;
-        wood.height = 4.0f;
-        wood.radius = radius;
-        wood.trunk = 1.0f;
+        PalmParameters wood = barePole(4.0f);
+        wood.trunkDiameter = 2.0f * radius;
         wood.trunkTaper = 1.0f;
-        wood.trunkCrook = 0.0f;
-        wood.forks = wood.boughs.count = 0;
+        wood.trunkCrook = wood.flare = 0.0f;
         Species species = smallSpecies();
-        species.tree.grown = wood;
+        species.tree.palm = wood;
         species.tree.leaves.clustersPerBranch = 0;
         species.appearance.bark = glm::vec3(0.7f);
         species.appearance.barkForm = form;

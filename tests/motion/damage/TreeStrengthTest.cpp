@@ -45,10 +45,12 @@ TEST(TreeStrength, KnotsTakeTheirShare) {
 TEST(TreeStrength, LowerCrownsLeaveStemsStronger) {
     Species pole = *findSpecies("Norway spruce");
     const double breast = breakingMoment(pole.wood, 0.24);
-    pole.tree.grown->crownBase = 0.01f;
-    EXPECT_NEAR(strengthOf(pole, 0.24f, 20.0f).breaking / breast, 10.0 / 8.7, 0.01);
-    pole.tree.grown->crownBase = 0.8f;
-    EXPECT_NEAR(strengthOf(pole, 0.24f, 20.0f).breaking / breast, 18.0 / 16.7, 0.01);
+    const auto withCrownFrom = [&](float base) { // over the height
+        pole.crown.depthPerHeight = 1.0f - base;
+        return strengthOf(pole, 0.24f, 20.0f).breaking / breast;
+    };
+    EXPECT_NEAR(withCrownFrom(0.5f), 15.0 / 13.7, 0.01);
+    EXPECT_NEAR(withCrownFrom(0.75f), 17.5 / 16.2, 0.01);
 }
 
 TEST(TreeStrength, WhatIsNotKnownIsNothing) {

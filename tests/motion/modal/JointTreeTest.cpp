@@ -113,7 +113,7 @@ TEST(JointTree, WeighsAsMuchAsItsWoodAndLeaves) {
     const GrownTree spruce("Norway spruce", {20, 0.3f, 0});
     double expected = 0.0;
     for (const UnitLoad& load : makeUnitLoads(spruce.model, spruce.scale, spruce.species))
-        expected += static_cast<double>(load.woodMass) + static_cast<double>(load.leafMass);
+        expected += static_cast<double>(load.mass());
     EXPECT_NEAR(massOf(spruce.joints()) / expected, 1.0, 1e-6);
 }
 

@@ -101,7 +101,7 @@ TEST(ModalModel, StandsInAForceAsItsSpringsSay) {
 /// A forked tree of four units: eight joints, as many modes as any model keeps.
 GrownTree smallTree() {
     Species species = defaultSpecies();
-    species.tree.grown.reset();
+    species.tree.growth.reset();
     species.tree.wood.levels = 1;
     species.tree.wood.trunkUnits = 1;
     species.tree.wood.bareUnits = 0;
@@ -297,7 +297,7 @@ TEST(ModalModel, AColumnLeansUnderItsWeightAsTimoshenkoSays) {
 TEST(ModalModel, TheTrunkOfATreeStandsInTheWindAsStaticsSay) {
     for (const char* name : {"oak", "Norway spruce"}) {
         Species species = weightless(*findSpecies(name));
-        species.tree.grown.reset();
+        species.tree.growth.reset();
         species.tree.wood.crook = species.tree.wood.jitter = 0.0f; // an upright trunk
         species.wood.dampingRatio = 0.3f;                          // comes to rest sooner
         SCOPED_TRACE(name);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/growth/GrowTree.h>
+#include <osgTreeWind/model/FormSkeleton.h>
+#include <osgTreeWind/model/PalmTree.h>
+
+#include <cstdint>
+
+namespace osgTreeWind {
+
+/// A small tree grown by light: its units alone, without shoots.
+inline Skeleton sampleTree(std::uint32_t seed = 1, float flare = 0.0f) {
+    Skeleton skeleton = makeSkeleton(growTree({}, {}, {8.0f, 0.25f, 5.0f}, seed));
+    skeleton.shoots.clear();
+    skeleton.shootPoints.clear();
+    skeleton.leafyUnits.clear();
+    skeleton.flare = flare;
+    return skeleton;
+}
+
+/// A stem without branches that tapers to three quarters of its radius, as a palm's without its head.
+inline PalmParameters barePole(float height) {
+    PalmParameters pole;
+    pole.height = height;
+    pole.trunk = pole.crownBase = 1.0f;
+    pole.fronds = 0;
+    return pole;
+}
+
+} // namespace osgTreeWind
