@@ -6,6 +6,7 @@
 #include <osgTreeWind/growth/TreeHabit.h>
 
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -65,6 +66,7 @@ struct TreeState {
     bool mature = false;    ///< It has its height, and fills its crown.
     float height = 0.0f;    ///< Of the highest living node.
     float reach = 0.0f;     ///< Mean of the living nodes' reach in eight directions.
+    glm::vec2 lean{0.0f};   ///< Sideways for one upwards, at its foot.
     float sideLight = 1.0f; ///< Around its crown: 1 in the open, little in a closed wood.
 
     ShootAxis& axisOf(const Bud& bud) { return axes[static_cast<std::size_t>(bud.axis)]; }
@@ -74,8 +76,12 @@ struct TreeState {
     static std::size_t rank(int order) { return static_cast<std::size_t>(std::min(order, 3)); }
     /// Share of the final height that it has.
     float grown() const { return std::min(height / goal.height, 1.0f); }
+    /// Where its stem rises to at a height: few stand straight, and they right themselves as they grow.
+    glm::vec3 upright(float z) const {
+        return glm::vec3(glm::mix(1.0f, 0.2f, std::min(z / goal.height, 1.0f)) * lean, 1.0f);
+    }
     /// 0 in a closed wood, 1 in the open.
-    float openness() const { return glm::smoothstep(0.5f, 0.9f, sideLight); }
+    float openness() const { return glm::smoothstep(0.6f, 0.95f, sideLight); }
     /// TreeHabit::lightNeed of its leaves: those of trees in a wood do with less.
     float lightNeed() const { return habit.lightNeed * glm::mix(0.5f, 1.0f, openness()); }
 };
