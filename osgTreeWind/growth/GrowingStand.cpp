@@ -29,7 +29,8 @@ void GrowingStand::growYear(const GrowthSite& site) {
     const GrowingTree& first = _trees.front();
     GrowthSite now = site;
     now.distance *= glm::mix(seedlings, 1.0f, first.state().grown());
-    _grid.addNeighbours(now, glm::vec2(first.foot()), std::max(neighbourHeight * first.height(), 1.0f));
+    _grid.addNeighbours(now, glm::vec2(first.foot()) + first.state().middle,
+                        std::max(neighbourHeight * first.height(), 1.0f));
     _grid.castShade();
     for (GrowingTree& tree : _trees)
         tree.growYear(_grid);
