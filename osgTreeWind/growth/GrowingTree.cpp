@@ -44,7 +44,7 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
         return leaning * glm::vec2(cosine(towards), sine(towards));
     };
     _state.leanAtFoot = lean(leanOfBends);
-    _state.leanAbove = lean(0.6f * leanOfBends);
+    _state.leanAbove = lean(0.9f * leanOfBends);
     Metamer first;
     first.heading = directionOr(_state.upright(0.0f), {0.0f, 0.0f, 1.0f});
     _state.metamers.push_back(first);

@@ -15,11 +15,11 @@ namespace osgTreeWind {
 namespace {
 
 /// Share of its height at which a tree in a closed wood dissolves.
-constexpr float forestTrunk = 0.68f;
+constexpr float forestTrunk = 0.63f;
 /// Boughs above this share of the trunk may become limbs.
 constexpr float youngBoughs = 0.3f;
 /// Chance that one at the end of the trunk does: in the open, and in a wood.
-constexpr float openPromotion = 1.3f, forestPromotion = 0.6f;
+constexpr float openPromotion = 1.3f, forestPromotion = 0.35f;
 /// Angles of the uppermost and of the lowest limb over that which leads to the shoulder of the crown: in the
 /// open, and in a wood, where the uppermost goes straight on.
 constexpr glm::vec2 openLimbs(0.35f, 1.7f), forestLimbs(0.1f, 1.2f);
