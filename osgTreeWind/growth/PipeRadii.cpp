@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    static constexpr float area = 0.5f;
+    static constexpr float area = 0.46f;
     float _trunk, _logEnds, _thinning;
 };
 
