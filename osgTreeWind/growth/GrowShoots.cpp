@@ -21,7 +21,7 @@ constexpr float openLimbRise = 0.15f, forestLimbRise = 0.25f;
 /// Bends of limbs in a closed wood over those in the open.
 constexpr float forestWander = 0.5f;
 /// Angle of a side shoot that takes over from a dead end, and of its partner in a fork, over that of others.
-constexpr float takingOver = 0.4f, partner = 0.95f;
+constexpr float takingOver = 0.55f, partner = 0.95f;
 
 /// Grows the shoots of one tree in one year.
 class ShootGrowth {
