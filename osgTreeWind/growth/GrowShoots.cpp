@@ -17,9 +17,11 @@ namespace {
 /// A bud grows when it has been allotted this share of an internode.
 constexpr float shortestShoot = 0.6f;
 /// Smallest pull of limbs upwards in the open and in a closed wood, 1/m.
-constexpr float openLimbRise = 0.15f, forestLimbRise = 0.4f;
-/// Angle of a side shoot that takes over from a dead end, over that of others.
-constexpr float takingOver = 0.45f;
+constexpr float openLimbRise = 0.15f, forestLimbRise = 0.25f;
+/// Bends of limbs in a closed wood over those in the open.
+constexpr float forestWander = 0.5f;
+/// Angle of a side shoot that takes over from a dead end, and of its partner in a fork, over that of others.
+constexpr float takingOver = 0.55f, partner = 0.95f;
 
 /// Grows the shoots of one tree in one year.
 class ShootGrowth {
@@ -104,11 +106,14 @@ private:
         const float limbRise = glm::mix(forestLimbRise, openLimbRise, _tree.openness());
         const float rise = axis.leading ? std::max(_habit.rise[rank], limbRise) : _habit.rise[rank];
         const glm::vec3 ahead = _foot + _tree.metamerOf(bud).position + length * before;
-        glm::vec3 pull = rise * up + _habit.levelling[rank] * (level - before) +
+        const glm::vec3 upwards = axis.order == 0 ? _tree.upright(ahead.z - _foot.z) : up;
+        glm::vec3 pull = rise * upwards + _habit.levelling[rank] * (level - before) +
                          _habit.lightSeeking[rank] * _light.towardsLight(ahead);
         if (axis.order == 0) // A leader nods to one side.
             pull += _habit.hang[0] * directionOr({axis.bending.x, axis.bending.y, 0.0f}, level);
-        glm::vec3 heading = before + length * pull + std::sqrt(length) * _habit.wander[rank] * axis.bending;
+        const float wander =
+            _habit.wander[rank] * (axis.leading ? glm::mix(forestWander, 1.0f, _tree.openness()) : 1.0f);
+        glm::vec3 heading = before + length * pull + std::sqrt(length) * wander * axis.bending;
         if (axis.order > 0 && _habit.zigzag > 0.0f) {
             const glm::vec3 left = directionOr(glm::cross(up, heading), perpendicular(before));
             heading += static_cast<float>(axis.side) * _habit.zigzag * left;
@@ -135,8 +140,8 @@ private:
         const ShootAxis axis = _tree.axisOf(dead);
         const bool fork = axis.order > 0 && (axis.leading || _habit.budsPerNode >= 2);
         BudPlace place{dead.node, dead.heading, axis.order, axis.phase + _habit.divergence};
-        const float angle = takingOver * _habit.branchAngle[TreeState::rank(axis.order)];
-        place.angle = angle * (1.0f + 0.2f * scatter(_tree.random));
+        const float angle = _habit.branchAngle[TreeState::rank(axis.order)];
+        place.angle = takingOver * angle * (1.0f + 0.2f * scatter(_tree.random));
         Bud& next = addSideBud(_tree, place, axis.order);
         _tree.axes.pop_back(); // The axis itself goes on.
         next.axis = dead.axis;
@@ -145,7 +150,7 @@ private:
         if (!fork)
             return;
         place.azimuth += glm::pi<float>();
-        place.angle = angle * (1.0f + 0.2f * scatter(_tree.random));
+        place.angle = partner * angle * (1.0f + 0.2f * scatter(_tree.random));
         ShootAxis& other = _tree.axisOf(addSideBud(_tree, place, std::max(axis.order, 1)));
         other.leading = axis.leading;
         other.born = axis.born;

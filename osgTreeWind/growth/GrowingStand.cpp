@@ -8,6 +8,8 @@ namespace {
 
 /// Height of neighbours that do not grow here over that of the tree among them.
 constexpr float neighbourHeight = 0.94f;
+/// Distance of seedlings over that of the trees that are left of them.
+constexpr float seedlings = 0.4f;
 
 } // namespace
 
@@ -25,7 +27,10 @@ void GrowingStand::growYear(const GrowthSite& site) {
     for (const GrowingTree& tree : _trees)
         tree.addLeaves(_grid);
     const GrowingTree& first = _trees.front();
-    _grid.addNeighbours(site, glm::vec2(first.foot()), std::max(neighbourHeight * first.height(), 1.0f));
+    GrowthSite now = site;
+    now.distance *= glm::mix(seedlings, 1.0f, first.state().grown());
+    _grid.addNeighbours(now, glm::vec2(first.foot()) + first.state().middle,
+                        std::max(neighbourHeight * first.height(), 1.0f));
     _grid.castShade();
     for (GrowingTree& tree : _trees)
         tree.growYear(_grid);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/GrowingTree.h>
 
+#include <osgTreeWind/base/PortableMath.h>
+#include <osgTreeWind/base/UnitVectors.h>
 #include <osgTreeWind/growth/AllotGrowth.h>
 #include <osgTreeWind/growth/GrowShoots.h>
 #include <osgTreeWind/growth/ShedBranches.h>
 #include <osgTreeWind/growth/SinkBoughs.h>
 
 #include <glm/common.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <array>
 
@@ -20,6 +23,8 @@ constexpr int longestLife = 250;
 constexpr float fillingYears = 9.0f;
 /// A tree with more stops growing.
 constexpr std::size_t mostMetamers = 40000;
+/// Lean of a stem at its foot over the random bends of its shoots in a metre.
+constexpr float leanOfBends = 1.2f;
 /// Length of shoot whose leaves stand at a resting end, metres.
 constexpr float rosette = 0.12f;
 
@@ -33,8 +38,15 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
     _state.goal.crownWidth *= spread;
     _state.spread = spread;
     _state.random = Random(seed);
+    const auto lean = [&](float most) {
+        const float leaning = most * habit.wander[0] * (0.4f + 1.2f * _state.random.uniform());
+        const float towards = glm::pi<float>() * _state.random.symmetric();
+        return leaning * glm::vec2(cosine(towards), sine(towards));
+    };
+    _state.leanAtFoot = lean(leanOfBends);
+    _state.leanAbove = lean(0.9f * leanOfBends);
     Metamer first;
-    first.heading = {0.0f, 0.0f, 1.0f};
+    first.heading = directionOr(_state.upright(0.0f), {0.0f, 0.0f, 1.0f});
     _state.metamers.push_back(first);
     ShootAxis trunk;
     trunk.leading = true;
@@ -42,6 +54,7 @@ GrowingTree::GrowingTree(const TreeHabit& habit, const GrowthGoal& goal, const g
     _state.axes.push_back(trunk);
     Bud top;
     top.terminal = true;
+    top.heading = first.heading;
     _state.buds.push_back(top);
 }
 
@@ -96,9 +109,12 @@ void GrowingTree::lookAround(const ShadeGrid& grid) {
 
 void GrowingTree::measure() {
     float highest = 0.0f;
-    for (const Metamer& metamer : _state.metamers)
+    for (const Metamer& metamer : _state.metamers) {
         if (metamer.died < 0)
             highest = std::max(highest, metamer.position.z);
+        if (metamer.axis == 0)
+            _state.middle = glm::vec2(metamer.position);
+    }
     if (highest > _landmark + 0.01f * _state.goal.height) {
         _landmark = highest;
         _risen = _state.year;

@@ -15,12 +15,14 @@ namespace osgTreeWind {
 namespace {
 
 /// Share of its height at which a tree in a closed wood dissolves.
-constexpr float forestTrunk = 0.72f;
+constexpr float forestTrunk = 0.63f;
 /// Boughs above this share of the trunk may become limbs.
 constexpr float youngBoughs = 0.3f;
+/// Chance that one at the end of the trunk does: in the open, and in a wood.
+constexpr float openPromotion = 1.3f, forestPromotion = 0.35f;
 /// Angles of the uppermost and of the lowest limb over that which leads to the shoulder of the crown: in the
 /// open, and in a wood, where the uppermost goes straight on.
-constexpr glm::vec2 openLimbs(0.35f, 1.7f), forestLimbs(0.1f, 1.0f);
+constexpr glm::vec2 openLimbs(0.35f, 1.7f), forestLimbs(0.1f, 1.2f);
 
 float arcTangent(float x) {
     return static_cast<float>(std::atan(static_cast<double>(x)));
@@ -28,8 +30,9 @@ float arcTangent(float x) {
 
 /// The more boughs the nearer to the end of the trunk.
 void promoteBoughs(TreeState& tree) {
+    const float many = glm::mix(forestPromotion, openPromotion, tree.openness());
     const auto promote = [&](int axis, float z) {
-        const float chance = 1.3f * (z / tree.height - youngBoughs) / (1.0f - youngBoughs);
+        const float chance = many * (z / tree.height - youngBoughs) / (1.0f - youngBoughs);
         if (chance > 0.0f && tree.random.uniform() < chance)
             tree.axes[static_cast<std::size_t>(axis)].leading = true;
     };

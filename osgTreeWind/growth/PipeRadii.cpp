@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    static constexpr float area = 0.5f;
+    static constexpr float area = 0.46f;
     float _trunk, _logEnds, _thinning;
 };
 
@@ -72,8 +72,9 @@ void setRadii(GrownForm& form, const GrowthGoal& goal, float twigRadius) {
             metamer.radius = std::max(metamer.radius, 0.8f * twig);
             if (dissolves) {
                 // Where limbs leave it, it is as thick as what it still bears.
-                const float along = std::max(metamer.position.z, 0.0f) / std::max(trunkTop, 0.01f);
-                metamer.radius += along * along * std::min(pipe - metamer.radius, 0.0f);
+                const float along =
+                    std::max(metamer.position.z - breast, 0.0f) / std::max(trunkTop - breast, 0.01f);
+                metamer.radius += std::min(along * along, 1.0f) * std::min(pipe - metamer.radius, 0.0f);
             }
             if (i > 0)
                 metamer.radius = std::min(metamer.radius, metamers[parent].radius);

@@ -2,6 +2,7 @@
 #include <osgTreeWind/growth/ShootVigour.h>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 
@@ -26,7 +27,8 @@ constexpr float growingDome = 1.06f, matureDome = 1.0f;
 /// Distance from the middle of the crown's dome, squared: 1 at its surface.
 float outside(const TreeState& tree, const glm::vec3& place, float top) {
     const float reach = 0.5f * tree.goal.crownWidth;
-    const float x = (place.x * place.x + place.y * place.y) / (reach * reach);
+    const glm::vec2 out = glm::vec2(place) - tree.middle;
+    const float x = glm::dot(out, out) / (reach * reach);
     const float z = std::max(place.z / tree.goal.height - domeMiddle, 0.0f) / (top - domeMiddle);
     return x + z * z;
 }
@@ -49,7 +51,7 @@ float boughVigour(const TreeState& tree) {
 
 /// Shoots far outside of the crown stop.
 float room(const TreeState& tree, const glm::vec3& place) {
-    const float reach = std::sqrt(place.x * place.x + place.y * place.y) / wantedReach(tree);
+    const float reach = glm::length(glm::vec2(place) - tree.middle) / wantedReach(tree);
     return glm::clamp((1.25f - reach) / 0.4f, 0.0f, 1.0f);
 }
 

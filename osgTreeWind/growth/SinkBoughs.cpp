@@ -14,7 +14,7 @@ constexpr float lowestShoot = 0.35f;
 constexpr float sinkingYears = 12.0f;
 
 /// How much of its lean a stem loses as it thickens, where its pull upwards is 1.
-constexpr float righting = 0.9f;
+constexpr float righting = 0.6f;
 
 /// `heading` turned down by a small angle, at most nearly to the vertical.
 glm::vec3 bentDown(const glm::vec3& heading, float angle) {
@@ -56,7 +56,7 @@ void sinkBoughs(TreeState& tree) {
             const float pull = habit.hang[0] > 0.0f && tree.year - metamer.born >= 2
                                    ? 0.8f
                                    : righting * yearly * std::max(habit.rise[0], 0.0f);
-            metamer.heading = directionOr(metamer.heading + pull * up, up);
+            metamer.heading = directionOr(metamer.heading + pull * tree.upright(metamer.position.z), up);
             continue;
         }
         const std::size_t rank = TreeState::rank(metamer.order);

@@ -6,6 +6,7 @@
 #include <osgTreeWind/growth/TreeHabit.h>
 
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -62,9 +63,11 @@ struct TreeState {
     std::vector<Metamer> metamers; ///< Parents before children; the first is the foot.
     std::vector<Bud> buds;
     std::vector<ShootAxis> axes;
-    bool mature = false;    ///< It has its height, and fills its crown.
-    float height = 0.0f;    ///< Of the highest living node.
-    float reach = 0.0f;     ///< Mean of the living nodes' reach in eight directions.
+    bool mature = false;                         ///< It has its height, and fills its crown.
+    glm::vec2 middle{0.0f};                      ///< Of the crown: where the trunk ends.
+    float height = 0.0f;                         ///< Of the highest living node.
+    float reach = 0.0f;                          ///< Mean of the living nodes' reach in eight directions.
+    glm::vec2 leanAtFoot{0.0f}, leanAbove{0.0f}; ///< Of the stem, sideways for one upwards.
     float sideLight = 1.0f; ///< Around its crown: 1 in the open, little in a closed wood.
 
     ShootAxis& axisOf(const Bud& bud) { return axes[static_cast<std::size_t>(bud.axis)]; }
@@ -74,8 +77,13 @@ struct TreeState {
     static std::size_t rank(int order) { return static_cast<std::size_t>(std::min(order, 3)); }
     /// Share of the final height that it has.
     float grown() const { return std::min(height / goal.height, 1.0f); }
+    /// Where its stem rises to at a height: few stand straight.
+    glm::vec3 upright(float z) const {
+        const float share = std::min(z / goal.height, 1.0f), above = 1.0f - share;
+        return glm::vec3(above * (leanAtFoot + 4.0f * share * leanAbove), 1.0f);
+    }
     /// 0 in a closed wood, 1 in the open.
-    float openness() const { return glm::smoothstep(0.5f, 0.9f, sideLight); }
+    float openness() const { return glm::smoothstep(0.6f, 0.95f, sideLight); }
     /// TreeHabit::lightNeed of its leaves: those of trees in a wood do with less.
     float lightNeed() const { return habit.lightNeed * glm::mix(0.5f, 1.0f, openness()); }
 };
