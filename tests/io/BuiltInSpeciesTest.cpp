@@ -3,6 +3,7 @@
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/model/TreeSize.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/LeafCoverage.h>
 
 #include <gtest/gtest.h>
@@ -60,14 +61,23 @@ TEST(BuiltInSpecies, ModuliAreThoseOfTheTable) {
 }
 
 TEST(BuiltInSpecies, ConifersHaveTheVolumesOfForestry) {
-    // Stem over trunk section at breast height times height: 0.4 to 0.5 (form factor); branches 0.15 to 0.2
-    // of the wood (Jenkins et al. 2003).
+    // In a stand: stem over trunk section at breast height times height 0.4 to 0.5 (form factor); branches
+    // about 0.15 to 0.2 of the wood (Jenkins et al. 2003).
     for (const Species& species : SpeciesCatalogue::builtIn().species()) {
         if (!species.appearance.needles())
             continue;
-        const TreeModel model = makeTreeModel(species.tree, 0);
+        const TreeModel model = makeTreeModel(growthOf(species, false), 0);
         const TreeScale scale = fitTree(model, {20.0f, 0.3f, 0.0f});
         double stem = 0.0, branches = 0.0;
+        for (const Shoot& shoot : model.skeleton.shoots) {
+            const double radius =
+                0.5 * static_cast<double>(scale.radius * (shoot.baseRadius + shoot.tipRadius));
+            for (std::size_t i = 1; i < shoot.count; ++i)
+                branches +=
+                    3.141592653589793 * radius * radius *
+                    static_cast<double>(glm::length(scale.axes * (model.skeleton.shootPoint(shoot, i) -
+                                                                  model.skeleton.shootPoint(shoot, i - 1))));
+        }
         for (const BranchUnit& unit : model.skeleton.units) {
             const double a = unit.baseRadius * scale.radius, b = unit.tipRadius * scale.radius;
             const double length = glm::length(scale.axes * (unit.tip - unit.base));

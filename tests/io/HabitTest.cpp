@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
+#include <vector>
 
 namespace osgTreeWind {
 namespace {
@@ -81,11 +83,12 @@ TEST(Habit, TreesOfAForestGrowInItsShade) {
     EXPECT_GT(growthOf(species, false).growth->site.shade, 0.2f);
     const TreeModel open = makeTreeModel(growthOf(species, true)),
                     closed = makeTreeModel(growthOf(species, false));
-    const auto lowest = [](const TreeModel& model) {
-        float low = 1e9f;
+    const auto lowest = [](const TreeModel& model) { // but for one in twenty
+        std::vector<float> heights;
         for (const LeafCluster& leaf : model.leaves)
-            low = std::min(low, leaf.anchor.z);
-        return low;
+            heights.push_back(leaf.anchor.z);
+        std::sort(heights.begin(), heights.end());
+        return heights[heights.size() / 20];
     };
     EXPECT_GT(lowest(closed), lowest(open) + 1.0f);
 }

@@ -77,7 +77,7 @@ TEST(PullAndRelease, ABareTreeRingsAsLongAsItsWood) {
         const auto bare = pullAndRelease(species, tree);
         ASSERT_TRUE(bare) << species.name;
         EXPECT_GE(bare->dampingRatio, 0.98 * static_cast<double>(species.wood.dampingRatio));
-        EXPECT_LT(bare->dampingRatio, 0.065) << species.name;
+        EXPECT_LT(bare->dampingRatio, 0.07) << species.name;
         const double leafy = pullAndRelease(species, sized(20, 28))->dampingRatio;
         EXPECT_GT(leafy, bare->dampingRatio + 0.001) << species.name;
         EXPECT_LT(leafy, 0.15) << species.name;
