@@ -26,9 +26,10 @@ Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
     if (parameters.scans)
         return (*parameters.scans)[variant % parameters.scans->size()].skeleton;
     if (parameters.growth) {
-        const GrowthParameters& p = *parameters.growth;
-        Skeleton skeleton = makeSkeleton(growTree(p.habit, p.site, p.size, p.seed + variant));
-        skeleton.flare = p.flare;
+        GrowthParameters growth = *parameters.growth;
+        growth.seed += variant;
+        Skeleton skeleton = makeSkeleton(growTree(growth));
+        skeleton.flare = growth.flare;
         return skeleton;
     }
     if (parameters.grown) {
