@@ -84,7 +84,7 @@ void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].
 /// [wind], if there is one. @return what keeps it from being written; empty when all is well.
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 
-/// That their distinct shapes have too many vertices; empty when they have not.
-std::string problemOfShapes(const std::vector<Species>& species);
+/// That its distinct shapes have too many vertices; empty when they have not.
+std::string problemOfShapes(const ForestDescription& forest);
 
 } // namespace osgTreeWind

@@ -3,6 +3,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/HostMap.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
@@ -98,12 +99,13 @@ std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, 
     return std::nullopt;
 }
 
-std::string problemOfShapes(const std::vector<Species>& species) {
+std::string problemOfShapes(const ForestDescription& forest) {
     constexpr std::uint64_t mostVertices = 50000000;
     std::uint64_t vertices = 0;
-    for (const Species& each : species)
+    const ShapeFamilies families(forest);
+    for (const ShapeFamilies::Family& family : families.all())
         vertices +=
-            countLargest(each.tree, each.shapes).totalVertices() * static_cast<std::uint64_t>(each.shapes);
+            countLargest(family.tree, static_cast<int>(family.shapes)).totalVertices() * family.shapes;
     if (vertices <= mostVertices)
         return {};
     return "the shapes of all species have " + std::to_string(vertices) + " vertices; at most " +
@@ -244,8 +246,6 @@ void readRoot(TableReader& root, ForestReading& reading) {
     root.tables("species", [&](TableReader& table) { readSpecies(table, reading); });
     if (reading.forest.species.empty())
         root.problem("species", "expected at least one [[species]]");
-    if (const std::string problem = problemOfShapes(reading.forest.species); !problem.empty())
-        root.problem("species", problem);
     reading.declaredSpecies = reading.forest.species.size();
 
     root.tables("tree", [&](TableReader& table) { readTree(table, reading); });
@@ -260,6 +260,9 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("species"))
         dropUnusedDefault(reading);
 
+    if (reading.log.problems.empty())
+        if (const std::string problem = problemOfShapes(reading.forest); !problem.empty())
+            root.problem("species", problem);
     root.table("ground", [&](TableReader& table) { readGround(table, reading); });
     if (reading.log.problems.empty())
         if (const std::string problem = problemOfMemory(reading.forest, false); !problem.empty())

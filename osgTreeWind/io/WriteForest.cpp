@@ -36,8 +36,9 @@ public:
         for (std::size_t i = 0; i < forest.trees.size(); ++i)
             if (const std::string& name = forest.trees[i].name; !name.empty())
                 ofName(name, names, "tree[" + std::to_string(i) + "].id", name);
-        if (const std::string problem = problemOfShapes(forest.species);
-            _problems.empty() && !problem.empty())
+        if (!_problems.empty())
+            return;
+        if (const std::string problem = problemOfShapes(forest); !problem.empty())
             add("species", problem);
     }
 
