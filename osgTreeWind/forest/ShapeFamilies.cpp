@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/ShapeFamilies.h>
 
+#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 #include <osgTreeWind/species/ShapeCount.h>
 
@@ -35,6 +37,14 @@ void ShapeFamilies::add(const Species& species, bool inForest, bool inOpen) {
     };
     const std::size_t first = family(!inForest);
     _ofSpecies.emplace_back(first, inForest && inOpen ? family(true) : first);
+}
+
+std::vector<TreeCounts> ShapeFamilies::countLargest() const {
+    std::vector<TreeCounts> counts(_all.size());
+    runJobs(ThreadPool::executor(), counts.size(), [&](std::size_t i) {
+        counts[i] = osgTreeWind::countLargest(_all[i].tree, static_cast<int>(_all[i].shapes));
+    });
+    return counts;
 }
 
 } // namespace osgTreeWind

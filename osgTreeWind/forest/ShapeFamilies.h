@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/forest/ForestDescription.h>
+#include <osgTreeWind/model/TreeModel.h>
 
 #include <cstdint>
 #include <utility>
@@ -32,6 +33,9 @@ public:
         return openGrown ? _ofSpecies[species].second : _ofSpecies[species].first;
     }
     std::size_t indexOf(const TreePlacement& tree) const { return indexOf(tree.species, tree.openGrown); }
+
+    /// countLargest() of each, grown on the threads of the process.
+    std::vector<TreeCounts> countLargest() const;
 
 private:
     std::vector<Family> _all;

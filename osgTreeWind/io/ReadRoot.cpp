@@ -103,9 +103,9 @@ std::string problemOfShapes(const ForestDescription& forest) {
     constexpr std::uint64_t mostVertices = 50000000;
     std::uint64_t vertices = 0;
     const ShapeFamilies families(forest);
-    for (const ShapeFamilies::Family& family : families.all())
-        vertices +=
-            countLargest(family.tree, static_cast<int>(family.shapes)).totalVertices() * family.shapes;
+    const std::vector<TreeCounts> largest = families.countLargest();
+    for (std::size_t i = 0; i < largest.size(); ++i)
+        vertices += largest[i].totalVertices() * families.all()[i].shapes;
     if (vertices <= mostVertices)
         return {};
     return "the shapes of all species have " + std::to_string(vertices) + " vertices; at most " +
