@@ -103,7 +103,14 @@ const Fields& fieldsOf<TreePlacement>() {
          at<&P::openGrown>,
          {},
          "it stands by itself: its crown is as deep as its species grows, whatever `[species.crown]` says of "
-         "a forest; that of a built-in species, where `crown_width` is not given, is wider than there"},
+         "a forest; that of a built-in species, where `crown_width` is not given, is wider than there. Where "
+         "neither this nor `at_edge` is said of a "
+         "tree that grows by light, its neighbours tell"},
+        {"at_edge",
+         at<&P::atEdge>,
+         {},
+         "it stands at the edge of a wood, which is open to where its `heading` points: there its crown is "
+         "as deep as in the open"},
         {"leaves", at<&P::leaves>, within(0, 1),
          "share of its leaves that it bears: their mass, drag and damping; else `motion.leaves`"},
         {"heading", at<&P::heading>, within(-1e6, 1e6),

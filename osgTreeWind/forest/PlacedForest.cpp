@@ -77,14 +77,19 @@ PlacedTree PlacedForest::fitted(const TreePlacement& placement, const PlacedTree
     PlacedTree tree;
     tree.species = static_cast<std::uint32_t>(placement.species);
     const Species& species = speciesOf(tree);
-    const std::size_t family = _families->indexOf(placement);
+    const bool sized = before && same(placement.size, measured(*before));
+    TreePlacement asked = placement;
+    if (sized)
+        asked.size = before->given; // by which it got its shape
+    const std::size_t family = _families->indexOf(asked);
     tree.model = _firstModels[family] + placement.seed % _families->all()[family].shapes;
-    const bool kept = before && before->model == tree.model && same(placement.size, measured(*before));
+    const bool kept = sized && before->model == tree.model;
     tree.given = kept ? before->given : placement.size;
     tree.estimated = kept ? before->estimated : placement.estimated;
     tree.openGrown = kept ? before->openGrown : placement.openGrown;
     tree.scale =
         kept ? before->scale : fitTree(modelOf(tree), withCrown(tree.given, species.crown, tree.openGrown));
+    tree.atEdge = placement.atEdge;
     tree.tiled = placement.tiled;
     tree.position = glm::vec3(placement.position - description().origin);
     tree.heading = placement.heading;
@@ -103,6 +108,7 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     placement.size = measured(tree);
     placement.leaves = tree.summerLeaves;
     placement.openGrown = tree.openGrown;
+    placement.atEdge = tree.atEdge;
     placement.seed = tree.seed;
     placement.name = names.of(static_cast<std::uint32_t>(slot));
     return placement;

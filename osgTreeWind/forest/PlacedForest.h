@@ -34,6 +34,7 @@ struct PlacedTree {
     std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
     bool alive = true;            ///< No: it was removed, and nothing else here counts.
     bool openGrown = false;       ///< In the open (TreePlacement::openGrown).
+    bool atEdge = false;          ///< TreePlacement::atEdge.
     bool tiled = false;           ///< TreePlacement::tiled.
     EstimatedSizes estimated;     ///< Of `given`.
     TreeSize given;               ///< From which, with openGrown, `scale` follows.

@@ -62,6 +62,12 @@ TreesInAll ForestReading::treesInAll() {
     return all;
 }
 
+void ForestReading::addTree(const TreePlacement& tree, bool onGround, UnsaidCompany said) {
+    trees.add(tree, onGround);
+    if (trees.areInMemory())
+        unsaid.push_back(said);
+}
+
 void ForestReading::choose(const Crs& chosen) {
     crs = chosen;
     forest.crs = chosen.text();
@@ -260,6 +266,8 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("species"))
         dropUnusedDefault(reading);
 
+    if (reading.log.problems.empty() && reading.trees.areInMemory())
+        findCompany(reading.forest, reading.unsaid);
     if (reading.log.problems.empty())
         if (const std::string problem = problemOfShapes(reading.forest); !problem.empty())
             root.problem("species", problem);

@@ -135,7 +135,8 @@ void writeTree(std::ostream& output, const TreePlacement& tree, const ForestDesc
     output << "\n[[tree]]\nspecies = " << tomlText(forest.species[tree.species].name)
            << "\nposition = " << tomlText(tree.position) << '\n';
     TreePlacement usual;
-    usual.seed = ~tree.seed; // it is always written: else its place in the file would tell it
+    usual.seed = ~tree.seed;           // it is always written: else its place in the file would tell it
+    usual.openGrown = !tree.openGrown; // likewise: else what stands around it would
     for (float TreeSize::*size : {&TreeSize::height, &TreeSize::trunkDiameter, &TreeSize::crownWidth})
         if (!(tree.size.*size > 0.0f))
             usual.size.*size = tree.size.*size; // not given
