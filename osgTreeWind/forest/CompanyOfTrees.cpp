@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/CompanyOfTrees.h>
 
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <glm/common.hpp>
@@ -12,6 +13,7 @@
 #include <bitset>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -64,17 +66,25 @@ public:
 
     /// On which a tree has neighbours.
     Sides shadedSides(std::size_t tree) const {
+        Sides shaded;
+        eachNeighbour(tree, [&](std::size_t other) { shaded |= sidesOf(_crowns[tree], _crowns[other]); });
+        return shaded;
+    }
+
+    template <typename Use>
+    void eachNeighbour(std::size_t tree, const Use& use) const {
         const Crown& own = _crowns[tree];
         const double reach = own.radius + _reach;
         const Cell low = cellOf(own.place - reach), high = cellOf(own.place + reach);
-        Sides shaded;
         for (std::int64_t x = low.first; x <= high.first; ++x)
             for (auto cell = _cells.lower_bound({x, low.second});
                  cell != _cells.end() && cell->first <= Cell(x, high.second); ++cell)
                 for (const std::size_t other : cell->second)
                     if (other != tree && isNeighbour(own, _crowns[other]))
-                        shaded |= sidesOf(own, _crowns[other]);
-        return shaded;
+                        use(other);
+    }
+    double distance(std::size_t a, std::size_t b) const {
+        return glm::distance(_crowns[a].place, _crowns[b].place);
     }
 
 private:
@@ -126,17 +136,48 @@ void settle(TreePlacement& tree, const Sides& shaded, bool mayTurn) {
     }
 }
 
-} // namespace
-
-void findCompany(ForestDescription& forest, const std::vector<UnsaidCompany>& unsaid) {
+Crowns crownsOf(const ForestDescription& forest) {
     std::vector<Crown> all;
     for (const TreePlacement& tree : forest.trees)
         all.push_back(crownOf(tree, forest.species[tree.species]));
-    const Crowns crowns(std::move(all));
+    return Crowns(std::move(all));
+}
+
+} // namespace
+
+void findCompany(ForestDescription& forest, const std::vector<UnsaidOfTree>& unsaid) {
+    const Crowns crowns = crownsOf(forest);
     for (std::size_t i = 0; i < forest.trees.size(); ++i) {
         TreePlacement& tree = forest.trees[i];
         if (unsaid[i].company && forest.species[tree.species].tree.growth)
             settle(tree, crowns.shadedSides(i), unsaid[i].heading);
+    }
+}
+
+void tellApart(ForestDescription& forest, const std::vector<UnsaidOfTree>& unsaid) {
+    const Crowns crowns = crownsOf(forest);
+    const ShapeFamilies families(forest);
+    std::vector<std::size_t> familyOf;
+    for (const TreePlacement& tree : forest.trees)
+        familyOf.push_back(families.indexOf(tree));
+    for (std::size_t i = 0; i < forest.trees.size(); ++i) {
+        TreePlacement& tree = forest.trees[i];
+        const std::uint32_t shapes = families.all()[familyOf[i]].shapes;
+        if (!unsaid[i].seed || shapes < 2 || !forest.species[tree.species].tree.growth)
+            continue;
+        std::vector<double> nearest(shapes, std::numeric_limits<double>::max()); // that has each shape
+        crowns.eachNeighbour(i, [&](std::size_t other) {
+            if (familyOf[other] == familyOf[i] && (other < i || !unsaid[other].seed)) {
+                double& distance = nearest[forest.trees[other].seed % shapes];
+                distance = std::min(distance, crowns.distance(i, other));
+            }
+        });
+        tree.seed = std::min(tree.seed, std::numeric_limits<std::uint32_t>::max() - shapes);
+        std::uint32_t best = 0;
+        for (std::uint32_t more = 1; more < shapes; ++more)
+            if (nearest[(tree.seed + more) % shapes] > nearest[(tree.seed + best) % shapes])
+                best = more;
+        tree.seed += best;
     }
 }
 

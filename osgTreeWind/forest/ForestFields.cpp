@@ -118,7 +118,9 @@ const Fields& fieldsOf<TreePlacement>() {
         {"seed",
          at<&P::seed>,
          {},
-         "picks the shape and its motion; without it `seed` and its place in the file, from 0"},
+         "picks the shape and its motion; without it `seed` and its place in the file, from 0, and up to 63 "
+         "more "
+         "where neighbours would have the same form"},
         {"id", at<&P::name>, {}, "what it is called, any text; no two alike"},
         {"estimated", at<&P::estimated>, {}, ""},
     };

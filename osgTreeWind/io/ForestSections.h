@@ -29,7 +29,7 @@ struct ForestReading {
     float leaves = 1.0f; ///< Of trees that do not say.
     ForestDescription forest;
     TreeStore trees{forest.trees};
-    std::vector<UnsaidCompany> unsaid; ///< By tree.
+    std::vector<UnsaidOfTree> unsaid; ///< By tree.
     std::optional<Crs> crs;            ///< That of the forest.
     std::optional<double> windDate;    ///< Seconds since 1970 of the wind's time 0, where its files say.
     std::size_t declaredSpecies = 0;   ///< The first ones of the forest's; the others are built in.
@@ -47,7 +47,7 @@ struct ForestReading {
     const SpeciesCatalogue& builtIn();
     TreesInAll treesInAll();
     /// The next tree. @param onGround as TreeStore::add().
-    void addTree(const TreePlacement& tree, bool onGround, UnsaidCompany said);
+    void addTree(const TreePlacement& tree, bool onGround, UnsaidOfTree said);
     /// Takes the crs that an inventory or the ground asks for.
     void choose(const Crs& chosen);
     /// Whether `count` more trees are still allowed; a problem with `key` when not.

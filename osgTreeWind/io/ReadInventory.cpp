@@ -141,7 +141,7 @@ private:
         if (_standsFor)
             ++_unmatched[*_standsFor];
         tree.name = nameOf(said);
-        _reading.addTree(tree, !place.hasHeight, {!_saysCompany, true});
+        _reading.addTree(tree, !place.hasHeight, {!_saysCompany});
     }
 
     template <typename T>

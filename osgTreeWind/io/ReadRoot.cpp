@@ -62,7 +62,7 @@ TreesInAll ForestReading::treesInAll() {
     return all;
 }
 
-void ForestReading::addTree(const TreePlacement& tree, bool onGround, UnsaidCompany said) {
+void ForestReading::addTree(const TreePlacement& tree, bool onGround, UnsaidOfTree said) {
     trees.add(tree, onGround);
     if (trees.areInMemory())
         unsaid.push_back(said);
@@ -266,8 +266,10 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("species"))
         dropUnusedDefault(reading);
 
-    if (reading.log.problems.empty() && reading.trees.areInMemory())
+    if (reading.log.problems.empty() && reading.trees.areInMemory()) {
         findCompany(reading.forest, reading.unsaid);
+        tellApart(reading.forest, reading.unsaid);
+    }
     if (reading.log.problems.empty())
         if (const std::string problem = problemOfShapes(reading.forest); !problem.empty())
             root.problem("species", problem);

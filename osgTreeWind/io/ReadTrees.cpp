@@ -201,7 +201,7 @@ void readTree(TableReader& table, ForestReading& reading) {
     if (!tree.name.empty() && !reading.treeNames.insert(tree.name).second)
         table.problem("id", "the id " + inQuotes(tree.name) + " is taken already");
     const bool unsaid = !table.has("open_grown") && !table.has("at_edge");
-    reading.addTree(tree, position.size() == 2, {unsaid, !table.has("heading")});
+    reading.addTree(tree, position.size() == 2, {unsaid, !table.has("heading"), !table.has("seed")});
 }
 
 void readScatter(TableReader& table, ForestReading& reading) {
@@ -257,7 +257,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
         tree.leaves = scatter.leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
-        reading.addTree(tree, true, {!scatter.saysCompany, true});
+        reading.addTree(tree, true, {!scatter.saysCompany});
     }
 }
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/CompanyOfTrees.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 using namespace osgTreeWind;
 
@@ -27,9 +32,9 @@ ForestDescription growing(std::vector<TreePlacement> trees) {
     return forest;
 }
 
-std::vector<TreePlacement> settled(std::vector<TreePlacement> trees, UnsaidCompany unsaid = {}) {
+std::vector<TreePlacement> settled(std::vector<TreePlacement> trees, UnsaidOfTree unsaid = {}) {
     ForestDescription forest = growing(std::move(trees));
-    findCompany(forest, std::vector<UnsaidCompany>(forest.trees.size(), unsaid));
+    findCompany(forest, std::vector<UnsaidOfTree>(forest.trees.size(), unsaid));
     return forest.trees;
 }
 
@@ -91,14 +96,14 @@ TEST(CompanyOfTrees, OfARowNoTreeIsAtAnEdge) {
 }
 
 TEST(CompanyOfTrees, WhatIsSaidStays) {
-    UnsaidCompany all;
+    UnsaidOfTree all;
     all.company = false;
     const auto before = wood(), said = settled(before, all);
     for (std::size_t i = 0; i < said.size(); ++i) {
         EXPECT_FALSE(said[i].openGrown || said[i].atEdge);
         EXPECT_EQ(said[i].heading, before[i].heading);
     }
-    UnsaidCompany company;
+    UnsaidOfTree company;
     company.heading = false;
     for (const TreePlacement& tree : settled(before, company)) {
         EXPECT_FALSE(tree.atEdge) << "it would have to be turned";
@@ -109,7 +114,7 @@ TEST(CompanyOfTrees, WhatIsSaidStays) {
 TEST(CompanyOfTrees, OnlyTreesThatGrowByLightHaveCompany) {
     ForestDescription forest = growing({treeAt(0, 0)});
     forest.species.front().tree.growth.reset();
-    findCompany(forest, {UnsaidCompany()});
+    findCompany(forest, {UnsaidOfTree()});
     EXPECT_FALSE(forest.trees.front().openGrown);
 }
 
@@ -119,4 +124,39 @@ TEST(CompanyOfTrees, TreesAtOnePlaceAndWithoutSizesAreFound) {
     for (const TreePlacement& tree : trees)
         EXPECT_FALSE(tree.openGrown);
     EXPECT_TRUE(settled({small}).front().openGrown);
+}
+
+TEST(CompanyOfTrees, NeighboursDoNotShareAForm) {
+    ForestDescription forest = growing(wood());
+    const std::vector<UnsaidOfTree> unsaid(forest.trees.size());
+    findCompany(forest, unsaid);
+    for (std::size_t i = 0; i < forest.trees.size(); ++i)
+        forest.trees[i].seed = static_cast<std::uint32_t>(7 * i * i);
+    const auto alike = [&] { // trees that have the same form as one beside them
+        const ShapeFamilies families(forest);
+        const auto formOf = [&](const TreePlacement& tree) {
+            const std::size_t family = families.indexOf(tree);
+            return std::make_pair(family, tree.seed % families.all()[family].shapes);
+        };
+        int count = 0;
+        for (const TreePlacement& a : forest.trees)
+            for (const TreePlacement& b : forest.trees)
+                count += &a != &b && glm::distance(a.position, b.position) < 7.0 && formOf(a) == formOf(b);
+        return count;
+    };
+    EXPECT_GT(alike(), 40);
+    tellApart(forest, unsaid);
+    EXPECT_EQ(alike(), 0);
+    UnsaidOfTree said;
+    said.seed = false;
+    const std::uint32_t before = forest.trees[60].seed = forest.trees[59].seed;
+    tellApart(forest, std::vector<UnsaidOfTree>(forest.trees.size(), said));
+    EXPECT_EQ(forest.trees[60].seed, before) << "which the file says";
+}
+
+TEST(CompanyOfTrees, TheLargestSeedsAreToldApartToo) {
+    ForestDescription forest = growing({treeAt(0, 0), treeAt(5, 0)});
+    forest.trees[0].seed = forest.trees[1].seed = std::numeric_limits<std::uint32_t>::max();
+    tellApart(forest, std::vector<UnsaidOfTree>(2));
+    EXPECT_NE(forest.trees[0].seed % 8, forest.trees[1].seed % 8);
 }
