@@ -11,7 +11,10 @@ namespace osgTreeWind {
 
 /// A small tree grown by light: its units alone, without shoots.
 inline Skeleton sampleTree(std::uint32_t seed = 1, float flare = 0.0f) {
-    Skeleton skeleton = makeSkeleton(growTree({}, {}, {8.0f, 0.25f, 5.0f}, seed));
+    GrowthParameters growth;
+    growth.size = {8.0f, 0.25f, 5.0f};
+    growth.seed = seed;
+    Skeleton skeleton = makeSkeleton(growTree(growth));
     skeleton.shoots.clear();
     skeleton.shootPoints.clear();
     skeleton.leafyUnits.clear();
