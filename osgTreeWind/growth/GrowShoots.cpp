@@ -17,7 +17,7 @@ namespace {
 /// A bud grows when it has been allotted this share of an internode.
 constexpr float shortestShoot = 0.6f;
 /// Smallest pull of limbs upwards in the open and in a closed wood, 1/m.
-constexpr float openLimbRise = 0.15f, forestLimbRise = 0.25f;
+constexpr float openLimbRise = 0.15f, forestLimbRise = 0.15f;
 /// Bends of limbs in a closed wood over those in the open.
 constexpr float forestWander = 0.5f;
 /// Angle of a side shoot that takes over from a dead end, and of its partner in a fork, over that of others.

@@ -42,7 +42,7 @@ constexpr std::array<float, 3> layerWay = {1.0f, 1.57f, 2.6f};
 /// Shade of leaves of all inclinations, and of the twigs among them, over the leaves' area.
 constexpr float extinction = 1.0f;
 /// One side of the leaves above a square metre of a closed wood.
-constexpr float closedWood = 2.0f;
+constexpr float closedWood = 1.75f;
 
 /// exp(-x) nearly, the same on every machine.
 float passing(float x) {

@@ -44,7 +44,8 @@ struct TreeHabit {
     ByOrder rise{1.0f, 0.15f, 0.1f, 0.05f};       ///< Pull up, below 0 down, of growing shoots; 1/m.
     ByOrder levelling{0, 0, 0, 0};                ///< Pull towards the horizontal; 1/m.
     ByOrder lightSeeking{0.3f, 0.5f, 0.6f, 0.6f}; ///< Pull towards the light; 1/m.
-    ByOrder wander{0.08f, 0.15f, 0.2f, 0.2f};     ///< Random bends; radians in a metre.
+    ByOrder wander{0.08f, 0.15f, 0.2f, 0.2f};     ///< Random bends; radians in a metre. The more, the
+                                                  ///< more stems lean and the less boughs are alike.
     float zigzag = 0;                             ///< Bend at each node, to and fro, of boughs and beyond.
     ByOrder sink{0, 0, 0, 0};                     ///< By which an axis sinks at its foot in a long life.
     ByOrder hang{0, 0, 0, 0};                     ///< By which its own weight bends it down; radians a metre.

@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace osgTreeWind {
 namespace {
@@ -227,6 +229,28 @@ TEST(GrowTree, AClosedWoodMakesABareStem) {
         const float shaded = lowestLeaves(grown(habit, wood, closed, 1));
         EXPECT_LT(free, 0.2f);
         EXPECT_GT(shaded, 0.4f);
+    }
+}
+
+TEST(GrowTree, AWoodHasStraightStemsWithCrownsOnTheirUpperHalves) {
+    GrowthSite wood;
+    wood.shade = 1.0f;
+    wood.distance = 6.0f;
+    for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        const GrownForm form = growTree(oakHabit(), wood, {24.0f, 0.34f, 6.5f}, seed);
+        EXPECT_NEAR(form.heightFactor / form.widthFactor, 1.0f, 0.1f) << "it is distorted";
+        const float green = lowestLeaves(form);
+        EXPECT_GT(green, 0.4f);
+        EXPECT_LT(green, 0.72f);
+        glm::vec3 middle(0.0f), top(0.0f);
+        for (const GrownMetamer& metamer : form.metamers)
+            if (metamer.axis == 0 && metamer.position.z < 12.0f)
+                (metamer.position.z < 6.0f ? middle : top) = metamer.position;
+        EXPECT_GT(top.z, 10.0f) << "it divides where it is dark";
+        EXPECT_LT(glm::length(glm::vec2(top)) / top.z, 0.35f) << "leans";
+        const glm::vec2 bow = glm::vec2(middle) - glm::vec2(top) * (middle.z / top.z);
+        EXPECT_LT(glm::length(bow) / top.z, 0.08f);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace osgTreeWind {
 namespace {
@@ -61,6 +62,25 @@ TEST(GrowingStand, TreesAtTheEdgeAreGreenToTheGroundOnTheirOpenSide) {
     const GrowingTree& tree = grownSpruces().trees()[atEdge];
     EXPECT_GT(leaves(tree, 0.0f, 0.25f, -1.0f), 4.0f * leaves(tree, 0.0f, 0.25f, 1.0f));
     EXPECT_GT(leaves(tree, 0.0f, 0.25f, -1.0f), 0.05f * leaves(tree, 0.0f, 1.1f, -1.0f));
+}
+
+TEST(GrowingStand, NoBoughLivesThatCannotFeedItsWood) {
+    for (const GrowingTree& tree : grownSpruces().trees()) {
+        const std::vector<Metamer>& metamers = tree.state().metamers;
+        std::vector<float> fed(metamers.size()), wood(metamers.size());
+        for (std::size_t i = metamers.size() - 1; i > 0; --i) {
+            const Metamer& metamer = metamers[i];
+            const auto parent = static_cast<std::size_t>(metamer.parent);
+            fed[i] += metamer.leafArea * metamer.light;
+            wood[i] += metamer.died < 0 ? metamer.length : 0.0f;
+            fed[parent] += fed[i];
+            wood[parent] += wood[i];
+            const bool bough = metamer.order == 1 && metamers[parent].order == 0 && metamer.died < 0;
+            if (bough && tree.state().year - metamer.born > 6) {
+                EXPECT_GT(fed[i], 0.015f * spruceHabit().leafArea * wood[i]) << "of " << wood[i] << " m";
+            }
+        }
+    }
 }
 
 TEST(GrowingStand, NeighboursEnterAGapWithinTenYears) {
