@@ -10,10 +10,6 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Neighbours' shade in which crowns are as deep as those of stands: .39 to .54 of a height of 18 m in
-/// ForestGALES, .44 to .52 in BAAD.
-constexpr float shadeOfStands = 0.45f;
-
 /// Of the crown of a tree of that height in a forest, over its height; 0 is not known.
 float forestBase(const CrownAllometry& law, float height) {
     const float depth = law.depth + law.depthPerHeight * height;
@@ -100,7 +96,7 @@ TreeParameters growthOf(const Species& species, bool openGrown) {
         return tree;
     GrowthParameters& growth = *tree.growth;
     growth.size = forestSize(species);
-    growth.site.shade = shadeOfStands;
+    growth.site.shade = 1.0f;
     growth.site.distance = growth.size.crownWidth;
     growth.habit.cleanStem = std::max(growth.habit.cleanStem, forestBase(species.crown, growth.size.height));
     return tree;

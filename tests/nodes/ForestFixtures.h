@@ -58,6 +58,7 @@ inline osgTreeWind::ForestDescription oneTree(const osgTreeWind::Species& specie
     osgTreeWind::ForestDescription description = smallForest(1, speed);
     description.species = {species};
     description.trees = {osgTreeWind::TreePlacement()};
+    description.trees.front().openGrown = true;
     return description;
 }
 
