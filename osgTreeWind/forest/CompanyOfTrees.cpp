@@ -24,7 +24,7 @@ constexpr std::size_t sides = 16;
 using Sides = std::bitset<sides>;
 
 constexpr double asHigh = 0.6;      // as a tree, at least, are neighbours
-constexpr double gap = 0.25;        // between two crowns, of the neighbour's height
+constexpr double gap = 0.5;         // between two crowns, of the neighbour's height
 constexpr double closedFrom = 0.75; // of all sides
 constexpr double openTo = 0.25;     // of all sides
 constexpr double oneSided = 0.2;    // mean of the directions of open sides, over all sides

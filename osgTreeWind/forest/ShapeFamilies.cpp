@@ -22,6 +22,9 @@ constexpr int mostSteps = 12; // from the usual height
 /// Of the trees of a stand by height, those that forms are grown for: small, middling and large ones.
 constexpr std::array<double, 3> grownFor{0.15, 0.5, 0.85};
 
+/// Trees of a stand by which its forms get their proportions.
+constexpr std::size_t mostMeasured = 1000;
+
 int stepOf(float height, float usual) {
     if (!(height > 0.0f) || !(usual > 0.0f))
         return 0;
@@ -68,6 +71,16 @@ Steps grownSteps(const Steps& steps, bool usual) {
     return few;
 }
 
+/// Rounded to a power of 1.1, and at most by half off, beyond which forms grow odd; 1 of none.
+float medianInTenths(std::vector<float>& factors) {
+    if (factors.empty())
+        return 1.0f;
+    const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
+    std::nth_element(factors.begin(), middle, factors.end());
+    const double steps = std::round(std::log(static_cast<double>(*middle)) / std::log(1.1));
+    return static_cast<float>(std::pow(1.1, std::clamp(steps, -4.0, 4.0)));
+}
+
 /// Takes away the step with the fewest trees, which others then stand for. @return false where it has to
 /// stay.
 bool dropOne(Steps& steps, bool usual) {
@@ -92,8 +105,12 @@ ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
             continue;
         const Species& species = forest.species[tree.species];
         Stand& stand = stands[tree.species][companyOf(tree, species)];
-        ++stand.trees[stepOf(tree.size.height, usualHeight(species))];
-        stand.usual = stand.usual || !(tree.size.height > 0.0f);
+        const int at = stepOf(tree.size.height, usualHeight(species));
+        ++stand.trees[at];
+        if (tree.size.height > 0.0f)
+            stand.sizes.emplace_back(at, withCrown(tree.size, species.crown, tree.openGrown));
+        else
+            stand.usual = true;
     }
     for (std::size_t i = 0; i < stands.size(); ++i) {
         const auto namedIn = [&](const std::vector<std::string>& names) {
@@ -110,6 +127,25 @@ ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
 void ShapeFamilies::addUsual(Stand& stand) {
     ++stand.trees[0];
     stand.usual = true;
+}
+
+/// Gives forms the median proportions of their trees, in steps of a tenth.
+void ShapeFamilies::proportion(Family& family, const Species& species, Stand& stand, int at) {
+    std::vector<float> trunks, crowns; // over what the laws of the species say
+    const std::size_t apart = 1 + stand.sizes.size() / mostMeasured;
+    for (std::size_t i = 0; i < stand.sizes.size(); i += apart) {
+        const auto& [step, size] = stand.sizes[i];
+        if (nearest(stand.trees, step)->first != at)
+            continue;
+        const GrowthGoal usual = growthOf(species, family.openGrown, family.atEdge, size.height).growth->size;
+        trunks.push_back(size.trunkDiameter > 0.0f ? size.trunkDiameter / usual.trunkDiameter : 1.0f);
+        crowns.push_back(size.crownWidth > 0.0f ? size.crownWidth / usual.crownWidth : 1.0f);
+    }
+    GrowthParameters& growth = *family.tree.growth;
+    growth.size.trunkDiameter *= medianInTenths(trunks);
+    growth.size.crownWidth *= medianInTenths(crowns);
+    if (!family.openGrown)
+        growth.site.distance = growth.size.crownWidth;
 }
 
 ShapeFamilies::Company ShapeFamilies::companyOf(const TreePlacement& tree, const Species& species) {
@@ -140,10 +176,11 @@ void ShapeFamilies::add(const Species& species, Stands stands) {
         families += stand.trees.size();
     }
     const std::size_t shapes = shapeCount(species);
-    for (bool some = true; some && families > shapes;) {
+    const std::size_t most = std::max<std::size_t>(shapes / 2, 1); // so that trees of a family differ
+    for (bool some = true; some && families > most;) {
         some = false;
         for (Stand& stand : stands)
-            if (families > shapes && dropOne(stand.trees, stand.usual)) {
+            if (families > most && dropOne(stand.trees, stand.usual)) {
                 some = true;
                 --families;
             }
@@ -158,6 +195,8 @@ void ShapeFamilies::add(const Species& species, Stands stands) {
             family.atEdge = company == AtEdge;
             family.height = heightOf(at, usual);
             family.tree = growthOf(species, family.openGrown, family.atEdge, family.height);
+            if (bySize && !(at == 0 && stands[company].usual))
+                proportion(family, species, stands[company], at);
             _all.push_back(std::move(family));
             trees.push_back(count);
         }

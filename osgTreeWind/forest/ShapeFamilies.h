@@ -46,10 +46,12 @@ private:
     struct Stand {
         std::map<int, std::size_t> trees; ///< How many, by their heights in steps from the usual one.
         bool usual = false;               ///< Some have that one, since theirs is not given.
+        std::vector<std::pair<int, TreeSize>> sizes; ///< Those that are given, with their steps.
     };
     using Stands = std::array<Stand, 3>;
 
     static Company companyOf(const TreePlacement& tree, const Species& species);
+    static void proportion(Family& family, const Species& species, Stand& stand, int at);
     static void addUsual(Stand& stand); ///< A tree of that height.
     void add(const Species& species, Stands stands);
 

@@ -163,5 +163,16 @@ TEST(ShapeFamilies, EachCompanyHasFormsOfItsOwn) {
 
 TEST(ShapeFamilies, FewShapesAreOfFewHeights) {
     EXPECT_EQ(heightsOf(ShapeFamilies(growingTo({4, 4, 16, 16, 16, 25, 25}, 1))), std::vector<float>{16.0f});
-    EXPECT_EQ(heightsOf(ShapeFamilies(growingTo({4, 4, 4, 16, 25, 25, 25, 25}, 2))).size(), 2u);
+    EXPECT_EQ(heightsOf(ShapeFamilies(growingTo({4, 4, 4, 16, 25, 25, 25, 25}, 5))).size(), 2u);
+}
+
+TEST(ShapeFamilies, FormsHaveTheProportionsOfTheirTrees) {
+    ForestDescription forest = growingTo({16, 16, 16, 16, 16});
+    for (TreePlacement& tree : forest.trees)
+        tree.size = {16.0f, 0.8f, 12.0f};
+    const PlacedForest stout(forest);
+    for (const PlacedTree& tree : stout.trees) {
+        EXPECT_NEAR(tree.scale.axes.x / tree.scale.axes.z, 1.0f, 0.12f);
+        EXPECT_NEAR(tree.scale.radius / tree.scale.axes.z, 1.0f, 0.12f);
+    }
 }
