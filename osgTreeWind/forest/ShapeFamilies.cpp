@@ -71,14 +71,14 @@ Steps grownSteps(const Steps& steps, bool usual) {
     return few;
 }
 
-/// Rounded to a power of 1.1, and at most by half off, beyond which forms grow odd; 1 of none.
+/// Rounded to a power of 1.1, and at most a third or three times; 1 of none.
 float medianInTenths(std::vector<float>& factors) {
     if (factors.empty())
         return 1.0f;
     const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
     std::nth_element(factors.begin(), middle, factors.end());
     const double steps = std::round(std::log(static_cast<double>(*middle)) / std::log(1.1));
-    return static_cast<float>(std::pow(1.1, std::clamp(steps, -4.0, 4.0)));
+    return static_cast<float>(std::pow(1.1, std::clamp(steps, -11.0, 11.0)));
 }
 
 /// Takes away the step with the fewest trees, which others then stand for. @return false where it has to
