@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include <unistd.h>
 
@@ -13,7 +14,9 @@ WholeFile::WholeFile(const std::string& path) {
     std::error_code problem;
     const std::filesystem::path target = std::filesystem::canonical(path, problem);
     _path = problem ? path : target.string();
-    _unfinished = _path + '.' + std::to_string(getpid()) + ".part";
+    // Processes of two machines or containers may have one number.
+    _unfinished =
+        _path + '.' + std::to_string(getpid()) + '-' + std::to_string(std::random_device()()) + ".part";
 }
 
 WholeFile::~WholeFile() {

@@ -34,9 +34,11 @@ struct TreePlacement {
     float heading =
         0.0f;      ///< Turn about the vertical, radians, counter-clockwise from above; within 1e6 degrees.
     TreeSize size; ///< A crown not given follows the trunk, other sizes follow the model.
-    float leaves = 1.0f;        ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
-    std::uint32_t seed = 0;     ///< Picks one of the species' shapes, and the noise streams.
-    bool openGrown = false;     ///< Stands by itself: such a crown is wider and deeper than in a forest.
+    float leaves = 1.0f;    ///< Share of its leaves that it bears in summer, 0 (bare) to 1.
+    std::uint32_t seed = 0; ///< Picks one of the species' shapes, and the noise streams.
+    bool openGrown = false; ///< Stands by itself: such a crown is wider and deeper than in a forest.
+    /// Stands at the edge of a wood, which is open where its heading points.
+    bool atEdge = false;
     std::string name{};         ///< An inventory's id; empty: none. Where two have one, it is the first's.
     EstimatedSizes estimated{}; ///< Of `size`.
     bool tiled = false;         ///< Came with a tile, and goes with it: no file says it.

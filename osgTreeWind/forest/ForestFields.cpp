@@ -103,7 +103,14 @@ const Fields& fieldsOf<TreePlacement>() {
          at<&P::openGrown>,
          {},
          "it stands by itself: its crown is as deep as its species grows, whatever `[species.crown]` says of "
-         "a forest; that of a built-in species, where `crown_width` is not given, is wider than there"},
+         "a forest; that of a built-in species, where `crown_width` is not given, is wider than there. Where "
+         "neither this nor `at_edge` is said of a "
+         "tree that grows by light, its neighbours tell"},
+        {"at_edge",
+         at<&P::atEdge>,
+         {},
+         "it stands at the edge of a wood, which is open to where its `heading` points: there its crown is "
+         "as deep as in the open"},
         {"leaves", at<&P::leaves>, within(0, 1),
          "share of its leaves that it bears: their mass, drag and damping; else `motion.leaves`"},
         {"heading", at<&P::heading>, within(-1e6, 1e6),
@@ -111,7 +118,9 @@ const Fields& fieldsOf<TreePlacement>() {
         {"seed",
          at<&P::seed>,
          {},
-         "picks the shape and its motion; without it `seed` and its place in the file, from 0"},
+         "picks the shape and its motion; without it `seed` and its place in the file, from 0, and up to 63 "
+         "more "
+         "where neighbours would have the same form"},
         {"id", at<&P::name>, {}, "what it is called, any text; no two alike"},
         {"estimated", at<&P::estimated>, {}, ""},
     };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/forest/PlacedForest.h>
 
+#include <osgTreeWind/base/Batches.h>
 #include <osgTreeWind/base/RoomFor.h>
+#include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -18,13 +21,14 @@ bool same(const TreeSize& a, const TreeSize& b) {
 
 } // namespace
 
-PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed)
+PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>& placed,
+                           const Executor& executor)
     : _families(std::make_shared<const ShapeFamilies>(given)) {
     const std::vector<TreePlacement> placements = std::exchange(given.trees, {});
     if (given.tiles)
         _struck = given.tiles->removed;
     _description = std::make_shared<const ForestDescription>(std::move(given));
-    growShapes();
+    growShapes(executor);
     setSeason(description().season);
 
     trees.reserve(placements.size());
@@ -41,18 +45,23 @@ PlacedForest::PlacedForest(ForestDescription given, const std::function<void()>&
 }
 
 /// Of the species that have none yet.
-void PlacedForest::growShapes() {
+void PlacedForest::growShapes(const Executor& executor) {
+    const std::size_t first = _models.size();
+    std::vector<std::pair<const TreeParameters*, std::uint32_t>> shapes;
     for (std::size_t i = _firstModels.size(); i < _families->all().size(); ++i) {
         const ShapeFamilies::Family& family = _families->all()[i];
-        _firstModels.push_back(static_cast<std::uint32_t>(_models.size()));
+        _firstModels.push_back(static_cast<std::uint32_t>(first + shapes.size()));
         for (std::uint32_t shape = 0; shape < family.shapes; ++shape)
-            _models.push_back(sharedTreeModel(family.tree, shape));
+            shapes.emplace_back(&family.tree, shape);
     }
+    _models.resize(first + shapes.size());
+    runJobs(executor ? executor : ThreadPool::executor(), shapes.size(),
+            [&](std::size_t i) { _models[first + i] = sharedTreeModel(*shapes[i].first, shapes[i].second); });
     for (std::size_t i = _species.size(); i < description().species.size(); ++i)
         _species.push_back(std::make_shared<const Species>(description().species[i]));
 }
 
-std::size_t PlacedForest::addSpecies(Species species) {
+std::size_t PlacedForest::addSpecies(Species species, const Executor& executor) {
     const auto families = std::make_shared<ShapeFamilies>(*_families);
     families->add(species, true, true);
     _families = families;
@@ -60,7 +69,7 @@ std::size_t PlacedForest::addSpecies(Species species) {
     const auto described = std::make_shared<ForestDescription>(description());
     described->species.push_back(std::move(species));
     _description = described;
-    growShapes();
+    growShapes(executor);
     return _species.size() - 1;
 }
 
@@ -68,14 +77,19 @@ PlacedTree PlacedForest::fitted(const TreePlacement& placement, const PlacedTree
     PlacedTree tree;
     tree.species = static_cast<std::uint32_t>(placement.species);
     const Species& species = speciesOf(tree);
-    const std::size_t family = _families->indexOf(placement);
+    const bool sized = before && same(placement.size, measured(*before));
+    TreePlacement asked = placement;
+    if (sized)
+        asked.size = before->given; // by which it got its shape
+    const std::size_t family = _families->indexOf(asked);
     tree.model = _firstModels[family] + placement.seed % _families->all()[family].shapes;
-    const bool kept = before && before->model == tree.model && same(placement.size, measured(*before));
+    const bool kept = sized && before->model == tree.model;
     tree.given = kept ? before->given : placement.size;
     tree.estimated = kept ? before->estimated : placement.estimated;
     tree.openGrown = kept ? before->openGrown : placement.openGrown;
     tree.scale =
         kept ? before->scale : fitTree(modelOf(tree), withCrown(tree.given, species.crown, tree.openGrown));
+    tree.atEdge = placement.atEdge;
     tree.tiled = placement.tiled;
     tree.position = glm::vec3(placement.position - description().origin);
     tree.heading = placement.heading;
@@ -94,6 +108,7 @@ TreePlacement PlacedForest::placementOf(std::size_t slot) const {
     placement.size = measured(tree);
     placement.leaves = tree.summerLeaves;
     placement.openGrown = tree.openGrown;
+    placement.atEdge = tree.atEdge;
     placement.seed = tree.seed;
     placement.name = names.of(static_cast<std::uint32_t>(slot));
     return placement;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/Executor.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/forest/TreeId.h>
 #include <osgTreeWind/forest/TreeNames.h>
@@ -33,6 +34,7 @@ struct PlacedTree {
     std::uint32_t generation = 0; ///< Trees that stood in this slot before it.
     bool alive = true;            ///< No: it was removed, and nothing else here counts.
     bool openGrown = false;       ///< In the open (TreePlacement::openGrown).
+    bool atEdge = false;          ///< TreePlacement::atEdge.
     bool tiled = false;           ///< TreePlacement::tiled.
     EstimatedSizes estimated;     ///< Of `given`.
     TreeSize given;               ///< From which, with openGrown, `scale` follows.
@@ -42,7 +44,9 @@ struct PlacedTree {
 /// none writes.
 struct PlacedForest {
     /// @param given for which check() finds nothing. @param placed called after each tree; may be empty.
-    explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {});
+    /// @param executor grows its shapes; none: the threads of the process.
+    explicit PlacedForest(ForestDescription given, const std::function<void()>& placed = {},
+                          const Executor& executor = {});
 
     std::vector<PlacedTree> trees; ///< By slot: in the order of the description, then as they were added.
     std::size_t units = 0;         ///< Of the description's trees,
@@ -53,8 +57,9 @@ struct PlacedForest {
     const ForestDescription& description() const { return *_description; }
     /// Shapes, shared by trees and by forests.
     const SharedModels& models() const { return _models; }
-    /// Grows the shapes of one more species, for which check() finds nothing. @return its index.
-    std::size_t addSpecies(Species species);
+    /// Grows the shapes of one more species, for which check() finds nothing. @param executor as above.
+    /// @return its index.
+    std::size_t addSpecies(Species species, const Executor& executor = {});
 
     /// Its shape.
     const TreeModel& modelOf(const PlacedTree& tree) const { return *_models[tree.model]; }
@@ -97,7 +102,7 @@ struct PlacedForest {
     TreeId idOf(std::size_t slot) const { return makeTreeId(slot, trees[slot].generation); }
 
 private:
-    void growShapes();
+    void growShapes(const Executor& executor);
 
     std::shared_ptr<const ForestDescription> _description;
     SharedModels _models;

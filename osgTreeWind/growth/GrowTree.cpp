@@ -69,13 +69,9 @@ private:
 
 } // namespace
 
-GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const GrowthGoal& size,
-                   std::uint32_t seed) {
-    const GrowthSite site = inRange(place);
-    GrowthParameters growth;
-    growth.size = size;
-    growth.habit = wanted;
-    growth = clampedFields(growth);
+GrownForm growTree(const GrowthParameters& parameters) {
+    const GrowthSite site = inRange(parameters.site);
+    const GrowthParameters growth = clampedFields(parameters);
     const GrowthGoal goal = growth.size;
     const TreeHabit habit = inPiecesFor(goal, growth.habit);
     std::optional<TreeState> best;
@@ -83,7 +79,7 @@ GrownForm growTree(const TreeHabit& wanted, const GrowthSite& place, const Growt
     float leastMiss = 0.0f;
     std::size_t work = 0;
     for (std::size_t i = 0; i < mostGrowths && work < mostWork; ++i) {
-        TreeState tree = grownTree(habit, site, goal, seed, search.next());
+        TreeState tree = grownTree(habit, site, goal, growth.seed, search.next());
         work += tree.metamers.size() * static_cast<std::size_t>(tree.year);
         const float tooNarrow =
             0.5f * goal.crownWidth / std::max(tree.reach, 0.01f) * std::max(tree.height, 0.01f) / goal.height;

@@ -2,16 +2,12 @@
 #pragma once
 
 #include <osgTreeWind/growth/GrownForm.h>
-#include <osgTreeWind/growth/GrowthGoal.h>
-#include <osgTreeWind/growth/GrowthSite.h>
-#include <osgTreeWind/growth/TreeHabit.h>
+#include <osgTreeWind/growth/GrowthParameters.h>
 #include <osgTreeWind/growth/TreeState.h>
-
-#include <cstdint>
 
 namespace osgTreeWind {
 
-/// A tree that grows from a seedling to the size of `goal`, by self-organisation after Palubicki et al. 2009.
+/// A tree that grows from a seedling to its size, by self-organisation after Palubicki et al. 2009.
 ///
 /// Each year its leaves unfold and shade each other (ShadeGrid); branches that do not get enough light die
 /// (ShedBranches); the growth that the light allows is shared out among buds (AllotGrowth); shoots grow, with
@@ -22,8 +18,7 @@ namespace osgTreeWind {
 ///
 /// Values out of range are brought into it. One seed gives one tree, bit for bit, on every machine.
 /// Thread-safe.
-GrownForm growTree(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal,
-                   std::uint32_t seed);
+GrownForm growTree(const GrowthParameters& parameters);
 
 /// A tree as it stands, stretched to fit `goal`, with radii.
 GrownForm fittedForm(const TreeState& tree, const GrowthGoal& goal);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/forest/CompanyOfTrees.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/SpeciesCatalogue.h>
@@ -28,9 +29,10 @@ struct ForestReading {
     float leaves = 1.0f; ///< Of trees that do not say.
     ForestDescription forest;
     TreeStore trees{forest.trees};
-    std::optional<Crs> crs;          ///< That of the forest.
-    std::optional<double> windDate;  ///< Seconds since 1970 of the wind's time 0, where its files say.
-    std::size_t declaredSpecies = 0; ///< The first ones of the forest's; the others are built in.
+    std::vector<UnsaidOfTree> unsaid; ///< By tree.
+    std::optional<Crs> crs;           ///< That of the forest.
+    std::optional<double> windDate;   ///< Seconds since 1970 of the wind's time 0, where its files say.
+    std::size_t declaredSpecies = 0;  ///< The first ones of the forest's; the others are built in.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
     std::set<std::string> treeNames;                  ///< Of all trees so far.
     const SpeciesCatalogue* catalogue = nullptr;      ///< Null until it is asked for.
@@ -44,6 +46,8 @@ struct ForestReading {
     /// are now those of the reading.
     const SpeciesCatalogue& builtIn();
     TreesInAll treesInAll();
+    /// The next tree. @param onGround as TreeStore::add().
+    void addTree(const TreePlacement& tree, bool onGround, UnsaidOfTree said);
     /// Takes the crs that an inventory or the ground asks for.
     void choose(const Crs& chosen);
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
@@ -84,7 +88,7 @@ void writeTiles(std::ostream& output, const ForestTiles& tiles); ///< [tiles].
 /// [wind], if there is one. @return what keeps it from being written; empty when all is well.
 std::string writeWind(std::ostream& output, const ForestDescription& forest);
 
-/// That their distinct shapes have too many vertices; empty when they have not.
-std::string problemOfShapes(const std::vector<Species>& species);
+/// That its distinct shapes have too many vertices; empty when they have not.
+std::string problemOfShapes(const ForestDescription& forest);
 
 } // namespace osgTreeWind

@@ -58,7 +58,7 @@ public:
     void read() {
         std::uint32_t seed = _reading.seed;
         _table.read("seed", seed);
-        _table.read("open_grown", _openGrown);
+        _saysCompany = _table.read("open_grown", _openGrown);
         _table.read("skip", _skip);
         _leaves = _reading.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
@@ -141,7 +141,7 @@ private:
         if (_standsFor)
             ++_unmatched[*_standsFor];
         tree.name = nameOf(said);
-        _reading.trees.add(tree, !place.hasHeight);
+        _reading.addTree(tree, !place.hasHeight, {!_saysCompany});
     }
 
     template <typename T>
@@ -270,7 +270,7 @@ private:
     InventoryColumns _columns;
     InventoryPlaces _places;
     bool _complete = true;
-    bool _openGrown = false, _skip = false;
+    bool _openGrown = false, _saysCompany = false, _skip = false;
     float _leaves = 1.0f;
     std::string _defaultName;
     std::optional<std::size_t> _default;

@@ -3,6 +3,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/HostMap.h>
+#include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
@@ -61,6 +62,12 @@ TreesInAll ForestReading::treesInAll() {
     return all;
 }
 
+void ForestReading::addTree(const TreePlacement& tree, bool onGround, UnsaidOfTree said) {
+    trees.add(tree, onGround);
+    if (trees.areInMemory())
+        unsaid.push_back(said);
+}
+
 void ForestReading::choose(const Crs& chosen) {
     crs = chosen;
     forest.crs = chosen.text();
@@ -98,12 +105,13 @@ std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, 
     return std::nullopt;
 }
 
-std::string problemOfShapes(const std::vector<Species>& species) {
+std::string problemOfShapes(const ForestDescription& forest) {
     constexpr std::uint64_t mostVertices = 50000000;
     std::uint64_t vertices = 0;
-    for (const Species& each : species)
-        vertices +=
-            countLargest(each.tree, each.shapes).totalVertices() * static_cast<std::uint64_t>(each.shapes);
+    const ShapeFamilies families(forest);
+    const std::vector<TreeCounts> largest = families.countLargest();
+    for (std::size_t i = 0; i < largest.size(); ++i)
+        vertices += largest[i].totalVertices() * families.all()[i].shapes;
     if (vertices <= mostVertices)
         return {};
     return "the shapes of all species have " + std::to_string(vertices) + " vertices; at most " +
@@ -244,8 +252,6 @@ void readRoot(TableReader& root, ForestReading& reading) {
     root.tables("species", [&](TableReader& table) { readSpecies(table, reading); });
     if (reading.forest.species.empty())
         root.problem("species", "expected at least one [[species]]");
-    if (const std::string problem = problemOfShapes(reading.forest.species); !problem.empty())
-        root.problem("species", problem);
     reading.declaredSpecies = reading.forest.species.size();
 
     root.tables("tree", [&](TableReader& table) { readTree(table, reading); });
@@ -260,6 +266,13 @@ void readRoot(TableReader& root, ForestReading& reading) {
     if (!root.has("species"))
         dropUnusedDefault(reading);
 
+    if (reading.log.problems.empty() && reading.trees.areInMemory()) {
+        findCompany(reading.forest, reading.unsaid);
+        tellApart(reading.forest, reading.unsaid);
+    }
+    if (reading.log.problems.empty())
+        if (const std::string problem = problemOfShapes(reading.forest); !problem.empty())
+            root.problem("species", problem);
     root.table("ground", [&](TableReader& table) { readGround(table, reading); });
     if (reading.log.problems.empty())
         if (const std::string problem = problemOfMemory(reading.forest, false); !problem.empty())

@@ -106,7 +106,7 @@ struct Scatter {
     std::vector<std::size_t> species;
     std::vector<double> weights;
     std::optional<DrawnNumber> height, trunkDiameter, crownWidth, trunkRatio, crownRatio;
-    bool openGrown = false;
+    bool openGrown = false, saysCompany = false;
     float leaves = 1.0f;
     std::uint32_t seed = 0;
 
@@ -200,7 +200,8 @@ void readTree(TableReader& table, ForestReading& reading) {
     readFields(table, tree);
     if (!tree.name.empty() && !reading.treeNames.insert(tree.name).second)
         table.problem("id", "the id " + inQuotes(tree.name) + " is taken already");
-    reading.trees.add(tree, position.size() == 2);
+    const bool unsaid = !table.has("open_grown") && !table.has("at_edge");
+    reading.addTree(tree, position.size() == 2, {unsaid, !table.has("heading"), !table.has("seed")});
 }
 
 void readScatter(TableReader& table, ForestReading& reading) {
@@ -217,7 +218,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
     scatter.height = readDrawnNumber(table, "height", treeRange("height"));
     readEither(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);
     readEither(table, scatter, "crown_width", scatter.crownWidth, "crown_ratio", scatter.crownRatio);
-    table.read("open_grown", scatter.openGrown);
+    scatter.saysCompany = table.read("open_grown", scatter.openGrown);
     scatter.leaves = reading.leaves;
     table.read("leaves", scatter.leaves, treeRange("leaves"));
     table.read("seed", scatter.seed);
@@ -256,7 +257,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
         tree.leaves = scatter.leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
-        reading.trees.add(tree, true);
+        reading.addTree(tree, true, {!scatter.saysCompany});
     }
 }
 

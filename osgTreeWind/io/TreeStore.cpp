@@ -14,7 +14,7 @@ namespace {
 template <typename Tree>
 auto storedParts(Tree& tree) {
     return std::tie(tree.position, tree.species, tree.size, tree.heading, tree.leaves, tree.seed,
-                    tree.openGrown, tree.estimated);
+                    tree.openGrown, tree.atEdge, tree.estimated);
 }
 
 void append(std::string& bytes, const TreePlacement& tree, bool onGround) {

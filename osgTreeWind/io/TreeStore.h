@@ -25,6 +25,7 @@ public:
     bool useFile(const std::string& folder, std::size_t most);
     /// @param onGround its height is not known, and it stands on the ground if there is one.
     void add(const TreePlacement& tree, bool onGround);
+    bool areInMemory() const { return !_file; } ///< All of them.
     std::size_t size() const { return _stored + _memory.size(); }
 
     /// Hands over all trees in their order: all at once where they are in memory, else some at a time.

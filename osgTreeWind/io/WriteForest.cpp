@@ -36,8 +36,9 @@ public:
         for (std::size_t i = 0; i < forest.trees.size(); ++i)
             if (const std::string& name = forest.trees[i].name; !name.empty())
                 ofName(name, names, "tree[" + std::to_string(i) + "].id", name);
-        if (const std::string problem = problemOfShapes(forest.species);
-            _problems.empty() && !problem.empty())
+        if (!_problems.empty())
+            return;
+        if (const std::string problem = problemOfShapes(forest); !problem.empty())
             add("species", problem);
     }
 
@@ -134,7 +135,8 @@ void writeTree(std::ostream& output, const TreePlacement& tree, const ForestDesc
     output << "\n[[tree]]\nspecies = " << tomlText(forest.species[tree.species].name)
            << "\nposition = " << tomlText(tree.position) << '\n';
     TreePlacement usual;
-    usual.seed = ~tree.seed; // it is always written: else its place in the file would tell it
+    usual.seed = ~tree.seed;           // it is always written: else its place in the file would tell it
+    usual.openGrown = !tree.openGrown; // likewise: else what stands around it would
     for (float TreeSize::*size : {&TreeSize::height, &TreeSize::trunkDiameter, &TreeSize::crownWidth})
         if (!(tree.size.*size > 0.0f))
             usual.size.*size = tree.size.*size; // not given

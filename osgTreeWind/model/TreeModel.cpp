@@ -2,8 +2,7 @@
 #include <osgTreeWind/model/TreeModel.h>
 
 #include <osgTreeWind/base/SharedValues.h>
-#include <osgTreeWind/growth/GrowTree.h>
-#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/FormCache.h>
 #include <osgTreeWind/model/FormSkeleton.h>
 #include <osgTreeWind/model/GrownTree.h>
 #include <osgTreeWind/model/MeasureTree.h>
@@ -26,9 +25,10 @@ Skeleton makeSkeleton(const TreeParameters& parameters, std::uint32_t variant) {
     if (parameters.scans)
         return (*parameters.scans)[variant % parameters.scans->size()].skeleton;
     if (parameters.growth) {
-        const GrowthParameters& p = *parameters.growth;
-        Skeleton skeleton = makeSkeleton(growTree(p.habit, p.site, p.size, p.seed + variant));
-        skeleton.flare = p.flare;
+        GrowthParameters growth = *parameters.growth;
+        growth.seed += variant;
+        Skeleton skeleton = makeSkeleton(*grownForm(growth));
+        skeleton.flare = growth.flare;
         return skeleton;
     }
     if (parameters.grown) {
@@ -83,10 +83,8 @@ std::string keyOf(const TreeParameters& parameters, std::uint32_t variant) {
         addBytes(scan.shootPoints, key);
         addBytes(scan.leafyUnits, key);
     } else if (parameters.growth) {
-        const GrowthSite& site = parameters.growth->site;
-        key += "growth";
-        addBytes(std::vector<float>{site.shade, site.distance, site.openSide.value_or(-1000.0f)}, key);
-        addFieldBytes(*parameters.growth, key);
+        key += "growth" + formKey(*parameters.growth);
+        addBytes(std::vector<float>{parameters.growth->flare}, key);
     } else if (parameters.grown) {
         key += "grown";
         addFieldBytes(*parameters.grown, key);
@@ -200,14 +198,21 @@ TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant) {
 
 TreeCounts countLargest(const TreeParameters& parameters, int shapes) {
     TreeCounts largest = countTree(parameters);
-    const int distinct = parameters.scans ? std::min(shapes, static_cast<int>(parameters.scans->size()))
-                         : parameters.growth || parameters.grown ? shapes
-                                                                 : 1;
+    constexpr std::array numbers{&TreeCounts::units,          &TreeCounts::branches,
+                                 &TreeCounts::skeletonPoints, &TreeCounts::skinVertices,
+                                 &TreeCounts::skinTriangles,  &TreeCounts::leafVertices,
+                                 &TreeCounts::leafTriangles};
+    if (parameters.growth && !parameters.scans) {
+        for (const auto number : numbers)
+            largest.*number += largest.*number / 4;
+        return largest;
+    }
+    const int distinct = parameters.scans   ? std::min(shapes, static_cast<int>(parameters.scans->size()))
+                         : parameters.grown ? shapes
+                                            : 1;
     for (int shape = 1; shape < distinct; ++shape) {
         const TreeCounts counts = countTree(parameters, static_cast<std::uint32_t>(shape));
-        for (const auto number : {&TreeCounts::units, &TreeCounts::branches, &TreeCounts::skeletonPoints,
-                                  &TreeCounts::skinVertices, &TreeCounts::skinTriangles,
-                                  &TreeCounts::leafVertices, &TreeCounts::leafTriangles})
+        for (const auto number : numbers)
             largest.*number = std::max(largest.*number, counts.*number);
     }
     return largest;

@@ -49,7 +49,8 @@ struct TreeCounts {
 TreeCounts countTree(const TreeModel& model);
 /// The same numbers without growing skin and leaves; all are exact.
 TreeCounts countTree(const TreeParameters& parameters, std::uint32_t variant = 0);
-/// Of each number the largest among variants 0 to `shapes` - 1.
+/// Of each number the largest among variants 0 to `shapes` - 1. Of a tree that grows by light, which takes
+/// its time, a quarter more than that of variant 0.
 TreeCounts countLargest(const TreeParameters& parameters, int shapes);
 
 } // namespace osgTreeWind

@@ -70,10 +70,11 @@ ForestMemory forestMemory(const ForestDescription& description) {
     for (const TreePlacement& tree : description.trees)
         ++trees[families.indexOf(tree)];
     const bool modal = description.law == MotionLaw::Modal;
+    const std::vector<TreeCounts> largest = families.countLargest();
     ForestMemory memory;
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const auto shapes = std::uint64_t(families.all()[i].shapes);
-        const TreeCounts counts = countLargest(families.all()[i].tree, static_cast<int>(shapes));
+        const TreeCounts& counts = largest[i];
         const std::uint64_t leaves = counts.leafVertices / verticesPerLeafCluster;
         memory.simulation +=
             shapes * shapeBytes(counts) +

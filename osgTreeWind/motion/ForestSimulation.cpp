@@ -27,7 +27,7 @@ constexpr std::size_t largeForest = 256; // trees; below it threads cost more th
 std::unique_ptr<PlacedForest> placed(ForestDescription&& description, const SimulationOptions& options) {
     const bool last = description.law == MotionLaw::Modal; // laws of a branch have work to do on each tree
     return std::make_unique<PlacedForest>(std::move(description),
-                                          last ? options.placed : std::function<void()>());
+                                          last ? options.placed : std::function<void()>(), options.executor);
 }
 
 Executor executorFor(const Executor& given, std::size_t trees) {
@@ -147,7 +147,7 @@ Result<std::size_t> ForestSimulation::addSpecies(Species species) {
             problemOfMemory("the shapes of this species", memory.simulation + memory.nodes);
         !problem.empty())
         return keyProblem({}, problem);
-    return _forest->addSpecies(std::move(species));
+    return _forest->addSpecies(std::move(species), _lent);
 }
 
 Result<TreeId> ForestSimulation::addTree(const TreePlacement& placement) {

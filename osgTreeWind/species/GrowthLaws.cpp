@@ -33,6 +33,23 @@ GrowthGoal forestSize(const Species& species) {
     return size;
 }
 
+/// A smaller or larger one of trees of which one is known.
+GrowthGoal ofHeight(float height, const GrowthGoal& known, const Species& species, bool openGrown) {
+    const float ratio = height / known.height;
+    const float power = openGrown ? species.height.openPower : species.height.power;
+    const float scale = openGrown ? species.height.openScale : species.height.scale;
+    const auto crownOf = [&](float diameter) {
+        return withCrown({0.0f, diameter, 0.0f}, species.crown, openGrown).crownWidth;
+    };
+    GrowthGoal goal{height, known.trunkDiameter * ratio, known.crownWidth * ratio};
+    if (scale > 0.0f && power > 0.0f)
+        goal.trunkDiameter = known.trunkDiameter * std::pow(ratio, 1.0f / power);
+    const float before = crownOf(known.trunkDiameter), after = crownOf(goal.trunkDiameter);
+    if (before > 0.0f && after > 0.0f)
+        goal.crownWidth = known.crownWidth * after / before;
+    return goal;
+}
+
 // The modulus follows the slenderness where that was measured; clear wood is cut from usual trees.
 constexpr double stoutest = 50.0, usual = 80.0, slenderest = 110.0;
 
@@ -94,6 +111,18 @@ TreeParameters growthOf(const Species& species, bool openGrown) {
     const float squeezed = (1.0f - raised) / (1.0f - base);
     tree.grown->trunk = 1.0f - (1.0f - tree.grown->trunk) * squeezed;
     base = raised;
+    return tree;
+}
+
+TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, float height) {
+    TreeParameters tree = growthOf(species, openGrown);
+    if (!tree.growth)
+        return tree;
+    tree.growth->size = ofHeight(height, tree.growth->size, species, openGrown);
+    if (!openGrown)
+        tree.growth->site.distance = tree.growth->size.crownWidth;
+    if (atEdge && !openGrown)
+        tree.growth->site.openSide = 0.0f;
     return tree;
 }
 

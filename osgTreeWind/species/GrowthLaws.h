@@ -15,7 +15,11 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown);
 /// its law has for its own height, where that is shallower. What the crown holds keeps its place in it:
 /// boughs and leaves are as many, closer to each other; those below are gone.
 TreeParameters growthOf(const Species& species, bool openGrown);
-/// Whether these are two.
+/// How trees of that height grow, of a species that grows by light: their trunks and crowns follow from
+/// the height by the laws of the species, where it has them, else in proportion.
+/// @param height metres. @param atEdge of a forest, which is open towards +x.
+TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, float height);
+/// Whether trees in the open and those in a forest grow in two ways.
 bool growsByCompany(const Species& species);
 
 /// Height to which a species grows when no size of a tree is given, metres. 0: the species does not say.

@@ -15,6 +15,8 @@ ForestDescription standing(std::initializer_list<std::pair<std::size_t, bool>> t
     ForestDescription forest;
     forest.species = {*findSpecies("Sitka spruce"), *findSpecies("palm")};
     forest.species[0].crown.depthPerHeight = 0.5f;
+    for (Species& species : forest.species)
+        species.shapes = 3;
     for (const auto& [species, openGrown] : trees) {
         TreePlacement tree;
         tree.species = species;
@@ -30,17 +32,18 @@ ForestDescription standing(std::initializer_list<std::pair<std::size_t, bool>> t
 
 TEST(ShapeFamilies, OneCompanyIsGrownOnce) {
     const auto shapes = [](const ForestDescription& forest) { return PlacedForest(forest).models().size(); };
+    EXPECT_EQ(Species().shapes, 8);
     EXPECT_EQ(shapes(standing({})), 6u);
     EXPECT_EQ(shapes(standing({{0, false}, {0, false}})), 6u);
     EXPECT_EQ(shapes(standing({{0, true}})), 6u);
-    EXPECT_EQ(shapes(standing({{0, true}, {0, false}})), 9u);
+    EXPECT_EQ(shapes(standing({{0, true}, {0, false}})), 6u) << "3 for both together";
     EXPECT_EQ(shapes(standing({{1, true}, {1, false}})), 6u) << "palms grow alike";
 }
 
 TEST(ShapeFamilies, ModelsKnowTheirSpecies) {
     const PlacedForest forest(standing({{0, true}, {0, false}, {1, true}}));
     for (std::size_t model = 0; model < forest.models().size(); ++model)
-        EXPECT_EQ(forest.speciesOfModel(model), model < 6 ? 0u : 1u) << model;
+        EXPECT_EQ(forest.speciesOfModel(model), model < 3 ? 0u : 1u) << model;
     for (const PlacedTree& tree : forest.trees)
         EXPECT_EQ(forest.speciesOfModel(tree.model), tree.species);
 }
@@ -65,5 +68,111 @@ TEST(ShapeFamilies, APlacementGivesTheSameCrownAgain) {
         const PlacedTree again = forest.fitted(forest.placementOf(slot));
         EXPECT_EQ(again.model, forest.trees[slot].model);
         EXPECT_NEAR(again.scale.axes.z, forest.trees[slot].scale.axes.z, 0.02f);
+    }
+}
+
+namespace {
+
+/// A species that grows by light to 16 m, with trees of these heights, 0: not given.
+ForestDescription growingTo(const std::vector<float>& heights, int shapes = 8) {
+    ForestDescription forest;
+    forest.species = {Species()};
+    forest.species.front().shapes = shapes;
+    forest.species.front().tree.growth = GrowthParameters();
+    forest.species.front().tree.growth->size = {16.0f, 0.4f, 8.0f};
+    for (const float height : heights) {
+        TreePlacement tree;
+        tree.size.height = height;
+        forest.trees.push_back(tree);
+    }
+    return forest;
+}
+
+std::vector<float> heightsOf(const ShapeFamilies& families) {
+    std::vector<float> heights;
+    for (const ShapeFamilies::Family& family : families.all())
+        heights.push_back(family.tree.growth->size.height);
+    return heights;
+}
+
+std::uint32_t shapesOf(const ShapeFamilies& families) {
+    std::uint32_t sum = 0;
+    for (const ShapeFamilies::Family& family : families.all())
+        sum += family.shapes;
+    return sum;
+}
+
+} // namespace
+
+TEST(ShapeFamilies, FormsAreGrownForSmallMiddlingAndLargeTrees) {
+    const ShapeFamilies families(growingTo({4, 4, 4, 4, 16, 16, 16, 16, 16, 16, 16, 16, 25, 25, 25, 25}));
+    const std::vector<float> heights = heightsOf(families);
+    ASSERT_EQ(heights.size(), 3u);
+    EXPECT_NEAR(heights[0], 4.0f, 0.3f);
+    EXPECT_EQ(heights[1], 16.0f);
+    EXPECT_EQ(heights[2], 25.0f);
+    EXPECT_EQ(shapesOf(families), 8u);
+    EXPECT_EQ(families.all()[1].shapes, 4u) << "half of the trees";
+    const ShapeFamilies alike(growingTo({15, 15.5f, 16, 16, 17}));
+    EXPECT_EQ(heightsOf(alike), std::vector<float>{16.0f});
+    EXPECT_EQ(shapesOf(alike), 8u);
+}
+
+TEST(ShapeFamilies, ATreeTakesTheNearestForm) {
+    const ForestDescription forest = growingTo({4, 4, 4, 4, 16, 16, 16, 16, 16, 16, 16, 16, 25, 25, 25, 25});
+    const ShapeFamilies families(forest);
+    const auto formFor = [&](float height) {
+        TreePlacement tree;
+        tree.size.height = height;
+        return families.indexOf(tree);
+    };
+    EXPECT_EQ(formFor(2.0f), 0u);
+    EXPECT_EQ(formFor(15.0f), 1u);
+    EXPECT_EQ(formFor(19.0f), 1u);
+    EXPECT_EQ(formFor(21.0f), 2u);
+    EXPECT_EQ(formFor(60.0f), 2u);
+    EXPECT_EQ(formFor(0.0f), 1u) << "not given: the usual one";
+}
+
+TEST(ShapeFamilies, ATreeWithoutASizeIsAsHighAsItsSpeciesGrows) {
+    const ShapeFamilies families(growingTo({0, 4, 4, 4, 4, 4, 4, 25, 25, 25, 25, 25, 25, 25}));
+    TreePlacement tree;
+    EXPECT_EQ(families.all()[families.indexOf(tree)].tree.growth->size.height, 16.0f);
+}
+
+TEST(ShapeFamilies, EachCompanyHasFormsOfItsOwn) {
+    ForestDescription forest = growingTo({16, 16, 16, 16, 16, 16, 16, 16, 16, 16});
+    forest.trees[0].openGrown = true;
+    forest.trees[1].atEdge = forest.trees[2].atEdge = true;
+    const ShapeFamilies families(forest);
+    ASSERT_EQ(families.all().size(), 3u);
+    EXPECT_EQ(shapesOf(families), 8u);
+    const auto siteOf = [&](std::size_t tree) {
+        return families.all()[families.indexOf(forest.trees[tree])].tree.growth->site;
+    };
+    EXPECT_EQ(siteOf(0).shade, 0.0f);
+    EXPECT_EQ(siteOf(1).shade, 1.0f);
+    EXPECT_EQ(siteOf(1).openSide, 0.0f);
+    EXPECT_EQ(siteOf(9).shade, 1.0f);
+    EXPECT_FALSE(siteOf(9).openSide);
+    for (const int shapes : {1, 2, 3}) {
+        forest.species.front().shapes = shapes;
+        EXPECT_EQ(shapesOf(ShapeFamilies(forest)), 3u) << "one for each at least";
+    }
+}
+
+TEST(ShapeFamilies, FewShapesAreOfFewHeights) {
+    EXPECT_EQ(heightsOf(ShapeFamilies(growingTo({4, 4, 16, 16, 16, 25, 25}, 1))), std::vector<float>{16.0f});
+    EXPECT_EQ(heightsOf(ShapeFamilies(growingTo({4, 4, 4, 16, 25, 25, 25, 25}, 5))).size(), 2u);
+}
+
+TEST(ShapeFamilies, FormsHaveTheProportionsOfTheirTrees) {
+    ForestDescription forest = growingTo({16, 16, 16, 16, 16});
+    for (TreePlacement& tree : forest.trees)
+        tree.size = {16.0f, 0.8f, 12.0f};
+    const PlacedForest stout(forest);
+    for (const PlacedTree& tree : stout.trees) {
+        EXPECT_NEAR(tree.scale.axes.x / tree.scale.axes.z, 1.0f, 0.12f);
+        EXPECT_NEAR(tree.scale.radius / tree.scale.axes.z, 1.0f, 0.12f);
     }
 }

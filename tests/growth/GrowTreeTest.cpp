@@ -18,6 +18,15 @@
 namespace osgTreeWind {
 namespace {
 
+GrownForm grown(const TreeHabit& habit, const GrowthSite& site, const GrowthGoal& goal, std::uint32_t seed) {
+    GrowthParameters parameters;
+    parameters.habit = habit;
+    parameters.site = site;
+    parameters.size = goal;
+    parameters.seed = seed;
+    return growTree(parameters);
+}
+
 float heightOf(const GrownForm& form) {
     float height = 0.0f;
     for (const GrownMetamer& metamer : form.metamers)
@@ -112,9 +121,9 @@ void expectSound(const GrownForm& form) {
 }
 
 TEST(GrowTree, OneSeedGivesOneTree) {
-    const GrownForm form = growTree(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7);
-    EXPECT_TRUE(same(form, growTree(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7)));
-    EXPECT_FALSE(same(form, growTree(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 8)));
+    const GrownForm form = grown(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7);
+    EXPECT_TRUE(same(form, grown(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 7)));
+    EXPECT_FALSE(same(form, grown(oakHabit(), {}, {12.0f, 0.4f, 9.0f}, 8)));
 }
 
 TEST(GrowTree, HasTheSizeOfItsGoal) {
@@ -123,7 +132,7 @@ TEST(GrowTree, HasTheSizeOfItsGoal) {
             for (std::uint32_t seed = 1; seed <= 3; ++seed) {
                 const bool spruce = habit.whorl > 0.0f;
                 const GrowthGoal goal{height, 0.03f * height, (spruce ? 0.36f : 0.7f) * height};
-                const GrownForm form = growTree(habit, {}, goal, seed);
+                const GrownForm form = grown(habit, {}, goal, seed);
                 SCOPED_TRACE(testing::Message()
                              << (spruce ? "spruce " : "oak ") << height << " m, seed " << seed);
                 EXPECT_NEAR(heightOf(form) / goal.height, 1.0f, 0.03f);
@@ -144,7 +153,7 @@ TEST(GrowTree, IsSoundWithAnyHabit) {
             site.openSide = random.symmetric();
         const GrowthGoal goal{2.0f + 18.0f * random.uniform(), 0.05f + 0.5f * random.uniform(),
                               1.0f + 11.0f * random.uniform()};
-        expectSound(growTree(anyHabit(seed), site, goal, seed));
+        expectSound(grown(anyHabit(seed), site, goal, seed));
     }
 }
 
@@ -161,18 +170,18 @@ TEST(GrowTree, BringsNumbersIntoTheirRange) {
         GrowthGoal goal{bad, bad, bad};
         if (bad > 0.0f)
             goal.height = 10.0f;
-        expectSound(growTree(habit, site, goal, 1));
+        expectSound(grown(habit, site, goal, 1));
     }
 }
 
 TEST(GrowTree, AxesGetThinnerAndBearersAreThicker) {
-    expectSound(growTree(oakHabit(), {}, {15.0f, 0.5f, 10.0f}, 3));
-    expectSound(growTree(spruceHabit(), {}, {18.0f, 0.4f, 6.5f}, 3));
+    expectSound(grown(oakHabit(), {}, {15.0f, 0.5f, 10.0f}, 3));
+    expectSound(grown(spruceHabit(), {}, {18.0f, 0.4f, 6.5f}, 3));
 }
 
 TEST(GrowTree, AStemHasAFormFactorOfOneHalf) {
     const GrowthGoal goal{20.0f, 0.4f, 6.5f};
-    const GrownForm form = growTree(spruceHabit(), {}, goal, 3);
+    const GrownForm form = grown(spruceHabit(), {}, goal, 3);
     float volume = 0.0f;
     for (const GrownMetamer& metamer : form.metamers)
         if (metamer.axis == 0 && metamer.parent >= 0) {
@@ -193,7 +202,7 @@ TEST(GrowTree, BranchesSpringAtTheirAngle) {
         habit.levelling.fill(0.0f);
         habit.lightSeeking.fill(0.0f);
         habit.wander.fill(0.0f);
-        const GrownForm form = growTree(habit, {}, {10.0f, 0.2f, 5.0f}, 2);
+        const GrownForm form = grown(habit, {}, {10.0f, 0.2f, 5.0f}, 2);
         double sum = 0.0;
         int count = 0;
         for (const GrownMetamer& metamer : form.metamers) {
@@ -216,8 +225,8 @@ TEST(GrowTree, AClosedWoodMakesABareStem) {
         wood.shade = 1.0f;
         wood.distance = 3.0f;
         const GrowthGoal open{18.0f, 0.4f, 6.0f}, closed{18.0f, 0.25f, 3.5f};
-        const float free = lowestLeaves(growTree(habit, {}, open, 1));
-        const float shaded = lowestLeaves(growTree(habit, wood, closed, 1));
+        const float free = lowestLeaves(grown(habit, {}, open, 1));
+        const float shaded = lowestLeaves(grown(habit, wood, closed, 1));
         EXPECT_LT(free, 0.2f);
         EXPECT_GT(shaded, 0.4f);
     }
@@ -250,7 +259,7 @@ TEST(GrowTree, AtAnEdgeItIsGreenToTheGroundOnTheOpenSide) {
     edge.shade = 1.0f;
     edge.distance = 3.0f;
     edge.openSide = 0.0f;
-    const GrownForm form = growTree(spruceHabit(), edge, {18.0f, 0.3f, 5.0f}, 1);
+    const GrownForm form = grown(spruceHabit(), edge, {18.0f, 0.3f, 5.0f}, 1);
     EXPECT_GT(lowLeaves(form, 1.0f), 3.0f * lowLeaves(form, -1.0f));
     EXPECT_GT(lowLeaves(form, 1.0f), 2.0f);
 }

@@ -66,7 +66,8 @@ std::uint64_t hashOf(const Species& species) {
     for (const std::string& alias : species.aliases)
         hash.add(alias);
     hash.add(species.source);
-    hash.add(species.tree.wood).add(*species.tree.grown).add(species.tree.leaves).add(species.shapes);
+    hash.add(species.tree.wood).add(*species.tree.grown).add(species.tree.leaves);
+    hash.add(3); // shapes that a species had by default
     const CrownAllometry& crown = species.crown;
     hash.add(crown.base).add(crown.perDiameter).add(crown.openBase).add(crown.openPerDiameter);
     hash.add(species.wood).add(species.branch);

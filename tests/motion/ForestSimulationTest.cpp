@@ -220,7 +220,8 @@ TEST(ForestSimulation, SameDescriptionAndTimesGiveTheSameBits) {
 TEST(ForestSimulation, LeavesFlutterEachInItsOwnWay) {
     ForestDescription forest = oneTree();
     forest.trees.resize(2);
-    forest.trees[1].seed = 3; // the same shape: 3 shapes
+    forest.species[0].shapes = 3;
+    forest.trees[1].seed = 3; // the same shape
     ForestSimulation simulation(forest);
     run(simulation, 30);
     const auto& leaves = SimulationParts::branches(simulation)->leafStates();

@@ -3,6 +3,8 @@
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/TreeList.h>
 
+#include <osgTreeWind/base/Batches.h>
+#include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/model/MeasureTree.h>
@@ -101,6 +103,22 @@ struct SpeciesCounts {
     std::size_t count = 0; ///< Of trees.
 };
 
+/// By family and shape, counted on all cores.
+std::vector<std::vector<TreeCounts>> countShapes(const ShapeFamilies& families) {
+    std::vector<std::vector<TreeCounts>> counts;
+    std::vector<std::pair<std::size_t, std::uint32_t>> all;
+    for (std::size_t i = 0; i < families.all().size(); ++i) {
+        counts.emplace_back(families.all()[i].shapes);
+        for (std::uint32_t shape = 0; shape < families.all()[i].shapes; ++shape)
+            all.emplace_back(i, shape);
+    }
+    runJobs(ThreadPool::executor(), all.size(), [&](std::size_t i) {
+        const auto& [family, shape] = all[i];
+        counts[family][shape] = countTree(families.all()[family].tree, shape);
+    });
+    return counts;
+}
+
 std::vector<SpeciesCounts> countSpecies(const ForestDescription& forest) {
     const ShapeFamilies families(forest);
     std::vector<std::vector<std::size_t>> trees; // of each family and shape
@@ -110,12 +128,13 @@ std::vector<SpeciesCounts> countSpecies(const ForestDescription& forest) {
         std::vector<std::size_t>& shapes = trees[families.indexOf(tree)];
         ++shapes[tree.seed % shapes.size()];
     }
+    const std::vector<std::vector<TreeCounts>> shapes = countShapes(families);
     std::vector<SpeciesCounts> counts(forest.species.size());
     for (std::size_t i = 0; i < trees.size(); ++i) {
         const ShapeFamilies::Family& family = families.all()[i];
         SpeciesCounts& sum = counts[family.species];
         for (std::uint32_t shape = 0; shape < family.shapes; ++shape) {
-            const TreeCounts one = countTree(family.tree, shape);
+            const TreeCounts& one = shapes[i][shape];
             for (std::size_t n = 0; n < trees[i][shape]; ++n)
                 sum.trees += one;
             sum.shapes += one;

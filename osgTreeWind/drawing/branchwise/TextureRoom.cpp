@@ -15,8 +15,7 @@ std::string problemOfTextures(const ForestDescription& description) {
         return {};
     const ShapeFamilies families(description);
     std::vector<std::size_t> units, leaves;
-    for (const ShapeFamilies::Family& family : families.all()) {
-        const TreeCounts counts = countLargest(family.tree, static_cast<int>(family.shapes));
+    for (const TreeCounts& counts : families.countLargest()) {
         units.push_back(counts.units);
         leaves.push_back(counts.leafVertices / verticesPerLeafCluster);
     }

@@ -2,6 +2,7 @@
 #include <osgTreeWind/motion/sway/CalmTree.h>
 
 #include <osgTreeWind/motion/laws/Laws.h>
+#include <osgTreeWind/species/ShapeCount.h>
 
 #include <glm/gtc/constants.hpp>
 
@@ -51,11 +52,26 @@ private:
     double _before, _peak = 0.0;
 };
 
+/// A species of which all trees have the shape that those of a seed have, so that no other one is grown.
+Species ofOneShape(Species species, std::uint32_t seed) {
+    if (species.tree.scans) // which are there
+        return species;
+    const std::uint32_t variant = seed % shapeCount(species);
+    species.shapes = 1;
+    species.tree.wood.seed += variant;
+    species.tree.leaves.seed += variant;
+    if (species.tree.grown)
+        species.tree.grown->seed += variant;
+    if (species.tree.growth)
+        species.tree.growth->seed += variant;
+    return species;
+}
+
 } // namespace
 
 PlacedForest loneTree(const Species& species, const TreePlacement& tree) {
     ForestDescription forest;
-    forest.species = {species};
+    forest.species = {ofOneShape(species, tree.seed)};
     forest.trees = {tree};
     forest.trees[0].species = 0;
     forest.trees[0].position = glm::dvec3(0.0);

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/growth/FormCache.h>
+
+#include <osgTreeWind/base/SharedValues.h>
+#include <osgTreeWind/growth/FormFolder.h>
+#include <osgTreeWind/growth/GrowTree.h>
+#include <osgTreeWind/growth/GrowthCode.h>
+#include <osgTreeWind/growth/GrowthFields.h>
+#include <osgTreeWind/growth/PackedForm.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <utility>
+
+namespace osgTreeWind {
+namespace {
+
+constexpr std::uint64_t mostOnDisk = 256'000'000; // bytes
+constexpr std::size_t mostRemembered = 400'000;   // metamers
+
+/// Forms by their keys, and the last ones held, so that who counts a tree's parts and then makes it grows it
+/// once.
+class RecentForms {
+public:
+    template <typename Make>
+    std::shared_ptr<const GrownForm> get(const std::string& key, const Make& make) {
+        std::shared_ptr<const GrownForm> form = _forms.get(key, [&] {
+            auto made = std::make_shared<const GrownForm>(make());
+            hold(made);
+            return made;
+        });
+        return form;
+    }
+
+private:
+    void hold(const std::shared_ptr<const GrownForm>& form) {
+        const std::lock_guard<std::mutex> lock(_mutex);
+        _held.push_back(form);
+        _metamers += form->metamers.size();
+        while (_metamers > mostRemembered) {
+            _metamers -= _held.front()->metamers.size();
+            _held.pop_front();
+        }
+    }
+
+    SharedConstants<std::string, GrownForm> _forms;
+    std::mutex _mutex; ///< Guards the rest.
+    std::deque<std::shared_ptr<const GrownForm>> _held;
+    std::size_t _metamers = 0;
+};
+
+GrownForm keptOrGrown(const GrowthParameters& parameters, const std::string& key) {
+    const FormFolder folder(formCacheFolder(), mostOnDisk);
+    if (const auto bytes = folder.find(key))
+        if (auto form = unpackedForm(*bytes))
+            return std::move(*form);
+    GrownForm form = growTree(parameters);
+    folder.keep(key, packedForm(form));
+    return form;
+}
+
+/// A folder that an environment variable names; empty: none, as one that depends on where a program is run.
+std::filesystem::path folderIn(const char* variable) {
+    const char* value = std::getenv(variable);
+    const std::filesystem::path folder = value ? value : "";
+    return folder.is_absolute() ? folder : std::filesystem::path();
+}
+
+} // namespace
+
+std::string formCacheFolder() {
+    if (const char* wanted = std::getenv("OSGTREEWIND_FORM_CACHE"); wanted && *wanted)
+        return std::string(wanted) == "off" ? std::string() : wanted;
+    std::filesystem::path caches = folderIn("XDG_CACHE_HOME");
+    if (caches.empty() && !folderIn("HOME").empty())
+        caches = folderIn("HOME") / ".cache";
+    if (caches.empty())
+        caches = folderIn("LOCALAPPDATA");
+    return caches.empty() ? std::string() : (caches / "osgtreewind").string();
+}
+
+std::string formKey(const GrowthParameters& parameters) {
+    GrowthParameters shape = parameters;
+    shape.flare = 0.0f; // is of the bark
+    shape.habit.model.clear();
+    const GrowthSite& site = shape.site;
+    std::string key = growthCode();
+    for (const float number :
+         {site.shade, site.distance, site.openSide ? 1.0f : 0.0f, site.openSide.value_or(0.0f)})
+        key.append(reinterpret_cast<const char*>(&number), sizeof number);
+    addFieldBytes(shape, key);
+    return key;
+}
+
+std::shared_ptr<const GrownForm> grownForm(const GrowthParameters& parameters) {
+    static RecentForms forms;
+    const std::string key = formKey(parameters);
+    return forms.get(key, [&] { return keptOrGrown(parameters, key); });
+}
+
+} // namespace osgTreeWind
