@@ -238,7 +238,7 @@ TEST(GrowTree, AWoodHasStraightStemsWithCrownsOnTheirUpperHalves) {
     wood.distance = 6.0f;
     for (std::uint32_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        const GrownForm form = growTree(oakHabit(), wood, {24.0f, 0.34f, 6.5f}, seed);
+        const GrownForm form = grown(oakHabit(), wood, {24.0f, 0.34f, 6.5f}, seed);
         EXPECT_NEAR(form.heightFactor / form.widthFactor, 1.0f, 0.1f) << "it is distorted";
         const float green = lowestLeaves(form);
         EXPECT_GT(green, 0.4f);
