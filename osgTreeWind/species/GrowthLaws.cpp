@@ -90,6 +90,10 @@ float usualHeight(const Species& species) {
     return tree.growth ? tree.growth->size.height : tree.grown ? tree.grown->height : 0.0f;
 }
 
+bool growsByLight(const Species& species) {
+    return species.tree.growth && !species.tree.scans;
+}
+
 bool growsByCompany(const Species& species) {
     if (species.tree.scans)
         return false;
