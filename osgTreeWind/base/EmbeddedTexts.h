@@ -12,10 +12,10 @@ struct EmbeddedText {
     std::string text;
 };
 
-/// All that the library carries: the shaders, the species and the habits. Generated at build time.
+/// All that the library carries: the shaders and the catalogue of species. Generated at build time.
 const std::vector<EmbeddedText>& embeddedTexts();
 
-/// The embedded file of that name; null: there is none.
+/// The embedded file of that name, or null if there is no such file.
 inline const EmbeddedText* findEmbeddedText(const std::string& name) {
     for (const EmbeddedText& embedded : embeddedTexts())
         if (embedded.name == name)

@@ -136,6 +136,11 @@ void settle(TreePlacement& tree, const Sides& shaded, bool mayTurn) {
     }
 }
 
+/// Else no crown need be looked at.
+bool anyGrowsByLight(const ForestDescription& forest) {
+    return std::any_of(forest.species.begin(), forest.species.end(), growsByLight);
+}
+
 Crowns crownsOf(const ForestDescription& forest) {
     std::vector<Crown> all;
     for (const TreePlacement& tree : forest.trees)
@@ -146,15 +151,19 @@ Crowns crownsOf(const ForestDescription& forest) {
 } // namespace
 
 void findCompany(ForestDescription& forest, const std::vector<UnsaidOfTree>& unsaid) {
+    if (!anyGrowsByLight(forest))
+        return;
     const Crowns crowns = crownsOf(forest);
     for (std::size_t i = 0; i < forest.trees.size(); ++i) {
         TreePlacement& tree = forest.trees[i];
-        if (unsaid[i].company && forest.species[tree.species].tree.growth)
+        if (unsaid[i].company && growsByLight(forest.species[tree.species]))
             settle(tree, crowns.shadedSides(i), unsaid[i].heading);
     }
 }
 
 void tellApart(ForestDescription& forest, const std::vector<UnsaidOfTree>& unsaid) {
+    if (!anyGrowsByLight(forest))
+        return;
     const Crowns crowns = crownsOf(forest);
     const ShapeFamilies families(forest);
     std::vector<std::size_t> familyOf;
@@ -163,7 +172,7 @@ void tellApart(ForestDescription& forest, const std::vector<UnsaidOfTree>& unsai
     for (std::size_t i = 0; i < forest.trees.size(); ++i) {
         TreePlacement& tree = forest.trees[i];
         const std::uint32_t shapes = families.all()[familyOf[i]].shapes;
-        if (!unsaid[i].seed || shapes < 2 || !forest.species[tree.species].tree.growth)
+        if (!unsaid[i].seed || shapes < 2 || !growsByLight(forest.species[tree.species]))
             continue;
         std::vector<double> nearest(shapes, std::numeric_limits<double>::max()); // that has each shape
         crowns.eachNeighbour(i, [&](std::size_t other) {

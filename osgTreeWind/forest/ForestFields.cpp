@@ -104,8 +104,7 @@ const Fields& fieldsOf<TreePlacement>() {
          {},
          "it stands by itself: its crown is as deep as its species grows, whatever `[species.crown]` says of "
          "a forest; that of a built-in species, where `crown_width` is not given, is wider than there. Where "
-         "neither this nor `at_edge` is said of a "
-         "tree that grows by light, its neighbours tell"},
+         "neither this nor `at_edge` is said of a tree that grows by light, its neighbours tell"},
         {"at_edge",
          at<&P::atEdge>,
          {},
@@ -119,8 +118,7 @@ const Fields& fieldsOf<TreePlacement>() {
          at<&P::seed>,
          {},
          "picks the shape and its motion; without it `seed` and its place in the file, from 0, and up to 63 "
-         "more "
-         "where neighbours would have the same form"},
+         "more where neighbours would have the same form"},
         {"id", at<&P::name>, {}, "what it is called, any text; no two alike"},
         {"estimated", at<&P::estimated>, {}, ""},
     };

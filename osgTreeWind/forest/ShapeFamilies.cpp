@@ -107,10 +107,10 @@ ShapeFamilies::ShapeFamilies(const ForestDescription& forest) {
         Stand& stand = stands[tree.species][companyOf(tree, species)];
         const int at = stepOf(tree.size.height, usualHeight(species));
         ++stand.trees[at];
-        if (tree.size.height > 0.0f)
-            stand.sizes.emplace_back(at, withCrown(tree.size, species.crown, tree.openGrown));
-        else
+        if (!(tree.size.height > 0.0f))
             stand.usual = true;
+        else if (growsByLight(species))
+            stand.sizes.emplace_back(at, withCrown(tree.size, species.crown, tree.openGrown));
     }
     for (std::size_t i = 0; i < stands.size(); ++i) {
         const auto namedIn = [&](const std::vector<std::string>& names) {
@@ -149,8 +149,7 @@ void ShapeFamilies::proportion(Family& family, const Species& species, Stand& st
 }
 
 ShapeFamilies::Company ShapeFamilies::companyOf(const TreePlacement& tree, const Species& species) {
-    const bool hasEdges = species.tree.growth && !species.tree.scans;
-    return tree.openGrown ? InOpen : tree.atEdge && hasEdges ? AtEdge : InForest;
+    return tree.openGrown ? InOpen : tree.atEdge && growsByLight(species) ? AtEdge : InForest;
 }
 
 void ShapeFamilies::add(const Species& species, bool inForest, bool inOpen) {
@@ -163,7 +162,7 @@ void ShapeFamilies::add(const Species& species, bool inForest, bool inOpen) {
 }
 
 void ShapeFamilies::add(const Species& species, Stands stands) {
-    const bool bySize = species.tree.growth && !species.tree.scans;
+    const bool bySize = growsByLight(species);
     const float usual = usualHeight(species);
     if (stands[InForest].trees.empty() && stands[AtEdge].trees.empty() && stands[InOpen].trees.empty())
         addUsual(stands[InForest]);
@@ -202,11 +201,11 @@ void ShapeFamilies::add(const Species& species, Stands stands) {
         }
     // The next shape goes to the family that has most trees for each.
     for (std::size_t i = families; i < shapes; ++i) {
-        std::size_t most = 0;
+        std::size_t neediest = 0;
         for (std::size_t other = 1; other < families; ++other)
-            if (trees[other] * _all[first + most].shapes > trees[most] * _all[first + other].shapes)
-                most = other;
-        ++_all[first + most].shapes;
+            if (trees[other] * _all[first + neediest].shapes > trees[neediest] * _all[first + other].shapes)
+                neediest = other;
+        ++_all[first + neediest].shapes;
     }
     _ofSpecies.emplace_back(first, _all.size());
     _usualHeights.push_back(usual);
@@ -216,7 +215,7 @@ std::size_t ShapeFamilies::indexOf(const TreePlacement& tree) const {
     const auto [first, end] = _ofSpecies[tree.species];
     const float usual = _usualHeights[tree.species];
     const float height = tree.size.height > 0.0f ? tree.size.height : usual;
-    // Another company where its own has none: its forest's before the open.
+    // If its own company has no family, wood and edge stand for each other before the open does.
     const auto strangeness = [&](const Family& family) {
         const int company = family.openGrown != tree.openGrown                ? 2
                             : !tree.openGrown && family.atEdge != tree.atEdge ? 1

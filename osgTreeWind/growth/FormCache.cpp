@@ -27,12 +27,11 @@ class RecentForms {
 public:
     template <typename Make>
     std::shared_ptr<const GrownForm> get(const std::string& key, const Make& make) {
-        std::shared_ptr<const GrownForm> form = _forms.get(key, [&] {
+        return _forms.get(key, [&] {
             auto made = std::make_shared<const GrownForm>(make());
             hold(made);
             return made;
         });
-        return form;
     }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/growth/FormFolder.h>
 
+#include <osgTreeWind/base/TextHash.h>
 #include <osgTreeWind/base/WholeFile.h>
 
 #include <zlib.h>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 namespace osgTreeWind {
@@ -32,17 +34,9 @@ struct Head {
     std::uint64_t keySize = 0, size = 0;
 };
 
-std::uint32_t checksumOf(const std::string& text) {
+std::uint32_t checksumOf(std::string_view text) {
     return static_cast<std::uint32_t>(
         crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
-}
-
-/// FNV-1a.
-std::uint64_t hashOf(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325ull;
-    for (const char c : text)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-    return hash;
 }
 
 std::string contentOf(const std::string& key, const std::string& bytes) {
@@ -86,7 +80,7 @@ std::optional<std::string> FormFolder::find(const std::string& key) const {
     if (std::memcmp(head.magic, ours.magic, sizeof head.magic) != 0 || head.byteOrder != ours.byteOrder ||
         head.keySize != key.size() || head.size != content.size() - sizeof head - key.size() ||
         content.compare(sizeof head, key.size(), key) != 0 ||
-        head.checksum != checksumOf(content.substr(sizeof head)))
+        head.checksum != checksumOf(std::string_view(content).substr(sizeof head)))
         return std::nullopt;
     std::error_code ignored;
     files::last_write_time(path, files::file_time_type::clock::now(), ignored); // it is in use

@@ -86,6 +86,10 @@ float usualHeight(const Species& species) {
     return tree.growth ? tree.growth->size.height : tree.palm ? tree.palm->height : 0.0f;
 }
 
+bool growsByLight(const Species& species) {
+    return species.tree.growth && !species.tree.scans;
+}
+
 bool growsByCompany(const Species& species) {
     return species.tree.growth && !species.tree.scans;
 }

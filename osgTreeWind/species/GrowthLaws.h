@@ -19,6 +19,8 @@ TreeParameters growthOf(const Species& species, bool openGrown);
 /// the height by the laws of the species, where it has them, else in proportion.
 /// @param height metres. @param atEdge of a forest, which is open towards +x.
 TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, float height);
+/// Whether trees of the species grow by light (GrowthParameters) and are no scans.
+bool growsByLight(const Species& species);
 /// Whether trees in the open and those in a forest grow in two ways.
 bool growsByCompany(const Species& species);
 

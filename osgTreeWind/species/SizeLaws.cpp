@@ -2,6 +2,7 @@
 #include <osgTreeWind/species/SizeLaws.h>
 
 #include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/base/TextHash.h>
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <algorithm>
@@ -13,14 +14,6 @@ namespace {
 
 constexpr double thin = 0.05; // below this crown and diameter are in proportion
 constexpr double least = 0.001, highest = 150.0, thickest = 20.0, widest = 150.0; // metres
-
-/// FNV-1a.
-std::uint64_t hashOf(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325ull;
-    for (const char c : text)
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-    return hash;
-}
 
 float within(double size, double low, double high) {
     return static_cast<float>(std::min(std::max(size, low), high));

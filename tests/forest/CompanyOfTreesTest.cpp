@@ -28,6 +28,7 @@ ForestDescription growing(std::vector<TreePlacement> trees) {
     ForestDescription forest;
     forest.species = {Species()};
     forest.species.front().tree.growth = GrowthParameters();
+    forest.species.front().shapes = 8;
     forest.trees = std::move(trees);
     return forest;
 }

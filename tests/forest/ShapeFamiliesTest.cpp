@@ -15,8 +15,6 @@ ForestDescription standing(std::initializer_list<std::pair<std::size_t, bool>> t
     ForestDescription forest;
     forest.species = {*findSpecies("Sitka spruce"), *findSpecies("palm")};
     forest.species[0].crown.depthPerHeight = 0.5f;
-    for (Species& species : forest.species)
-        species.shapes = 3;
     for (const auto& [species, openGrown] : trees) {
         TreePlacement tree;
         tree.species = species;
@@ -32,7 +30,6 @@ ForestDescription standing(std::initializer_list<std::pair<std::size_t, bool>> t
 
 TEST(ShapeFamilies, OneCompanyIsGrownOnce) {
     const auto shapes = [](const ForestDescription& forest) { return PlacedForest(forest).models().size(); };
-    EXPECT_EQ(Species().shapes, 8);
     EXPECT_EQ(shapes(standing({})), 6u);
     EXPECT_EQ(shapes(standing({{0, false}, {0, false}})), 6u);
     EXPECT_EQ(shapes(standing({{0, true}})), 6u);

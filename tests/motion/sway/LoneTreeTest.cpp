@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/sway/CalmTree.h>
 #include <osgTreeWind/species/GrowthLaws.h>
+#include <osgTreeWind/species/ShapeCount.h>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ TEST(LoneTree, GrowsTheShapeOfItsSeedAndNoOther) {
     for (const Species& species : {Species(), grownByLight}) {
         const PlacedForest forest = loneTree(species, tree);
         ASSERT_EQ(forest.models().size(), 1u);
-        const TreeModel shape = makeTreeModel(growthOf(species, false), 13 % 8);
+        const TreeModel shape = makeTreeModel(growthOf(species, false), 13 % shapeCount(species));
         EXPECT_EQ(forest.models().front()->skeleton.points, shape.skeleton.points);
         ASSERT_EQ(forest.models().front()->leaves.size(), shape.leaves.size());
         EXPECT_EQ(forest.models().front()->leaves[5].anchor, shape.leaves[5].anchor);
