@@ -88,7 +88,7 @@ PlacedTree PlacedForest::fitted(const TreePlacement& placement, const PlacedTree
     tree.estimated = kept ? before->estimated : placement.estimated;
     tree.openGrown = kept ? before->openGrown : placement.openGrown;
     tree.scale =
-        kept ? before->scale : fitTree(modelOf(tree), withCrown(tree.given, species.crown, tree.openGrown));
+        kept ? before->scale : fitTree(modelOf(tree), wholeSize(tree.given, species, tree.openGrown));
     tree.atEdge = placement.atEdge;
     tree.tiled = placement.tiled;
     tree.position = glm::vec3(placement.position - description().origin);

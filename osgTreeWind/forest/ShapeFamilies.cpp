@@ -166,7 +166,7 @@ void ShapeFamilies::add(const Species& species, Stands stands) {
     const float usual = usualHeight(species);
     if (stands[InForest].trees.empty() && stands[AtEdge].trees.empty() && stands[InOpen].trees.empty())
         addUsual(stands[InForest]);
-    if (!growsByCompany(species) && !stands[InForest].trees.empty())
+    if (!growsByLight(species) && !stands[InForest].trees.empty())
         stands[InOpen].trees.clear();
     std::size_t families = 0;
     for (Stand& stand : stands) {

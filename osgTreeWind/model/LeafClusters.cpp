@@ -11,6 +11,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -22,13 +23,14 @@ constexpr float goldenAngle = 2.3999632f;
 constexpr float leaderWeight = 3.0f;
 /// Faces of leaves are inclined by what their clusters are, by how their quads are turned within them, and by
 /// how they stand on these: as variances, these shares of the first two leave the third one its own.
-constexpr float clusterShare = 0.2f, quadShare = 1.0f;
+constexpr float clusterShare = 0.8f, quadShare = 0.7f;
 /// Of shoots that hang, over the mean inclination, so that with the one upon them they have that mean.
 constexpr float hangingShare = 1.2f, lyingShare = 0.3f;
-constexpr float slim = 0.75f;     ///< Width of such a shoot over that of a spray, which is as large.
-constexpr float onward = 0.7f;    ///< Radians by which one that hangs leans the way its twig goes.
-constexpr float halfV = 1.22f;    ///< Radians between the rows of a frond and upright.
-constexpr float leastRoll = 0.4f; ///< Radians: flat crowns too are seen from the side.
+constexpr float outerSide = 0.7f;  ///< Faces lean outwards, give or take this share of half a turn.
+constexpr float slim = 0.75f;      ///< Width of such a shoot over that of a spray, which is as large.
+constexpr float onward = 0.7f;     ///< Radians by which one that hangs leans the way its twig goes.
+constexpr float halfV = 1.22f;     ///< Radians between the rows of a frond and upright.
+constexpr float leastRoll = 0.25f; ///< Radians: flat crowns too are seen from the side.
 
 /// The leaf frame whose petiole (+Z) points along `petiole`, turned by `roll` about it.
 glm::quat leafFrame(const glm::vec3& petiole, float roll) {
@@ -253,7 +255,8 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
             cluster.orientation =
                 p.frond ? frondFrame(seat.tangent)
                 : p.inclination > 0.0f
-                    ? sprayFrame(petiole, leafAngle(angles, clusterShare * p.inclination), turn)
+                    ? sprayFrame(petiole, leafAngle(angles, clusterShare * p.inclination),
+                                 std::atan2(seat.anchor.y, seat.anchor.x) + outerSide * turn)
                     : leafFrame(petiole, turn);
             cluster.size = 1.0f + 0.25f * random.symmetric();
             clusters.push_back(cluster);

@@ -29,7 +29,7 @@ GrowthGoal forestSize(const Species& species) {
     return size;
 }
 
-/// A smaller or larger one of trees of which one is known.
+/// Of a smaller or larger tree, if the size of one is known.
 GrowthGoal ofHeight(float height, const GrowthGoal& known, const Species& species, bool openGrown) {
     const float ratio = height / known.height;
     const float power = openGrown ? species.height.openPower : species.height.power;
@@ -81,6 +81,25 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
     return size;
 }
 
+TreeSize wholeSize(TreeSize size, const Species& species, bool openGrown) {
+    size = withCrown(size, species.crown, openGrown);
+    if (!growsByLight(species))
+        return size;
+    const GrowthGoal known = openGrown ? species.tree.growth->size : forestSize(species);
+    const float power = openGrown ? species.height.openPower : species.height.power;
+    if (!(size.height > 0.0f))
+        size.height = size.trunkDiameter > 0.0f
+                          ? known.height * std::pow(size.trunkDiameter / known.trunkDiameter,
+                                                    power > 0.0f ? power : 1.0f)
+                          : known.height;
+    const GrowthGoal usual = ofHeight(size.height, known, species, openGrown);
+    if (!(size.trunkDiameter > 0.0f))
+        size.trunkDiameter = usual.trunkDiameter;
+    if (!(size.crownWidth > 0.0f))
+        size.crownWidth = usual.crownWidth;
+    return size;
+}
+
 float usualHeight(const Species& species) {
     const TreeParameters& tree = species.tree;
     return tree.growth ? tree.growth->size.height : tree.palm ? tree.palm->height : 0.0f;
@@ -90,13 +109,9 @@ bool growsByLight(const Species& species) {
     return species.tree.growth && !species.tree.scans;
 }
 
-bool growsByCompany(const Species& species) {
-    return species.tree.growth && !species.tree.scans;
-}
-
 TreeParameters growthOf(const Species& species, bool openGrown) {
     TreeParameters tree = species.tree;
-    if (openGrown || !growsByCompany(species))
+    if (openGrown || !growsByLight(species))
         return tree;
     GrowthParameters& growth = *tree.growth;
     growth.size = forestSize(species);

@@ -11,6 +11,11 @@ namespace osgTreeWind {
 /// The size with its crown's width where that is not given, but known from the diameter of the trunk.
 TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown);
 
+/// The size with all that is not given, of a species that grows by light: trunk and crown follow from the
+/// height, and the height from the trunk, by the laws of the species where it has them, else in proportion.
+/// Of other species as withCrown().
+TreeSize wholeSize(TreeSize size, const Species& species, bool openGrown);
+
 /// How trees of a species grow: with room on all sides as it says, in a forest with a crown of the depth that
 /// its law has for its own height, where that is shallower. What the crown holds keeps its place in it:
 /// boughs and leaves are as many, closer to each other; those below are gone.
@@ -21,8 +26,6 @@ TreeParameters growthOf(const Species& species, bool openGrown);
 TreeParameters growthOf(const Species& species, bool openGrown, bool atEdge, float height);
 /// Whether trees of the species grow by light (GrowthParameters) and are no scans.
 bool growsByLight(const Species& species);
-/// Whether trees in the open and those in a forest grow in two ways.
-bool growsByCompany(const Species& species);
 
 /// Height to which a species grows when no size of a tree is given, metres. 0: the species does not say.
 float usualHeight(const Species& species);

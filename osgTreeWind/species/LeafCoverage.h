@@ -3,6 +3,8 @@
 
 #include <osgTreeWind/species/Species.h>
 
+#include <glm/gtc/constants.hpp>
+
 namespace osgTreeWind {
 
 /// Shares of a leaf card, which sprays are painted to.
@@ -14,8 +16,8 @@ struct CardCoverage {
 /// In the order of LeafForm.
 constexpr CardCoverage cardCoverages[] = {{0.33f, 0.13f}, {0.33f, 0.13f}, {0.33f, 0.15f}, {0.32f, 0.13f},
                                           {0.34f, 0.15f}, {0.29f, 0.13f}, {0.46f, 0.13f}, {0.34f, 0.085f},
-                                          {0.33f, 0.13f}, {0.35f, 0.13f}, {0.31f, 0.07f}, {0.30f, 0.07f},
-                                          {0.33f, 0.07f}, {0.42f, 0.02f}, {0.33f, 0.13f}};
+                                          {0.33f, 0.13f}, {0.35f, 0.13f}, {0.38f, 0.07f}, {0.36f, 0.07f},
+                                          {0.37f, 0.07f}, {0.42f, 0.02f}, {0.33f, 0.13f}};
 
 constexpr float leafCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].leaves;
@@ -24,10 +26,17 @@ constexpr float twigCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].twigs;
 }
 
+/// Area of flat leaves that hides as much, seen from all sides, as leaves of the area 1. Needles are round:
+/// of a cylinder all sides show what a flat leaf shows of two.
+constexpr float flatLeafArea(LeafForm form) {
+    return isNeedles(form) ? glm::half_pi<float>() : 1.0f;
+}
+
 /// Area that the leaf cards of a tree need, one side, over its trunk's cross-section, so that the leaves on
 /// them have WoodParameters::leafArea.
 inline float cardArea(const Species& species) {
-    return species.wood.leafArea / leafCoverage(species.appearance.leafForm);
+    const LeafForm form = species.appearance.leafForm;
+    return species.wood.leafArea * flatLeafArea(form) / leafCoverage(form);
 }
 
 } // namespace osgTreeWind

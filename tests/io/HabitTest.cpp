@@ -78,7 +78,7 @@ TEST(Habit, ItsTreeHasTheSizeItGrowsToAndShootsThatBearItsLeaves) {
 
 TEST(Habit, TreesOfAForestGrowInItsShade) {
     const Species species = speciesByLight(oakByLight);
-    ASSERT_TRUE(growsByCompany(species));
+    ASSERT_TRUE(growsByLight(species));
     EXPECT_EQ(growthOf(species, true).growth->site.shade, 0.0f);
     EXPECT_GT(growthOf(species, false).growth->site.shade, 0.2f);
     const TreeModel open = makeTreeModel(growthOf(species, true)),

@@ -113,9 +113,9 @@ TEST(GrowthLaws, ARaisedCrownBearsTheLeavesOfItsTrunk) {
 }
 
 TEST(GrowthLaws, WhatGrowsByLightAloneGrowsByItsCompany) {
-    EXPECT_TRUE(growsByCompany(*findSpecies("oak")));
-    EXPECT_FALSE(growsByCompany(*findSpecies("palm")));
-    EXPECT_FALSE(growsByCompany({})) << "a tree of levels";
+    EXPECT_TRUE(growsByLight(*findSpecies("oak")));
+    EXPECT_FALSE(growsByLight(*findSpecies("palm")));
+    EXPECT_FALSE(growsByLight({})) << "a tree of levels";
     EXPECT_EQ(growthOf(*findSpecies("oak"), true).growth->site.shade, 0.0f);
     EXPECT_GT(growthOf(*findSpecies("oak"), false).growth->site.shade, 0.2f);
 }

@@ -44,8 +44,7 @@ TreePlacement OneTree::grown(const Species& kind) {
     if (diameter > 0.0 && height > 0.0 && crownWidth > 0.0)
         return tree;
     const TreeModel model = makeTreeModel(growthOf(kind, open));
-    const TreeSize actual =
-        measureTree(model, fitTree(model, withCrown(tree.size, kind.crown, tree.openGrown)));
+    const TreeSize actual = measureTree(model, fitTree(model, wholeSize(tree.size, kind, tree.openGrown)));
     if (diameter == 0.0)
         diameter = 100.0 * static_cast<double>(actual.trunkDiameter);
     if (height == 0.0)

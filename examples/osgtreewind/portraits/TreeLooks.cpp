@@ -10,6 +10,7 @@
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 #include <osgTreeWind/model/MeasureTree.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
+#include <osgTreeWind/species/LeafCoverage.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -212,7 +213,7 @@ TreeLooks measureLooks(const Species& species) {
     looks.skyThroughCrownSummer = sky.x;
     looks.skyThroughCrownWinter = species.appearance.isEvergreen() ? sky.x : sky.y;
     looks.leafInclination = quads.x > 0.0f ? quads.y / quads.x : 0.0f;
-    looks.leafAreaDrawn = masks.leafCoverage() * quads.x / shapes;
+    looks.leafAreaDrawn = masks.leafCoverage() * quads.x / flatLeafArea(species.appearance.leafForm) / shapes;
     looks.hueSpread = colors.spread();
     looks.greenShare = colors.greenShare();
     return looks;

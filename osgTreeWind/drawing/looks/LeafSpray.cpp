@@ -45,21 +45,21 @@ struct Shoot {
 
 /// By form; of that of a frond only the tilt is used.
 constexpr Habit habits[] = {
-    {10, 5, 0.9f, false, 0.1f, 0.04f, 0.9f, 0.14f, 0.02f, 0.7f},   // blade
-    {10, 5, 1.0f, false, 0.2f, 0.04f, 0.9f, 0.17f, 0.01f, 0.6f},   // lobed
-    {10, 5, 0.8f, false, 0.1f, 0.05f, 0.85f, 0.13f, 0.02f, 0.3f},  // ovate: flat, in two rows
-    {10, 5, 0.7f, false, 0.05f, 0.03f, 0.9f, 0.09f, 0.035f, 1.2f}, // rhombic
-    {8, 4, 0.9f, true, 0.2f, 0.1f, 0.9f, 0.17f, 0.1f, 0.5f},       // palmate
+    {10, 5, 0.9f, false, 0.1f, 0.04f, 0.9f, 0.18f, 0.02f, 0.7f},   // blade
+    {10, 5, 1.0f, false, 0.2f, 0.04f, 0.9f, 0.25f, 0.01f, 0.6f},   // lobed
+    {10, 5, 0.8f, false, 0.1f, 0.05f, 0.85f, 0.16f, 0.02f, 0.3f},  // ovate: flat, in two rows
+    {10, 5, 0.7f, false, 0.05f, 0.03f, 0.9f, 0.11f, 0.035f, 1.2f}, // rhombic
+    {8, 4, 0.9f, true, 0.2f, 0.1f, 0.9f, 0.28f, 0.1f, 0.5f},       // palmate
     {8, 4, 0.9f, true, 0.2f, 0.09f, 0.7f, 0.12f, 0.3f, 0.55f},     // pinnate
-    {10, 4, 0.9f, false, 0.1f, 0.06f, 0.9f, 0.14f, 0.06f, 0.55f},  // heart
-    {10, 4, 0.8f, false, 0.1f, 0.04f, 0.9f, 0.09f, 0.08f, 0.7f},   // round
-    {8, 3, 0.9f, true, 0.1f, 0.2f, 1.2f, 0.2f, 0.15f, 0.45f},      // fingered
-    {10, 4, 1.0f, false, 0.1f, 0.1f, 0.9f, 0.11f, 0.08f, 0.9f},    // fan: bunches on spurs
-    {11, 4, 0.75f, false, 0.0f, 0.007f, 0.9f, 0.05f, 0.0f, 0.5f},  // needles
-    {9, 4, 0.75f, false, 0.3f, 0.013f, 0.55f, 0.13f, 0.0f, 0.6f},  // bundles
-    {8, 4, 0.9f, false, 0.05f, 0.06f, 0.9f, 0.06f, 0.0f, 0.8f},    // tufts
+    {10, 4, 0.9f, false, 0.1f, 0.06f, 0.9f, 0.21f, 0.06f, 0.55f},  // heart
+    {10, 4, 0.8f, false, 0.1f, 0.04f, 0.9f, 0.12f, 0.08f, 0.7f},   // round
+    {8, 3, 0.9f, true, 0.1f, 0.2f, 1.2f, 0.3f, 0.15f, 0.45f},      // fingered
+    {10, 4, 1.0f, false, 0.1f, 0.1f, 0.9f, 0.15f, 0.08f, 0.9f},    // fan: bunches on spurs
+    {12, 4, 0.5f, false, 0.0f, 0.006f, 0.8f, 0.06f, 0.0f, 0.5f},   // needles
+    {9, 4, 0.75f, false, 0.3f, 0.013f, 0.6f, 0.2f, 0.0f, 0.6f},    // bundles
+    {8, 4, 0.9f, false, 0.05f, 0.05f, 0.9f, 0.1f, 0.0f, 0.8f},     // tufts
     {0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},       // frond
-    {10, 5, 1.0f, false, 0.2f, 0.045f, 0.9f, 0.19f, 0.03f, 0.55f}, // pointed
+    {10, 5, 1.0f, false, 0.2f, 0.045f, 0.9f, 0.28f, 0.03f, 0.55f}, // pointed
 };
 
 /// Within a rounded outline, which shoots seldom reach, so that the eye does not take it for a card.

@@ -152,7 +152,7 @@ TEST(CanopyRows, BoundsCutTrees) {
     const PlacedForest forest(smallWood());
     const WholeCanopy whole(forest, gridOver(forest, {1.0, 1.0, 1.0}));
     const glm::dvec3 low = whole.grid.low, high = whole.grid.high();
-    const double cut = forest.description().origin.x;
+    const double cut = forest.description().origin.x + 1.0;
     const auto half = [&](double from, double to) {
         return gridOver(forest, {1.0, 1.0, 1.0}, false, CanopyBounds{{from, low.y}, {to, high.y}});
     };
