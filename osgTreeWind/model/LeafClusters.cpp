@@ -11,7 +11,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -173,10 +172,19 @@ float leafAngle(Random& random, float mean) {
     return glm::half_pi<float>() * betaOf(random, concentration * m, concentration * (1.0f - m));
 }
 
-/// The leaf frame of a flat spray whose faces have that angle from the horizontal: its petiole points along
-/// `outward` as far as the faces let it.
-glm::quat sprayFrame(const glm::vec3& outward, float angle, float azimuth) {
-    const glm::vec3 normal{sine(angle) * cosine(azimuth), sine(angle) * sine(azimuth), cosine(angle)};
+/// Where a cluster sits on a branch, which way that goes on, and which way is out of it.
+struct LeafSeat {
+    glm::vec3 anchor, tangent, outward;
+};
+
+/// The leaf frame of a flat spray: its petiole points along `outward` as far as its faces let it.
+/// @param angle of its faces from the horizontal. @param turn about the vertical, of the way they lean to
+/// from that out of the crown.
+glm::quat sprayFrame(const LeafSeat& seat, const glm::vec3& outward, float angle, float turn) {
+    const glm::vec2 out(directionOr(glm::vec3(seat.anchor.x, seat.anchor.y, 0.0f), glm::vec3(1, 0, 0)));
+    const float along = cosine(turn), across = sine(turn);
+    const glm::vec3 normal{sine(angle) * (along * out.x - across * out.y),
+                           sine(angle) * (across * out.x + along * out.y), cosine(angle)};
     const glm::vec3 petiole =
         directionOr(outward - normal * glm::dot(normal, outward), perpendicular(normal));
     return glm::quat_cast(glm::mat3(glm::cross(petiole, normal), -normal, petiole));
@@ -187,11 +195,6 @@ glm::quat frondFrame(const glm::vec3& along) {
     const glm::vec3 up = directionOr(glm::vec3(0, 0, 1) - along.z * along, perpendicular(along));
     return glm::quat_cast(glm::mat3(glm::cross(along, up), -up, along));
 }
-
-/// Where a cluster sits on a branch, which way that goes on, and which way is out of it.
-struct LeafSeat {
-    glm::vec3 anchor, tangent, outward;
-};
 
 LeafSeat seatAt(const glm::vec3& anchor, const glm::vec3& tangent, float around) {
     const glm::vec3 e1 = perpendicular(tangent);
@@ -255,8 +258,8 @@ std::vector<LeafCluster> spreadClusters(const Skeleton& skeleton, const LeafPara
             cluster.orientation =
                 p.frond ? frondFrame(seat.tangent)
                 : p.inclination > 0.0f
-                    ? sprayFrame(petiole, leafAngle(angles, clusterShare * p.inclination),
-                                 std::atan2(seat.anchor.y, seat.anchor.x) + outerSide * turn)
+                    ? sprayFrame(seat, petiole, leafAngle(angles, clusterShare * p.inclination),
+                                 outerSide * turn)
                     : leafFrame(petiole, turn);
             cluster.size = 1.0f + 0.25f * random.symmetric();
             clusters.push_back(cluster);

@@ -83,15 +83,13 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
 
 TreeSize wholeSize(TreeSize size, const Species& species, bool openGrown) {
     size = withCrown(size, species.crown, openGrown);
-    if (!growsByLight(species))
+    if (!growsByLight(species) || !(size.height > 0.0f || size.trunkDiameter > 0.0f))
         return size;
     const GrowthGoal known = openGrown ? species.tree.growth->size : forestSize(species);
     const float power = openGrown ? species.height.openPower : species.height.power;
     if (!(size.height > 0.0f))
-        size.height = size.trunkDiameter > 0.0f
-                          ? known.height * std::pow(size.trunkDiameter / known.trunkDiameter,
-                                                    power > 0.0f ? power : 1.0f)
-                          : known.height;
+        size.height =
+            known.height * std::pow(size.trunkDiameter / known.trunkDiameter, power > 0.0f ? power : 1.0f);
     const GrowthGoal usual = ofHeight(size.height, known, species, openGrown);
     if (!(size.trunkDiameter > 0.0f))
         size.trunkDiameter = usual.trunkDiameter;

@@ -13,7 +13,7 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown);
 
 /// The size with all that is not given, of a species that grows by light: trunk and crown follow from the
 /// height, and the height from the trunk, by the laws of the species where it has them, else in proportion.
-/// Of other species as withCrown().
+/// Of other species, and where neither height nor trunk is given, as withCrown().
 TreeSize wholeSize(TreeSize size, const Species& species, bool openGrown);
 
 /// How trees of a species grow: with room on all sides as it says, in a forest with a crown of the depth that

@@ -15,9 +15,9 @@ struct CardCoverage {
 
 /// In the order of LeafForm.
 constexpr CardCoverage cardCoverages[] = {{0.33f, 0.13f}, {0.33f, 0.13f}, {0.33f, 0.15f}, {0.32f, 0.13f},
-                                          {0.34f, 0.15f}, {0.29f, 0.13f}, {0.46f, 0.13f}, {0.34f, 0.085f},
-                                          {0.33f, 0.13f}, {0.35f, 0.13f}, {0.38f, 0.07f}, {0.36f, 0.07f},
-                                          {0.37f, 0.07f}, {0.42f, 0.02f}, {0.33f, 0.13f}};
+                                          {0.38f, 0.15f}, {0.29f, 0.13f}, {0.46f, 0.13f}, {0.34f, 0.085f},
+                                          {0.40f, 0.13f}, {0.37f, 0.13f}, {0.31f, 0.07f}, {0.30f, 0.07f},
+                                          {0.33f, 0.07f}, {0.42f, 0.02f}, {0.33f, 0.13f}};
 
 constexpr float leafCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].leaves;

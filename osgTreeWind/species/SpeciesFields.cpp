@@ -54,8 +54,7 @@ const Fields& fieldsOf<WoodParameters>() {
         {"under_bark", at<&P::underBark>, within(0.1, 1),
          "diameter of the wood, which alone bends, over that with its bark"},
         {"whole_stem", at<&P::wholeStem>, within(0.1, 1),
-         "modulus of a living stem, with its knots and young wood, over `elastic_modulus`; 0.85 in built-in "
-         "broadleaves"},
+         "modulus of a living stem, with its knots and young wood, over `elastic_modulus`"},
         {"branch_modulus", at<&P::branchModulus>, within(0.01, 1),
          "modulus of branches over that of the trunk; 0.54 in built-in species"},
         {"modulus_power", at<&P::modulusPower>, within(0, 2),

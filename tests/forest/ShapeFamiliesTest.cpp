@@ -15,6 +15,8 @@ ForestDescription standing(std::initializer_list<std::pair<std::size_t, bool>> t
     ForestDescription forest;
     forest.species = {*findSpecies("Sitka spruce"), *findSpecies("palm")};
     forest.species[0].crown.depthPerHeight = 0.5f;
+    for (Species& species : forest.species)
+        species.shapes = 3;
     for (const auto& [species, openGrown] : trees) {
         TreePlacement tree;
         tree.species = species;

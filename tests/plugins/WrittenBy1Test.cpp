@@ -11,9 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+
 using namespace osgTreeWind;
 
-/// Everything loads without a word from OSG.
+/// Everything loads without a word but on how trees grew then.
 class WrittenBy1 : public ::testing::Test {
 protected:
     WrittenBy1() : _former(osg::getNotifyHandler()) {
@@ -22,7 +25,9 @@ protected:
     }
     ~WrittenBy1() override {
         osg::setNotifyHandler(_former);
-        EXPECT_EQ(_messages->take(), "");
+        std::istringstream said(_messages->take());
+        for (std::string line; std::getline(said, line);)
+            EXPECT_NE(line.find("[species.growth] of version 1 is read as"), std::string::npos) << line;
     }
 
     static osg::ref_ptr<Forest> forestOf(const std::string& name) {

@@ -19,7 +19,7 @@ while kill -0 "$running" 2>/dev/null; do
     sleep 0.1
 done
 wait "$running" || { echo "failed: exit status $?"; cat "$work/said"; exit 1; }
-if grep -i treewind "$work/said"; then
+if grep -i treewind "$work/said" | grep -v "trees so far$"; then
     echo "failed: the lines above were said"
     exit 1
 fi

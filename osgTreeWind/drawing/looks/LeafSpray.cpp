@@ -55,9 +55,9 @@ constexpr Habit habits[] = {
     {10, 4, 0.8f, false, 0.1f, 0.04f, 0.9f, 0.12f, 0.08f, 0.7f},   // round
     {8, 3, 0.9f, true, 0.1f, 0.2f, 1.2f, 0.3f, 0.15f, 0.45f},      // fingered
     {10, 4, 1.0f, false, 0.1f, 0.1f, 0.9f, 0.15f, 0.08f, 0.9f},    // fan: bunches on spurs
-    {12, 4, 0.5f, false, 0.0f, 0.006f, 0.8f, 0.06f, 0.0f, 0.5f},   // needles
-    {9, 4, 0.75f, false, 0.3f, 0.013f, 0.6f, 0.2f, 0.0f, 0.6f},    // bundles
-    {8, 4, 0.9f, false, 0.05f, 0.05f, 0.9f, 0.1f, 0.0f, 0.8f},     // tufts
+    {11, 4, 0.75f, false, 0.0f, 0.007f, 0.9f, 0.05f, 0.0f, 0.5f},  // needles
+    {9, 4, 0.75f, false, 0.3f, 0.013f, 0.55f, 0.13f, 0.0f, 0.6f},  // bundles
+    {8, 4, 0.9f, false, 0.05f, 0.06f, 0.9f, 0.06f, 0.0f, 0.8f},    // tufts
     {0, 0, 0.0f, false, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.3f},       // frond
     {10, 5, 1.0f, false, 0.2f, 0.045f, 0.9f, 0.28f, 0.03f, 0.55f}, // pointed
 };

@@ -207,7 +207,7 @@ TEST_F(ImpostorGlTest, twoHalvesOfAFadeAreTheWhole) {
 }
 
 TEST_F(ImpostorGlTest, headingAndSizeAreThoseOfTheTree) {
-    const Species species = speciesCalled("oak");
+    const Species species = speciesCalled("thesis"); // of which trees of all sizes have one shape
     osg::ref_ptr<ImpostorStrip> shape = shapeOf(species);
     ForestDescription turned = oneTree(species, 0.0f);
     turned.trees[0].heading = 1.1f;

@@ -15,8 +15,10 @@ namespace {
 ForestDescription birches(float impostorBelow, float season) {
     ForestDescription description = smallForest(3, 0.0f);
     description.species = {*findSpecies("silver birch")};
-    for (TreePlacement& tree : description.trees)
+    for (TreePlacement& tree : description.trees) {
         tree.size.height = 10.0f;
+        tree.openGrown = true;
+    }
     description.wind = std::make_shared<FunctionWind>([](const glm::vec3&, double time) {
         return glm::vec3(time > 2.0 && time < 4.0 ? 30.0f : 0.0f, 0.0f, 0.0f);
     });

@@ -77,6 +77,7 @@ void plantSpruce(ForestDescription& forest, float x, float y, float height) {
     tree.species = 1;
     tree.position = {x, y, 0.0};
     tree.size.height = height;
+    tree.openGrown = true; // which hides what is behind, to the ground
     tree.seed = static_cast<std::uint32_t>(forest.trees.size());
     forest.trees.push_back(tree);
 }
@@ -174,7 +175,7 @@ TEST_F(TreeTiersGlTest, aTreeIsAsBrightInEveryTier) {
     for (const char* name : {"oak", "Norway spruce", "Norway maple", "Douglas fir"})
         for (const double pixels : {600.0, 400.0, 300.0, 150.0, 70.0}) {
             const Species species = *findSpecies(name);
-            EXPECT_NEAR(brightness(species, pixels, true), brightness(species, pixels, false), 2.0)
+            EXPECT_NEAR(brightness(species, pixels, true), brightness(species, pixels, false), 3.0)
                 << name << ' ' << pixels;
         }
 }
@@ -261,7 +262,7 @@ TEST_F(TreeTiersGlTest, aTreeBehindOthersNeedsLessDetail) {
     forest.trees.clear();
     for (int row = 0; row < 4; ++row)
         for (int i = -4; i <= 4; ++i)
-            plantSpruce(forest, 2.5f * static_cast<float>(i), 12.0f + 15.0f * static_cast<float>(row), 14.0f);
+            plantSpruce(forest, 2.0f * static_cast<float>(i), 15.0f + 15.0f * static_cast<float>(row), 6.0f);
     plantSpruce(forest, 0.0f, 90.0f, 14.0f);
     EXPECT_EQ(tierOfLast(), Tier::Impostor) << "behind four rows";
     forest.trees.back().size.height = 40.0f;

@@ -64,7 +64,7 @@ TEST_F(BarkReliefGlTest, stemsOfBirchesAreWhiteAndTwigsAreNot) {
         return sum / size;
     };
     const int stem = mean(*pole(BarkForm::Banded, 0.1f, 1.0)),
-              twig = mean(*pole(BarkForm::Banded, 0.004f, 0.04));
+              twig = mean(*pole(BarkForm::Banded, 0.006f, 0.04));
     EXPECT_GT(stem, 70);
     EXPECT_GT(twig, 0) << "there should be a twig";
     EXPECT_LT(twig, stem / 2);

@@ -51,7 +51,7 @@ TEST_P(LeafSprayOf, CoversWhatMechanicsCountOn) {
         bare += solidTexels(painted(form(), variant), twigs) / LeafAtlas::sprays;
     }
     EXPECT_NEAR(bare, twigCoverage(form()), 0.01f);
-    EXPECT_NEAR(leaves, leafCoverage(form()), 0.03f);
+    EXPECT_NEAR(leaves, leafCoverage(form()), 0.035f) << "half of a large leaf";
 }
 
 TEST_P(LeafSprayOf, SpringsFromItsLowerEdge) {

@@ -182,6 +182,7 @@ TEST_F(SceneShadingGlTest, underMultisamplingCrownsAreAsDenseAsUnderSupersamplin
         tree.species = static_cast<std::size_t>(i % 3);
         tree.position = {9.0 * (i % 3 - 1) + (i < 3 ? 0.0 : 4.5), i < 3 ? 0.0 : 8.0, -6.0};
         tree.size.height = 13.0f;
+        tree.openGrown = true;
         tree.seed = static_cast<std::uint32_t>(i);
         wood.trees.push_back(tree);
     }

@@ -20,8 +20,9 @@ TEST(StormTree, FallsInTheWindThatForestGalesHas) {
     const CriticalSpeeds critical = criticalSpeedsOf(spruce, tree, stand);
     const double hale = 1.136 * 111.7 * 0.24 * 0.24 * 20.0;
     const TreeStrength bears = StormTree(spruce, tree, stand).strength();
-    EXPECT_NEAR(critical.uproot.value() / std::sqrt(bears.uproot / hale), 1.0, 0.15);
-    EXPECT_NEAR(critical.breaking.value() / std::sqrt(bears.breaking / hale), 1.0, 0.15);
+    // Earlier than there: docs/validation.md, "Trees in a storm".
+    EXPECT_NEAR(critical.uproot.value() / std::sqrt(bears.uproot / hale), 0.85, 0.15);
+    EXPECT_NEAR(critical.breaking.value() / std::sqrt(bears.breaking / hale), 0.85, 0.15);
 }
 
 } // namespace osgTreeWind
