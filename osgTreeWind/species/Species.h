@@ -102,7 +102,7 @@ struct Species {
     std::vector<std::string> aliases; ///< Other names, common and scientific ones.
     std::string source;               ///< Of its numbers, for people.
     TreeParameters tree;              ///< How it grows.
-    int shapes = 6;                   ///< Distinct models shared by all trees of the species.
+    int shapes = 4;                   ///< Distinct models shared by all trees of the species.
     HeightAllometry height;           ///< From its diameter.
     CrownAllometry crown;             ///< From its diameter and height.
     WoodParameters wood;              ///< What it is made of.
