@@ -133,7 +133,7 @@ TEST(Archetype, FitsTheTreesAroundIt) {
     std::sort(motions.begin(), motions.end());
     const std::size_t most = forest.trees.size() * 95 / 100 - 1;
     EXPECT_LT(paces[most].first, 0.035f) << forest.nameOf(paces[most].second) << "; median "
-                                        << paces[paces.size() / 2].first << ", worst " << paces.back().first;
+                                         << paces[paces.size() / 2].first << ", worst " << paces.back().first;
     EXPECT_LT(motions[most].first, 0.16f)
         << forest.nameOf(motions[most].second) << "; median " << motions[motions.size() / 2].first
         << ", worst " << motions.back().first;
