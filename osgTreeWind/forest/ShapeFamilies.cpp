@@ -137,7 +137,7 @@ void ShapeFamilies::proportion(Family& family, const Species& species, Stand& st
         const auto& [step, size] = stand.sizes[i];
         if (nearest(stand.trees, step)->first != at)
             continue;
-        const GrowthGoal usual = growthOf(species, family.openGrown, family.atEdge, size.height).growth->size;
+        const TreeSize usual = wholeSize({size.height, 0.0f, 0.0f}, species, family.openGrown);
         trunks.push_back(size.trunkDiameter > 0.0f ? size.trunkDiameter / usual.trunkDiameter : 1.0f);
         crowns.push_back(size.crownWidth > 0.0f ? size.crownWidth / usual.crownWidth : 1.0f);
     }
@@ -166,7 +166,7 @@ void ShapeFamilies::add(const Species& species, Stands stands) {
     const float usual = usualHeight(species);
     if (stands[InForest].trees.empty() && stands[AtEdge].trees.empty() && stands[InOpen].trees.empty())
         addUsual(stands[InForest]);
-    if (!growsByLight(species) && !stands[InForest].trees.empty())
+    if (!bySize && !stands[InForest].trees.empty())
         stands[InOpen].trees.clear();
     std::size_t families = 0;
     for (Stand& stand : stands) {

@@ -32,8 +32,7 @@ struct ForestReading {
     std::vector<UnsaidOfTree> unsaid; ///< By tree.
     std::optional<Crs> crs;           ///< That of the forest.
     std::optional<double> windDate;   ///< Seconds since 1970 of the wind's time 0, where its files say.
-    std::size_t declaredSpecies =
-        0; ///< So many species come first and are the file's own; the others are built in.
+    std::size_t declaredSpecies = 0;  ///< Number of the file's own species. Built-in ones follow them.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
     std::set<std::string> treeNames;                  ///< Of all trees so far.
     const SpeciesCatalogue* catalogue = nullptr;      ///< Null until it is asked for.

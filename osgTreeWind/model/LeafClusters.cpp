@@ -23,9 +23,9 @@ constexpr float leaderWeight = 3.0f;
 /// Faces of leaves are inclined by what their clusters are, by how their quads are turned within them, and by
 /// how they stand on these: as variances, these shares of the first two leave the third one its own.
 constexpr float clusterShare = 0.8f, quadShare = 0.7f;
+constexpr float outerSide = 0.7f; ///< Faces lean outwards, give or take this share of half a turn.
 /// Of shoots that hang, over the mean inclination, so that with the one upon them they have that mean.
 constexpr float hangingShare = 1.2f, lyingShare = 0.3f;
-constexpr float outerSide = 0.7f;  ///< Faces lean outwards, give or take this share of half a turn.
 constexpr float slim = 0.75f;      ///< Width of such a shoot over that of a spray, which is as large.
 constexpr float onward = 0.7f;     ///< Radians by which one that hangs leans the way its twig goes.
 constexpr float halfV = 1.22f;     ///< Radians between the rows of a frond and upright.

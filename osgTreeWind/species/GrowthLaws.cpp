@@ -83,15 +83,17 @@ TreeSize withCrown(TreeSize size, const CrownAllometry& crown, bool openGrown) {
 
 TreeSize wholeSize(TreeSize size, const Species& species, bool openGrown) {
     size = withCrown(size, species.crown, openGrown);
-    if (!growsByLight(species) || !(size.height > 0.0f || size.trunkDiameter > 0.0f))
+    const bool hasHeight = size.height > 0.0f, hasTrunk = size.trunkDiameter > 0.0f;
+    const bool isWhole = hasHeight && hasTrunk && size.crownWidth > 0.0f;
+    if (isWhole || !growsByLight(species) || !(hasHeight || hasTrunk))
         return size;
     const GrowthGoal known = openGrown ? species.tree.growth->size : forestSize(species);
     const float power = openGrown ? species.height.openPower : species.height.power;
-    if (!(size.height > 0.0f))
+    if (!hasHeight)
         size.height =
             known.height * std::pow(size.trunkDiameter / known.trunkDiameter, power > 0.0f ? power : 1.0f);
     const GrowthGoal usual = ofHeight(size.height, known, species, openGrown);
-    if (!(size.trunkDiameter > 0.0f))
+    if (!hasTrunk)
         size.trunkDiameter = usual.trunkDiameter;
     if (!(size.crownWidth > 0.0f))
         size.crownWidth = usual.crownWidth;

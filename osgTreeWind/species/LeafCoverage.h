@@ -26,8 +26,8 @@ constexpr float twigCoverage(LeafForm form) {
     return cardCoverages[static_cast<int>(form)].twigs;
 }
 
-/// Area of flat leaves that hides as much, seen from all sides, as leaves of the area 1. Needles are round:
-/// of a cylinder all sides show what a flat leaf shows of two.
+/// Area of flat leaves that hides as much as leaves of this form whose area is 1. In the mean over all
+/// directions a flat leaf shows half of its area, and a needle, which is round, pi/4 of it.
 constexpr float flatLeafArea(LeafForm form) {
     return isNeedles(form) ? glm::half_pi<float>() : 1.0f;
 }

@@ -214,7 +214,8 @@ TEST(Info, TreesListedAreReadBack) {
     const auto numbers = [](const std::string& row) {
         const std::size_t from = row.find(',', row.find(',') + 1);
         const std::string cells = row.substr(from, row.rfind(',') - from);
-        return cells.substr(0, cells.rfind(',', cells.rfind(',') - 1));
+        const std::size_t leaves = cells.rfind(','), company = cells.rfind(',', leaves - 1);
+        return cells.substr(0, company) + cells.substr(leaves);
     };
     int rows = -1;
     for (; std::getline(a, before) && std::getline(b, after); ++rows)

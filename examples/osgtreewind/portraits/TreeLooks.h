@@ -12,8 +12,8 @@ struct TreeLooks {
     float skyThroughCrownSummer = 0.0f, skyThroughCrownWinter = 0.0f;
     float crownOverStem = 0.0f;   ///< Width of the crown over the diameter of the stem at breast height.
     float leafInclination = 0.0f; ///< Mean over the area of leaves, degrees from the horizontal.
-    float leafAreaDrawn =
-        0.0f; ///< Of one side of the leaves as drawn, m^2; of needles over pi/2, as flatLeafArea() has it.
+    /// Of one side of the leaves as drawn, m^2; of needles over flatLeafArea().
+    float leafAreaDrawn = 0.0f;
     float leafAreaMechanics = 0.0f; ///< What the laws of motion take it for, m^2.
     float hueSpread = 0.0f;         ///< 10th to 90th percentile of a lit crown's leaves, degrees.
     float greenShare = 0.0f;        ///< Mean of G / (R + G + B) over them, of sRGB values.
