@@ -101,13 +101,14 @@ Json measured(const StormJob& job, std::FILE* trace) {
     const Storm company{options.speed, options.open ? 0.0 : options.spacing, options.seed};
     StormTree stormy(job.species, job.tree, company);
     stormy.advance(settling);
-    Extent moment, tip;
+    Extent moment, push, tip;
     std::vector<glm::dvec2> strains;
     const auto rows = static_cast<std::size_t>(std::llround(options.duration / options.step));
     for (std::size_t row = 1; row <= rows; ++row) {
         const double time = options.step * static_cast<double>(row);
         const StormMoment now = stormy.advance(settling + time);
         moment.add(now.moment);
+        push.add(now.push);
         tip.add(glm::dvec2(now.tip));
         strains.push_back(now.strain);
         if (trace)
@@ -125,6 +126,7 @@ Json measured(const StormJob& job, std::FILE* trace) {
         {"leaves", options.leaves},
         {"speed_ms", options.speed},
         {"moment", moment.json()},
+        {"push", push.json()},
         {"tip", tip.json()},
         {"features", json(free ? swayFeatures(strains, 1.0 / options.step, free->frequency) : std::nullopt)},
         {"frequency_hz", free ? Json(free->frequency) : Json()},
@@ -149,6 +151,7 @@ void print(const Json& storm) {
                 storm["spacing_m"].is_null() ? "in the open" : "in a stand", storm["speed_ms"].get<double>());
     std::printf("            mean        sd       max\n");
     extent("moment", "N m at the ground");
+    extent("push", "N m of it by the air, without the weight that hangs over");
     extent("tip", "m");
     std::printf("          uproot     break\ncritical");
     critical("uproot");
@@ -186,6 +189,9 @@ const char* const stormColumns[] = {"/species",
                                     "/moment/mean",
                                     "/moment/sd",
                                     "/moment/max",
+                                    "/push/mean",
+                                    "/push/sd",
+                                    "/push/max",
                                     "/tip/mean",
                                     "/tip/sd",
                                     "/tip/max",

@@ -3,6 +3,7 @@
 
 #include <examples/osgtreewind/storm/OpenCountry.h>
 #include <osgTreeWind/motion/CanopyOfTrees.h>
+#include <osgTreeWind/motion/laws/PhysicalConstants.h>
 #include <osgTreeWind/motion/laws/UnitLoads.h>
 #include <osgTreeWind/motion/laws/UnitPose.h>
 #include <osgTreeWind/motion/sway/CalmTree.h>
@@ -54,6 +55,7 @@ StormTree::StormTree(const Species& species, const TreePlacement& given, const S
             if (units[i].base.z <= 0.5f * model.skeleton.height())
                 _middle = i;
         }
+    _weights = makeJointTree(model, tree.scale, species, tree.leaves).points;
     _foot.stiffness = loads.front().stiffness;
     const double diameter = breastDiameter(model, tree.scale);
     _strain = 32.0 / (glm::pi<double>() * static_cast<double>(loads.front().modulus) * diameter * diameter *
@@ -103,6 +105,11 @@ StormMoment StormTree::advance(double time) {
     const glm::dvec2 foot(turned(0));
     const double sine = std::min(glm::length(foot), 1.0);
     now.moment = foot * (static_cast<double>(_foot.stiffness) * (sine > 1e-9 ? std::asin(sine) / sine : 1.0));
+    now.push = now.moment;
+    for (const JointTree::Point& point : _weights) {
+        const glm::vec3 place(point.place);
+        now.push -= gravity * point.mass * glm::dvec2(poses[point.link].apply(place) - place);
+    }
     now.strain = now.moment * _strain;
     now.tilt = turned(_middle);
     const glm::vec3 top = tree.scale.axes * skeleton.units[_top].tip;

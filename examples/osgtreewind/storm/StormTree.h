@@ -4,6 +4,7 @@
 #include <examples/osgtreewind/storm/CriticalSpeeds.h>
 #include <osgTreeWind/forest/PlacedForest.h>
 #include <osgTreeWind/motion/damage/HeldJoint.h>
+#include <osgTreeWind/motion/modal/JointTree.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
 #include <osgTreeWind/wind/WindSampler.h>
 
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -24,8 +26,9 @@ struct Storm {
 /// A tree at one moment.
 struct StormMoment {
     glm::vec2 wind{0.0f}; ///< At the top, free of the tree, m/s.
-    glm::dvec2 moment{
-        0.0}; ///< Of its weight and the air on what holds it to the ground, by where it turns, N m.
+    /// Of its weight and the air on what holds it to the ground, by where it turns, N m.
+    glm::dvec2 moment{0.0};
+    glm::dvec2 push{0.0};   ///< That of the air alone: without the weight of what hangs over.
     glm::dvec2 strain{0.0}; ///< Of the wood at the foot of the trunk.
     glm::vec2 tilt{0.0f};   ///< Of the trunk at half its height, sine.
     glm::vec2 tip{0.0f};    ///< How far the top of the trunk is from where it rests, metres.
@@ -50,6 +53,7 @@ private:
     PlacedForest _forest;
     ModalMotion _motion;
     WindSampler _wind;
+    std::vector<JointTree::Point> _weights;
     HeldJoint _foot;
     double _time = 0.0, _strain = 0.0;
     std::size_t _middle = 0, _top = 0; ///< Of the trunk's units.
