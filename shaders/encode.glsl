@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Colours are linear until they are written. LINEAR_COLORS: they stay so, where the scene has GL_FRAMEBUFFER_SRGB on or
 // encodes by itself (osgTreeWind/drawing/looks/SceneShading.h).
-#pragma import_defines(LINEAR_COLORS)
+// FILM: an exposure; what is brighter than white rolls off and shadows deepen, as on film, before it is encoded. `render` and
+// `view` set it; without it light is written as it is.
+#pragma import_defines(FILM, LINEAR_COLORS)
+
+#ifdef FILM
+/// Narkowicz 2016, ACES Filmic Tone Mapping Curve, of colours somewhat greyer, as the curve makes them more saturated.
+vec3 filmed(vec3 color) {
+    vec3 c = FILM * mix(vec3(dot(color, vec3(0.2126, 0.7152, 0.0722))), color, 0.86);
+    return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
+}
+#else
+vec3 filmed(vec3 color) { return color; }
+#endif
 
 /// As sRGB, within 0.0004: IEC 61966-2-1 by roots, which are quicker than powers.
 vec3 encoded(vec3 color) {
 #ifdef LINEAR_COLORS
-    return color;
+    return filmed(color);
 #else
-    vec3 c = clamp(color, 0.0, 1.0);
+    vec3 c = clamp(filmed(color), 0.0, 1.0);
     vec3 root = sqrt(c);
     vec3 bright = 0.833744 * root + 0.298113 * sqrt(root) - 0.055312 * c - 0.076904;
     return mix(12.92 * c, bright, step(0.0031308, c));

@@ -28,6 +28,7 @@ flat in vec3 pictureSunThrough;
 flat in vec3 pictureSunWay;
 #endif
 in vec2 pictureCoord;
+in float pictureLeft;
 in vec3 pictureEye;
 
 /// Whether `chance` is below `share`; what is left of it is even in [0, 1) again.
@@ -62,6 +63,9 @@ void main() {
     vec3 sun = sunLight;
 #ifdef SHADOWED
     sun *= 0.25 + lobe.a * (0.25 + pictureSunThrough) + 0.5 * dot(pictureSunWay, way);
+    light = pictureLeft * (light - sun) + sun;
+#else
+    light *= pictureLeft;
 #endif
     vec3 tint = mix(vec3(1.0), leafTint, lobe.a);
     vec3 albedo = tint * color.rgb / color.a;

@@ -11,6 +11,7 @@
 in vec4 treePlace; // foot, heading
 in vec4 treeSize;  // scale across and along the trunk; how far it has come down, a level rotation vector
 in vec4 treeState; // lean of the top (x, y), fade, own number
+in vec4 treeLight; // what its neighbours leave of the light at its foot and at its top
 
 uniform vec4 impostorSize;       // half width and height of the tree unscaled; azimuths, elevations of its pictures
 uniform vec2 impostorExtents[8]; // lowest and highest on the pictures of an elevation, from the foot
@@ -26,6 +27,7 @@ flat out vec3 pictureSunThrough;
 flat out vec3 pictureSunWay;
 #endif
 out vec2 pictureCoord;
+out float pictureLeft; // of the light, by neighbours
 out vec3 pictureEye;
 
 const float margin = 1.0 / 16.0; // ImpostorPictures::margin
@@ -82,6 +84,7 @@ void main() {
     vec4 eyePosition = gl_ModelViewMatrix * vec4(treePlace.xyz + down * point, 1.0);
     pictureCoord = mix(vec2(margin), vec2(1.0 - margin), vec2(0.5 + 0.5 * gl_Vertex.x, gl_Vertex.y));
     pictureEye = eyePosition.xyz;
+    pictureLeft = mix(treeLight.x, treeLight.y, smoothstep(0.25, 1.0, clamp(rise / height, 0.0, 1.0) + toEye.z * toEye.z));
     vec4 middle = gl_ModelViewMatrix * vec4(treePlace.xyz + 0.5 * height * down[2], 1.0);
     vec3 sunThrough, sunWay;
     linearLight(middle.xyz, barkLight, leafLightMore, lightByNormal, sunThrough, sunWay);

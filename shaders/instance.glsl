@@ -6,6 +6,7 @@
 in vec4 treePlace; // foot; tangent of half its heading
 in vec4 treeSize;  // scale of lengths across and upward, of radii, of leaf clusters
 in vec4 treeState; // row of its poses, fade (dither.glsl, isLeftOut()), its own number in [0, 1), share of its leaves
+in vec4 treeLight; // what its neighbours leave of the light at its foot and at its top; one over its height
 
 uniform sampler2D poseRotations;    // quaternions
 uniform sampler2D poseTranslations; // metres; speed of the wind at the unit, m/s
@@ -23,11 +24,19 @@ bool isLeftOut(float chance) {
 /// Where all corners of what is left out lie: nothing is drawn then.
 const vec4 leftOut = vec4(0.0, 0.0, 0.0, 1.0);
 
+/// What the neighbours leave of the light at a place. @param height over the foot at rest, metres.
+float leftByNeighbours(float height) {
+    return mix(treeLight.x, treeLight.y, smoothstep(0.25, 1.0, height * treeLight.z));
+}
+
 struct UnitPose {
     vec4 rotation;
     vec3 translation;
     float wind;
 };
+
+/// How far along thin wood a vertex is from thick wood at rest, metres: what follows the number of its unit.
+float reachOf(float unit) { return 4.0 * fract(unit) * treeSize.x; }
 
 ivec2 poseTexel(int unit) { return ivec2(unit & 2047, int(treeState.x) * unitRows + (unit >> 11)); }
 

@@ -1,15 +1,22 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Bark of trees in an instanced draw: a vertex lies `radius` outward of a point of the branch's centre line.
-// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, from 0 to 2 around, v, unit;
+// gl_Vertex: centre, radius; gl_Normal: outward; gl_MultiTexCoord0: u, from 0 to 2 around, v, unit and reach (instance.glsl);
 // gl_MultiTexCoord1: shade, law/shade.glsl.
 
 #pragma import_defines(FADING)
 
+#include "real.glsl"
+#include "law/limits.glsl"
+#include "law/flutter.glsl"
+#include "law/shoot.glsl"
 #include "instance.glsl"
 #include "light.glsl"
 #define VERTEX_SHADER
 #include "surface.glsl"
+
+uniform vec3 flutterPhases;
+uniform float limberness; // species.leaf.shoot_sway
 
 out vec3 barkCoord; // bark_texture.glsl
 out float barkRadius; // metres
@@ -23,9 +30,15 @@ void main() {
         return;
     }
 #endif
-    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
-    vec4 eyePosition = eyePoint(pose, treeSize.xxy * gl_Vertex.xyz + treeSize.z * gl_Vertex.w * gl_Normal);
-    Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), treeHeading());
+    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z));
+    vec3 rest = treeSize.xxy * gl_Vertex.xyz;
+    float reach = reachOf(gl_MultiTexCoord0.z);
+    if (reach > 0.0)
+        rest += limberness * shootSway(rest, reach, pose.wind, flutterPhases, treeState.z);
+    rest += treeSize.z * gl_Vertex.w * gl_Normal;
+    vec4 eyePosition = eyePoint(pose, rest);
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), treeHeading(),
+                        leftByNeighbours(rest.z));
     vec3 eyeNormal = eyeDirection(pose, gl_Normal);
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(gl_MultiTexCoord0.xy, gl_MultiTexCoord0.x - 2.0 * step(1.0, gl_MultiTexCoord0.x));

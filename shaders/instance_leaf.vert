@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // A corner of a leaf cluster in an instanced draw: turned by its flutter, then by its rest orientation, downwind, and with
-// its branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit, leaf;
+// its branch. gl_Vertex: anchor, size; gl_Normal: corner in the leaf frame; gl_MultiTexCoord0: u, v, unit and reach (instance.glsl), leaf;
 // gl_MultiTexCoord1: rest orientation; gl_MultiTexCoord2: normal in the leaf frame, shade (law/shade.glsl);
 // gl_MultiTexCoord3: outward of the crown, shade.
 
@@ -12,6 +12,7 @@
 #include "law/elementary.glsl"
 #include "law/oscillator.glsl"
 #include "law/flutter.glsl"
+#include "law/shoot.glsl"
 #include "law/tint.glsl"
 #include "instance.glsl"
 #include "law/reconfiguration.glsl"
@@ -21,6 +22,7 @@
 
 uniform vec4 flutterLimits;
 uniform vec3 flutterPhases;
+uniform float limberness; // species.leaf.shoot_sway
 uniform vec3 leafUnderside; // what it reflects over what the upper side does
 uniform float leafBrightness; // of the tier: as bright as the tree in full
 
@@ -37,9 +39,10 @@ void main() {
         return;
     }
 #endif
-    int unit = int(gl_MultiTexCoord0.z + 0.5);
+    int unit = int(gl_MultiTexCoord0.z);
     UnitPose pose = unitPose(unit);
     vec3 rest = treeSize.xxy * gl_Vertex.xyz;
+    rest += limberness * shootSway(rest, reachOf(gl_MultiTexCoord0.z), pose.wind, flutterPhases, treeState.z);
     leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeState.w ? 1.0 : 0.0;
     vec4 pull = mix(vec4(0.0, 0.0, 0.0, 1.0), texelFetch(posePulls, poseTexel(unit), 0), leafBorne);
     float gust = pullOfGusts(rest, pull.xyz, flutterPhases, treeState.z, gl_MultiTexCoord0.w);
@@ -53,15 +56,20 @@ void main() {
     vec3 blade = turnVector(downwind, turnVector(turn, gl_MultiTexCoord2.xyz));
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = crown + 0.5 * sign(dot(blade, crown)) * blade;
-    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading());
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), treeHeading(),
+                        leftByNeighbours(rest.z));
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
     bool fromBelow = dot(eyeDirection(pose, blade), eyePosition.xyz) > 0.0;
     vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : turnedOver(pose.wind, gust));
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is that of both sides
     own *= leafBrightness;
-    leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
-    sunLight *= own;
+    leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
+    float glint = bladeGlint(gl_MultiTexCoord0.w,
+                             eyeDirection(pose, turnVector(gl_MultiTexCoord1, gl_MultiTexCoord2.xyz)),
+                             eyeDirection(pose, blade));
+    leafLight = own * (leafLight + (glint - 1.0) * sunLight);
+    sunLight *= glint * own;
     leafCoord = gl_MultiTexCoord0.xy;
     leafCard = gl_VertexID / 4;
     treeFade = treeState.y;

@@ -48,7 +48,13 @@ struct Shade {
     vec4 above;
     vec4 below;
     vec2 heading; // cosine and sine
+    float around; // what neighbours leave of the sky, and of the sun where no shadows are handed down
 };
+#ifdef SHADOWED
+#define AROUND_SUN(share) 1.0
+#else
+#define AROUND_SUN(share) share
+#endif
 
 /// Share of the light from a direction.
 float shareOf(vec3 toLight, Shade shade) {
@@ -64,13 +70,14 @@ vec3 lightOn(bool leaf, vec3 eyePosition, vec3 eyeNormal, Shade shade) {
 #ifdef UNLIT
     return vec3(1.0);
 #endif
-    vec3 light = shade.above.w * ambientLight(eyeNormal);
+    vec3 light = shade.around * shade.above.w * ambientLight(eyeNormal);
     for (int n = 0; n < lights.length(); ++n) {
         int i = lights[n];
         vec4 at = lightAt(i, eyePosition);
         float facing = dot(eyeNormal, at.xyz);
         vec3 lit = leaf ? max(0.5 * facing + 0.5, 0.0) + lightThrough(eyePosition, at.xyz) : vec3(max(facing, 0.0));
-        vec3 part = at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
+        float left = gl_LightSource[i].position.w == 0.0 ? AROUND_SUN(shade.around) : 1.0;
+        vec3 part = left * at.w * shareOf(at.xyz, shade) * lit * gl_LightSource[i].diffuse.rgb;
         light += part;
         if (n == 0)
             sunLight = part;
@@ -80,6 +87,15 @@ vec3 lightOn(bool leaf, vec3 eyePosition, vec3 eyeNormal, Shade shade) {
 
 vec3 barkShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) { return lightOn(false, eyePosition, eyeNormal, shade); }
 vec3 leafShade(vec3 eyePosition, vec3 eyeNormal, Shade shade) { return lightOn(true, eyePosition, eyeNormal, shade); }
+
+/// Factor on the sun's part of the light on a leaf, 1 in the mean: blades of a crown face all ways, and glint as they turn.
+/// @param leaf its index in the tree. @param rest, now normals of its blade at rest and as it is, of unit length, in eye
+/// space.
+float bladeGlint(float leaf, vec3 rest, vec3 now) {
+    vec4 sun = gl_LightSource[SUN].position;
+    vec3 toSun = normalize(sun.xyz);
+    return 0.5 + fract(0.381966 * leaf + 0.13) + 0.8 * (abs(dot(now, toSun)) - abs(dot(rest, toSun)));
+}
 
 /// The same for a picture of a tree, which holds its shade (osgTreeWind/drawing/impostors/LightLobe.h); one evaluation serves all
 /// normals: light is `bark` + leaf * `leafMore` +

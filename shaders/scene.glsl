@@ -4,12 +4,13 @@
 // SHADOW_MAP: texture unit of osgShadow::ShadowMap. SHADOW_MAPS: how many of ViewDependentShadowMap.
 // TIERS_COLORED: each tree in the `tierColor` of how finely it is drawn, as bright as it is.
 // SHADOW_CLEARANCE: metres toward the light within which nothing throws a shadow: crowns are shaded within (light.glsl).
-#pragma import_defines(FOG_MODE, SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1, TIERS_COLORED)
+#pragma import_defines(SHADOW_CLEARANCE, SHADOW_MAP, SHADOW_MAPS, SHADOW_MAP_UNIT0, SHADOW_MAP_UNIT1, TIERS_COLORED)
 #ifndef SHADOW_CLEARANCE
 #define SHADOW_CLEARANCE 1.5
 #endif
 
 #include "encode.glsl"
+#include "fog.glsl"
 #include "shadowed.glsl"
 
 #ifdef SHADOWED
@@ -66,21 +67,6 @@ vec3 shadowed(vec3 light, vec3 sun, vec3 eyePosition) {
     return light - (1.0 - sunLeft(eyePosition)) * sun;
 #else
     return light;
-#endif
-}
-
-float fogLeft(vec3 eyePosition) {
-#ifdef FOG_MODE
-    float far = abs(eyePosition.z);
-#if FOG_MODE == 1
-    return clamp((gl_Fog.end - far) * gl_Fog.scale, 0.0, 1.0);
-#elif FOG_MODE == 2
-    return clamp(exp(-gl_Fog.density * far), 0.0, 1.0);
-#else
-    return clamp(exp(-gl_Fog.density * far * gl_Fog.density * far), 0.0, 1.0);
-#endif
-#else
-    return 1.0;
 #endif
 }
 

@@ -128,6 +128,7 @@ osg::ref_ptr<osg::Program> sharedProgram(const std::string& vertex, const std::s
         program->addBindAttribLocation("treePlace", treePlaceLocation);
         program->addBindAttribLocation("treeSize", treeSizeLocation);
         program->addBindAttribLocation("treeState", treeStateLocation);
+        program->addBindAttribLocation("treeLight", treeLightLocation);
         program->add(osg::Shader::VERTEX, vertexText);
         program->add(osg::Shader::FRAGMENT, fragmentText);
         return osg::ref_ptr<osg::Program>(program);

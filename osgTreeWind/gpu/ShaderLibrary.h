@@ -14,7 +14,8 @@ namespace osgTreeWind {
 std::string shaderText(const std::string& name);
 
 /// Where the vertex attributes of an instance are: above those that stand for gl_Vertex and the like.
-constexpr unsigned treePlaceLocation = 12, treeSizeLocation = 13, treeStateLocation = 14;
+constexpr unsigned treePlaceLocation = 12, treeSizeLocation = 13, treeStateLocation = 14,
+                   treeLightLocation = 15;
 
 /// How programs of ours are set: without them trees are where nobody expects them, so that a program which a
 /// host sets with OVERRIDE above a forest leaves them alone. One that is set below replaces them.

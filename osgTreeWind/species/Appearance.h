@@ -35,11 +35,12 @@ constexpr bool isNeedles(LeafForm form) {
 /// What the surface of bark is like.
 enum class BarkForm {
     Furrowed, ///< Ridges along the stem: oak, ash, any tree.
-    Plated,   ///< Plates: pine, spruce.
+    Plated,   ///< Long plates that flake: pine.
     Smooth,   ///< Beech.
     Banded,   ///< Birch: white, with dark bands across.
     Flaking,  ///< Plane: patches of several colours.
     Ringed,   ///< Palm.
+    Scaly,    ///< Small thin scales: spruce.
 };
 
 /// How a kind of tree looks. Linear RGB colours, each in [0, 1].

@@ -91,6 +91,7 @@ struct LeafMotion {
     float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation that goes with the X motion.
     float noiseFrequency = 1.3f; ///< Hz.
     float maxDownwind = 0.8f; ///< Turn downwind of a petiole across the wind, in the strongest; law `modal`.
+    float shootSway = 1.0f;   ///< Factor on how far the thin ends of boughs sway by themselves; law `modal`.
 };
 
 /// The most distinct models of one species.

@@ -124,6 +124,8 @@ const Fields& fieldsOf<LeafMotion>() {
          "turn downwind of a petiole that stands across the wind, in the strongest, half of its tangent at "
          "10 m/s; 12 in built-in conifers, 50 in broadleaves (law `\"modal\"`)",
          "degrees"},
+        {"shoot_sway", at<&P::shootSway>, within(0, 10),
+         "factor on how far the thin ends of boughs sway by themselves (law `\"modal\"`)"},
     };
     return fields;
 }
@@ -156,7 +158,7 @@ const Fields& fieldsOf<Appearance>() {
          {},
          "surface of the bark",
          "",
-         inOrder({"furrowed", "plated", "smooth", "banded", "flaking", "ringed"})},
+         inOrder({"furrowed", "plated", "smooth", "banded", "flaking", "ringed", "scaly"})},
         {"leaf_image", at<&P::leafImage>, {}, "a picture of a spray to show instead, below", "file"},
         {"bark_image", at<&P::barkImage>, {}, "a picture of bark to show instead, below", "file"},
     };

@@ -17,12 +17,12 @@ out vec3 barkLight;
 out vec3 scenePosition;
 
 void main() {
-    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
+    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z));
     vec3 rest = treeAxes * gl_Vertex.xyz + treeSizes.x * gl_Vertex.w * gl_Normal;
     vec4 eyePosition = gl_ModelViewMatrix * vec4(turnVector(pose.rotation, rest) + pose.translation, 1.0);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, gl_Normal));
 
-    Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), vec2(1.0, 0.0));
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord1.x), unpackedShares(gl_MultiTexCoord1.y), vec2(1.0, 0.0), 1.0);
     barkLight = barkShade(eyePosition.xyz, eyeNormal, shade);
     barkCoord = vec3(gl_MultiTexCoord0.xy, gl_MultiTexCoord0.x - 2.0 * step(1.0, gl_MultiTexCoord0.x));
     barkRadius = treeSizes.x * gl_Vertex.w;

@@ -23,7 +23,7 @@ flat out int leafCard;
 flat out float leafBorne; // 1; 0: the tree does not bear these leaves, its twigs are bare
 
 void main() {
-    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z + 0.5));
+    UnitPose pose = unitPose(int(gl_MultiTexCoord0.z));
     vec4 angles = vec4(0.0);
     if (treeFirstLeaf >= 0)
         angles = dataTexel(leafAngles, treeFirstLeaf + int(gl_MultiTexCoord0.w + 0.5));
@@ -38,10 +38,16 @@ void main() {
     vec3 crown = gl_MultiTexCoord3.xyz;
     vec3 normal = normalize(crown + 0.5 * sign(dot(blade, crown)) * blade);
     vec3 eyeNormal = normalize(gl_NormalMatrix * turnVector(pose.rotation, normal));
-    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), vec2(1.0, 0.0));
+    Shade shade = Shade(unpackedShares(gl_MultiTexCoord2.w), unpackedShares(gl_MultiTexCoord3.w), vec2(1.0, 0.0), 1.0);
     leafBorne = fract(0.618034 * gl_MultiTexCoord0.w) < treeLeaves ? 1.0 : 0.0;
     vec3 own = mix(vec3(1.0), treeTint(treeOwn) * clusterTint(treeOwn, gl_MultiTexCoord0.w), leafBorne);
-    leafLight = own * leafShade(eyePosition.xyz, eyeNormal, shade);
+    leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
+    float glint = bladeGlint(
+        gl_MultiTexCoord0.w,
+        normalize(gl_NormalMatrix * turnVector(pose.rotation, turnVector(gl_MultiTexCoord1, gl_MultiTexCoord2.xyz))),
+        normalize(gl_NormalMatrix * turnVector(pose.rotation, blade)));
+    leafLight = own * (leafLight + (glint - 1.0) * sunLight);
+    sunLight *= glint * own;
 
     leafCoord = gl_MultiTexCoord0.xy;
     leafCard = gl_VertexID / 4;

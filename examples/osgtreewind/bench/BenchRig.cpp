@@ -182,7 +182,7 @@ osg::ref_ptr<osg::Program> rigProgram(const std::string& part, bool hardware, st
         "Light;\nout float barkRadius;\nvoid main() {\nbarkRadius = 1.0;\n" + place +
         "vec4 eyePosition = gl_ModelViewMatrix * at;\n" + part + "Light = gl_MultiTexCoord0.z * " + part +
         "Shade(eyePosition.xyz, normalize(gl_NormalMatrix * normal), "
-        "Shade(vec4(1.0), vec4(1.0), vec2(1.0, 0.0)));\n" +
+        "Shade(vec4(1.0), vec4(1.0), vec2(1.0, 0.0), 1.0));\n" +
         part + "Coord = gl_MultiTexCoord0.xy;\ngl_Position = gl_ProjectionMatrix * eyePosition;\n}\n";
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->addShader(new osg::Shader(osg::Shader::VERTEX, text));

@@ -23,6 +23,7 @@ public:
         gl->glVertexAttrib4f(treePlaceLocation, 0.0f, 0.0f, 0.0f, 0.0f);
         gl->glVertexAttrib4f(treeSizeLocation, scale.axes.x, scale.axes.z, 0.0f, 0.0f);
         gl->glVertexAttrib4f(treeStateLocation, 0.0f, 0.0f, 1.0f, _ownNumber);
+        gl->glVertexAttrib4f(treeLightLocation, 1.0f, 1.0f, 0.0f, 0.0f);
         TreeDrawable::drawImplementation(renderInfo);
     }
 

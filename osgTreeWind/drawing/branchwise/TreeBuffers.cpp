@@ -38,8 +38,10 @@ osg::ref_ptr<osg::Geometry> skinOf(const std::vector<unsigned>& units, const Bra
 class LeafClusterDrawable : public TreeDrawable {
 public:
     explicit LeafClusterDrawable(const TreeModel& model)
-        : TreeDrawable("LeafClusterDrawable",
-                       makeLeafGeometry(std::vector<LeafCluster>(1), model.leafMesh, CrownShade()), nullptr) {
+        : TreeDrawable(
+              "LeafClusterDrawable",
+              makeLeafGeometry(std::vector<LeafCluster>(1), Skeleton(), model.leafMesh, CrownShade()),
+              nullptr) {
         _geometry->setName("leaf cluster");
         for (const LeafVertex& vertex : model.leafMesh)
             _corners.push_back(toOsg(vertex.corner));
@@ -64,9 +66,9 @@ private:
 
 TreeBuffers::Meshes::Meshes(const TreeModel& model, LeafForm leafForm) {
     const CrownShade crown(model.leaves, model.leafMesh, leafCoverage(leafForm));
-    skin = makeSkinGeometry(model.skin, crown);
+    skin = makeSkinGeometry(model.skin, model.skeleton, crown);
     bareSkin = skinOf(unitsWithoutLeaves(model), model.skin, *skin);
-    leaves = makeLeafGeometry(model.leaves, model.leafMesh, crown);
+    leaves = makeLeafGeometry(model.leaves, model.skeleton, model.leafMesh, crown);
 }
 
 osg::ref_ptr<TreeBuffers::Meshes> TreeBuffers::sharedMeshes(const TreeModel& model, LeafForm leafForm) {

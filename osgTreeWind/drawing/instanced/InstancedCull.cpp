@@ -128,6 +128,7 @@ void InstancedCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade
     const PlacedTree& tree = SimulationParts::trees(simulation)[seen.number];
     const float own = ownNumber(tree.seed);
     const glm::vec3& foot = tree.position;
+    const NeighbourShade::Left left = shade.left(seen.number);
     if (tier == Tier::Impostor) {
         const glm::vec2 lean = modal.lean(seen.number);
         const TreeFall* fall = modal.fall(seen.number);
@@ -138,7 +139,8 @@ void InstancedCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade
         lists.list({seen.band, tree.model, impostorTier(tree.leaves), fade != 1.0f, small, 0})
             .add({{foot.x, foot.y, foot.z, tree.heading},
                   {tree.scale.axes.x, tree.scale.axes.z, down.x, down.y},
-                  {lean.x, lean.y, fade, own}});
+                  {lean.x, lean.y, fade, own},
+                  {left.atFoot, left.atTop, 0.0f, 0.0f}});
         return;
     }
     PosePass& pass = *passes[tree.model];
@@ -152,7 +154,8 @@ void InstancedCull::addTree(const FrontToBack::Tree& seen, Tier tier, float fade
     list.flutter = flutter[tree.species];
     list.add({{foot.x, foot.y, foot.z, std::tan(0.5f * tree.heading)},
               {tree.scale.axes.x, tree.scale.axes.z, tree.scale.radius, tree.scale.leaf},
-              {static_cast<float>(row.row), fade, own, tree.leaves}});
+              {static_cast<float>(row.row), fade, own, tree.leaves},
+              {left.atFoot, left.atTop, 1.0f / std::max(cells.tree(seen.number).height, 1e-3f), 0.0f}});
 }
 
 /// Draws and passes, to the camera's render stage.

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/drawing/instanced/CullLists.h>
 #include <osgTreeWind/drawing/instanced/InstancedResources.h>
+#include <osgTreeWind/drawing/instanced/NeighbourShade.h>
 #include <osgTreeWind/drawing/instanced/PictureView.h>
 #include <osgTreeWind/drawing/instanced/TreeCells.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
@@ -28,6 +29,7 @@ public:
     const TreeTiers& tiers;
     float detail; ///< On the trees' heights on the screen.
     const TreeCells& cells;
+    const NeighbourShade& shade;
     const std::vector<osg::Vec3>& flutter; ///< By species.
     CullLists& lists;
 

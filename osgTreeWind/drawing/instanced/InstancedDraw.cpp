@@ -17,6 +17,8 @@ const char* inBuffer(GLsizeiptr offset) {
     return reinterpret_cast<const char*>(offset); // NOLINT(performance-no-int-to-ptr): OpenGL asks for it
 }
 
+constexpr unsigned instanceAttributes = sizeof(TreeInstance) / (4 * sizeof(float));
+
 } // namespace
 
 InstancedDraw::InstancedDraw() {
@@ -37,7 +39,7 @@ void InstancedDraw::drawImplementation(osg::RenderInfo& renderInfo) const {
     static const EntryGuard guard;
     guard.run("trees may be missing in pictures", [&] { drawTrees(renderInfo); });
     const osg::GLExtensions& gl = *state.get<osg::GLExtensions>();
-    for (unsigned i = 0; i < 3; ++i) {
+    for (unsigned i = 0; i < instanceAttributes; ++i) {
         gl.glVertexAttribDivisor(treePlaceLocation + i, 0);
         gl.glDisableVertexAttribArray(treePlaceLocation + i);
     }
@@ -68,7 +70,7 @@ void InstancedDraw::drawTrees(osg::RenderInfo& renderInfo) const {
     osg::GLBufferObject* instances = _trees->values->getOrCreateGLBufferObject(state.getContextID());
     state.bindVertexBufferObject(instances);
     const char* offset = inBuffer(instances->getOffset(_trees->values->getBufferIndex()));
-    for (unsigned i = 0; i < 3; ++i) {
+    for (unsigned i = 0; i < instanceAttributes; ++i) {
         gl.glEnableVertexAttribArray(treePlaceLocation + i);
         gl.glVertexAttribPointer(treePlaceLocation + i, 4, GL_FLOAT, GL_FALSE, sizeof(TreeInstance),
                                  offset + i * 4 * sizeof(float));

@@ -14,6 +14,8 @@ struct TreeInstance {
                     ///< lengths; how far it has come down, a level rotation vector x, y, radians).
     float state[4]; ///< Row of its poses, fade, its own number, share of its leaves (impostors: lean x, lean
                     ///< y, fade, its own number).
+    float light[4]; ///< What its neighbours leave of the light at its foot and at its top; one over its
+                    ///< height, 1/m; 0.
 };
 
 /// Trees of one model and tier that a camera sees in one frame. Filled in cull, then drawn, by one thread at

@@ -19,6 +19,11 @@ namespace {
 
 constexpr unsigned framesNear = 60; // for which a tree is followed closely after it was last seen so
 
+NeighbourShade::Crown crownOf(const ForestSimulation& simulation, const PlacedTree& tree) {
+    const TreeSize size = SimulationParts::forest(simulation).measured(tree);
+    return {tree.position, size.height, 0.5f * size.crownWidth, 0.35f + 0.6f * tree.leaves};
+}
+
 } // namespace
 
 InstancedTrees::InstancedTrees() : InstancedTrees(std::make_shared<ForestSimulation>(ForestDescription())) {}
@@ -38,6 +43,7 @@ InstancedTrees::InstancedTrees(std::shared_ptr<ForestSimulation> simulation, Ins
         if (SimulationParts::trees(*_simulation)[tree].alive)
             treeChanged(tree);
     updateFlutter(0.0);
+    _shade.update();
 }
 
 void InstancedTrees::addPasses() {
@@ -59,6 +65,7 @@ void InstancedTrees::treeChanged(std::size_t tree) {
         _attention.resize(tree + 1);
     if (!placed.alive) {
         _cells.take(number);
+        _shade.take(number);
         _attention[tree].kept = false;
     } else {
         const std::array<float, 5> reach =
@@ -67,6 +74,10 @@ void InstancedTrees::treeChanged(std::size_t tree) {
         const bool isDown = fall && fall->isDown;
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3], isDown ? reach[4] : 0.0f});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
+        if (isDown)
+            _shade.take(number);
+        else
+            _shade.put(number, crownOf(*_simulation, placed));
         _resources.paintImpostor(*_simulation, placed);
         if (SimulationParts::modal(*_simulation)->level(tree) == ModalMotion::Level::Near)
             follow(number);
@@ -92,6 +103,10 @@ osg::BoundingBox InstancedTrees::computeBoundingBox() const {
 
 void InstancedTrees::seasonChanged() {
     _resources.followSeason(*_simulation);
+    const std::vector<PlacedTree>& trees = SimulationParts::trees(*_simulation);
+    for (std::size_t tree = 0; tree < trees.size(); ++tree)
+        if (trees[tree].alive)
+            _shade.put(static_cast<std::uint32_t>(tree), crownOf(*_simulation, trees[tree]));
 }
 
 void InstancedTrees::follow(std::uint32_t tree) {
@@ -113,6 +128,7 @@ void InstancedTrees::keepNear(std::size_t tree, bool kept) {
 void InstancedTrees::update(unsigned frame, double time) {
     _frame = frame;
     updateFlutter(time);
+    _shade.update();
     ModalMotion& modal = *SimulationParts::modal(*_simulation);
     {
         const std::lock_guard<std::mutex> lock(_listsMutex);
@@ -210,9 +226,9 @@ void InstancedTrees::cull(osgUtil::CullVisitor& visitor) {
     const unsigned frame = visitor.getFrameStamp() ? visitor.getFrameStamp()->getFrameNumber() : 0;
     _culledFrame = frame;
     const osg::ref_ptr<CullLists> lists = freeLists(visitor);
-    InstancedCull{visitor,    frame,    *_simulation, *SimulationParts::modal(*_simulation),
-                  _resources, _passes,  _tiers,       detailOf(visitor, frame),
-                  _cells,     _flutter, *lists}
+    InstancedCull{visitor,    frame,   *_simulation, *SimulationParts::modal(*_simulation),
+                  _resources, _passes, _tiers,       detailOf(visitor, frame),
+                  _cells,     _shade,  _flutter,     *lists}
         .run();
 }
 

@@ -4,6 +4,7 @@
 #include <osgTreeWind/drawing/instanced/CullLists.h>
 #include <osgTreeWind/drawing/instanced/DetailBudget.h>
 #include <osgTreeWind/drawing/instanced/InstancedResources.h>
+#include <osgTreeWind/drawing/instanced/NeighbourShade.h>
 #include <osgTreeWind/drawing/instanced/TreeCells.h>
 #include <osgTreeWind/drawing/instanced/TreeTiers.h>
 #include <osgTreeWind/gpu/EntryGuard.h>
@@ -81,6 +82,7 @@ private:
     std::vector<osg::ref_ptr<PosePass>> _passes; ///< By model.
     TreeTiers _tiers;
     mutable TreeCells _cells;
+    NeighbourShade _shade;
     std::vector<osg::Vec3> _flutter; ///< By species, phases of now.
 
     struct Attention {

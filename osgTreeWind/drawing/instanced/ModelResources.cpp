@@ -27,14 +27,15 @@ ModelMeshes::ModelMeshes(const TreeModel& model, const Appearance& appearance) {
     for (int tier = 0; tier < branchTiers; ++tier) {
         const bool whole = tier == static_cast<int>(Tier::Full);
         const TreeDetail detail = TreeDetail::reduced(tier);
-        bark[tier] = makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), crown);
+        bark[tier] =
+            makeSkinGeometry(whole ? model.skin : thinnedSkin(model.skeleton, detail), model.skeleton, crown);
         float brightness = 1.0f;
         if (tier == static_cast<int>(Tier::Sprays)) {
             leaves[tier] = leaves[static_cast<int>(Tier::Full)];
         } else if (!model.leaves.empty()) {
             const ThinnedLeaves thinned = thinnedLeaves(model.leaves, model.leafMesh, detail);
-            leaves[tier] =
-                LeafOrders::make(*makeLeafGeometry(thinned, model.leafMesh, crown), thinned, model.leafMesh);
+            leaves[tier] = LeafOrders::make(*makeLeafGeometry(thinned, model.skeleton, model.leafMesh, crown),
+                                            thinned, model.leafMesh);
             const float seen = seenLeafLight(leafPieces(thinned, model.leafMesh, crown, appearance, 1.0f),
                                              *stencils, appearance, model.skeleton.height());
             inFull = whole ? seen : inFull;

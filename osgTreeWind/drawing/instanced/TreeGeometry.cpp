@@ -6,10 +6,15 @@
 #include <osgTreeWind/gpu/OsgConversions.h>
 #include <osgTreeWind/motion/laws/Laws.h>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <numeric>
 
 namespace osgTreeWind {
 namespace {
+
+constexpr float farthestReach = 4.0f; // metres; as shaders/instance.glsl
 
 osg::ref_ptr<osg::Geometry> emptyGeometry(const char* name) {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
@@ -24,24 +29,68 @@ glm::vec2 packed(const CrownShade::Light& light) {
     return {Laws().packedShares({light.above, light.sky}), Laws().packedShares({light.below, 1.0f})};
 }
 
+/// How far along thin wood places of a tree are from thick wood (shaders/law/shoot.glsl).
+class ThinWood {
+public:
+    explicit ThinWood(const Skeleton& skeleton) : _units(skeleton.units) {
+        if (skeleton.shoots.empty())
+            return; // units end as they did in the thesis
+        for (const BranchUnit& unit : _units)
+            _atBase.push_back(
+                unit.parent < 0 ? 0.0f : alongAxis(static_cast<std::size_t>(unit.parent), unit.attach));
+    }
+    /// @return the number of the unit, and in its fraction the distance, as shaders/instance.glsl has it.
+    float unitAndReach(int number, const glm::vec3& place) const {
+        const auto index = static_cast<std::size_t>(number);
+        if (index >= _atBase.size())
+            return static_cast<float>(number);
+        const BranchUnit& unit = _units[index];
+        const glm::vec3 axis = unit.tip - unit.base;
+        const float along = glm::clamp(
+            glm::dot(place - unit.base, axis) / glm::max(glm::dot(axis, axis), 1e-12f), 0.0f, 1.0f);
+        const float aside = glm::distance(place, unit.base + along * axis) - unit.baseRadius;
+        const float reach = alongAxis(index, along) + glm::max(aside, 0.0f);
+        return static_cast<float>(number) + glm::min(reach / farthestReach, 0.99f);
+    }
+
+private:
+    static constexpr float thin = 0.012f; ///< Radius, metres.
+
+    float alongAxis(std::size_t index, float part) const {
+        const BranchUnit& unit = _units[index];
+        const float tapers = unit.baseRadius - unit.tipRadius, from = unit.baseRadius <= thin ? 0.0f
+                                                                      : unit.tipRadius < thin
+                                                                          ? (unit.baseRadius - thin) / tapers
+                                                                          : 1.0f;
+        return _atBase[index] + glm::max(part - from, 0.0f) * glm::distance(unit.base, unit.tip);
+    }
+
+    const std::vector<BranchUnit>& _units;
+    std::vector<float> _atBase; ///< By unit, metres.
+};
+
 } // namespace
 
-osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const CrownShade& crown) {
+osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Skeleton& skeleton,
+                                             const CrownShade& crown) {
     osg::ref_ptr<osg::Vec4Array> centres = new osg::Vec4Array;
     osg::ref_ptr<osg::Vec3Array> outwards = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec3Array> coordinates = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> shades = new osg::Vec2Array;
+    const ThinWood thinWood(skeleton);
     glm::vec3 centre(0.0f);
     glm::vec2 shade(0.0f);
+    float unit = 0.0f;
     for (const SkinVertex& v : skin.vertices) {
         if (v.centre != centre || shades->empty()) { // that of a ring
             centre = v.centre;
             shade = packed(crown.at(centre));
+            unit = thinWood.unitAndReach(static_cast<int>(v.unit + 0.5f), centre);
         }
         shades->push_back({shade.x, shade.y});
         centres->push_back({v.centre.x, v.centre.y, v.centre.z, v.radius});
         outwards->push_back({v.outward.x, v.outward.y, v.outward.z});
-        coordinates->push_back({v.uv.x, v.uv.y, v.unit});
+        coordinates->push_back({v.uv.x, v.uv.y, unit});
     }
     osg::ref_ptr<osg::Geometry> geometry = emptyGeometry("bark");
     geometry->setVertexArray(centres);
@@ -54,15 +103,16 @@ osg::ref_ptr<osg::Geometry> makeSkinGeometry(const BranchSkin& skin, const Crown
     return geometry;
 }
 
-osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves,
+osg::ref_ptr<osg::Geometry> makeLeafGeometry(const std::vector<LeafCluster>& leaves, const Skeleton& skeleton,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown) {
-    return makeLeafGeometry(thinnedLeaves(leaves, mesh, TreeDetail::full()), mesh, crown);
+    return makeLeafGeometry(thinnedLeaves(leaves, mesh, TreeDetail::full()), skeleton, mesh, crown);
 }
 
-osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
+osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves, const Skeleton& skeleton,
                                              const std::array<LeafVertex, verticesPerLeafCluster>& mesh,
                                              const CrownShade& crown) {
+    const ThinWood thinWood(skeleton);
     const auto cornerCount = static_cast<std::size_t>(4 * leaves.quads());
     osg::ref_ptr<osg::Vec4Array> anchors = new osg::Vec4Array, ids = new osg::Vec4Array,
                                  orientations = new osg::Vec4Array, normals = new osg::Vec4Array,
@@ -73,6 +123,7 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
         const std::uint32_t index = leaves.indices[i];
         const int quad = leaves.firstQuad(i);
         const glm::vec3 outward = crown.outward(leaf.anchor), middle = middleOf(mesh, quad, leaves.quads());
+        const float unit = thinWood.unitAndReach(leaf.unit, leaf.anchor);
         const glm::vec2 shade = packed(crown.at(leaf.anchor + leaf.size * (leaf.orientation * middle)));
         for (std::size_t corner = 0; corner < cornerCount; ++corner) {
             const LeafVertex& v = mesh[static_cast<std::size_t>(4 * quad) + corner];
@@ -80,7 +131,7 @@ osg::ref_ptr<osg::Geometry> makeLeafGeometry(const ThinnedLeaves& leaves,
             corners->push_back(toOsg(v.corner));
             const glm::vec2 uv = leaves.bough > 1 ? LeafAtlas::onBough(leaves.bough, index, v.uv)
                                                   : LeafAtlas::coordinate(index, corner / 4, v.uv);
-            ids->push_back({uv.x, uv.y, static_cast<float>(leaf.unit), static_cast<float>(index)});
+            ids->push_back({uv.x, uv.y, unit, static_cast<float>(index)});
             orientations->push_back(toOsg(leaf.orientation).asVec4());
             normals->push_back({v.normal.x, v.normal.y, v.normal.z, shade.x});
             crowns->push_back({outward.x, outward.y, outward.z, shade.y});

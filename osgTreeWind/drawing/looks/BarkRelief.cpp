@@ -15,7 +15,7 @@
 namespace osgTreeWind {
 namespace {
 
-constexpr int width = 128, height = 256;
+constexpr int width = 256, height = 512;
 
 /// In [0, 1), of a point of a grid that repeats after its columns and rows.
 float random(const glm::ivec2& point, const glm::ivec2& grid, unsigned stream) {
@@ -66,10 +66,27 @@ glm::vec3 barkAt(BarkForm form, const glm::vec2& at) {
     const glm::vec2 warped = at + glm::vec2(0.06f * (noise(at, {4, 8}, 2) - 0.5f), 0.0f);
     switch (form) {
     case BarkForm::Plated: {
-        const Plate plate = plateAt(warped + glm::vec2(0.0f, 0.02f * noise(at, {12, 8}, 3)), {5, 6}, 4);
-        const float rise = glm::smoothstep(0.02f, 0.28f, plate.edge);
-        return {0.35f + 0.45f * rise + 0.15f * plate.own + 0.16f * grain,
-                0.9f * rise + 0.1f * plate.own + 0.1f * grain, 0.45f + 0.35f * plate.own * rise};
+        // Long plates between fissures, each of thin layers that flake off.
+        const glm::vec2 rough =
+            0.035f * glm::vec2(noise(at, {14, 20}, 3) - 0.5f, noise(at, {14, 20}, 7) - 0.5f) +
+            0.012f * glm::vec2(noise(at, {40, 60}, 8) - 0.5f, noise(at, {40, 60}, 9) - 0.5f);
+        const Plate plate = plateAt(warped + rough, {9, 6}, 4),
+                    flake = plateAt(at + 2.0f * rough, {16, 20}, 10);
+        const float rise = glm::smoothstep(0.02f, 0.17f, plate.edge),
+                    layer = std::floor(3.0f * flake.own + 1.2f * plate.edge) / 4.0f;
+        const float lip = glm::smoothstep(0.0f, 0.05f, flake.edge);
+        return {0.40f + rise * (0.28f + 0.22f * layer + 0.08f * lip) + 0.14f * grain,
+                0.75f * rise + 0.2f * layer + 0.08f * grain, 0.38f + rise * (0.05f + 0.4f * flake.own)};
+    }
+    case BarkForm::Scaly: {
+        // Thin scales of a few centimetres, loose at their lower edges.
+        const glm::vec2 rough =
+            0.02f * glm::vec2(noise(at, {20, 30}, 3) - 0.5f, noise(at, {20, 30}, 7) - 0.5f);
+        const Plate scale = plateAt(at + rough, {17, 22}, 4), older = plateAt(at - rough, {9, 11}, 10);
+        const float edge = glm::smoothstep(0.0f, 0.12f, scale.edge);
+        return {0.56f + 0.10f * edge + 0.16f * scale.own + 0.10f * older.own + 0.14f * grain,
+                0.45f + 0.14f * edge + 0.22f * scale.own + 0.12f * older.own + 0.08f * grain,
+                0.40f + 0.25f * scale.own + 0.15f * older.own};
     }
     case BarkForm::Smooth: {
         const float cloud = noise(at, {4, 5}, 3), wrinkle = noise(at, {5, 40}, 4);
@@ -107,13 +124,16 @@ glm::vec3 barkAt(BarkForm form, const glm::vec2& at) {
     case BarkForm::Furrowed:
         break;
     }
-    // Ridges along the stem that wander, meet and are cracked across.
-    const float wander = 2.4f * noise(at, {4, 5}, 3) + 0.7f * noise(at, {10, 16}, 4);
-    const float ridge = glm::abs(glm::sin(glm::pi<float>() * (9.0f * at.x + wander)));
-    const float crack = glm::smoothstep(0.0f, 0.12f, glm::abs(noise(warped, {9, 26}, 5) - 0.5f));
-    const float rise = glm::smoothstep(0.1f, 0.75f, ridge) * (0.55f + 0.45f * crack);
-    return {0.42f + 0.5f * rise + 0.2f * grain, rise + 0.12f * grain,
-            0.5f + 0.2f * (noise(at, {4, 7}, 6) - 0.5f)};
+    // Ridges along the stem that wander, meet, part and are cracked across.
+    const float wander =
+        1.5f * noise(at, {4, 5}, 3) + 0.9f * noise(at, {12, 9}, 4) + 0.3f * noise(at, {30, 40}, 7);
+    const float ridge = glm::abs(glm::sin(glm::pi<float>() * (14.0f * at.x + wander)));
+    const float crack = glm::smoothstep(0.0f, 0.10f, glm::abs(noise(warped, {14, 30}, 5) - 0.5f));
+    const float rise = glm::smoothstep(0.05f, 0.65f, ridge) * (0.7f + 0.3f * crack);
+    const float fibre = noise(at, {90, 40}, 8) - 0.5f;
+    return {0.50f + 0.30f * rise + 0.14f * grain + 0.12f * fibre,
+            0.85f * rise + 0.08f * grain + 0.07f * fibre,
+            0.45f + 0.15f * rise + 0.25f * (noise(at, {4, 7}, 6) - 0.5f)};
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-/// Paints bark: 128 x 256 RGB, half way around a branch by once its circumference along it. Brightness,
+/// Paints bark: 256 x 512 RGB, half way around a branch by once its circumference along it. Brightness,
 /// height (1: outermost), hue (0.5: as the species' bark; more: yellowish). Goes on without a seam around
 /// and along the branch.
 osg::ref_ptr<osg::Image> paintBark(BarkForm form);

@@ -5,6 +5,7 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/motion/laws/StatelessFlutter.h>
 #include <osgTreeWind/species/Season.h>
+#include <osgTreeWind/species/SpeciesFields.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -30,6 +31,8 @@ SpeciesLooks makeSpeciesLooks(const Species& species) {
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
+    for (osg::StateSet* state : {looks.leaves.get(), looks.bark.get()})
+        state->addUniform(new osg::Uniform("limberness", clampedFields(species.leaf).shootSway));
     looks.leaves->addUniform(new osg::Uniform("leafUnderside", toOsg(undersideOverUpper(appearance))));
     return looks;
 }

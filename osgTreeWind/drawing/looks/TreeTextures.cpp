@@ -60,7 +60,7 @@ osg::ref_ptr<osg::Image> barkImage(const Appearance& appearance) {
     if (const std::string& path = appearance.barkImage; !path.empty())
         if (osg::ref_ptr<osg::Image> picture = pictures.get(path, [&] { return readBarkPicture(path); }))
             return picture;
-    static PaintedOnce<BarkForm, static_cast<std::size_t>(BarkForm::Ringed) + 1> images;
+    static PaintedOnce<BarkForm, static_cast<std::size_t>(BarkForm::Scaly) + 1> images;
     return images.image(appearance.barkForm, paintBark);
 }
 

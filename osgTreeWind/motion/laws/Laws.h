@@ -34,6 +34,8 @@ struct Laws {
 
 #include <shaders/law/flutter.glsl>
 
+#include <shaders/law/shoot.glsl>
+
 #include <shaders/law/rotation.glsl>
 
 #include <shaders/law/shade.glsl>

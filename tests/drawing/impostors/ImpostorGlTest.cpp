@@ -27,6 +27,7 @@ struct Instance : osg::Drawable::DrawCallback {
         gl->glVertexAttrib4fv(treePlaceLocation, place.ptr());
         gl->glVertexAttrib4fv(treeSizeLocation, scale.ptr());
         gl->glVertexAttrib4fv(treeStateLocation, state.ptr());
+        gl->glVertexAttrib4f(treeLightLocation, 1.0f, 1.0f, 0.0f, 0.0f);
         drawable->drawImplementation(info);
     }
 };

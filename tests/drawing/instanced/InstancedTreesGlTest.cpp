@@ -259,8 +259,9 @@ TEST_F(InstancedTreesGlTest, geometryOfOnesOwnIsMovedLikeOurs) {
     for (std::size_t model = 0; model < models.size(); ++model) {
         const TreeModel& shape = *models[model];
         const CrownShade crown(shape.leaves, shape.leafMesh, leafCoverage(LeafForm::Blade));
-        forest->getInstanced()->setGeometry(model, makeSkinGeometry(shape.skin, crown),
-                                            makeLeafGeometry(shape.leaves, shape.leafMesh, crown));
+        forest->getInstanced()->setGeometry(
+            model, makeSkinGeometry(shape.skin, shape.skeleton, crown),
+            makeLeafGeometry(shape.leaves, shape.skeleton, shape.leafMesh, crown));
     }
     EXPECT_EQ(difference(*picture(forest, 20), *picture(plain, 20)).mean, 0.0);
     look(forest);

@@ -40,7 +40,8 @@ TEST(LeafOrdersTest, nearCardsComeFirstAndNoneIsLeftOut) {
     for (const int reductions : {0, 2}) {
         const ThinnedLeaves leaves =
             thinnedLeaves(model.leaves, model.leafMesh, TreeDetail::reduced(reductions));
-        const osg::ref_ptr<osg::Geometry> geometry = makeLeafGeometry(leaves, model.leafMesh, CrownShade());
+        const osg::ref_ptr<osg::Geometry> geometry =
+            makeLeafGeometry(leaves, model.skeleton, model.leafMesh, CrownShade());
         const LeafOrders::Geometries orders = LeafOrders::make(*geometry, leaves, model.leafMesh);
         std::vector<unsigned> all = Drawn(*geometry, leaves, model).vertices;
         std::sort(all.begin(), all.end());
@@ -71,7 +72,8 @@ TEST(LeafOrdersTest, thatOfTheNearestDirectionIsTaken) {
 TEST(LeafOrdersTest, aBareTreeHasNothingToDraw) {
     const TreeModel model = makeTreeModel({});
     const ThinnedLeaves none = thinnedLeaves({}, model.leafMesh, TreeDetail::full());
-    const osg::ref_ptr<osg::Geometry> geometry = makeLeafGeometry(none, model.leafMesh, CrownShade());
+    const osg::ref_ptr<osg::Geometry> geometry =
+        makeLeafGeometry(none, model.skeleton, model.leafMesh, CrownShade());
     for (const osg::ref_ptr<osg::Geometry>& order : LeafOrders::make(*geometry, none, model.leafMesh))
         EXPECT_EQ(order->getPrimitiveSet(0)->getNumIndices(), 0u);
 }

@@ -9,7 +9,7 @@ using namespace osgTreeWind;
 
 namespace {
 
-constexpr int forms = static_cast<int>(BarkForm::Ringed) + 1;
+constexpr int forms = static_cast<int>(BarkForm::Scaly) + 1;
 
 /// Mean difference between a row and the next one up, or a column and the next one right, of a channel.
 double step(const osg::Image& image, bool across, int line, int channel) {

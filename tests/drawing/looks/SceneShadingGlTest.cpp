@@ -122,6 +122,26 @@ TEST_F(SceneShadingGlTest, coloursAreWrittenAsSrgb) {
     EXPECT_EQ(difference(*linear, *picture()).mean, 0.0) << "OpenGL encodes, were its buffer for sRGB";
 }
 
+TEST_F(SceneShadingGlTest, filmRollsOffWhatIsBright) {
+    light(lightSource(0, sun, osg::Vec4(0.9f, 0.9f, 0.9f, 1.0f)));
+    const osg::ref_ptr<osg::Image> linear = picture();
+    scene->getStateSet()->setDefine("FILM", "1.5");
+    const osg::ref_ptr<osg::Image> filmed = picture();
+    for (int i = 0; i < pictureSize * pictureSize; ++i) {
+        const unsigned char *from = linear->data() + 4 * i, *to = filmed->data() + 4 * i;
+        const double grey = 0.2126 * from[0] + 0.7152 * from[1] + 0.0722 * from[2];
+        for (int channel = 0; channel < 3; ++channel) {
+            const double c = 1.5 * (0.86 * from[channel] + 0.14 * grey) / 255.0;
+            ASSERT_NEAR(to[channel], 255.0 * c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 4.0)
+                << "Narkowicz 2016";
+        }
+    }
+    scene->getStateSet()->setDefine("FILM", "1000.0");
+    const osg::ref_ptr<osg::Image> bright = picture();
+    EXPECT_LE(meanColour(*bright).y(), 255.0);
+    EXPECT_GT(meanColour(*bright).y(), meanColour(*filmed).y());
+}
+
 TEST_F(SceneShadingGlTest, shadeWithinACrownTurnsWithItsTree) {
     osg::ref_ptr<osg::LightSource> source = lightSource(0, osg::Vec4(0, -1, 0.2f, 0), osg::Vec4(2, 2, 2, 1));
     light(source);

@@ -54,7 +54,8 @@ private:
         for (const char* file :
              {"data.glsl", "target.glsl", "real.glsl", "law/limits.glsl", "law/elementary.glsl",
               "law/noise.glsl", "law/rotation.glsl", "law/thesis_branch.glsl", "law/thesis_leaf.glsl",
-              "law/flutter.glsl", "law/oscillator.glsl", "law/modal.glsl", "law/reconfiguration.glsl"})
+              "law/flutter.glsl", "law/shoot.glsl", "law/oscillator.glsl", "law/modal.glsl",
+              "law/reconfiguration.glsl"})
             text += shaderText(file);
         text += "uniform sampler2D previousAngles;\n" + declared +
                 "void main() {\n"
@@ -127,6 +128,24 @@ TEST_F(LawsGlTest, FlutterAgreesWithTheCpu) {
         const glm::vec4& s = states[i];
         const glm::vec3 cpu =
             laws.leafFlutter(s.x, s.w, glm::vec3(phases[i]), s.y, s.z, {0.4f, 0.3f, 0.6f, 0.7f});
+        ASSERT_LT(difference(gpu[i], glm::vec4(cpu, 0.0f)), 1e-3f) << i;
+    }
+}
+
+TEST_F(LawsGlTest, SwayOfShootsAgreesWithTheCpu) {
+    Random random(7);
+    Texels places, phases;
+    for (int i = 0; i < 300; ++i) {
+        places.emplace_back(8.0f * random.symmetric(), 8.0f * random.symmetric(), 20.0f * random.uniform(),
+                            3.0f * random.uniform());
+        phases.emplace_back(random.uniform(), random.uniform(), random.uniform(), 20.0f * random.uniform());
+    }
+    const Texels gpu = step(places, {{"phases", phases}},
+                            "vec4(shootSway(state.xyz, state.w, phases.w, phases.xyz, 0.3), 0.0)");
+    Laws laws;
+    for (std::size_t i = 0; i < gpu.size(); ++i) {
+        const glm::vec3 cpu =
+            laws.shootSway(glm::vec3(places[i]), places[i].w, phases[i].w, glm::vec3(phases[i]), 0.3f);
         ASSERT_LT(difference(gpu[i], glm::vec4(cpu, 0.0f)), 1e-3f) << i;
     }
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// FOG_MODE: 1 linear, 2 exponential, 3 by the square (osgTreeWind/drawing/looks/SceneShading.h).
+#pragma import_defines(FOG_MODE)
+
+/// Share of what is there that OpenGL's fog leaves.
+float fogLeft(vec3 eyePosition) {
+#ifdef FOG_MODE
+    float far = abs(eyePosition.z);
+#if FOG_MODE == 1
+    return clamp((gl_Fog.end - far) * gl_Fog.scale, 0.0, 1.0);
+#elif FOG_MODE == 2
+    return clamp(exp(-gl_Fog.density * far), 0.0, 1.0);
+#else
+    return clamp(exp(-gl_Fog.density * far * gl_Fog.density * far), 0.0, 1.0);
+#endif
+#else
+    return 1.0;
+#endif
+}
