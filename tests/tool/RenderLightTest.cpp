@@ -97,10 +97,41 @@ TEST(RenderLight, ASunThatIsNotSeenIsAnError) {
 
 TEST(RenderLight, HazeIsFullAtTheRimOfTheGround) {
     const auto image =
-        renderForest(tree("[0, 0]"), {"--eye", "0,-2600,60", "--center", "0,-3600,0", "--fov", "20"});
-    for (int y = 1; y < image->t(); ++y)
+        renderForest(tree("[0, 0]"), {"--eye", "0,0,900", "--center", "0,6000,0", "--fov", "20"});
+    for (int y = image->t() / 2 - 4; y < image->t() / 2 + 4; ++y) // the rim is in the middle
         for (int channel = 0; channel < 3; ++channel)
             EXPECT_NEAR(image->data(48, y)[channel], image->data(48, y - 1)[channel], 12) << y;
+}
+
+TEST(RenderLight, AnOvercastSkyIsGreyAndThrowsNoShadows) {
+    const auto fair = renderForest(tree("[0, 0]"), {}),
+               grey = renderForest(tree("[0, 0]"), {"--sky", "overcast"});
+    const auto blueOf = [](const osg::Image& image) { // of the sky
+        const unsigned char* corner = image.data(0, image.t() - 1);
+        return corner[2] - corner[0];
+    };
+    EXPECT_GT(blueOf(*fair), 40);
+    EXPECT_LT(blueOf(*grey), 20);
+    const auto from = [](const char* shadows) {
+        return std::vector<std::string>{"--sky", "overcast", "--shadows", shadows,
+                                        "--eye", "0,-30,12", "--center",  "0,0,0"};
+    };
+    EXPECT_LT(meanDifference(*renderForest(tree("[0, 0]"), from("soft")),
+                             *renderForest(tree("[0, 0]"), from("off"))),
+              0.6);
+}
+
+TEST(RenderLight, LitterLiesWhereCrownsClose) {
+    std::string wood;
+    for (int y = -12; y <= 12; y += 6)
+        for (int x = -12; x <= 12; x += 6)
+            wood += tree("[" + std::to_string(x) + ", " + std::to_string(y) + "]");
+    const std::vector<std::string> low{"--eye", "3,3,1.5", "--center", "3,4,0", "--shadows", "off"};
+    const auto green = [&](const std::string& trees) {
+        const auto image = renderForest(trees, low);
+        return mean(*image, 1) / mean(*image, 0);
+    };
+    EXPECT_LT(green(wood), 0.9 * green(tree("[300, 0]")));
 }
 
 TEST(RenderLight, GrassStandsAboutTheEye) {

@@ -37,15 +37,14 @@ struct ViewOptions {
     std::string file, size = "1280x720", save;
     int frames = 0, width = 0, height = 0;
     std::optional<float> season;
-    osg::Vec3 sun = Daylight::usualSun;
-    Shadows shadows = Shadows::Soft;
+    LightOptions light;
 };
 
 /// A forest, all that is around it, and what its handler shows.
 class Stage {
 public:
     Stage(Forest* forest, ForestHandler* handler, const ForestView& view, const ViewOptions& options)
-        : _forest(forest), _root(new osg::Group), _view(view), _sun(options.sun), _shadows(options.shadows) {
+        : _forest(forest), _root(new osg::Group), _view(view), _light(options.light) {
         _root->addChild(handler->getOverlay());
         light();
     }
@@ -56,25 +55,24 @@ public:
         constexpr double latitude = 50.0, degreesAnHour = 15.0; // central Europe's; nobody says where this is
         const osg::Vec3d pole(0.0, std::cos(osg::DegreesToRadians(latitude)),
                               std::sin(osg::DegreesToRadians(latitude)));
-        const osg::Vec3 sun = osg::Quat(-osg::DegreesToRadians(degreesAnHour * hours), pole) * _sun;
+        const osg::Vec3 sun = osg::Quat(-osg::DegreesToRadians(degreesAnHour * hours), pole) * _light.toSun;
         if (sun.z() < 0.05f)
             return;
-        _sun = sun;
+        _light.toSun = sun;
         light();
     }
 
 private:
     void light() {
         _root->removeChild(_setting);
-        _setting = createSetting(*_forest, {_shadows, Daylight(_sun), _view.eye});
+        _setting = createSetting(*_forest, {_light.shadows, _light.day(), _view.eye});
         _root->insertChild(0, _setting);
     }
 
     osg::ref_ptr<Forest> _forest;
     osg::ref_ptr<osg::Group> _root, _setting;
     ForestView _view;
-    osg::Vec3 _sun;
-    Shadows _shadows;
+    LightOptions _light;
 };
 
 /// The keys that are this program's and not the forest's.
@@ -178,13 +176,14 @@ void show(const ViewOptions& options) {
     const osg::ref_ptr<Forest> forest =
         valueOf(Forest::create(std::move(description.value())), BadInput, options.file);
     const Lens lens{40.0, static_cast<double>(options.width) / options.height};
-    const ForestView view = firstView(*forest, lens, options.sun);
+    const ForestView view = firstView(*forest, lens, options.light.toSun);
     osg::ref_ptr<ForestHandler> handler = new ForestHandler(forest);
     Stage stage(forest, handler, view, options);
     const osg::ref_ptr<osgGA::KeySwitchMatrixManipulator> ways = waysToLook(view);
 
     const osg::ref_ptr<ClipRecorder> recorder = new ClipRecorder;
-    osg::DisplaySettings::instance()->setMinimumNumAlphaBits(8); // the setting's shadows lie there
+    osg::DisplaySettings::instance()->setMinimumNumAlphaBits(8);   // the setting's shadows lie there,
+    osg::DisplaySettings::instance()->setMinimumNumStencilBits(8); // and where they do here
     if (std::string samples; !osg::getEnvVar("OSG_MULTI_SAMPLES", samples))
         osg::DisplaySettings::instance()->setNumMultiSamples(4);
     osgViewer::Viewer viewer;
@@ -225,8 +224,7 @@ void addViewCommand(CLI::App& app) {
     command->add_option("--save", options->save,
                         "Where the key w writes the forest as it is; by default FILE.edited.treewind, here");
     addSeasonOption(*command, options->season);
-    addSunOption(*command, options->sun);
-    addShadowsOption(*command, options->shadows);
+    addLightOptions(*command, options->light);
     command->footer("In the window: h shows the keys of the forest; s statistics, f full screen, c writes a "
                     "picture,\n1, 2 and 3 are ways to look around, walk and fly, escape ends it.\n"
                     "Example: osgtreewind view forest.treewind");

@@ -11,8 +11,9 @@
 #include <osg/Vec3d>
 
 #include <cmath>
-#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -58,26 +59,42 @@ osg::Vec3 parseSun(const std::string& text) {
                                 std::cos(azimuth) * std::cos(elevation), std::sin(elevation)));
 }
 
+/// @param names the usual one first; the help shows them in this order.
+template <typename Value>
+void addNamed(CLI::App& command, const char* option, Value& value,
+              const std::vector<std::pair<std::string, Value>>& names, const char* help) {
+    std::vector<std::string> words;
+    for (const auto& [name, meant] : names)
+        words.push_back(name);
+    command
+        .add_option_function<std::string>(
+            option,
+            [&value, names](const std::string& given) {
+                for (const auto& [name, meant] : names)
+                    if (name == given)
+                        value = meant;
+            },
+            help)
+        ->check(CLI::IsMember(words))
+        ->default_str(words.front());
+}
+
 } // namespace
 
-void addSunOption(CLI::App& command, osg::Vec3& toSun) {
+void addLightOptions(CLI::App& command, LightOptions& options) {
     command.add_option_function<std::string>(
-        "--sun", [&toSun](const std::string& text) { toSun = parseSun(text); },
+        "--sun", [&options](const std::string& text) { options.toSun = parseSun(text); },
         "Where the sun stands: AZIMUTH,ELEVATION in degrees, clockwise from north (+y), or when and where "
         "the\n"
         "day is: TIME@LATITUDE,LONGITUDE as in 2026-07-01T18:00Z@52.5,13.4; half way up in the south-east "
         "when\n"
         "not given");
-}
-
-void addShadowsOption(CLI::App& command, Shadows& shadows) {
-    static const std::map<std::string, Shadows> names{
-        {"on", Shadows::On}, {"soft", Shadows::Soft}, {"off", Shadows::Off}};
-    command
-        .add_option_function<std::string>(
-            "--shadows", [&shadows](const std::string& name) { shadows = names.at(name); },
-            "on: on ground and trees, and they move with the trees; soft: silhouettes on the ground, which\n"
-            "lean with the trees; a world has none of these")
-        ->check(CLI::IsMember({"on", "soft", "off"}))
-        ->default_str("soft");
+    addNamed<Weather>(command, "--sky", options.weather,
+                      {{"fair", Weather::Fair}, {"overcast", Weather::Overcast}},
+                      "fair: blue with some clouds; overcast: grey, and without shadows");
+    addNamed<Shadows>(
+        command, "--shadows", options.shadows,
+        {{"soft", Shadows::Soft}, {"on", Shadows::On}, {"off", Shadows::Off}},
+        "on: on ground and trees, and they move with the trees; soft: silhouettes on the ground, which\n"
+        "lean with the trees; a world has none of these");
 }

@@ -7,10 +7,14 @@ namespace CLI {
 class App;
 }
 
-/// Adds --sun: "AZIMUTH,ELEVATION" in degrees, clockwise from north, or "TIME@LATITUDE,LONGITUDE", above the
-/// horizon.
-/// @param toSun of unit length, x east, y north and z up.
-void addSunOption(CLI::App& command, osg::Vec3& toSun);
+struct LightOptions {
+    osg::Vec3 toSun = Daylight::usualSun; ///< Of unit length, x east, y north and z up.
+    Weather weather = Weather::Fair;
+    Shadows shadows = Shadows::Soft;
 
-/// Adds --shadows.
-void addShadowsOption(CLI::App& command, Shadows& shadows);
+    Daylight day() const { return Daylight(toSun, weather); }
+};
+
+/// Adds --sun: "AZIMUTH,ELEVATION" in degrees, clockwise from north, or "TIME@LATITUDE,LONGITUDE", above the
+/// horizon; --sky and --shadows.
+void addLightOptions(CLI::App& command, LightOptions& options);

@@ -15,6 +15,7 @@
 #include <osg/Fog>
 #include <osg/LightModel>
 #include <osg/LightSource>
+#include <osg/Stencil>
 
 namespace {
 
@@ -32,8 +33,9 @@ void lightBySky(osg::StateSet& state, const Daylight& day) {
     osg::ref_ptr<osg::LightModel> model = new osg::LightModel;
     model->setAmbientIntensity(osg::Vec4(day.sky + day.around, 1.0f));
     state.setAttribute(model);
-    setSkyUniforms(state, day);
+    setGlow(state, day);
     setGroundLight(state, day);
+    state.setDefine("FILM", "1.0");
 }
 
 /// What is drawn in a render bin.
@@ -52,6 +54,9 @@ osg::ref_ptr<osg::Group> shaded(int bin, osg::Node* things) {
     state->setAttributeAndModes(new osg::BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_DST_ALPHA, GL_ONE, GL_ZERO));
     state->setAttribute(new osg::ColorMask(true, true, true, true));
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+    osg::ref_ptr<osg::Stencil> stencil = new osg::Stencil; // elsewhere it would change nothing
+    stencil->setFunction(osg::Stencil::EQUAL, shadowStencil, ~0u);
+    state->setAttributeAndModes(stencil);
     return group;
 }
 
@@ -70,22 +75,23 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
     state->setAttribute(new osg::ColorMask(true, true, true, false));
     lightBySky(*state, day);
     osg::ref_ptr<osg::Fog> haze = new osg::Fog;
-    haze->setMode(osg::Fog::EXP);
+    haze->setMode(osg::Fog::EXP2);
     haze->setColor(osg::Vec4(day.haze, 1.0f));
-    haze->setDensity(1.6f / groundRadius(forest.getBound()));
+    haze->setDensity(2.2f / groundRadius(forest.getBound()));
     state->setAttributeAndModes(haze);
 
     osg::ref_ptr<osg::Group> around = new osg::Group, lawn = new osg::Group;
-    around->getOrCreateStateSet()->setDefine("FOG_MODE", "2");
+    around->getOrCreateStateSet()->setDefine("FOG_MODE", "3");
     if (shadows == Shadows::On) {
         SunShadows::setDefines(*around->getStateSet());
         around->getStateSet()->setDefine("SHADOW_CLEARANCE", "0.0");
     }
-    const osg::ref_ptr<osg::Node> ground = createGround(forest);
+    const GroundCover cover(forest);
+    const osg::ref_ptr<osg::Node> ground = createGround(forest, cover);
     lawn->addChild(ground);
     around->addChild(inBin(-4, ground)); // before all else
     if (options.eye) {
-        const osg::ref_ptr<osg::Geometry> tufts = createTufts(forest, *options.eye);
+        const osg::ref_ptr<osg::Geometry> tufts = createTufts(forest, cover, *options.eye);
         lawn->addChild(tufts);
         around->addChild(inBin(-2, tufts)); // the shadows lie on the ground
     }
@@ -93,7 +99,7 @@ osg::ref_ptr<osg::Group> createSetting(Forest& forest, const SettingOptions& opt
         around->addChild(inBin(-3, createGroundShadows(forest, day.toSun, *setting)));
         around->addChild(shaded(-1, lawn));
     }
-    around->addChild(createSky());
+    around->addChild(createSky(day));
     setting->addChild(around);
     setting->addChild(sun);
     setting->addChild(&forest);

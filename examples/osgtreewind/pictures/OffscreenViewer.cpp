@@ -3,6 +3,7 @@
 
 #include <examples/osgtreewind/output/Ending.h>
 
+#include <osgTreeWind/base/ThreadPool.h>
 #include <osgTreeWind/offscreen/FrameImage.h>
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -33,22 +35,28 @@ struct SrgbTables {
 };
 
 /// The mean light of factor x factor pixels. Edges of leaves are as smooth as all others without OpenGL's own
-/// samples.
+/// samples. Both are of four bytes a pixel.
 void averagePixels(const osg::Image& from, osg::Image& to, int factor) {
     static const SrgbTables tables;
-    const int count = factor * factor;
-    for (int y = 0; y < to.t(); ++y)
-        for (int x = 0; x < to.s(); ++x) {
-            float sum[3] = {};
-            for (int i = 0; i < count; ++i) {
-                const unsigned char* pixel = from.data(x * factor + i % factor, y * factor + i / factor);
-                for (int channel = 0; channel < 3; ++channel)
-                    sum[channel] += tables.linear[pixel[channel]];
-            }
-            for (int channel = 0; channel < 3; ++channel)
-                to.data(x, y)[channel] = tables.byte(sum[channel] / static_cast<float>(count));
-            to.data(x, y)[3] = 255;
+    const int width = to.s();
+    const float share = 1.0f / static_cast<float>(factor * factor);
+    osgTreeWind::ThreadPool::executor()(static_cast<std::size_t>(to.t()), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        unsigned char* target = to.data(0, y); // osg::Image works out where a pixel is at each call
+        std::vector<float> sums(static_cast<std::size_t>(3 * width), 0.0f);
+        for (int i = 0; i < factor; ++i) {
+            const unsigned char* pixel = from.data(0, y * factor + i);
+            for (int x = 0; x < width; ++x)
+                for (int j = 0; j < factor; ++j, pixel += 4)
+                    for (int channel = 0; channel < 3; ++channel)
+                        sums[static_cast<std::size_t>(3 * x + channel)] += tables.linear[pixel[channel]];
         }
+        for (int x = 0; x < width; ++x, target += 4) {
+            for (int channel = 0; channel < 3; ++channel)
+                target[channel] = tables.byte(sums[static_cast<std::size_t>(3 * x + channel)] * share);
+            target[3] = 255;
+        }
+    });
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Ground.h>
 
+#include <examples/osgtreewind/scene/Mixed.h>
 #include <examples/osgtreewind/scene/Sky.h>
+#include <examples/osgtreewind/scene/ValueNoise.h>
 
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/forest/ForestDescription.h>
@@ -13,159 +15,172 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace {
 
 using osgTreeWind::Forest;
 
-constexpr int texels = 256; // of the ground's texture, each way
+constexpr int texels = 512; // of the ground's texture, each way
 
+// A vertex has the light and the haze: both change little from one to the next, and fragments are many.
 const char* groundVertexText = R"(
 out vec2 place;
-out vec3 eyePosition;
+out vec4 haze;   // its colour, as written, and how much of the ground it leaves
+out float fine; // how much is left of what is small
 #ifdef TUFTS
 out float rise, shade; // of a blade of grass, from its foot to its tip; own
 #endif
-out vec3 light;
 #ifdef SHADOWED
+out vec3 eyePosition;
 out
 #endif
 vec3 sunLight;
-uniform vec3 skyLight;
+#ifndef SHADOWED
+out vec3 sunOnIt;
+#endif
 uniform float sunOnGround;
+uniform vec4 rim;       // middle, half of its width each way
+uniform float rimStart; // part of the way to it from where on haze hides what is left
 void main() {
-    place = gl_Vertex.xy;
+    vec4 vertex = gl_Vertex;
+#ifdef LEVEL
+    vertex.xy += gl_ModelViewMatrixInverse[3].xy; // about the eye
+#endif
+    place = vertex.xy;
 #ifdef TUFTS
     rise = gl_MultiTexCoord0.x;
     shade = gl_MultiTexCoord0.y;
 #endif
-    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
-    eyePosition = eye.xyz;
+    vec4 eye = gl_ModelViewMatrix * vertex;
 #ifdef RELIEF
     vec3 up = normalize(gl_NormalMatrix * gl_Normal);
 #else
     vec3 up = normalize(gl_NormalMatrix * vec3(0.0, 0.0, 1.0));
 #endif
     float facing = max(dot(up, normalize(gl_LightSource[0].position.xyz)), 0.0);
-#ifdef TUFTS
-    facing = mix(0.35, 1.0, facing); // they stand up
-#endif
+    facing = mix(0.2, 1.0, facing); // blades stand up
     sunLight = sunOnGround * facing * gl_LightSource[0].diffuse.rgb;
-    light = 1.2 * skyLight + sunLight;
+#ifdef SHADOWED
+    eyePosition = eye.xyz;
+#else
+    sunOnIt = sunLight;
+#endif
+#ifdef RELIEF
+    vec2 way = abs(place - rim.xy) / rim.zw;
+    float toRim = max(way.x, way.y);
+#else
+    float toRim = length(gl_Vertex.xy) / rim.z;
+#endif
+#ifdef TUFTS
+    toRim = 0.0;
+#endif
+    float kept = (1.0 - smoothstep(rimStart, 1.0, toRim)) * fogLeft(eye.xyz);
+    haze = vec4(gl_Fog.color.rgb + glow(normalize(mat3(gl_ModelViewMatrixInverse) * eye.xyz)), kept);
+    fine = 1.0 / (1.0 + dot(eye.xyz, eye.xyz) / (250.0 * 250.0));
     gl_Position = gl_ProjectionMatrix * eye;
 })";
 
 // Each scale is turned and in no simple ratio to the others, so that the texture does not show.
 const char* groundFragmentText = R"(
 in vec2 place;
-in vec3 eyePosition;
+in vec4 haze;
+in float fine;
 #ifdef TUFTS
 in float rise, shade;
 #define WORN 0.25 // what is left there is green
+#define LITTER 0.35
 #else
-#define WORN 0.6
+#define WORN 0.45
+#define LITTER 0.9
 #endif
-in vec3 light;
-uniform vec4 rim;                // middle, half of its width each way
-uniform float rimStart;          // part of the way to it from where on haze hides what is left
-uniform sampler2D groundTexture; // red: patches, alpha: blades of grass
+#ifdef SHADOWED
+in vec3 eyePosition;
+#else
+in vec3 sunOnIt;
+#endif
+uniform vec3 skyLight, litter;
+uniform vec4 season;             // factor on the colour of grass
+uniform sampler2D groundTexture; // red: patches, green: worn ones, blue: blades of grass
+#ifdef COVERED
+uniform sampler2D groundCover;   // red: crowns overhead, green: what the foot of a trunk leaves of the sky
+uniform vec4 coverPlace;         // its corner, one over its size
+#endif
 void main() {
     vec2 p = place;
     vec2 q = vec2(0.80 * p.x - 0.60 * p.y, 0.60 * p.x + 0.80 * p.y);
     vec2 r = vec2(0.28 * p.x + 0.96 * p.y, 0.28 * p.y - 0.96 * p.x);
-    float wide = texture(groundTexture, q / 613.0).r;
-    float patches = texture(groundTexture, r / 97.0).r;
-    float tufts = texture(groundTexture, p / 11.3).r;
+    vec3 wide = texture(groundTexture, q / 613.0).rgb;
+    vec3 near = mix(vec3(0.5), texture(groundTexture, r / 37.0).rgb, fine);
 #ifdef TUFTS
-    float blades = 0.1 + 0.5 * rise + 0.3 * shade;
+    float blades = 0.15 + 0.35 * rise + 0.35 * shade;
 #else
-    float blades = 0.5 * (texture(groundTexture, q / 1.7).a + texture(groundTexture, r / 4.9).a);
+    float blades = texture(groundTexture, p / 2.7).b;
 #endif
-    float tone = smoothstep(0.25, 0.75, 0.35 * wide + 0.35 * patches + 0.3 * tufts);
-    vec3 grass = mix(vec3(0.040, 0.082, 0.016), vec3(0.115, 0.160, 0.036), tone);
-    float worn = smoothstep(0.50, 0.68, 0.5 * texture(groundTexture, p / 271.0).r + 0.3 * patches + 0.2 * tufts);
-    grass = mix(grass, vec3(0.200, 0.165, 0.080), WORN * worn);
-    vec3 color = sceneColor((0.35 + 1.3 * blades) * grass * shadowed(light, sunLight, eyePosition), eyePosition);
-    vec2 way = abs(place - rim.xy) / rim.zw;
-#ifdef RELIEF
-    float toRim = max(way.x, way.y);
+    float tone = smoothstep(0.2, 0.8, 0.5 * (wide.r + near.r));
+    vec3 grass = season.rgb * mix(vec3(0.048, 0.074, 0.020), vec3(0.112, 0.132, 0.046), tone);
+    float worn = smoothstep(0.48, 0.72, 0.55 * wide.g + 0.45 * near.g);
+    grass = mix(grass, vec3(0.165, 0.150, 0.075), WORN * worn);
+    vec3 sky = 1.7 * skyLight;
+#ifdef COVERED
+    vec2 cover = texture(groundCover, (p - coverPlace.xy) * coverPlace.zw).rg;
+    grass = mix(grass, litter * (0.6 + 0.8 * near.g), LITTER * smoothstep(0.2, 0.75, cover.r + 0.5 * (near.r - 0.5)));
+    sky *= (1.0 - 0.6 * cover.r) * (1.0 - cover.g);
+#endif
+#ifdef SHADOWED
+    vec3 light = shadowed(sky + sunLight, sunLight, eyePosition);
 #else
-    float toRim = length(way);
+    vec3 light = sky + sunOnIt;
 #endif
-    float kept = 1.0 - smoothstep(rimStart, 1.0, toRim);
-    vec3 look = normalize(mat3(gl_ModelViewMatrixInverse) * eyePosition);
-#if !defined(RELIEF) && !defined(TUFTS)
-    kept *= smoothstep(0.0, 0.012, -look.z); // mist: from near the ground its rim is a line
-#endif
-    color = mix(gl_Fog.color.rgb, color, kept);
-    gl_FragColor = vec4(color + (1.0 - kept * fogLeft(eyePosition)) * glow(look), 1.0);
+    gl_FragColor = vec4(mix(haze.rgb, encoded((0.35 + 1.3 * blades) * grass * light), haze.a), 1.0);
 })";
 
 float between(osgTreeWind::Random& random, float low, float high) {
     return low + (high - low) * random.uniform();
 }
 
-/// Values in [0, 1) on a square that goes on into itself.
-class Tile {
-public:
-    float& at(int x, int y) {
-        return _values[static_cast<std::size_t>((y & (texels - 1)) * texels + (x & (texels - 1)))];
-    }
-
-    /// Four octaves of hills.
-    void makePatches(osgTreeWind::Random& random) {
-        float weight = 0.5f;
-        for (int step = texels / 4; step >= texels / 64; step /= 2, weight *= 0.6f) {
-            Tile coarse;
-            for (int i = 0; i < texels * texels; i += step)
-                coarse._values[static_cast<std::size_t>(i)] = between(random, -weight, weight);
-            for (int y = 0; y < texels; ++y)
-                for (int x = 0; x < texels; ++x) {
-                    const int x0 = x - x % step, y0 = y - y % step;
-                    const auto smooth = [&](int part) {
-                        const float t = static_cast<float>(part) / static_cast<float>(step);
-                        return t * t * (3.0f - 2.0f * t);
-                    };
-                    const float u = smooth(x % step), v = smooth(y % step);
-                    at(x, y) +=
-                        (1.0f - v) * ((1.0f - u) * coarse.at(x0, y0) + u * coarse.at(x0 + step, y0)) +
-                        v * ((1.0f - u) * coarse.at(x0, y0 + step) + u * coarse.at(x0 + step, y0 + step));
-                }
-        }
-        for (float& value : _values)
-            value += 0.5f;
-    }
-    /// Strokes every way over each other.
-    void makeBlades(osgTreeWind::Random& random) {
-        for (int blade = 0; blade < texels * texels / 5; ++blade) {
-            const float angle = between(random, 0.0f, 6.2832f), shade = between(random, 0.0f, 1.0f);
-            const float x = between(random, 0.0f, texels), y = between(random, 0.0f, texels);
-            const float length = between(random, 5.0f, 14.0f);
-            for (float along = 0.0f; along < length; along += 0.7f)
-                at(static_cast<int>(x + along * std::cos(angle)),
-                   static_cast<int>(y + along * std::sin(angle))) = shade * (0.6f + 0.4f * along / length);
-        }
-    }
-
-private:
-    std::vector<float> _values = std::vector<float>(texels * texels, 0.0f);
-};
-
-osg::ref_ptr<osg::Texture2D> groundTexture() {
+/// Strokes every way over each other, on a square that goes on into itself; in [0, 1].
+std::vector<float> paintedBlades() {
     osgTreeWind::Random random(11);
-    Tile patches, blades;
-    patches.makePatches(random);
-    blades.makeBlades(random);
+    std::vector<float> values(texels * texels, 0.0f);
+    for (int blade = 0; blade < texels * texels / 7; ++blade) {
+        const float angle = between(random, 0.0f, 6.2832f), shade = between(random, 0.0f, 1.0f);
+        const float x = between(random, 0.0f, texels), y = between(random, 0.0f, texels);
+        const float length = between(random, 6.0f, 20.0f);
+        for (float along = 0.0f; along < length; along += 0.7f) {
+            const int column = static_cast<int>(x + along * std::cos(angle)) & (texels - 1),
+                      row = static_cast<int>(y + along * std::sin(angle)) & (texels - 1);
+            values[static_cast<std::size_t>(row * texels + column)] = shade * (0.6f + 0.4f * along / length);
+        }
+    }
+    return values;
+}
+
+osg::ref_ptr<osg::Image> paintedGround() {
+    const std::vector<float> blades = paintedBlades();
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(texels, texels, 1, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE);
+    image->allocateImage(texels, texels, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    const auto patch = [](int x, int y, std::uint32_t seed) {
+        constexpr int period = 5;
+        const float scale = static_cast<float>(period) / texels;
+        const float noise =
+            fractalNoise(scale * static_cast<float>(x), scale * static_cast<float>(y), 5, seed, period);
+        return std::clamp(0.5f + 1.6f * (noise - 0.5f), 0.0f, 1.0f);
+    };
     for (int y = 0; y < texels; ++y)
         for (int x = 0; x < texels; ++x) {
-            image->data(x, y)[0] =
-                static_cast<unsigned char>(255.0f * std::clamp(patches.at(x, y), 0.0f, 1.0f));
-            image->data(x, y)[1] =
-                static_cast<unsigned char>(255.0f * std::clamp(blades.at(x, y), 0.0f, 1.0f));
+            const float values[] = {patch(x, y, 1), patch(x, y, 21),
+                                    blades[static_cast<std::size_t>(y * texels + x)]};
+            for (int i = 0; i < 3; ++i)
+                image->data(x, y)[i] = static_cast<unsigned char>(255.0f * values[i]);
         }
+    return image;
+}
+
+osg::ref_ptr<osg::Texture2D> groundTexture() {
+    static const osg::ref_ptr<osg::Image> image = paintedGround();
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setUnRefImageDataAfterApply(false);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
@@ -178,15 +193,16 @@ struct Rim {
     float start;
 };
 
-/// @param define a line of both shaders.
+/// @param define lines of both shaders.
 osg::ref_ptr<osg::StateSet> grass(const std::string& define, const Rim& rim) {
     using osgTreeWind::shaderText;
     const std::string version = "#version 330 compatibility\n";
     osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->addShader(new osg::Shader(osg::Shader::VERTEX,
-                                       version + define + shaderText("shadowed.glsl") + groundVertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, version + define + shaderText("scene.glsl") +
-                                                                  glowText + groundFragmentText));
+    program->addShader(new osg::Shader(osg::Shader::VERTEX, version + define + shaderText("shadowed.glsl") +
+                                                                shaderText("fog.glsl") + glowText +
+                                                                groundVertexText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT,
+                                       version + define + shaderText("scene.glsl") + groundFragmentText));
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     state->setAttributeAndModes(program);
     state->setTextureAttribute(0, groundTexture());
@@ -220,25 +236,56 @@ Rim reliefRim(const Forest& forest) {
 Rim levelRim(const Forest& forest) {
     const osg::BoundingSphere& bound = forest.getBound();
     const float radius = groundRadius(bound);
-    return {{bound.center().x(), bound.center().y()}, {radius, radius}, 0.5f};
+    return {{bound.center().x(), bound.center().y()}, {radius, radius}, 0.7f};
 }
 
+/// A disc about the eye, in rings that widen with the distance.
 osg::ref_ptr<osg::Geometry> createLevel(const Rim& rim) {
-    const osg::Vec3 centre(rim.middle, 0.0f);
+    constexpr int spokes = 48, rings = 24;
+    const float radius = rim.half.x();
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    corners->push_back(centre);
-    for (int i = 0; i <= 64; ++i) {
-        const double angle = 2.0 * osg::PI * i / 64;
-        corners->push_back(centre + osg::Vec3(static_cast<float>(std::cos(angle)),
-                                              static_cast<float>(std::sin(angle)), 0.0f) *
-                                        rim.half.x());
+    for (int ring = 0; ring <= rings; ++ring) {
+        const float away =
+            ring == 0 ? 0.0f : radius * std::pow(0.5f, 0.5f * static_cast<float>(rings - ring));
+        for (int spoke = 0; spoke < spokes; ++spoke) {
+            const double angle = 2.0 * osg::PI * spoke / spokes;
+            corners->push_back({away * static_cast<float>(std::cos(angle)),
+                                away * static_cast<float>(std::sin(angle)), 0.0f});
+        }
     }
+    osg::ref_ptr<osg::DrawElementsUShort> triangles = new osg::DrawElementsUShort(GL_TRIANGLES);
+    for (int ring = 0; ring < rings; ++ring)
+        for (int spoke = 0; spoke < spokes; ++spoke) {
+            const int first = ring * spokes + spoke, beside = ring * spokes + (spoke + 1) % spokes;
+            for (const int corner : {first, first + spokes, beside + spokes, first, beside + spokes, beside})
+                triangles->push_back(static_cast<GLushort>(corner));
+        }
     osg::ref_ptr<osg::Geometry> ground = new osg::Geometry;
     ground->setUseDisplayList(false);
     ground->setUseVertexBufferObjects(true);
     ground->setVertexArray(corners);
-    ground->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, static_cast<int>(corners->size())));
+    ground->addPrimitiveSet(triangles);
+    const osg::Vec3 middle(rim.middle, 0.0f), reach(radius, radius, 0.0f);
+    ground->setInitialBound(osg::BoundingBox(middle - reach, middle + reach));
+    ground->setCullingActive(false); // it goes with the eye
     return ground;
+}
+
+/// What grass and litter look like in a season.
+void setSeasonColors(osg::StateSet& state, float season) {
+    using osg::Vec3;
+    struct Colors {
+        Vec3 grass, litter;
+    };
+    static const Colors colors[] = {{{1.15f, 0.88f, 0.95f}, {0.115f, 0.080f, 0.045f}},  // winter
+                                    {{0.95f, 1.10f, 0.80f}, {0.100f, 0.075f, 0.042f}},  // spring
+                                    {{1.00f, 1.00f, 1.00f}, {0.075f, 0.062f, 0.034f}},  // summer
+                                    {{1.15f, 0.95f, 0.90f}, {0.220f, 0.110f, 0.034f}}}; // autumn
+    const float from = std::floor(season), // of the year; a season itself lasts for half of its quarter
+        part = std::clamp(2.0f * (season - from) - 0.5f, 0.0f, 1.0f);
+    const Colors &now = colors[static_cast<int>(from) & 3], &next = colors[(static_cast<int>(from) + 1) & 3];
+    state.addUniform(new osg::Uniform("season", osg::Vec4(mixed(now.grass, next.grass, part), 1.0f)));
+    state.addUniform(new osg::Uniform("litter", mixed(now.litter, next.litter, part)));
 }
 
 } // namespace
@@ -253,17 +300,24 @@ void setGroundLight(osg::StateSet& state, const Daylight& day) {
 }
 
 float groundRadius(const osg::BoundingSphere& bound) {
-    return std::max(3000.0f, 8.0f * bound.radius());
+    return std::max(6000.0f, 8.0f * bound.radius());
 }
 
-osg::ref_ptr<osg::StateSet> createGrassState(const Forest& forest, const std::string& define) {
-    const Rim rim = forest.getGround() ? reliefRim(forest) : levelRim(forest);
-    return grass((forest.getGround() ? "#define RELIEF\n" : "") + define, rim);
+osg::ref_ptr<osg::StateSet> createGrassState(const Forest& forest, const GroundCover& cover,
+                                             const std::string& define) {
+    const bool isRelief = forest.getGround() != nullptr;
+    std::string defines = define + (isRelief ? "#define RELIEF\n" : "");
+    if (!cover.isEmpty())
+        defines += "#define COVERED\n";
+    const osg::ref_ptr<osg::StateSet> state = grass(defines, isRelief ? reliefRim(forest) : levelRim(forest));
+    cover.setUniforms(*state, 1);
+    setSeasonColors(*state, forest.getSeason());
+    return state;
 }
 
-osg::ref_ptr<osg::Node> createGround(const Forest& forest) {
+osg::ref_ptr<osg::Node> createGround(const Forest& forest, const GroundCover& cover) {
     osg::ref_ptr<osg::Group> ground = new osg::Group;
     ground->addChild(forest.getGround() ? forest.getGround() : createLevel(levelRim(forest)).get());
-    ground->setStateSet(createGrassState(forest));
+    ground->setStateSet(createGrassState(forest, cover, forest.getGround() ? "" : "#define LEVEL\n"));
     return ground;
 }

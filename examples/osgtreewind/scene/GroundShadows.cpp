@@ -14,6 +14,7 @@
 #include <osg/ColorMask>
 #include <osg/Depth>
 #include <osg/Program>
+#include <osg/Stencil>
 #include <osg/Texture2DArray>
 #include <osg/observer_ptr>
 
@@ -58,7 +59,9 @@ void main() {
     vec2 size = 128.0 * fwidth(spot.xy);
     float lod = max(log2(max(size.x, size.y)), 0.5 + 2.0 * spot.y); // penumbra
     float shade = textureLod(silhouettes, spot, lod).r;
-    gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0 - shade);
+    if (shade < 0.004)
+        discard;
+    gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0 - 0.9 * shade); // crowns let some through
 })";
 
 /// Along the ground, in the frame of a tree: across the light, and away from the sun.
@@ -156,6 +159,10 @@ osg::ref_ptr<osg::StateSet> stateOf(const std::vector<ShadowPicture>& pictures, 
     bindData(*state, "treeLeans", 1, leans.texture());
     state->setAttributeAndModes(
         new osg::BlendEquation(osg::BlendEquation::RGBA_MIN)); // shadows do not add up
+    osg::ref_ptr<osg::Stencil> stencil = new osg::Stencil;
+    stencil->setFunction(osg::Stencil::ALWAYS, shadowStencil, ~0u);
+    stencil->setOperation(osg::Stencil::KEEP, osg::Stencil::KEEP, osg::Stencil::REPLACE);
+    state->setAttributeAndModes(stencil);
     state->setAttribute(new osg::ColorMask(false, false, false, true));
     state->setAttributeAndModes(
         new osg::Depth(isRelief ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0.0, 1.0, false));

@@ -1,32 +1,147 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/scene/Sky.h>
 
+#include <examples/osgtreewind/scene/Mixed.h>
+#include <examples/osgtreewind/scene/ValueNoise.h>
+
+#include <osgTreeWind/base/ThreadPool.h>
+
 #include <osg/ColorMask>
 #include <osg/Depth>
 #include <osg/Program>
+#include <osg/Texture2D>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace {
 
+constexpr int texelsAround = 2048, texelsUp = 512;
+constexpr float lowest = -6.0f; // degrees of elevation at the foot of the texture; below it is haze
+
 const char* skyVertexText = R"(#version 330 compatibility
-out vec3 ray;
+out vec2 spot;
 void main() {
-    vec4 eye = gl_ProjectionMatrixInverse * vec4(gl_Vertex.xy, 1.0, 1.0);
-    ray = mat3(gl_ModelViewMatrixInverse) * (eye.xyz / eye.w);
-    gl_Position = vec4(gl_Vertex.xy, 1.0, 1.0);
+    spot = gl_MultiTexCoord0.xy;
+    vec4 place = gl_ProjectionMatrix * vec4(mat3(gl_ModelViewMatrix) * gl_Vertex.xyz, 0.0);
+    gl_Position = vec4(place.xy, 0.99999 * place.w, place.w);
 })";
 
-const char* skyFragmentText = R"(
-in vec3 ray;
-uniform vec3 skyZenith, skyHorizon;
+const char* skyFragmentText = R"(#version 330 compatibility
+in vec2 spot;
+uniform sampler2D sky;
 void main() {
-    vec3 way = normalize(ray);
-    float up = clamp(way.z, 0.0, 1.0);
-    vec3 sky = mix(skyZenith, skyHorizon, pow(1.0 - up, 3.0));
-    sky = mix(sky, gl_Fog.color.rgb, pow(1.0 - up, 12.0)); // the haze
-    gl_FragColor = vec4(sky + glow(way), 1.0);
+    gl_FragColor = vec4(texture(sky, spot).rgb, 1.0);
 })";
+
+float smoothstep(float low, float high, float x) {
+    const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+osg::Vec3 wayAt(float azimuth, float elevation) {
+    return {std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
+            std::sin(elevation)};
+}
+
+/// Heaps of cloud on one level, lit from the side of the sun.
+class Clouds {
+public:
+    explicit Clouds(const Daylight& day) : _cover(day.clouds), _toSun(day.toSun) {}
+
+    /// How much of the sky they hide toward `way`, and how bright they are there, both 0 to 1.
+    std::pair<float, float> toward(const osg::Vec3& way) const {
+        const osg::Vec2 place = osg::Vec2(way.x(), way.y()) * (1.9f / (way.z() + 0.10f));
+        const float here = thickness(place, 6);
+        if (!(here > 0.0f))
+            return {0.0f, 1.0f};
+        osg::Vec2 sunward(_toSun.x(), _toSun.y());
+        sunward.normalize();
+        const float toSun = thickness(place + sunward * 0.16f, 4);
+        const float lit = std::clamp(0.72f + 0.9f * (here - toSun) - 0.42f * here, 0.0f, 1.0f);
+        return {smoothstep(0.0f, 0.13f, here), lit};
+    }
+
+private:
+    float thickness(const osg::Vec2& at, int octaves) const {
+        const float where = fractalNoise(0.33f * at.x(), 0.33f * at.y(), 2, 5);
+        const float warp = 0.35f * valueNoise(1.7f * at.x(), 1.7f * at.y(), 9);
+        const float heap = fractalNoise(1.15f * at.x() + warp, 1.15f * at.y() - warp, octaves, 17);
+        return 0.45f * where + 0.55f * heap - (0.66f - 0.32f * _cover);
+    }
+
+    float _cover;
+    osg::Vec3 _toSun;
+};
+
+/// The colour of the sky toward `way`, as it is written.
+osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const osg::Vec3& way) {
+    const float up = std::clamp(way.z(), 0.0f, 1.0f), toSun = std::max(way * day.toSun, 0.0f);
+    osg::Vec3 color = mixed(day.zenith, day.horizon, std::pow(1.0f - up, 3.0f));
+    const osg::Vec3 light = day.glow * (std::pow(toSun, 16.0f) + 1.3f * std::pow(toSun, 220.0f));
+    color += light;
+    color = mixed(color, osg::Vec3(1.0f, 0.99f, 0.95f), smoothstep(0.99993f, 0.99998f, toSun) * day.disc);
+    if (way.z() > 0.0f) {
+        const auto [hidden, lit] = clouds.toward(way);
+        const osg::Vec3 cloud = mixed(day.cloudShade, day.cloudLight, lit) + light * 0.35f;
+        color = mixed(color, cloud, hidden * smoothstep(0.015f, 0.14f, way.z()));
+    }
+    return mixed(color, day.haze + light * 0.5f, std::pow(1.0f - up, 12.0f));
+}
+
+osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
+    const Clouds clouds(day);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(texelsAround, texelsUp, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    osgTreeWind::ThreadPool::executor()(texelsUp, [&](std::size_t row) {
+        const float part = (static_cast<float>(row) + 0.5f) / texelsUp;
+        const auto elevation = static_cast<float>(osg::DegreesToRadians(lowest + part * (90.0f - lowest)));
+        for (int x = 0; x < texelsAround; ++x) {
+            const auto azimuth = static_cast<float>(2.0 * osg::PI * (x + 0.5) / texelsAround);
+            const osg::Vec3 color = skyColor(day, clouds, wayAt(azimuth, elevation));
+            // Even noise of one step: no bands.
+            const float rough = valueNoise(static_cast<float>(x), static_cast<float>(row), 3);
+            for (int i = 0; i < 3; ++i)
+                image->data(x, static_cast<int>(row))[i] =
+                    static_cast<unsigned char>(std::clamp(255.0f * color[i] + rough, 0.0f, 255.0f));
+        }
+    });
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    return texture;
+}
+
+osg::ref_ptr<osg::Geometry> createDome() {
+    constexpr int columns = 64, rows = 17;
+    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec2Array> spots = new osg::Vec2Array;
+    for (int row = -1; row < rows; ++row) { // the first from straight below
+        const float part = row < 0 ? 0.0f : static_cast<float>(row) / (rows - 1);
+        const float degrees = row < 0 ? -90.0f : lowest + part * (90.0f - lowest);
+        for (int column = 0; column <= columns; ++column) {
+            const auto azimuth = static_cast<float>(2.0 * osg::PI * column / columns);
+            corners->push_back(wayAt(azimuth, static_cast<float>(osg::DegreesToRadians(degrees))));
+            spots->push_back({static_cast<float>(column) / columns, part});
+        }
+    }
+    osg::ref_ptr<osg::DrawElementsUShort> triangles = new osg::DrawElementsUShort(GL_TRIANGLES);
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const int first = row * (columns + 1) + column, above = first + columns + 1;
+            for (const int corner : {first, first + 1, above, above, first + 1, above + 1})
+                triangles->push_back(static_cast<GLushort>(corner));
+        }
+    osg::ref_ptr<osg::Geometry> dome = new osg::Geometry;
+    dome->setUseDisplayList(false);
+    dome->setUseVertexBufferObjects(true);
+    dome->setVertexArray(corners);
+    dome->setTexCoordArray(0, spots);
+    dome->addPrimitiveSet(triangles);
+    return dome;
+}
 
 } // namespace
 
@@ -35,34 +150,25 @@ uniform vec3 sunDirection, sunGlow;
 vec3 glow(vec3 way) { return pow(max(dot(way, sunDirection), 0.0), 16.0) * sunGlow; }
 )";
 
-void setSkyUniforms(osg::StateSet& state, const Daylight& day) {
+void setGlow(osg::StateSet& state, const Daylight& day) {
     state.addUniform(new osg::Uniform("sunDirection", day.toSun));
     state.addUniform(new osg::Uniform("sunGlow", day.glow));
-    state.addUniform(new osg::Uniform("skyZenith", day.zenith));
-    state.addUniform(new osg::Uniform("skyHorizon", day.horizon));
 }
 
-osg::ref_ptr<osg::Geometry> createSky() {
+osg::ref_ptr<osg::Geometry> createSky(const Daylight& day) {
     struct NoBounds : osg::Drawable::ComputeBoundingBoxCallback {
         osg::BoundingBox computeBound(const osg::Drawable&) const override { return {}; }
     };
-    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    for (const osg::Vec3& corner :
-         {osg::Vec3(-1, -1, 0), osg::Vec3(1, -1, 0), osg::Vec3(-1, 1, 0), osg::Vec3(1, 1, 0)})
-        corners->push_back(corner);
-    osg::ref_ptr<osg::Geometry> sky = new osg::Geometry;
-    sky->setUseDisplayList(false);
-    sky->setUseVertexBufferObjects(true);
-    sky->setVertexArray(corners);
-    sky->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
+    osg::ref_ptr<osg::Geometry> sky = createDome();
     sky->setComputeBoundingBoxCallback(new NoBounds);
     sky->setCullingActive(false);
     osg::StateSet* state = sky->getOrCreateStateSet();
     osg::ref_ptr<osg::Program> program = new osg::Program;
     program->addShader(new osg::Shader(osg::Shader::VERTEX, skyVertexText));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, std::string("#version 330 compatibility\n") +
-                                                                  glowText + skyFragmentText));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, skyFragmentText));
     state->setAttributeAndModes(program);
+    state->setTextureAttribute(0, paintedSky(day));
+    state->addUniform(new osg::Uniform("sky", 0));
     state->setAttribute(new osg::ColorMask(true, true, true, true)); // over what shadows left in alpha
     state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
     state->setRenderBinDetails(10, "RenderBin"); // only what is still sky is shaded

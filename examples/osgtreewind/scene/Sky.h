@@ -5,10 +5,11 @@
 
 #include <osg/Geometry>
 
-/// The text of a function `vec3 glow(vec3 way)` of shaders, what the sun adds to haze that is looked at that
-/// way, and of the uniforms it takes: setSkyUniforms().
-extern const char* const glowText;
-void setSkyUniforms(osg::StateSet& state, const Daylight& day);
+/// A dome that follows the eye, at any distance, behind all else: the colours of the day, its clouds and its
+/// sun, painted once into a texture.
+osg::ref_ptr<osg::Geometry> createSky(const Daylight& day);
 
-/// Covers the screen behind everything, after the opaque things, and has no extent of its own.
-osg::ref_ptr<osg::Geometry> createSky();
+/// What the sun adds to haze, as it is written, by the way that one looks; GLSL, with the uniforms of
+/// setGlow().
+extern const char* const glowText;
+void setGlow(osg::StateSet& state, const Daylight& day);

@@ -45,7 +45,8 @@ private:
 
 } // namespace
 
-osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const osg::Vec3d& eye) {
+osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const GroundCover& cover,
+                                        const osg::Vec3d& eye) {
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec2Array> coords = new osg::Vec2Array;
     const auto cellOf = [](double place) {
@@ -59,7 +60,7 @@ osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const
                 place[axis] = tuftSpacing * (place[axis] + random.uniform());
             const double away = (place - osg::Vec2d(eye.x(), eye.y())).length() / farthestTuft;
             const auto nearness = static_cast<float>(1.0 - away);
-            if (random.uniform() >= nearness * nearness)
+            if (random.uniform() >= nearness * nearness * (1.0f - 0.9f * cover.crownsOver(place)))
                 continue;
             Tuft tuft(*corners, *coords, osg::Vec3(osg::Vec3d(place, groundHeight(forest, place, 0.0))),
                       nearness);
@@ -72,6 +73,6 @@ osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const
     tufts->setVertexArray(corners);
     tufts->setTexCoordArray(0, coords);
     tufts->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
-    tufts->setStateSet(createGrassState(forest, "#define TUFTS\n"));
+    tufts->setStateSet(createGrassState(forest, cover, "#define TUFTS\n"));
     return tufts;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <examples/osgtreewind/scene/GroundCover.h>
+
 #include <osgTreeWind/nodes/Forest.h>
 
 #include <osg/Geometry>
 
-/// Tufts of grass on the ground of a forest within 40 m of an eye, fewer and lower the farther. A place has
-/// the same tuft whoever looks.
-osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const osg::Vec3d& eye);
+/// Tufts of grass on the ground of a forest within 40 m of an eye, fewer and lower the farther, and few where
+/// crowns close. A place has the same tuft whoever looks.
+osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const GroundCover& cover,
+                                        const osg::Vec3d& eye);
