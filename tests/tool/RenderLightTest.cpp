@@ -106,9 +106,11 @@ TEST(RenderLight, HazeIsFullAtTheRimOfTheGround) {
 TEST(RenderLight, AnOvercastSkyIsGreyAndThrowsNoShadows) {
     const auto fair = renderForest(tree("[0, 0]"), {}),
                grey = renderForest(tree("[0, 0]"), {"--sky", "overcast"});
-    const auto blueOf = [](const osg::Image& image) { // of the sky
-        const unsigned char* corner = image.data(0, image.t() - 1);
-        return corner[2] - corner[0];
+    const auto blueOf = [](const osg::Image& image) { // of the sky, clouds and all
+        int sum = 0;
+        for (int x = 0; x < image.s(); ++x)
+            sum += image.data(x, image.t() - 1)[2] - image.data(x, image.t() - 1)[0];
+        return sum / image.s();
     };
     EXPECT_GT(blueOf(*fair), 40);
     EXPECT_LT(blueOf(*grey), 20);
@@ -121,12 +123,20 @@ TEST(RenderLight, AnOvercastSkyIsGreyAndThrowsNoShadows) {
               0.6);
 }
 
+TEST(RenderLight, ShadowMapsShadeTheGroundUnderTreesAndNoOther) {
+    const auto seen = [](const char* shadows, const char* centre) {
+        return renderForest(tree("[0, 0]"), {"--shadows", shadows, "--eye", "0,-20,9", "--center", centre});
+    };
+    EXPECT_LT(meanDifference(*seen("on", "0,-40,0"), *seen("off", "0,-40,0")), 1.0) << "in the open";
+    EXPECT_GT(meanDifference(*seen("on", "0,0,0"), *seen("off", "0,0,0")), 2.0);
+}
+
 TEST(RenderLight, LitterLiesWhereCrownsClose) {
     std::string wood;
-    for (int y = -12; y <= 12; y += 6)
-        for (int x = -12; x <= 12; x += 6)
+    for (int y = -12; y <= 12; y += 4)
+        for (int x = -12; x <= 12; x += 4)
             wood += tree("[" + std::to_string(x) + ", " + std::to_string(y) + "]");
-    const std::vector<std::string> low{"--eye", "3,3,1.5", "--center", "3,4,0", "--shadows", "off"};
+    const std::vector<std::string> low{"--eye", "2,2,1.5", "--center", "2,3,0", "--shadows", "off"};
     const auto green = [&](const std::string& trees) {
         const auto image = renderForest(trees, low);
         return mean(*image, 1) / mean(*image, 0);

@@ -75,7 +75,6 @@ void placeCamera(osg::Camera& camera, const ForestView& view, const Lens& lens) 
     const bool vertical = way.x() == 0.0 && way.y() == 0.0;
     camera.setViewMatrixAsLookAt(view.eye, view.center, vertical ? osg::Y_AXIS : osg::Z_AXIS);
     camera.setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
-    camera.setNearFarRatio(2e-5); // 6 cm before the eye, with the ground's rim at 3 km
 }
 
 /// Moves the forest on to `start` without drawing, in the steps that frames would have taken.
@@ -121,7 +120,8 @@ void writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const 
     std::unique_ptr<VideoWriter> movie;
     if (isVideo(options))
         movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
-    const osg::ref_ptr<osgDB::Options> quick = new osgDB::Options("PNG_COMPRESSION 1"); // a third of the time of the default
+    const osg::ref_ptr<osgDB::Options> quick =
+        new osgDB::Options("PNG_COMPRESSION 1"); // a third of the time of the default
     Progress progress("render", static_cast<std::size_t>(options.frames));
     for (int frame = 0; frame < options.frames; ++frame) {
         if (posed)

@@ -190,7 +190,7 @@ void show(const ViewOptions& options) {
     viewer.setUpViewInWindow(60, 60, options.width, options.height);
     viewer.setLightingMode(osg::View::NO_LIGHT);
     viewer.getCamera()->setProjectionMatrixAsPerspective(lens.fieldOfView, lens.aspect, 1.0, 10000.0);
-    viewer.getCamera()->setNearFarRatio(2e-5); // 6 cm before the eye, with the ground's rim at 3 km
+    viewer.getCamera()->setNearFarRatio(1e-5); // 6 cm before the eye, with the ground's rim at 6 km
     viewer.setCameraManipulator(ways);
     viewer.addEventHandler(handler);
     viewer.addEventHandler(new StageKeys(stage, forest, handler, ways, options.file, options.save, recorder));

@@ -71,6 +71,7 @@ OffscreenViewer::OffscreenViewer(int width, int height, int samplesAcross)
     _viewer.setLightingMode(osg::View::NO_LIGHT);
     _drawn = osgTreeWind::attachFrameImage(*_viewer.getCamera(), *context);
     _viewer.getCamera()->setClearColor(osg::Vec4(0.78f, 0.86f, 0.93f, 1.0f));
+    _viewer.getCamera()->setNearFarRatio(1e-5); // 6 cm before the eye, with the ground's rim at 6 km
     // Pixels are those of the picture, not samples.
     _viewer.getCamera()->setLODScale(static_cast<float>(samplesAcross));
 }

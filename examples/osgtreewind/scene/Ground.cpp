@@ -310,7 +310,7 @@ osg::ref_ptr<osg::StateSet> createGrassState(const Forest& forest, const GroundC
     if (!cover.isEmpty())
         defines += "#define COVERED\n";
     const osg::ref_ptr<osg::StateSet> state = grass(defines, isRelief ? reliefRim(forest) : levelRim(forest));
-    cover.setUniforms(*state, 1);
+    cover.setUniforms(*state, 7); // the forest and shadows take those below
     setSeasonColors(*state, forest.getSeason());
     return state;
 }

@@ -22,6 +22,11 @@ struct Foot {
     double shade;        ///< Of the light that falls on its crown, what that keeps.
 };
 
+/// How far from a tree its leaves come to lie, metres.
+double reachOf(const Foot& foot) {
+    return 1.8 * foot.crown + 1.5;
+}
+
 std::vector<Foot> feetOf(const Forest& forest) {
     const ForestSimulation& simulation = forest.getSimulation();
     std::vector<Foot> feet;
@@ -61,7 +66,7 @@ GroundCover::GroundCover(const Forest& forest) {
     osg::Vec2d high = _low;
     for (const Foot& foot : feet)
         for (int axis = 0; axis < 2; ++axis) {
-            const double reach = 1.8 * foot.crown + 3.0;
+            const double reach = reachOf(foot) + 3.0;
             _low[axis] = std::min(_low[axis], foot.place[axis] - reach);
             high[axis] = std::max(high[axis], foot.place[axis] + reach);
         }
@@ -73,8 +78,8 @@ GroundCover::GroundCover(const Forest& forest) {
     std::fill_n(_image->data(), _image->getTotalSizeInBytes(), static_cast<unsigned char>(0));
     for (const Foot& foot : feet) {
         const osg::Vec2d at = foot.place - _low;
-        paint(*_image, 0, at, 1.8 * foot.crown, _cell, [&](double away) {
-            const double part = std::clamp(away / (1.8 * foot.crown), 0.0, 1.0);
+        paint(*_image, 0, at, reachOf(foot), _cell, [&](double away) {
+            const double part = std::clamp(away / reachOf(foot), 0.0, 1.0);
             return foot.shade * (1.0 - part * part) * (1.0 - part * part);
         });
         paint(*_image, 1, at, foot.trunk + 2.5, _cell, [&](double away) {
