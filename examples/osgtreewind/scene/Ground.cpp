@@ -3,9 +3,9 @@
 
 #include <examples/osgtreewind/scene/Mixed.h>
 #include <examples/osgtreewind/scene/Sky.h>
-#include <examples/osgtreewind/scene/ValueNoise.h>
 
 #include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/base/ValueNoise.h>
 #include <osgTreeWind/forest/ForestDescription.h>
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 #include <osgTreeWind/places/Ground.h>
@@ -100,7 +100,7 @@ in vec3 eyePosition;
 in vec3 sunOnIt;
 #endif
 uniform vec3 skyLight, litter;
-uniform vec4 season;             // factor on the colour of grass
+uniform vec3 season;             // factor on the colour of grass
 uniform sampler2D groundTexture; // red: patches, green: worn ones, blue: blades of grass
 #ifdef COVERED
 uniform sampler2D groundCover;   // red: crowns overhead, green: what the foot of a trunk leaves of the sky
@@ -118,7 +118,7 @@ void main() {
     float blades = texture(groundTexture, p / 2.7).b;
 #endif
     float tone = smoothstep(0.2, 0.8, 0.5 * (wide.r + near.r));
-    vec3 grass = season.rgb * mix(vec3(0.048, 0.074, 0.020), vec3(0.112, 0.132, 0.046), tone);
+    vec3 grass = season * mix(vec3(0.048, 0.074, 0.020), vec3(0.112, 0.132, 0.046), tone);
     float worn = smoothstep(0.48, 0.72, 0.55 * wide.g + 0.45 * near.g);
     grass = mix(grass, vec3(0.165, 0.150, 0.075), WORN * worn);
     vec3 sky = 1.7 * skyLight;
@@ -162,17 +162,17 @@ osg::ref_ptr<osg::Image> paintedGround() {
     image->allocateImage(texels, texels, 1, GL_RGB, GL_UNSIGNED_BYTE);
     const auto patch = [](int x, int y, std::uint32_t seed) {
         constexpr int period = 5;
-        const float scale = static_cast<float>(period) / texels;
-        const float noise =
-            fractalNoise(scale * static_cast<float>(x), scale * static_cast<float>(y), 5, seed, period);
+        const glm::vec2 place = glm::vec2(x, y) * (static_cast<float>(period) / texels);
+        const float noise = osgTreeWind::fractalNoise(place, 5, glm::ivec2(period), seed);
         return std::clamp(0.5f + 1.6f * (noise - 0.5f), 0.0f, 1.0f);
     };
+    unsigned char* texel = image->data();
     for (int y = 0; y < texels; ++y)
         for (int x = 0; x < texels; ++x) {
             const float values[] = {patch(x, y, 1), patch(x, y, 21),
                                     blades[static_cast<std::size_t>(y * texels + x)]};
-            for (int i = 0; i < 3; ++i)
-                image->data(x, y)[i] = static_cast<unsigned char>(255.0f * values[i]);
+            for (const float value : values)
+                *texel++ = static_cast<unsigned char>(255.0f * value);
         }
     return image;
 }
@@ -284,7 +284,7 @@ void setSeasonColors(osg::StateSet& state, float season) {
     const float from = std::floor(season), // of the year; a season itself lasts for half of its quarter
         part = std::clamp(2.0f * (season - from) - 0.5f, 0.0f, 1.0f);
     const Colors &now = colors[static_cast<int>(from) & 3], &next = colors[(static_cast<int>(from) + 1) & 3];
-    state.addUniform(new osg::Uniform("season", osg::Vec4(mixed(now.grass, next.grass, part), 1.0f)));
+    state.addUniform(new osg::Uniform("season", mixed(now.grass, next.grass, part)));
     state.addUniform(new osg::Uniform("litter", mixed(now.litter, next.litter, part)));
 }
 

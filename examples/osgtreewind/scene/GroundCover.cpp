@@ -5,11 +5,8 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 
-#include <osg/Texture2D>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace {
 
@@ -41,19 +38,24 @@ std::vector<Foot> feetOf(const Forest& forest) {
     return feet;
 }
 
-/// Lets `job` change a channel of all texels about a place, which it is told the distance to.
+/// Adds to a channel of all texels about a place. @param covered share of what is left there, by the
+/// distance.
+template <typename Covered>
 void paint(osg::Image& image, int channel, const osg::Vec2d& at, double radius, double cell,
-           const std::function<double(double)>& covered) {
+           const Covered& covered) {
     const auto first = [&](double middle) { return std::max(static_cast<int>((middle - radius) / cell), 0); };
     const auto last = [&](double middle, int size) {
         return std::min(static_cast<int>((middle + radius) / cell) + 1, size - 1);
     };
-    for (int y = first(at.y()); y <= last(at.y(), image.t()); ++y)
-        for (int x = first(at.x()); x <= last(at.x(), image.s()); ++x) {
+    const int left = first(at.x()), right = last(at.x(), image.s());
+    for (int y = first(at.y()); y <= last(at.y(), image.t()); ++y) {
+        unsigned char* const row = image.data(0, y) + channel; // osg::Image is slow to say where
+        for (int x = left; x <= right; ++x) {
             const double away = (osg::Vec2d(cell * (x + 0.5), cell * (y + 0.5)) - at).length();
-            unsigned char& texel = image.data(x, y)[channel];
+            unsigned char& texel = row[2 * x];
             texel = static_cast<unsigned char>(std::lround(255.0 - (255.0 - texel) * (1.0 - covered(away))));
         }
+    }
 }
 
 } // namespace
@@ -87,6 +89,12 @@ GroundCover::GroundCover(const Forest& forest) {
             return 0.5 * std::exp(-beyond);
         });
     }
+    _texture = new osg::Texture2D(_image);
+    _texture->setResizeNonPowerOfTwoHint(false);
+    _texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    _texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_BORDER);
+    _texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_BORDER);
+    _texture->setBorderColor(osg::Vec4(0, 0, 0, 0));
 }
 
 float GroundCover::crownsOver(const osg::Vec2d& place) const {
@@ -99,13 +107,7 @@ float GroundCover::crownsOver(const osg::Vec2d& place) const {
 void GroundCover::setUniforms(osg::StateSet& state, unsigned unit) const {
     if (isEmpty())
         return;
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(_image);
-    texture->setResizeNonPowerOfTwoHint(false);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_BORDER);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_BORDER);
-    texture->setBorderColor(osg::Vec4(0, 0, 0, 0));
-    state.setTextureAttribute(unit, texture);
+    state.setTextureAttribute(unit, _texture);
     state.addUniform(new osg::Uniform("groundCover", static_cast<int>(unit)));
     state.addUniform(new osg::Uniform(
         "coverPlace",

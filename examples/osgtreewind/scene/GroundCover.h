@@ -5,11 +5,12 @@
 
 #include <osg/Image>
 #include <osg/StateSet>
+#include <osg/Texture2D>
 #include <osg/Vec2d>
 
 /// What the trees of a forest do to the ground under them: where their crowns close over it, and what the
-/// feet of their trunks leave of the sky. Of trees as they stand when it is made; a world, whose trees come
-/// and go, has none.
+/// feet of their trunks leave of the sky. It shows the trees as they stand when it is made. For a world,
+/// whose trees come and go, it is empty.
 class GroundCover {
 public:
     explicit GroundCover(const osgTreeWind::Forest& forest);
@@ -23,5 +24,6 @@ public:
 private:
     osg::Vec2d _low;
     double _cell = 1.0;
-    osg::ref_ptr<osg::Image> _image;
+    osg::ref_ptr<osg::Image> _image; ///< Two bytes a texel.
+    osg::ref_ptr<osg::Texture2D> _texture;
 };

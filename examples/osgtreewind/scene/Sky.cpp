@@ -2,9 +2,9 @@
 #include <examples/osgtreewind/scene/Sky.h>
 
 #include <examples/osgtreewind/scene/Mixed.h>
-#include <examples/osgtreewind/scene/ValueNoise.h>
 
 #include <osgTreeWind/base/ThreadPool.h>
+#include <osgTreeWind/base/ValueNoise.h>
 
 #include <osg/ColorMask>
 #include <osg/Depth>
@@ -17,6 +17,9 @@
 
 namespace {
 
+using osgTreeWind::fractalNoise, osgTreeWind::valueNoise;
+
+const glm::ivec2 everywhere(1 << 20); // noise that does not repeat
 constexpr int texelsAround = 2048, texelsUp = 512;
 constexpr float lowest = -6.0f; // degrees of elevation at the foot of the texture; below it is haze
 
@@ -65,9 +68,10 @@ public:
 
 private:
     float thickness(const osg::Vec2& at, int octaves) const {
-        const float where = fractalNoise(0.33f * at.x(), 0.33f * at.y(), 2, 5);
-        const float warp = 0.35f * valueNoise(1.7f * at.x(), 1.7f * at.y(), 9);
-        const float heap = fractalNoise(1.15f * at.x() + warp, 1.15f * at.y() - warp, octaves, 17);
+        const glm::vec2 place(at.x(), at.y());
+        const float where = fractalNoise(0.33f * place, 2, everywhere, 5);
+        const float warp = 0.35f * valueNoise(1.7f * place, 16 * everywhere, 9);
+        const float heap = fractalNoise(1.15f * place + glm::vec2(warp, -warp), octaves, everywhere, 17);
         return 0.45f * where + 0.55f * heap - (0.66f - 0.32f * _cover);
     }
 
@@ -97,14 +101,14 @@ osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
     osgTreeWind::ThreadPool::executor()(texelsUp, [&](std::size_t row) {
         const float part = (static_cast<float>(row) + 0.5f) / texelsUp;
         const auto elevation = static_cast<float>(osg::DegreesToRadians(lowest + part * (90.0f - lowest)));
+        unsigned char* texel = image->data(0, static_cast<int>(row)); // osg::Image is slow to say where
         for (int x = 0; x < texelsAround; ++x) {
             const auto azimuth = static_cast<float>(2.0 * osg::PI * (x + 0.5) / texelsAround);
             const osg::Vec3 color = skyColor(day, clouds, wayAt(azimuth, elevation));
             // Even noise of one step: no bands.
-            const float rough = valueNoise(static_cast<float>(x), static_cast<float>(row), 3);
+            const float rough = valueNoise(glm::vec2(x, row), everywhere, 3);
             for (int i = 0; i < 3; ++i)
-                image->data(x, static_cast<int>(row))[i] =
-                    static_cast<unsigned char>(std::clamp(255.0f * color[i] + rough, 0.0f, 255.0f));
+                *texel++ = static_cast<unsigned char>(std::clamp(255.0f * color[i] + rough, 0.0f, 255.0f));
         }
     });
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);

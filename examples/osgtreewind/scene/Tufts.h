@@ -7,7 +7,7 @@
 
 #include <osg/Geometry>
 
-/// Tufts of grass on the ground of a forest within 40 m of an eye, fewer and lower the farther, and few where
-/// crowns close. A place has the same tuft whoever looks.
+/// Tufts of grass on the ground of a forest within 40 m of an eye. There are fewer and lower ones farther
+/// away, and few where crowns close. At a place stands the same tuft wherever the eye is.
 osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const GroundCover& cover,
                                         const osg::Vec3d& eye);

@@ -19,11 +19,6 @@ namespace {
 
 constexpr unsigned framesNear = 60; // for which a tree is followed closely after it was last seen so
 
-NeighbourShade::Crown crownOf(const ForestSimulation& simulation, const PlacedTree& tree) {
-    const TreeSize size = SimulationParts::forest(simulation).measured(tree);
-    return {tree.position, size.height, 0.5f * size.crownWidth, 0.35f + 0.6f * tree.leaves};
-}
-
 } // namespace
 
 InstancedTrees::InstancedTrees() : InstancedTrees(std::make_shared<ForestSimulation>(ForestDescription())) {}
@@ -65,7 +60,7 @@ void InstancedTrees::treeChanged(std::size_t tree) {
         _attention.resize(tree + 1);
     if (!placed.alive) {
         _cells.take(number);
-        _shade.take(number);
+        shadeNeighbours(number);
         _attention[tree].kept = false;
     } else {
         const std::array<float, 5> reach =
@@ -74,10 +69,7 @@ void InstancedTrees::treeChanged(std::size_t tree) {
         const bool isDown = fall && fall->isDown;
         const float aside = std::max({reach[0], reach[1], reach[2], reach[3], isDown ? reach[4] : 0.0f});
         _cells.put({toOsg(placed.position), reach[4], aside, number});
-        if (isDown)
-            _shade.take(number);
-        else
-            _shade.put(number, crownOf(*_simulation, placed));
+        shadeNeighbours(number);
         _resources.paintImpostor(*_simulation, placed);
         if (SimulationParts::modal(*_simulation)->level(tree) == ModalMotion::Level::Near)
             follow(number);
@@ -103,10 +95,20 @@ osg::BoundingBox InstancedTrees::computeBoundingBox() const {
 
 void InstancedTrees::seasonChanged() {
     _resources.followSeason(*_simulation);
-    const std::vector<PlacedTree>& trees = SimulationParts::trees(*_simulation);
-    for (std::size_t tree = 0; tree < trees.size(); ++tree)
-        if (trees[tree].alive)
-            _shade.put(static_cast<std::uint32_t>(tree), crownOf(*_simulation, trees[tree]));
+    for (std::size_t tree = 0; tree < SimulationParts::trees(*_simulation).size(); ++tree)
+        shadeNeighbours(static_cast<std::uint32_t>(tree));
+}
+
+/// As long as it stands.
+void InstancedTrees::shadeNeighbours(std::uint32_t tree) {
+    const PlacedTree& placed = SimulationParts::trees(*_simulation)[tree];
+    const TreeFall* fall = SimulationParts::modal(*_simulation)->fall(tree);
+    if (!placed.alive || (fall && fall->isDown)) {
+        _shade.take(tree);
+        return;
+    }
+    const TreeSize size = SimulationParts::forest(*_simulation).measured(placed);
+    _shade.put(tree, {placed.position, size.height, 0.5f * size.crownWidth, 0.35f + 0.6f * placed.leaves});
 }
 
 void InstancedTrees::follow(std::uint32_t tree) {

@@ -70,6 +70,7 @@ protected:
 
 private:
     void addPasses();
+    void shadeNeighbours(std::uint32_t tree);
     void updateFlutter(double time);
     void follow(std::uint32_t tree);
     void cull(osgUtil::CullVisitor& visitor);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/BarkRelief.h>
 
+#include <osgTreeWind/base/ValueNoise.h>
 #include <osgTreeWind/drawing/looks/ByteOf.h>
 
 #include <glm/common.hpp>
@@ -17,24 +18,9 @@ namespace {
 
 constexpr int width = 256, height = 512;
 
-/// In [0, 1), of a point of a grid that repeats after its columns and rows.
-float random(const glm::ivec2& point, const glm::ivec2& grid, unsigned stream) {
-    const glm::uvec2 own((point % grid + grid) % grid);
-    auto n = own.x * 0x9e3779b9u ^ own.y * 0x85ebca6bu ^ stream * 0xc2b2ae35u;
-    n = (n ^ (n >> 16)) * 0x7feb352du;
-    n = (n ^ (n >> 15)) * 0x846ca68bu;
-    return static_cast<float>((n ^ (n >> 16)) >> 8) * (1.0f / 16777216.0f);
-}
-
-/// Smooth, in [0, 1]. @param at u from 0 to 1 around, v from 0 to 1 along. @param grid columns and rows.
+/// @param at u from 0 to 1 around, v from 0 to 1 along. @param grid columns and rows.
 float noise(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
-    const glm::vec2 place = at * glm::vec2(grid), cell = glm::floor(place);
-    const glm::vec2 part = glm::smoothstep(0.0f, 1.0f, place - cell);
-    const auto corner = [&](int i, int j) {
-        return random(glm::ivec2(cell) + glm::ivec2(i, j), grid, stream);
-    };
-    return glm::mix(glm::mix(corner(0, 0), corner(1, 0), part.x),
-                    glm::mix(corner(0, 1), corner(1, 1), part.x), part.y);
+    return valueNoise(at * glm::vec2(grid), grid, stream);
 }
 
 /// The nearest of points scattered over a grid, one a cell (Worley 1996).
@@ -49,12 +35,12 @@ Plate plateAt(const glm::vec2& at, const glm::ivec2& grid, unsigned stream) {
         for (int j = -1; j <= 1; ++j) {
             const glm::ivec2 near = glm::ivec2(cell) + glm::ivec2(i, j);
             const glm::vec2 point =
-                glm::vec2(near) + glm::vec2(random(near, grid, stream), random(near, grid, stream + 1));
+                glm::vec2(near) + glm::vec2(randomAt(near, grid, stream), randomAt(near, grid, stream + 1));
             const float away = glm::distance(place, point);
             next = glm::min(next, glm::max(away, nearest));
             if (away < nearest) {
                 nearest = away;
-                own = random(near, grid, stream + 2);
+                own = randomAt(near, grid, stream + 2);
             }
         }
     return {next - nearest, own};

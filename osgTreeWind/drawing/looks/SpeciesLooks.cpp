@@ -31,8 +31,10 @@ SpeciesLooks makeSpeciesLooks(const Species& species) {
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
-    for (osg::StateSet* state : {looks.leaves.get(), looks.bark.get()})
-        state->addUniform(new osg::Uniform("limberness", clampedFields(species.leaf).shootSway));
+    const osg::ref_ptr<osg::Uniform> limberness =
+        new osg::Uniform("limberness", clampedFields(species.leaf).shootSway);
+    looks.leaves->addUniform(limberness);
+    looks.bark->addUniform(limberness);
     looks.leaves->addUniform(new osg::Uniform("leafUnderside", toOsg(undersideOverUpper(appearance))));
     return looks;
 }
