@@ -23,6 +23,7 @@
 uniform vec4 flutterLimits;
 uniform vec3 flutterPhases;
 uniform float limberness; // species.leaf.shoot_sway
+uniform vec2 leafTremble; // leafTremble() in osgTreeWind/motion/laws/StatelessFlutter.h
 uniform vec3 leafUnderside; // what it reflects over what the upper side does
 uniform float leafBrightness; // of the tier: as bright as the tree in full
 
@@ -49,8 +50,10 @@ void main() {
     vec3 flutter = leafFlutter(pose.wind, gust, flutterPhases, treeState.z, gl_MultiTexCoord0.w, flutterLimits);
     vec4 turn = turnAfter(gl_MultiTexCoord1, leafRotation(flutter.x, flutter.y, flutter.z));
     vec4 downwind = downwindTurn(turnVector(gl_MultiTexCoord1, vec3(0.0, 0.0, 1.0)), gust * pull.xyz);
+    float tremble = leafBorne * trembleShare(pose.wind, leafTremble.y);
+    vec3 trembling = trembleWave(gl_Normal, flutterPhases, treeState.z, gl_MultiTexCoord0.w);
     vec3 corner = turnVector(downwind, turnVector(turn, gl_Normal * vec3(pull.ww, 1.0)));
-    vec4 eyePosition = eyePoint(pose, rest + treeSize.w * gl_Vertex.w * corner);
+    vec4 eyePosition = eyePoint(pose, rest + treeSize.w * (gl_Vertex.w * corner + leafTremble.x * tremble * trembling));
 
     // Foliage is lit as a crown more than as single blades.
     vec3 blade = turnVector(downwind, turnVector(turn, gl_MultiTexCoord2.xyz));
@@ -61,13 +64,14 @@ void main() {
     vec3 own = mix(vec3(1.0), treeTint(treeState.z) * clusterTint(treeState.z, gl_MultiTexCoord0.w), leafBorne);
     vec3 eyeNormal = eyeDirection(pose, normal);
     bool fromBelow = dot(eyeDirection(pose, blade), eyePosition.xyz) > 0.0;
-    vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : turnedOver(pose.wind, gust));
+    float over = max(turnedOver(pose.wind, gust), tremble * (1.0 + trembling.x));
+    vec3 sides = mix(vec3(1.0), leafUnderside, fromBelow ? 1.0 : over);
     own *= mix(vec3(1.0), sides * 2.0 / (1.0 + leafUnderside), leafBorne); // leafColor is that of both sides
     own *= leafBrightness;
     leafLight = leafShade(eyePosition.xyz, eyeNormal, shade);
     float glint = bladeGlint(gl_MultiTexCoord0.w,
                              eyeDirection(pose, turnVector(gl_MultiTexCoord1, gl_MultiTexCoord2.xyz)),
-                             eyeDirection(pose, blade));
+                             eyeDirection(pose, blade + tremble * trembling));
     leafLight = own * (leafLight + (glint - 1.0) * sunLight);
     sunLight *= glint * own;
     leafCoord = gl_MultiTexCoord0.xy;

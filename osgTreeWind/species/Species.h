@@ -90,6 +90,8 @@ struct LeafMotion {
     float factor = 1.0f;         ///< `fact`.
     float linkedFactor = 0.7f;   ///< `linkedFactor`: rotation that goes with the X motion.
     float noiseFrequency = 1.3f; ///< Hz.
+    float size = 0.06f;          ///< Of a single leaf or leaflet across, m; law `modal`.
+    float tremble = 1.0f;        ///< Factor on how far single leaves move in a breeze; law `modal`.
     float maxDownwind = 0.8f; ///< Turn downwind of a petiole across the wind, in the strongest; law `modal`.
     float shootSway = 1.0f;   ///< Factor on how far the thin ends of boughs sway by themselves; law `modal`.
 };

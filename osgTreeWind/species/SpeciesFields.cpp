@@ -120,6 +120,10 @@ const Fields& fieldsOf<LeafMotion>() {
         {"factor", at<&P::factor>, within(0, 1), "how much of the largest angles is used"},
         {"linked_factor", at<&P::linkedFactor>, within(-10, 10), "rotation that goes with the swing"},
         {"noise_frequency", at<&P::noiseFrequency>, within(0, 100), "of the flutter", "Hz"},
+        {"size", at<&P::size>, within(0, 10), "of a single leaf or leaflet across (law `\"modal\"`)", "m"},
+        {"tremble", at<&P::tremble>, within(0, 100),
+         "factor on how far single leaves move in a breeze; 1: at the speed of measured leaves of their size "
+         "(law `\"modal\"`)"},
         {"max_downwind", at<&P::maxDownwind>, within(0, 60),
          "turn downwind of a petiole that stands across the wind, in the strongest, half of its tangent at "
          "10 m/s; 12 in built-in conifers, 50 in broadleaves (law `\"modal\"`)",

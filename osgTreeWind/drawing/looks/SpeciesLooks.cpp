@@ -31,6 +31,8 @@ SpeciesLooks makeSpeciesLooks(const Species& species) {
     const glm::vec4 limits = flutterLimits(species.leaf);
     looks.leaves->addUniform(
         new osg::Uniform("flutterLimits", osg::Vec4(limits.x, limits.y, limits.z, limits.w)));
+    const glm::vec2 tremble = leafTremble(species.leaf);
+    looks.leaves->addUniform(new osg::Uniform("leafTremble", osg::Vec2(tremble.x, tremble.y)));
     const osg::ref_ptr<osg::Uniform> limberness =
         new osg::Uniform("limberness", clampedFields(species.leaf).shootSway);
     looks.leaves->addUniform(limberness);

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace osgTreeWind {
@@ -34,6 +35,16 @@ glm::vec4 flutterLimits(const LeafMotion& given) {
     const LeafMotion motion = clampedFields(given);
     return {motion.factor * laws.angleLimit(motion.maxAngleX),
             motion.factor * laws.angleLimit(motion.maxAngleZ), motion.maxRotation, motion.linkedFactor};
+}
+
+glm::vec2 leafTremble(const LeafMotion& given) {
+    // Leaves of size D move at D u^2 / (740^2 nu), root mean square.
+    constexpr float airViscosity = 1.5e-5f; // kinematic, m^2/s
+    constexpr float speedOfSize = 1.0f / (740.0f * 740.0f * airViscosity);
+    constexpr float cardSpeed = 17.0f; // rms of trembleWave(), the mean over a card, over the noise frequency
+    const LeafMotion motion = clampedFields(given);
+    const float stiffness = cardSpeed * motion.noiseFrequency / speedOfSize;
+    return {motion.size, std::max(stiffness, 1e-3f) / std::max(motion.tremble, 1e-6f)};
 }
 
 void StatelessFlutter::run(glm::vec4* states) const {

@@ -5,6 +5,7 @@
 #include <osgTreeWind/model/LeafClusters.h>
 #include <osgTreeWind/species/Species.h>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -25,6 +26,10 @@ glm::vec3 flutterPhases(double time, const LeafMotion& motion);
 /// How far they turn: maxAngleX, maxAngleZ, maxRotation (radians), linkedFactor. Within the ranges of
 /// LeafMotion, whatever it says.
 glm::vec4 flutterLimits(const LeafMotion& motion);
+
+/// How single leaves move within their cluster: their size, m, and the stiffness that trembleShare() takes,
+/// (m/s)^2.
+glm::vec2 leafTremble(const LeafMotion& motion);
 
 /// The leaves of one tree as they stand in a wind.
 struct StatelessFlutter {

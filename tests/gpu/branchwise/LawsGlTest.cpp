@@ -132,6 +132,25 @@ TEST_F(LawsGlTest, FlutterAgreesWithTheCpu) {
     }
 }
 
+TEST_F(LawsGlTest, TrembleAgreesWithTheCpu) {
+    Random random(11);
+    Texels corners, phases;
+    for (int i = 0; i < 300; ++i) {
+        corners.emplace_back(random.symmetric(), random.symmetric(), random.uniform(),
+                             30.0f * random.uniform());
+        phases.emplace_back(random.uniform(), random.uniform(), random.uniform(), static_cast<float>(i));
+    }
+    const Texels gpu =
+        step(corners, {{"phases", phases}},
+             "vec4(trembleWave(state.xyz, phases.xyz, 0.3, phases.w), trembleShare(state.w, 22.0))");
+    Laws laws;
+    for (std::size_t i = 0; i < gpu.size(); ++i) {
+        const glm::vec4& c = corners[i];
+        const glm::vec3 cpu = laws.trembleWave(glm::vec3(c), glm::vec3(phases[i]), 0.3f, phases[i].w);
+        ASSERT_LT(difference(gpu[i], glm::vec4(cpu, laws.trembleShare(c.w, 22.0f))), 1e-3f) << i;
+    }
+}
+
 TEST_F(LawsGlTest, SwayOfShootsAgreesWithTheCpu) {
     Random random(7);
     Texels places, phases;
