@@ -13,6 +13,8 @@
 #include <osgTreeWind/wind/WindFields.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -280,6 +282,32 @@ void takeDate(const std::string& text, TableReader& table, const ForestReading& 
         clock.start = *date - *reading.windDate;
 }
 
+/// `travel`: how the wind passes over the forest, as a velocity or as the mean of a record.
+void readTravel(TableReader& table, const Wind& wind, WindClock& clock) {
+    std::string word;
+    std::vector<double> numbers;
+    if (table.hasArray("travel") ? !table.readNumbers("travel", numbers, 2, 2, windSpeeds)
+                                 : !table.readScalar("travel", word))
+        return;
+    const KindOfWind kind = wind.field ? wind.field->kind() : KindOfWind();
+    const auto* record = std::get_if<const TimeSeriesWind*>(&kind);
+    glm::dvec2 travel(0.0);
+    if (!numbers.empty())
+        travel = {numbers[0], numbers[1]};
+    else if (word != "mean")
+        return table.problem("travel", expectedFound("\"mean\" or [u, v] in m/s", word));
+    else if (record)
+        travel = glm::dvec2(meanVelocity((*record)->series()));
+    else
+        return table.problem("travel", "\"mean\" is that of a record at one point; expected [u, v] in m/s");
+    if (wind.clock.travels())
+        table.problem("travel", "this wind travels by itself");
+    else if (const double speed = glm::length(travel); !(speed >= 0.1))
+        table.problem("travel", "expected 0.1 m/s or more, found " + numberText(speed));
+    else
+        clock.travel = travel;
+}
+
 /// One [[wind.source]].
 WindSource readSource(TableReader& table, const ForestReading& reading) {
     WindSource source;
@@ -339,6 +367,7 @@ void readWind(TableReader& table, ForestReading& reading) {
     std::string date;
     if (table.readScalar("date", date) && (wind.field || kind == readCalm))
         takeDate(date, table, reading, clock);
+    readTravel(table, wind, clock);
     wind.clock = clock.of(wind.clock);
     readFields(table, wind.adjustment);
     wind.frame = WindFrame::Forest;

@@ -30,9 +30,11 @@ public:
             take(problem, fields(wind.clock));
         if (!wind.adjustment.isNone())
             take(problem, fields(wind.adjustment));
-        if (!files && (WindParts::map(wind) || wind.clock.isCarried()))
-            take(problem,
-                 "a wind on a map of its own, or carried past a plane, that was not read from a file");
+        const bool isFilesOwn = files && !std::holds_alternative<const TimeSeriesWind*>(wind.field->kind());
+        if (wind.clock.travels() && !isFilesOwn)
+            key("travel", tomlText(std::vector<double>{wind.clock.travel.x, wind.clock.travel.y}));
+        if (!files && WindParts::map(wind))
+            take(problem, "a wind on a map of its own that was not read from a file");
         return problem;
     }
 

@@ -6,6 +6,7 @@
 #include <osgTreeWind/wind/FiniteVelocity.h>
 #include <osgTreeWind/wind/Interpolation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -41,6 +42,20 @@ double wrapped(double time, const std::vector<double>& times) {
 }
 
 } // namespace
+
+glm::dvec3 meanVelocity(const WindSeries& series) {
+    const std::size_t count = std::min(series.times.size(), series.velocities.size());
+    glm::dvec3 sum(0.0);
+    double duration = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double before = series.times[i > 0 ? i - 1 : i],
+                     after = series.times[i + 1 < count ? i + 1 : i];
+        const double span = count > 1 ? 0.5 * (after - before) : 1.0;
+        sum += span * glm::dvec3(series.velocities[i]);
+        duration += span;
+    }
+    return duration > 0.0 ? sum / duration : sum;
+}
 
 TimeSeriesWind::TimeSeriesWind(WindSeries series) : _series(std::move(series)) {}
 

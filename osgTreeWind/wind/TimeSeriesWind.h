@@ -22,6 +22,9 @@ struct WindSeries {
     std::optional<LogProfile> profile; ///< Over the ground of each place; empty: all heights alike.
 };
 
+/// Of all of a record, each velocity for as long as it is the nearest, m/s; of one that is empty 0.
+OSGTREEWIND_EXPORT glm::dvec3 meanVelocity(const WindSeries& series);
+
 /// A record of wind at one point, blowing over the whole forest: components linear in time (directions are
 /// never interpolated), scaled with height above the ground where the record has a profile. Before the first
 /// record the first holds; after the last the last holds or the record repeats.

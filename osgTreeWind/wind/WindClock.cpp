@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/wind/WindClock.h>
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 
 namespace osgTreeWind {
+namespace {
 
-bool WindClock::isCarried() const {
-    return std::isfinite(speed);
+/// 1 / v along v: of a velocity the seconds for each metre, and back. 0 for what has no inverse.
+glm::dvec2 inverse(const glm::dvec2& v) {
+    const glm::dvec2 inverted = v / glm::dot(v, v);
+    return std::isfinite(inverted.x) && std::isfinite(inverted.y) ? inverted : glm::dvec2(0.0);
 }
 
-double WindClock::at(double x, double time) const {
-    const double atPlane = start + scale * time;
-    return isCarried() ? atPlane - (x - plane) / speed : atPlane;
+} // namespace
+
+bool WindClock::travels() const {
+    return lag() != glm::dvec2(0.0);
+}
+
+glm::dvec2 WindClock::lag() const {
+    return inverse(travel);
+}
+
+double WindClock::at(const glm::dvec2& place, double time) const {
+    return start + scale * time - glm::dot(lag(), place - origin);
 }
 
 WindClock WindClock::of(const WindClock& inner) const {
     WindClock both = inner;
     both.start += inner.scale * start;
     both.scale *= scale;
-    if (!isCarried())
+    if (!travels())
         return both;
-    const double outerLag = inner.scale / speed, // s for each metre of x
-        innerLag = inner.isCarried() ? 1.0 / inner.speed : 0.0;
-    both.start += outerLag * plane + innerLag * inner.plane;
-    both.plane = 0.0;
-    both.speed = 1.0 / (outerLag + innerLag);
+    both.start += inner.scale * glm::dot(lag(), origin) + glm::dot(inner.lag(), inner.origin);
+    both.origin = glm::dvec2(0.0);
+    both.travel = inverse(inner.scale * lag() + inner.lag());
     return both;
 }
 

@@ -108,10 +108,10 @@ void WindSampler::sampleData(const WindField& field, const WindPlace* places, st
                              glm::vec3* out) const {
     const WindClock& clock = _wind->clock;
     const auto sampleField = [&](const WindPlace* at, std::size_t some, glm::vec3* velocities) {
-        if (!clock.isCarried())
-            return field.sample(at, some, clock.at(0.0, time), velocities);
+        if (!clock.travels())
+            return field.sample(at, some, clock.at({}, time), velocities);
         for (std::size_t i = 0; i < some; ++i)
-            velocities[i] = field.velocity(at[i], clock.at(static_cast<double>(at[i].position.x), time));
+            velocities[i] = field.velocity(at[i], clock.at(glm::dvec2(at[i].position), time));
     };
     if (const WindMap* map = WindParts::map(*_wind))
         inBlocks(

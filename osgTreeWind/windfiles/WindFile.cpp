@@ -178,8 +178,8 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
         return field.problems();
     file.wind = field.value();
     if (content.travelSpeed > 0.0) {
-        file.wind.clock.plane = -itsOrigin.x;
-        file.wind.clock.speed = content.travelSpeed;
+        file.wind.clock.origin.x = -itsOrigin.x;
+        file.wind.clock.travel.x = content.travelSpeed;
     }
     if (mesh)
         WindParts::setMap(file.wind, {mesh, origin, itsOrigin});

@@ -70,6 +70,33 @@ TEST(WindSection, DateIsForFilesThatSayTheirs) {
         EXPECT_NE(firstProblem(readWith(wind)).find(part), std::string::npos) << firstProblem(readWith(wind));
 }
 
+const char* const record =
+    "kind = \"series\"\ntimes = [0, 10, 20]\nvelocities = [[2, 0, 0], [6, 0, 0], [2, 0, 0]]\n";
+
+TEST(WindSection, ARecordTravelsOverTheForest) {
+    for (const char* travel : {"travel = \"mean\"\n", "travel = [4, 0]\n"}) {
+        const auto forest = readWith(record + std::string(travel));
+        EXPECT_EQ(windOf(forest, {}, 10.0), glm::vec3(6, 0, 0)) << travel;
+        EXPECT_EQ(windOf(forest, {40, 99, 0}, 20.0), glm::vec3(6, 0, 0)) << travel;
+        EXPECT_EQ(windOf(forest, {-40, 0, 0}, 0.0), glm::vec3(6, 0, 0)) << travel;
+        std::ostringstream text;
+        ASSERT_TRUE(writeForest(forest.value(), text).empty());
+        std::istringstream again(text.str());
+        EXPECT_EQ(windOf(readForest(again, {"f.treewind", "."}), {40, 0, 0}, 20.0), glm::vec3(6, 0, 0));
+    }
+}
+
+TEST(WindSection, TravelNeedsAWindThatGoesSomewhere) {
+    for (const auto& [wind, part] :
+         {std::pair(record + std::string("travel = [0, 0.05]\n"),
+                    "wind.travel: expected 0.1 m/s or more, found 0.05"),
+          {record + std::string("travel = \"fast\"\n"),
+           "wind.travel: expected \"mean\" or [u, v] in m/s, found"},
+          {record + std::string("travel = [1, 2, 3]\n"), "wind.travel: "},
+          {"kind = \"calm\"\ntravel = \"mean\"\n", "wind.travel: \"mean\" is that of a record"}})
+        EXPECT_NE(firstProblem(readWith(wind)).find(part), std::string::npos) << firstProblem(readWith(wind));
+}
+
 TEST(WindSection, OffsetMovesTheFile) {
     const auto forest = readWith("kind = \"file\"\nfile = \"vectors.vtk\"\noffset = [900, 1800, 5]\n",
                                  "origin = [1010, 2000, 0]\n");

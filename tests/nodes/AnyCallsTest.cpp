@@ -282,8 +282,9 @@ private:
         Wind given(wind, static_cast<WindFrame>(any.oneIn(2) ? any.whole() : int(any.below(3))));
         if (any.oneIn(3))
             any.spoil(given.canopy.emplace());
-        given.clock = {any.number<double>(), any.number<double>(), any.number<double>(),
-                       any.number<double>()};
+        given.clock = {any.number<double>(), any.number<double>()};
+        given.clock.travel = {any.number<double>(), any.number<double>()};
+        given.clock.origin = {any.number<double>(), any.number<double>()};
         given.adjustment = {any.number<double>(), any.number<double>()};
         expectChange(_forest->setWind(given), before);
     }
