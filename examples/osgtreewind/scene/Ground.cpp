@@ -30,6 +30,18 @@ out vec4 haze;   // its colour, as written, and how much of the ground it leaves
 out float fine; // how much is left of what is small
 #ifdef TUFTS
 out float rise, shade; // of a blade of grass, from its foot to its tip; own
+uniform sampler2D tuftWind;
+uniform vec3 tuftWindPlace; // its corner, one over its size
+uniform float osg_SimulationTime;
+
+/// How far the wind bends the tip of a blade from where it stands upright, metres.
+vec3 bent(vec2 foot, float height) {
+    vec2 wind = texture(tuftWind, (foot - tuftWindPlace.xy) * tuftWindPlace.z).xy;
+    float speed = length(wind);
+    float quiver = sin(6.2832 * fract(2.1 * osg_SimulationTime + 3.0 * shade + dot(foot, vec2(0.31, 0.23))));
+    float angle = speed * speed / (speed * speed + 25.0) * (1.0 + 0.2 * quiver);
+    return height * vec3(sin(angle) * wind / max(speed, 0.01), cos(angle) - 1.0);
+}
 #endif
 #ifdef SHADOWED
 out vec3 eyePosition;
@@ -51,6 +63,7 @@ void main() {
 #ifdef TUFTS
     rise = gl_MultiTexCoord0.x;
     shade = gl_MultiTexCoord0.y;
+    vertex.xyz += rise * bent(place, gl_MultiTexCoord0.z);
 #endif
     vec4 eye = gl_ModelViewMatrix * vertex;
 #ifdef RELIEF

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 namespace {
 
@@ -21,7 +22,12 @@ using osgTreeWind::fractalNoise, osgTreeWind::valueNoise;
 
 const glm::ivec2 everywhere(1 << 20); // noise that does not repeat
 constexpr int texelsAround = 2048, texelsUp = 512;
-constexpr float lowest = -6.0f; // degrees of elevation at the foot of the texture; below it is haze
+constexpr float lowest = -1.5f; // degrees of elevation at the foot of the texture; below it is haze
+
+/// Degrees. @param part of the texture, from its foot: more of it for what is low.
+float elevationAt(float part) {
+    return lowest + (90.0f - lowest) * part * part;
+}
 
 const char* skyVertexText = R"(#version 330 compatibility
 out vec2 spot;
@@ -79,6 +85,28 @@ private:
     osg::Vec3 _toSun;
 };
 
+/// How high the hills of a skyline stand, degrees: wooded ones, whose noise goes on around.
+float skylineAt(float azimuth, int seed) {
+    constexpr int waves = 7, trees = 512; // around
+    const float turn = azimuth / static_cast<float>(2.0 * osg::PI);
+    const float hills =
+        fractalNoise({waves * turn, 0.5f}, 3, glm::ivec2(waves), static_cast<std::uint32_t>(seed));
+    const float crowns =
+        valueNoise({trees * turn, 0.5f}, glm::ivec2(trees), static_cast<std::uint32_t>(seed));
+    return 3.4f * std::max(hills - 0.3f, 0.0f) + 0.12f * crowns;
+}
+
+/// With two skylines of hills, the farther one higher and nearer to the haze.
+osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, float elevation) {
+    const osg::Vec3 woods(0.16f, 0.22f, 0.15f);
+    osg::Vec3 color = sky;
+    for (const auto& [seed, height, hazy] : {std::tuple(41, 1.0f, 0.85f), std::tuple(43, 0.55f, 0.66f)}) {
+        const float above = elevation - height * skylineAt(azimuth, seed);
+        color = mixed(color, mixed(woods, day.haze, hazy), 1.0f - smoothstep(-0.06f, 0.06f, above));
+    }
+    return color;
+}
+
 /// The colour of the sky toward `way`, as it is written.
 osg::Vec3 skyColor(const Daylight& day, const Clouds& clouds, const osg::Vec3& way) {
     const float up = std::clamp(way.z(), 0.0f, 1.0f), toSun = std::max(way * day.toSun, 0.0f);
@@ -100,11 +128,12 @@ osg::ref_ptr<osg::Texture2D> paintedSky(const Daylight& day) {
     image->allocateImage(texelsAround, texelsUp, 1, GL_RGB, GL_UNSIGNED_BYTE);
     osgTreeWind::ThreadPool::executor()(texelsUp, [&](std::size_t row) {
         const float part = (static_cast<float>(row) + 0.5f) / texelsUp;
-        const auto elevation = static_cast<float>(osg::DegreesToRadians(lowest + part * (90.0f - lowest)));
+        const auto elevation = osg::DegreesToRadians(elevationAt(part));
         unsigned char* texel = image->data(0, static_cast<int>(row)); // osg::Image is slow to say where
         for (int x = 0; x < texelsAround; ++x) {
             const auto azimuth = static_cast<float>(2.0 * osg::PI * (x + 0.5) / texelsAround);
-            const osg::Vec3 color = skyColor(day, clouds, wayAt(azimuth, elevation));
+            const osg::Vec3 color = withHills(skyColor(day, clouds, wayAt(azimuth, elevation)), day, azimuth,
+                                              static_cast<float>(osg::RadiansToDegrees(elevation)));
             // Even noise of one step: no bands.
             const float rough = valueNoise(glm::vec2(x, row), everywhere, 3);
             for (int i = 0; i < 3; ++i)
@@ -124,7 +153,7 @@ osg::ref_ptr<osg::Geometry> createDome() {
     osg::ref_ptr<osg::Vec2Array> spots = new osg::Vec2Array;
     for (int row = -1; row < rows; ++row) { // the first from straight below
         const float part = row < 0 ? 0.0f : static_cast<float>(row) / (rows - 1);
-        const float degrees = row < 0 ? -90.0f : lowest + part * (90.0f - lowest);
+        const float degrees = row < 0 ? -90.0f : elevationAt(part);
         for (int column = 0; column <= columns; ++column) {
             const auto azimuth = static_cast<float>(2.0 * osg::PI * column / columns);
             corners->push_back(wayAt(azimuth, static_cast<float>(osg::DegreesToRadians(degrees))));

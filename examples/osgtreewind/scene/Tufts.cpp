@@ -5,6 +5,10 @@
 #include <examples/osgtreewind/scene/Ground.h>
 
 #include <osgTreeWind/base/Random.h>
+#include <osgTreeWind/wind/Wind.h>
+
+#include <osg/Image>
+#include <osg/Texture2D>
 
 #include <cmath>
 #include <cstdint>
@@ -17,7 +21,7 @@ constexpr double farthestTuft = 40.0, tuftSpacing = 0.34; // metres
 class Tuft {
 public:
     /// @param nearness 1 at the eye, 0 where there are none any more.
-    Tuft(osg::Vec3Array& corners, osg::Vec2Array& coords, const osg::Vec3& foot, float nearness)
+    Tuft(osg::Vec3Array& corners, osg::Vec3Array& coords, const osg::Vec3& foot, float nearness)
         : _corners(corners), _coords(coords), _foot(foot), _nearness(nearness) {}
 
     void add(osgTreeWind::Random& random) {
@@ -32,15 +36,71 @@ public:
              {std::pair(foot - side, 0.0f), std::pair(foot + side, 0.0f),
               std::pair(foot + way * (lean * height) + osg::Vec3(0, 0, height), 1.0f)}) {
             _corners.push_back(corner);
-            _coords.push_back({rise, own});
+            _coords.push_back({rise, own, height});
         }
     }
 
 private:
     osg::Vec3Array& _corners;
-    osg::Vec2Array& _coords;
+    osg::Vec3Array& _coords;
     osg::Vec3 _foot;
     float _nearness;
+};
+
+/// The wind over the tufts, frame by frame, in a texture.
+class TuftWind : public osg::DrawableUpdateCallback {
+public:
+    TuftWind(const osgTreeWind::Forest& forest, const osg::Vec3d& eye) : _forest(&forest), _eye(eye) {
+        _image->allocateImage(places, places, 1, GL_RGB, GL_FLOAT);
+        _image->setInternalTextureFormat(GL_RGB32F_ARB);
+        _image->setDataVariance(osg::Object::DYNAMIC);
+    }
+
+    void setUniforms(osg::StateSet& state) const {
+        constexpr int unit = 4;
+        osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(_image);
+        texture->setDataVariance(osg::Object::DYNAMIC);
+        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+        texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+        texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+        state.setTextureAttribute(unit, texture);
+        state.addUniform(new osg::Uniform("tuftWind", unit));
+        state.addUniform(
+            new osg::Uniform("tuftWindPlace", osg::Vec3(static_cast<float>(_eye.x() - farthestTuft),
+                                                        static_cast<float>(_eye.y() - farthestTuft),
+                                                        static_cast<float>(0.5 / farthestTuft))));
+    }
+
+    void update(osg::NodeVisitor* visitor, osg::Drawable*) override {
+        const osg::FrameStamp* stamp = visitor->getFrameStamp();
+        if (!stamp || stamp->getFrameNumber() == _frame)
+            return;
+        _frame = stamp->getFrameNumber();
+        const osgTreeWind::WindFieldPtr field = osgTreeWind::asField(_forest->getWind());
+        for (int j = 0; j < places; ++j)
+            for (int i = 0; i < places; ++i) {
+                const auto at = [](double eye, int cell) {
+                    return static_cast<float>(eye + farthestTuft * ((2.0 * cell + 1.0) / places - 1.0));
+                };
+                const float x = at(_eye.x(), i), y = at(_eye.y(), j);
+                const auto ground = static_cast<float>(groundHeight(*_forest, {x, y}, 0.0));
+                const glm::vec3 wind =
+                    field ? field->velocity({{x, y, ground + 1.0f}, ground}, stamp->getSimulationTime())
+                          : glm::vec3(0.0f);
+                auto* texel = reinterpret_cast<float*>(_image->data(i, j));
+                for (int axis = 0; axis < 3; ++axis)
+                    texel[axis] = wind[axis];
+            }
+        _image->dirty();
+    }
+
+private:
+    static constexpr int places = 16; // each way
+
+    osg::ref_ptr<const osgTreeWind::Forest> _forest;
+    osg::Vec3d _eye;
+    osg::ref_ptr<osg::Image> _image = new osg::Image;
+    unsigned _frame = ~0u;
 };
 
 } // namespace
@@ -48,7 +108,7 @@ private:
 osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const GroundCover& cover,
                                         const osg::Vec3d& eye) {
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    osg::ref_ptr<osg::Vec2Array> coords = new osg::Vec2Array;
+    osg::ref_ptr<osg::Vec3Array> coords = new osg::Vec3Array;
     const auto cellOf = [](double place) {
         return static_cast<std::int64_t>(std::floor(place / tuftSpacing));
     };
@@ -74,5 +134,8 @@ osg::ref_ptr<osg::Geometry> createTufts(const osgTreeWind::Forest& forest, const
     tufts->setTexCoordArray(0, coords);
     tufts->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
     tufts->setStateSet(createGrassState(forest, cover, "#define TUFTS\n"));
+    const osg::ref_ptr<TuftWind> wind = new TuftWind(forest, eye);
+    wind->setUniforms(*tufts->getStateSet());
+    tufts->setUpdateCallback(wind);
     return tufts;
 }
