@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/output/Signals.h>
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/WholeFile.h>
@@ -90,6 +91,7 @@ osgTreeWind::ForestDescription loadForest(const std::string& file, const osgTree
 }
 
 int main(int argc, char** argv) {
+    endOnSignals();
     CLI::App app{"Forests in a given wind field: look into, check, draw and simulate .treewind files."};
     app.name("osgtreewind");
     app.set_version_flag("--version", "osgtreewind " OSGTREEWIND_VERSION);
@@ -119,7 +121,8 @@ int main(int argc, char** argv) {
                "  osgtreewind risk forest.treewind -o risk.gpkg --speed 20 --direction 225\n"
                "  osgtreewind tile region.treewind -o world\n"
                "  osgtreewind bench -o results.json --chart chart.svg\n"
-               "Exit status: 0 done, 1 failed, 2 bad usage or bad input.");
+               "Exit status: 0 done, 1 failed, 2 bad usage or bad input, 130 or 143\n"
+               "ended by SIGINT or SIGTERM.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Wire.h>
 
@@ -49,6 +50,8 @@ private:
 /// @param command its arguments, of which the file is the first.
 template <typename T>
 Result<T> readBy(const ReaderProgram& reader, const std::vector<std::string>& command) {
+    if (const auto problem = problemOfInput(command.front()))
+        return *problem;
     ReaderProcess process(reader, command);
     auto answer = process.started() ? Wire::receive<T>(process.descriptor()) : std::nullopt;
     if (answer)

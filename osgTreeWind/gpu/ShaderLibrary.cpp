@@ -2,6 +2,7 @@
 #include <osgTreeWind/gpu/ShaderLibrary.h>
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/gpu/SharedObjects.h>
 
@@ -27,8 +28,7 @@ std::string fileText(const std::string& name, Source source) {
     const std::string path =
         source == FilesFirst ? osgDB::findFileInPath(name, osgDB::getDataFilePathList()) : std::string();
     if (!path.empty()) {
-        std::ifstream file(path);
-        const Result<std::string> text = readText(file, path);
+        const Result<std::string> text = readTextFile(path);
         if (text)
             return text.value();
         OSG_WARN << "osgTreeWind: " << text.problems().front().text() << std::endl;

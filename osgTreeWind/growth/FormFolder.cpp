@@ -92,7 +92,7 @@ void FormFolder::keep(const std::string& key, const std::string& bytes) const {
     if (_path.empty() || bytes.size() > _mostBytes)
         return;
     files::create_directories(_path, problem);
-    if (!problem && writeWholeFile(fileOf(key), contentOf(key, bytes)))
+    if (!problem && writeWholeFile(fileOf(key), contentOf(key, bytes)).empty())
         trim();
 }
 

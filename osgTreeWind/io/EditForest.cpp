@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/ForestFields.h>
@@ -91,16 +92,13 @@ std::optional<std::string> edited(const std::string& document, const ForestDescr
 } // namespace
 
 Diagnostics editForestFile(const ForestDescription& now, const std::string& from, const std::string& path) {
-    std::stringstream document;
-    document << std::ifstream(from, std::ios::binary).rdbuf();
+    const Result<std::string> document = readTextFile(from);
     const auto read = readForestFile(from);
     const std::optional<std::string> text =
-        read ? edited(document.str(), read.value(), now, path) : std::nullopt;
+        document && read ? edited(document.value(), read.value(), now, path) : std::nullopt;
     if (!text)
         return writeForestFile(now, path);
-    if (!writeWholeFile(path, *text))
-        return {fileProblem(path, "cannot be written")};
-    return {};
+    return writeWholeFile(path, *text);
 }
 
 } // namespace osgTreeWind

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/ForestFile.h>
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
@@ -53,15 +54,11 @@ void readDocument(std::istream& input, const ForestFileOptions& options, ForestR
 }
 
 void readDocumentFile(const std::string& path, std::size_t mostTrees, ForestReading& reading) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error))
-        return reading.log.add(fileProblem(path, "no such file"));
-    if (!std::filesystem::is_regular_file(path, error))
-        return reading.log.add(fileProblem(path, "not a regular file"));
-    std::ifstream input(path, std::ios::binary);
+    Result<std::ifstream> input = openInput(path);
     if (!input)
-        return reading.log.add(fileProblem(path, "cannot be opened for reading"));
-    readDocument(input, {path, std::filesystem::path(path).parent_path().string(), mostTrees, {}}, reading);
+        return reading.log.add(input.problems().front());
+    readDocument(input.value(), {path, std::filesystem::path(path).parent_path().string(), mostTrees, {}},
+                 reading);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/forest/ForestFields.h>
@@ -162,10 +163,10 @@ Result<std::vector<TreePlacement>> readTile(const std::vector<Species>& species,
     if (tiles.tiles[tile].trees == 0)
         return std::vector<TreePlacement>();
     const std::string file = fileOfTile(tiles, tile);
-    std::ifstream input(file, std::ios::binary);
+    Result<std::ifstream> input = openInput(file);
     if (!input)
-        return fileProblem(file, "cannot be opened for reading");
-    Result<TileTrees> read = readTileTrees(input, file);
+        return input.problems();
+    Result<TileTrees> read = readTileTrees(input.value(), file);
     if (!read)
         return read.problems();
     if (Diagnostics problems = read.value().fit(species, tiles.tiles[tile].trees, file); !problems.empty())

@@ -2,7 +2,6 @@
 #include <osgTreeWind/io/TileWriter.h>
 
 #include <osgTreeWind/base/Batches.h>
-#include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/TileFiles.h>
 #include <osgTreeWind/io/TileIds.h>
 #include <osgTreeWind/io/TileTrees.h>
@@ -11,30 +10,16 @@
 
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
 #include <fstream>
 #include <map>
-#include <system_error>
 #include <utility>
 
 namespace osgTreeWind {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string unfinished(const std::string& path) {
-    return path + ".part";
-}
-
 bool append(const std::string& path, const std::string& text) {
-    return bool((std::ofstream(unfinished(path), std::ios::binary | std::ios::app) << text).flush());
-}
-
-bool finishFile(const std::string& path) {
-    std::error_code error;
-    fs::rename(unfinished(path), path, error);
-    return !error;
+    return bool((std::ofstream(path, std::ios::binary | std::ios::app) << text).flush());
 }
 
 std::size_t tileAt(const ForestTiles& tiles, const glm::dvec3& place) {
@@ -91,13 +76,9 @@ bool TileWriter::addToTile(std::size_t tile, const std::vector<TreePlacement>& a
 
 bool TileWriter::finish() {
     std::string crowns = crownSheetHead();
-    for (std::size_t tile = 0; !_failed && tile < _tiles.tiles.size(); ++tile) {
-        crowns += _crowns[tile].text(_shapes.description().species);
-        _failed = _tiles.tiles[tile].trees > 0 && !finishFile(fileOfTile(_tiles, tile));
-    }
-    for (std::uint32_t file = 0; !_failed && file < _idFiles.size(); ++file)
-        _failed = _idFiles[file] && !finishFile(fileOfIds(_tiles, file));
-    return !_failed && writeWholeFile(fileOfCrowns(_tiles), crowns);
+    for (const CrownSums& each : _crowns)
+        crowns += each.text(_shapes.description().species);
+    return !_failed && append(fileOfCrowns(_tiles), crowns);
 }
 
 } // namespace osgTreeWind

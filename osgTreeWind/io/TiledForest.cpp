@@ -17,13 +17,19 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace osgTreeWind {
 
@@ -85,22 +91,81 @@ WindCanopy tiledCanopy(const TileWriter& written, const Executor& executor, std:
     return withUsualStands(shapes.description().wind.canopy.value_or(WindCanopy()), stands);
 }
 
-/// An empty folder for tiles, and no world beside it. @return what keeps it from that; empty when it is done.
-std::string clear(const std::string& folder, const std::string& tiles) {
-    std::error_code error;
-    fs::remove(folder + "/world.treewind", error);
-    fs::create_directories(tiles, error);
-    if (error)
-        return error.message();
-    for (const fs::directory_entry& file : fs::directory_iterator(tiles, error)) {
-        const std::string extension = file.path().extension().string();
-        if (extension != ".trees" && extension != ".crowns" && extension != ".ids" && extension != ".part")
-            return "expected nothing but tiles in it, found " + file.path().filename().string();
+/// The folder of a world while one program writes it.
+class WorldFolder {
+public:
+    explicit WorldFolder(const std::string& folder) : _folder(folder), _file(folder + "/world.treewind") {
+        std::error_code error;
+        fs::create_directories(folder, error);
+        _descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     }
-    for (const fs::directory_entry& file : fs::directory_iterator(tiles, error))
-        fs::remove(file.path(), error);
-    return error ? error.message() : "";
-}
+    ~WorldFolder() {
+        if (_descriptor >= 0)
+            close(_descriptor);
+    }
+    WorldFolder(const WorldFolder&) = delete;
+    WorldFolder& operator=(const WorldFolder&) = delete;
+
+    const std::string& file() const { return _file; }
+
+    /// Makes an empty folder for new tiles beside those that there are. @return what keeps it from that.
+    Diagnostics begin() {
+        if (_descriptor < 0)
+            return {fileProblem(_folder, "cannot be written: " + std::generic_category().message(errno))};
+        if (flock(_descriptor, LOCK_EX | LOCK_NB) != 0)
+            return {fileProblem(_folder, "another program is writing a world into it")};
+        std::error_code error;
+        if (fs::exists(_file, error)) {
+            const auto world = readForestFile(_file);
+            if (!world || !world.value().tiles)
+                return {fileProblem(_file, "expected a world or nothing there, found something else; remove "
+                                           "it, or choose another folder")};
+            _old = fs::path(world.value().tiles->folder).lexically_normal();
+        }
+        const fs::path usual = fs::path(_folder) / "tiles";
+        _tiles = usual.string() + (fs::equivalent(_old, usual, error) ? "-2" : "");
+        for (const std::string& name : {usual.string(), usual.string() + "-2"})
+            if (!fs::equivalent(_old, name, error))
+                if (Diagnostics problems = remove(name); !problems.empty())
+                    return problems;
+        if (!fs::create_directories(_tiles, error))
+            return {fileProblem(_tiles, "cannot be made: " + error.message())};
+        _new.emplace(_tiles);
+        return {};
+    }
+    const std::string& tiles() const { return _tiles; }
+
+    /// The world is now that of the new tiles.
+    void finish() {
+        _new->finish();
+        if (const fs::path parent = fs::path(_tiles).parent_path(); _old.parent_path() == parent)
+            remove(_old.string());
+    }
+
+private:
+    /// A folder of tiles; problems where it has other files, too.
+    static Diagnostics remove(const std::string& folder) {
+        std::error_code error, ignored;
+        if (!fs::is_directory(folder, error))
+            return fs::exists(folder, error)
+                       ? Diagnostics{fileProblem(folder, "expected a folder of tiles or nothing")}
+                       : Diagnostics();
+        for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+            const std::string extension = file->path().extension().string();
+            if (extension != ".trees" && extension != ".crowns" && extension != ".ids" &&
+                extension != ".part")
+                return {fileProblem(folder, "expected nothing but tiles in it, found " +
+                                                file->path().filename().string())};
+        }
+        fs::remove_all(folder, ignored);
+        return {};
+    }
+
+    std::string _folder, _file, _tiles;
+    fs::path _old;
+    std::optional<Unfinished> _new;
+    int _descriptor = -1;
+};
 
 using Take = std::function<void(const std::vector<TreePlacement>&)>;
 
@@ -111,14 +176,14 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
     bool isRead = visit([&](const std::vector<TreePlacement>& trees) { all.add(trees); });
     if (isRead && all.count == 0)
         return keyProblem({}, "there are no trees to cut into tiles");
+    WorldFolder world(folder);
+    if (Diagnostics problems = world.begin(); !problems.empty())
+        return problems;
     ForestTiles& tiles = forest.tiles.emplace(gridOver(all, options.size));
-    tiles.folder = folder + "/tiles";
+    tiles.folder = world.tiles();
     all.nameCompanies(forest.species, tiles);
     tiles.idFiles = static_cast<std::uint32_t>(
         std::min(std::ceil(static_cast<double>(all.named) / idsInFile), mostTiles));
-    if (const std::string problem = clear(folder, tiles.folder); !problem.empty())
-        return fileProblem(tiles.folder, problem);
-
     const Executor executor = options.executor ? options.executor : Executor(runInTurn);
     TileWriter writer(forest, executor);
     isRead = isRead && visit([&](const std::vector<TreePlacement>& trees) { writer.add(trees); });
@@ -127,14 +192,16 @@ Result<ForestTiles> writeWorld(ForestDescription forest, const std::function<boo
     tiles.range = options.range > 0.0 ? options.range : rangeOfTiles(tiles);
     if (!failed)
         forest.wind.canopy = tiledCanopy(writer, executor, failed);
-    if (failed || !writeWholeFile(folder + "/fly.path", flightOver(tiles, forest.origin)))
-        return fileProblem(tiles.folder, "cannot be written");
+    if (failed)
+        return WholeFile(fileOfCrowns(tiles)).problem();
+    Diagnostics problems = writeWholeFile(folder + "/fly.path", flightOver(tiles, forest.origin));
     ForestTiles result = tiles;
-    tiles.folder = "tiles";
-    const std::string file = folder + "/world.treewind";
-    Diagnostics problems = writeForestFile(forest, file);
+    tiles.folder = fs::path(tiles.folder).filename().string();
+    if (problems.empty())
+        problems = writeForestFile(forest, world.file());
     if (!problems.empty())
         return problems;
+    world.finish();
     return result;
 }
 

@@ -197,8 +197,8 @@ Diagnostics writeForestFile(const ForestDescription& forest, const std::string& 
     std::ostringstream text;
     Diagnostics problems =
         forest.tiles ? writeForest(besideItsTiles(forest, path), text) : writeForest(forest, text);
-    if (problems.empty() && !writeWholeFile(path, text.str()))
-        problems.push_back(keyProblem({}, "cannot be written"));
+    if (problems.empty())
+        return writeWholeFile(path, text.str());
     for (Diagnostic& problem : problems)
         problem.file = path;
     return problems;

@@ -2,8 +2,10 @@
 #include <osgTreeWind/nodes/TileReader.h>
 
 #include <osgTreeWind/base/Guarded.h>
+#include <osgTreeWind/base/InputFile.h>
 
 #include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
 #include <fstream>
@@ -26,8 +28,11 @@ public:
     ReadResult readNode(const std::string& file, const Options*) const override {
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(file)) || osgDB::containsServerAddress(file))
             return ReadResult::FILE_NOT_HANDLED; // OSG brings a server's as a stream
-        std::ifstream input(file, std::ios::binary);
-        return input ? read(input, file) : ReadResult(ReadResult::FILE_NOT_FOUND);
+        Result<std::ifstream> input = openInput(file);
+        if (input)
+            return read(input.value(), file);
+        return osgDB::fileExists(file) ? ReadResult(input.problems().front().text())
+                                       : ReadResult(ReadResult::FILE_NOT_FOUND);
     }
     ReadResult readNode(std::istream& input, const Options* options) const override {
         return read(input, options ? options->getPluginStringData("STREAM_FILENAME") : std::string());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What GDAL and PROJ have to do, as the library has it: it asks osgtreewind-map. In that program and in
 // osgtreewind-weather files of plugins/map stand in place of this.
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/places/CrsWay.h>
 #include <osgTreeWind/places/MapProgram.h>
 
@@ -55,6 +56,8 @@ Result<GridMapping> gridMappingOf(const Crs& map) {
 }
 
 Result<MapCells> readGeoTiffCells(const std::string& path) {
+    if (const auto problem = problemOfInput(path))
+        return *problem;
     return MapProgram({path}).ask<MapCells>({Task::ReadCells, {path}});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/places/Raster.h>
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/places/MapProgram.h>
 
 #include <algorithm>
@@ -24,6 +25,8 @@ Result<Raster> Raster::open(const std::string& path) {
 }
 
 Result<Raster> Raster::open(const std::string& path, MapProgram& program) {
+    if (const auto problem = problemOfInput(path))
+        return *problem;
     const auto head = program.ask<RasterHead>({MapQuestion::Task::ReadRaster, {path}});
     if (!head)
         return head.problems();

@@ -38,12 +38,14 @@ bool holds(std::string_view text, std::string_view part) {
 /// The reader of a format over bytes.
 template <Result<WindContent> (*Read)(std::string_view, const std::string&)>
 Result<WindContent> readAll(const Given& given) {
-    return Read(given.input.bytes(), given.input.path());
+    const Result<std::string> bytes = given.input.bytes();
+    return bytes ? Read(bytes.value(), given.input.path()) : bytes.problems();
 }
 
 template <Result<WindContent> (*Read)(std::string_view, const std::string&, const WindSeriesColumns&)>
 Result<WindContent> readTable(const Given& given) {
-    return Read(given.input.bytes(), given.input.path(), given.request.columns);
+    const Result<std::string> bytes = given.input.bytes();
+    return bytes ? Read(bytes.value(), given.input.path(), given.request.columns) : bytes.problems();
 }
 
 const Format windFormats[] = {

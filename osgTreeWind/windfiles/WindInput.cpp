@@ -16,35 +16,38 @@ constexpr std::size_t headSize = 1024;
 
 } // namespace
 
-WindInput::WindInput(const std::string& path) : _path(path), _head(headSize, '\0') {
-    std::error_code ignored;
-    if (!fs::is_directory(path, ignored))
-        _file.open(path, std::ios::binary);
-    _file.read(&_head[0], headSize);
-    _head.resize(static_cast<std::size_t>(_file.gcount()));
+WindInput::WindInput(const std::string& path) : _path(path), _file(openInput(path)) {
+    if (!_file)
+        return;
+    _head.resize(headSize);
+    _file.value().read(&_head[0], headSize);
+    _head.resize(static_cast<std::size_t>(_file.value().gcount()));
 }
 
 Result<std::string> WindInput::head() const {
-    if (!_file.is_open())
-        return fileProblem(_path, "cannot be read");
+    if (!_file)
+        return _file.problems();
     if (_head.empty())
         return fileProblem(_path, "the file is empty");
     return _head;
 }
 
-std::string WindInput::bytes() {
-    std::error_code unknown; // of a pipe, say
+Result<std::string> WindInput::bytes() {
+    std::ifstream& file = _file.value();
+    std::error_code unknown;
     const auto size = fs::file_size(_path, unknown);
     std::string bytes = std::move(_head);
     std::size_t known = bytes.size();
     if (!unknown && size > known)
         bytes.resize(static_cast<std::size_t>(size));
-    while (_file && _file.peek() != std::ifstream::traits_type::eof()) {
+    while (file && file.peek() != std::ifstream::traits_type::eof()) {
         if (known == bytes.size())
             bytes.resize(2 * known);
-        _file.read(&bytes[known], static_cast<std::streamsize>(bytes.size() - known));
-        known += static_cast<std::size_t>(_file.gcount());
+        file.read(&bytes[known], static_cast<std::streamsize>(bytes.size() - known));
+        known += static_cast<std::size_t>(file.gcount());
     }
+    if (file.bad())
+        return fileProblem(_path, "cannot be read");
     bytes.resize(known);
     return bytes;
 }

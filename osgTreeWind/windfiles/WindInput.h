@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/base/InputFile.h>
 
-#include <fstream>
 #include <string>
 
 namespace osgTreeWind {
@@ -18,11 +17,11 @@ public:
     /// The first kilobyte; less of a short file. A file that is empty or cannot be read is a problem.
     Result<std::string> head() const;
     /// All of it; once, and after head() was good.
-    std::string bytes();
+    Result<std::string> bytes();
 
 private:
     std::string _path, _head;
-    std::ifstream _file;
+    Result<std::ifstream> _file;
 };
 
 /// All of a file, or why it has none.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Guarded.h>
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -47,10 +48,10 @@ public:
             const std::string path = osgDB::findDataFile(file, options);
             if (path.empty())
                 return ReadResult::FILE_NOT_FOUND;
-            std::ifstream input(path, std::ios::binary);
+            Result<std::ifstream> input = openInput(path);
             if (!input)
-                return ReadResult(path + ": cannot be opened");
-            return read(input,
+                return ReadResult(input.problems().front().text());
+            return read(input.value(),
                         {path, osgDB::getFilePath(path), ForestFileOptions().mostTrees, settingsOf(options)});
         });
     }

@@ -109,8 +109,9 @@ TEST(ForestStreamTest, itsWorldHasTheBytesOfTheWholeForests) {
     const auto expected = filesOf(worlds.path() + "/whole");
     ASSERT_GT(expected.count("tiles/0.ids"), 0u);
     for (const std::size_t atOnce : {7u, 100000u}) {
-        ASSERT_TRUE(writeTiledForest(streamOf(file, folder, atOnce), worlds.path() + "/some"));
-        EXPECT_EQ(filesOf(worlds.path() + "/some"), expected) << atOnce;
+        const std::string world = worlds.path() + '/' + std::to_string(atOnce);
+        ASSERT_TRUE(writeTiledForest(streamOf(file, folder, atOnce), world));
+        EXPECT_EQ(filesOf(world), expected) << atOnce;
     }
 }
 

@@ -17,6 +17,10 @@
 #include <random>
 #include <sstream>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 using namespace osgTreeWind;
 namespace fs = std::filesystem;
 
@@ -200,6 +204,12 @@ TEST(TiledForestTest, theSameBytesWhateverTheThreads) {
 TEST(TiledForestTest, aSecondWorldLeavesNothingOfTheFirst) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(1000), folder.path() + "/a", ofSize(300.0)));
+    ASSERT_TRUE(writeTiledForest(variedForest(20), folder.path() + "/a", ofSize(300.0)));
+    EXPECT_FALSE(fs::exists(folder.path() + "/a/tiles")) << "the second has tiles-2";
+    EXPECT_EQ(readForestFile(folder.path() + "/a/world.treewind").value().tiles->treeCount(), 20u);
+    ASSERT_TRUE(writeTiledForest(variedForest(20), folder.path() + "/a", ofSize(300.0)));
+    EXPECT_FALSE(fs::exists(folder.path() + "/a/tiles")) << "the second has tiles-2";
+    EXPECT_EQ(readForestFile(folder.path() + "/a/world.treewind").value().tiles->treeCount(), 20u);
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/a", ofSize(300.0)));
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/b", ofSize(300.0)));
     EXPECT_EQ(filesOf(folder.path() + "/a"), filesOf(folder.path() + "/b"));
@@ -216,13 +226,36 @@ TEST(TiledForestTest, aFolderOfOtherThingsIsLeftAlone) {
     EXPECT_EQ(bytesOf(folder.path() + "/tiles/photo.jpg"), "mine");
 }
 
-TEST(TiledForestTest, thereIsNoWorldUntilItIsWhole) {
+TEST(TiledForestTest, theWorldOfBeforeStaysUntilTheNewOneIsWhole) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path()));
-    fs::remove_all(folder.path() + "/tiles");
-    folder.write("tiles", "a file where the folder should be");
-    EXPECT_FALSE(writeTiledForest(variedForest(10), folder.path()));
-    EXPECT_FALSE(fs::exists(folder.path() + "/world.treewind")) << "that of before would not fit its tiles";
+    folder.write("tiles-2", "a file where the folder should be");
+    const auto before = filesOf(folder.path());
+    const auto tiles = writeTiledForest(variedForest(20), folder.path());
+    ASSERT_FALSE(tiles);
+    EXPECT_EQ(tiles.problems().front().text(),
+              folder.path() + "/tiles-2: expected a folder of tiles or nothing");
+    EXPECT_EQ(filesOf(folder.path()), before);
+}
+
+TEST(TiledForestTest, aForestThatIsNoWorldIsNotOverwritten) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("world.treewind", "version = 1\n[[tree]]\nposition = [0, 0]\n");
+    const auto before = filesOf(folder.path());
+    const auto tiles = writeTiledForest(variedForest(20), folder.path());
+    ASSERT_FALSE(tiles);
+    EXPECT_EQ(tiles.problems().front().file, file);
+    EXPECT_EQ(filesOf(folder.path()), before);
+}
+
+TEST(TiledForestTest, twoProgramsDoNotWriteOneWorld) {
+    const TemporaryFolder folder;
+    const int other = open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
+    ASSERT_EQ(flock(other, LOCK_EX), 0);
+    EXPECT_EQ(linesOf(writeTiledForest(variedForest(10), folder.path()).problems()),
+              folder.path() + ": another program is writing a world into it");
+    close(other);
+    EXPECT_TRUE(writeTiledForest(variedForest(10), folder.path()));
 }
 
 TEST(TiledForestTest, manySmallTilesBecomeFewerLargerOnes) {

@@ -117,7 +117,7 @@ TEST_F(Merge, RefusesPartsThatDoNotBelongTogether) {
     EXPECT_EQ(refusal({none}), none +
                                    ":1: expected a table of risk or of simulate --damage, found the columns "
                                    "time,tree,unit\n");
-    EXPECT_EQ(refusal({a, path("gone.csv")}), path("gone.csv") + ": cannot be opened for reading\n");
+    EXPECT_EQ(refusal({a, path("gone.csv")}), path("gone.csv") + ": no such file\n");
     EXPECT_EQ(refusal({a, empty, "--world", world()}),
               world() + ": expected a row for each of its 80 trees, found 2\n");
     EXPECT_EQ(refusal({a, "--world", folder().path() + "/unlike.treewind"}),

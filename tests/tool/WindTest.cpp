@@ -73,7 +73,7 @@ TEST_F(WindTool, RefusesWhatDoesNotGoTogether) {
           {{"1_vel.asc", "2_vel.asc", "--times", "7,7"}, "times: expected increasing seconds"},
           {{"1_vel.asc", "2_vel.asc", "--times", "0,x"}, "--times"},
           {{"1_vel.asc", "wide_vel.asc", "--times", "0,1"}, "wide_vel.asc: expected the points"},
-          {{"1_vel.asc", "absent.asc", "--times", "0,1"}, "absent.asc: cannot be read"},
+          {{"1_vel.asc", "absent.asc", "--times", "0,1"}, "absent.asc: no such file"},
           {{"1_vel.asc", "--at", "nan,5,10"}, "--at"},
           {{"1_vel.asc", "--at", "5,inf,10"}, "--at"},
           {{"1_vel.asc", "--at", "5,5,10", "--time", "nan"}, "--time: expected seconds"},

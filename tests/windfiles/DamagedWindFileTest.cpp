@@ -193,7 +193,7 @@ TEST(DamagedWindFile, MismatchedPairIsRefused) {
 TEST(DamagedWindFile, LonelyHalfOfAPairNamesTheOther) {
     const TemporaryFolder folder;
     const std::string file = folder.write("a_vel.asc", bytesOf(caseOf("pair_vel.asc")));
-    EXPECT_EQ(firstProblem(readWindFile(file)), folder.path() + "/a_ang.asc: cannot be read");
+    EXPECT_EQ(firstProblem(readWindFile(file)), folder.path() + "/a_ang.asc: no such file");
 }
 
 TEST(DamagedWindFile, AbsurdSpeedIsRefused) {
@@ -209,8 +209,8 @@ TEST(DamagedWindFile, UnknownFormatsEmptyFilesAndFoldersAreRefused) {
     EXPECT_NE(firstProblem(readWindFile(folder.write("a.txt", "hello"))).find("no known format"),
               std::string::npos);
     EXPECT_NE(firstProblem(readWindFile(folder.write("b.vtk", ""))).find("empty"), std::string::npos);
-    EXPECT_NE(firstProblem(readWindFile(folder.path())).find("cannot be read"), std::string::npos);
-    EXPECT_NE(firstProblem(readWindFile(folder.path() + "/absent.vtk")).find("cannot be read"),
+    EXPECT_NE(firstProblem(readWindFile(folder.path())).find("not a regular file"), std::string::npos);
+    EXPECT_NE(firstProblem(readWindFile(folder.path() + "/absent.vtk")).find("no such file"),
               std::string::npos);
 }
 

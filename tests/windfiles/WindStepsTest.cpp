@@ -302,7 +302,7 @@ TEST(WindSteps, ABadFileAmongThemIsNamed) {
     EXPECT_EQ(problemOfBoth(good, fast), fast + ": expected winds of at most 200 m/s; number 2 of 2 is none");
     EXPECT_EQ(problemOfBoth(good, empty), empty + ": holds no data at any of 2 places and times");
     EXPECT_EQ(problemOfBoth(good, broken), broken + ":7: expected a number, found 'x'");
-    EXPECT_EQ(problemOfBoth(good, "absent.asc"), "absent.asc: cannot be read");
+    EXPECT_EQ(problemOfBoth(good, "absent.asc"), "absent.asc: no such file");
 }
 
 TEST(WindSteps, TimesMustIncreaseAndBeOneForEachFile) {

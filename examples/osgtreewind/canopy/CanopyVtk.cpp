@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Number.h>
 
-#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -74,7 +73,7 @@ _)";
         return static_cast<bool>(_file);
     }
 
-    std::string problem() const override { return _file ? std::string() : std::strerror(errno); }
+    std::string problem() const override { return {}; }
 
 private:
     void put(std::streampos array, int row, const Span<float>& field) {

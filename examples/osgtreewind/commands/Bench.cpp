@@ -2,12 +2,12 @@
 #include <examples/osgtreewind/bench/BenchReport.h>
 #include <examples/osgtreewind/bench/BenchRun.h>
 #include <examples/osgtreewind/options/Command.h>
+#include <examples/osgtreewind/pictures/WritePicture.h>
 
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/ReadFile>
-#include <osgDB/WriteFile>
 
 #include <fstream>
 #include <iostream>
@@ -34,21 +34,18 @@ void keepMemory() {
 }
 
 void writeText(const std::string& path, const std::string& text) {
-    std::ofstream file(path);
-    file << text;
-    file.close();
-    if (!file)
-        endUnwritten(path);
+    if (const Diagnostics problems = writeWholeFile(path, text); !problems.empty())
+        throw Ending{Failed, problems.front().text()};
 }
 
 /// The SVG, and a PNG of it beside.
 void writeChart(const std::string& path, const std::string& svg) {
     writeText(path, svg);
     const std::string picture = osgDB::getNameLessExtension(path) + ".png";
-    osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
-    if (!image || !osgDB::writeImageFile(*image, picture))
-        throw Ending{Failed,
-                     picture + ": cannot be written; expected the svg and png plugins of OpenSceneGraph"};
+    const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
+    if (!image)
+        throw Ending{Failed, picture + ": cannot be written; expected the svg plugin of OpenSceneGraph"};
+    writePicture(*image, picture);
 }
 
 // Stages of their own.
@@ -125,8 +122,9 @@ void bench(const BenchOptions& options) {
         throw Ending{BadInput, "--chart: expected a name that ends in .svg, found " + options.chart};
     const ForestDescription forest = load(options);
     for (const std::string& path : {options.output, options.chart})
-        if (!path.empty())
-            writeText(path, ""); // before minutes of measuring
+        if (!path.empty()) // before minutes of measuring
+            if (const WholeFile whole(path); !std::ofstream(whole.unfinished()))
+                endUnwritten(whole);
 
     keepMemory();
     BenchConditions conditions = benchConditions(settings);

@@ -110,11 +110,8 @@ void writeCanopy(const CanopyOptions& options, const PlacedForest& forest, const
         progress.advance();
         return file->write(row);
     });
-    if (!tally.finished || !file->close() || !whole.putInPlace()) {
-        const std::string problem = file->problem();
-        throw Ending{Failed,
-                     options.output + ": cannot be written" + (problem.empty() ? "" : ": " + problem)};
-    }
+    if (!tally.finished || !file->close() || !whole.putInPlace())
+        endUnwritten(whole, file->problem());
     noteWhatIsMissing(options, forest.description(), tally);
     if (options.json)
         std::cout << toJson(grid, tally).dump(2) << '\n';

@@ -241,7 +241,7 @@ void addInfoCommand(CLI::App& app) {
             std::cout << info.dump(2) << '\n';
         else
             printTable(info);
-        if (!trees->empty() && !writeTrees(forest, *trees))
-            endUnwritten(*trees);
+        if (!trees->empty())
+            writeTrees(forest, *trees);
     });
 }

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/WholeFile.h>
@@ -31,10 +32,7 @@ public:
 
     /// All of a part. @return what keeps it from being one of them; empty where nothing does.
     Diagnostics add(const std::string& file) {
-        std::ifstream input(file, std::ios::binary);
-        if (!input)
-            return {fileProblem(file, "cannot be opened for reading")};
-        const Result<std::string> text = readText(input, file);
+        const Result<std::string> text = readTextFile(file);
         if (!text)
             return text.problems();
         Diagnostics problems;
@@ -134,7 +132,7 @@ void run(const MergeOptions& options) {
                                    (table.hasATreeARow() ? std::to_string(rows) : "a table of damage")};
     output.close();
     if (!output || !whole.putInPlace())
-        endUnwritten(options.output);
+        endUnwritten(whole);
     std::cout << rows << " rows in " << options.output << '\n';
 }
 

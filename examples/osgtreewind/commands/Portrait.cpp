@@ -3,6 +3,7 @@
 #include <examples/osgtreewind/options/Offscreen.h>
 #include <examples/osgtreewind/options/OneTree.h>
 #include <examples/osgtreewind/output/Json.h>
+#include <examples/osgtreewind/pictures/WritePicture.h>
 #include <examples/osgtreewind/portraits/PortraitMotion.h>
 #include <examples/osgtreewind/portraits/PortraitSheet.h>
 
@@ -17,7 +18,6 @@
 #include <osgTreeWind/species/GrowthLaws.h>
 
 #include <osgDB/FileNameUtils>
-#include <osgDB/WriteFile>
 
 #include <algorithm>
 #include <cmath>
@@ -117,8 +117,7 @@ void portrait(const PortraitOptions& options) {
     if (!options.output.empty()) {
         const osg::ref_ptr<osg::Image> sheet =
             drawPortrait(species, !options.forest, options.panel, options.season.value_or(midspring));
-        if (!osgDB::writeImageFile(*sheet, options.output))
-            endUnwritten(options.output);
+        writePicture(*sheet, options.output);
     }
     const TreeLooks looks = measureLooks(species);
     Json json = toJson(species, looks);

@@ -6,6 +6,7 @@
 #include <examples/osgtreewind/output/Progress.h>
 #include <examples/osgtreewind/pictures/OffscreenViewer.h>
 #include <examples/osgtreewind/pictures/VideoWriter.h>
+#include <examples/osgtreewind/pictures/WritePicture.h>
 #include <examples/osgtreewind/scene/DefaultView.h>
 #include <examples/osgtreewind/scene/FeetGround.h>
 
@@ -14,11 +15,10 @@
 #include <osgTreeWind/offscreen/OffscreenContext.h>
 
 #include <osgDB/FileNameUtils>
-#include <osgDB/Options>
-#include <osgDB/WriteFile>
 #include <osgUtil/UpdateVisitor>
 
 #include <cmath>
+#include <optional>
 #include <regex>
 
 namespace {
@@ -117,23 +117,26 @@ void keepStandIns(const BranchwiseForest& forest) {
 
 /// @param posed by shaders in all frames; may be null.
 void writeFrames(OffscreenViewer& drawing, const BranchwiseForest* posed, const RenderOptions& options) {
-    std::unique_ptr<VideoWriter> movie;
-    if (isVideo(options))
-        movie = std::make_unique<VideoWriter>(options.output, options.width, options.height, options.fps);
-    const osg::ref_ptr<osgDB::Options> quick =
-        new osgDB::Options("PNG_COMPRESSION 1"); // a third of the time of the default
+    std::optional<WholeFile> whole;
+    std::optional<VideoWriter> movie;
+    if (isVideo(options)) {
+        whole.emplace(options.output);
+        movie.emplace(whole->unfinished(), options.width, options.height, options.fps);
+    }
+    const char* const quick = "PNG_COMPRESSION 1"; // a third of the time of the default
     Progress progress("render", static_cast<std::size_t>(options.frames));
     for (int frame = 0; frame < options.frames; ++frame) {
         if (posed)
             keepStandIns(*posed);
         osg::Image& image = drawing.frame(options.start + frame / options.fps);
-        const std::string path = framePath(options.output, frame);
-        if (!(movie ? movie->write(image) : osgDB::writeImageFile(image, path, quick.get())))
-            endUnwritten(path);
+        if (!movie)
+            writePicture(image, framePath(options.output, frame), quick);
+        else if (!movie->write(image))
+            endUnwritten(*whole);
         progress.advance();
     }
-    if (movie && !movie->close())
-        throw Ending{Failed, options.output + ": ffmpeg failed"};
+    if (movie && (!movie->close() || !whole->putInPlace()))
+        endUnwritten(*whole);
 }
 
 void render(const RenderOptions& options) {

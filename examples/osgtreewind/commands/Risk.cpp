@@ -124,8 +124,7 @@ void write(const PointTable& table, const std::string& output) {
                              ? (problems = writeGeoPackage(table, whole.unfinished())).empty()
                              : writeCsv(table, whole.unfinished());
     if (!written || !whole.putInPlace())
-        throw Ending{Failed,
-                     output + ": " + (problems.empty() ? "cannot be written" : problems.front().message)};
+        endUnwritten(whole, problems.empty() ? "" : problems.front().message);
     std::cout << table.rows.size() << " trees in " << output << '\n';
 }
 

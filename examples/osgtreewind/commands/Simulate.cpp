@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/Progress.h>
+#include <examples/osgtreewind/output/Signals.h>
+#include <examples/osgtreewind/output/WholeTable.h>
 
 #include <osgTreeWind/base/CsvCell.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -80,10 +82,8 @@ void simulate(const SimulateOptions& options) {
     ForestSimulation simulation(std::move(description), simulationOptions);
     growing.reset();
 
-    const bool toFile = options.output != "-";
-    std::FILE* out = toFile ? std::fopen(options.output.c_str(), "w") : stdout;
-    if (!out)
-        endUnwritten(options.output);
+    WholeTable table(options.output);
+    std::FILE* const out = table.file();
     if (options.damage)
         std::fputs("time,tree,name,species,kind,unit,moment,limit,wind_x,wind_y,wind_z\n", out);
     else
@@ -94,17 +94,16 @@ void simulate(const SimulateOptions& options) {
     for (std::size_t frame = 0; frame < frames && !std::ferror(out); ++frame) {
         const double time = static_cast<double>(frame) / options.fps;
         simulation.advance(time);
+        const WholeRow rows;
         if (options.damage)
             writeDamage(out, simulation, wanted, time);
         else
             writeFrame(out, simulation, wanted, time, options.tips);
+        if (out == stdout)
+            std::fflush(out);
         progress.advance();
     }
-    const bool failed = std::fflush(out) != 0 || std::ferror(out);
-    if (toFile)
-        std::fclose(out);
-    if (failed)
-        throw Ending{Failed, options.output + ": writing failed"};
+    table.finish();
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <examples/osgtreewind/options/OneTree.h>
 #include <examples/osgtreewind/options/TreeTable.h>
 #include <examples/osgtreewind/output/Json.h>
+#include <examples/osgtreewind/output/WholeTable.h>
 
 #include <examples/osgtreewind/storm/StormTree.h>
 #include <examples/osgtreewind/storm/SwayFeatures.h>
@@ -16,9 +17,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace {
 
@@ -161,17 +162,14 @@ void print(const Json& storm) {
 
 void storm(const StormOptions& options) {
     const StormJob job(options, speciesCalled(options.species));
-    std::FILE* trace = options.output.empty() ? nullptr : std::fopen(options.output.c_str(), "w");
-    if (!options.output.empty() && !trace)
-        endUnwritten(options.output);
+    std::optional<WholeTable> trace;
+    if (!options.output.empty()) {
+        trace.emplace(options.output);
+        std::fprintf(trace->file(), "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");
+    }
+    const Json object = measured(job, trace ? trace->file() : nullptr);
     if (trace)
-        std::fprintf(trace, "time,wind_x,wind_y,strain_x,strain_y,tilt_x,tilt_y,tip_x,tip_y\n");
-    const Json object = measured(job, trace);
-    bool failed = trace && (std::fflush(trace) != 0 || std::ferror(trace) != 0);
-    if (trace)
-        failed |= std::fclose(trace) != 0;
-    if (failed)
-        throw Ending{Failed, options.output + ": writing failed"};
+        trace->finish();
     if (options.json)
         std::cout << object.dump(2) << '\n';
     else
@@ -248,10 +246,8 @@ void stormTable(const StormOptions& usual) {
         std::cout << text;
         return;
     }
-    WholeFile whole(usual.output);
-    std::ofstream file(whole.unfinished(), std::ios::binary);
-    if (!(file << text).flush() || !whole.putInPlace())
-        endUnwritten(usual.output);
+    if (const Diagnostics problems = writeWholeFile(usual.output, text); !problems.empty())
+        throw Ending{Failed, problems.front().text()};
 }
 
 } // namespace

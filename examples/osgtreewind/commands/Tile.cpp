@@ -44,6 +44,10 @@ void cut(const TileOptions& options) {
     printNotes(options.file, forest.value().description().notes);
     if (forest.value().description().tiles)
         throw Ending{BadInput, options.file + ": its trees are in tiles already"};
+    std::error_code ignored;
+    if (std::filesystem::equivalent(options.file, options.output + "/world.treewind", ignored))
+        throw Ending{BadInput,
+                     "--output: " + options.output + " would lose " + options.file + ", which is read"};
     TilingOptions tiling;
     tiling.size = options.size;
     tiling.range = options.range;

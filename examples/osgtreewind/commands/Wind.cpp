@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/options/Command.h>
 #include <examples/osgtreewind/output/Json.h>
+#include <examples/osgtreewind/pictures/WritePicture.h>
 #include <examples/osgtreewind/scene/Arrows.h>
 
 #include <osgTreeWind/base/IsoTime.h>
@@ -8,7 +9,6 @@
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <glm/geometric.hpp>
-#include <osgDB/WriteFile>
 
 #include <iomanip>
 #include <iostream>
@@ -143,8 +143,7 @@ void drawPicture(const WindArguments& arguments, const WindSummary& summary) {
     const WindFile wind = load(arguments, corner);
     const auto image =
         drawArrows(*asField(wind.wind), summary.low - corner, summary.high - corner, summary.fastest);
-    if (!osgDB::writeImageFile(*image, arguments.picture))
-        endUnwritten(arguments.picture);
+    writePicture(*image, arguments.picture);
 }
 
 void run(const WindArguments& arguments) {

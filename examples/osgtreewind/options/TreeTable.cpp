@@ -3,16 +3,15 @@
 
 #include <examples/osgtreewind/output/Ending.h>
 
-#include <fstream>
+#include <osgTreeWind/base/InputFile.h>
+
 #include <sstream>
 
 using namespace osgTreeWind;
 
 TreeTable TreeTable::read(const std::string& path) {
-    std::ifstream file(path);
-    if (!file)
-        throw Ending{BadInput, "cannot open " + path};
-    return TreeTable(valueOf(readCsvTable(file, path)));
+    Result<std::ifstream> file = openInput(path);
+    return TreeTable(valueOf(file ? readCsvTable(file.value(), path) : Result<CsvTable>(file.problems())));
 }
 
 void TreeTable::read(const CsvTable::Row& row, OneTree& tree) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgTreeWind/base/Result.h>
+#include <osgTreeWind/base/WholeFile.h>
 
 #include <string>
 #include <utility>
@@ -24,7 +25,7 @@ T valueOf(osgTreeWind::Result<T> result, ExitCode exitCode = BadInput, const std
     return std::move(result.value());
 }
 
-/// The end where a file cannot be written.
-[[noreturn]] inline void endUnwritten(const std::string& path) {
-    throw Ending{Failed, path + ": cannot be written"};
+/// The end where a file cannot be written, while it is still there unfinished.
+[[noreturn]] inline void endUnwritten(const osgTreeWind::WholeFile& file, const std::string& otherwise = {}) {
+    throw Ending{Failed, file.problem(otherwise).text()};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <examples/osgtreewind/output/TreeList.h>
 
+#include <examples/osgtreewind/output/Ending.h>
 #include <examples/osgtreewind/output/Progress.h>
 
 #include <osgTreeWind/base/CsvCell.h>
@@ -22,8 +23,9 @@ std::string cell(float number) {
 
 } // namespace
 
-bool writeTrees(const ForestDescription& forest, const std::string& path) {
-    std::ofstream output(path, std::ios::binary);
+void writeTrees(const ForestDescription& forest, const std::string& path) {
+    WholeFile whole(path);
+    std::ofstream output(whole.unfinished(), std::ios::binary);
     output << "id,species,x,y,z,height,trunk_diameter,crown_width,open,leaves,given\n";
     ForestDescription shapes = forest;
     shapes.trees.clear();
@@ -48,5 +50,7 @@ bool writeTrees(const ForestDescription& forest, const std::string& path) {
                << '\n';
         progress.advance();
     }
-    return static_cast<bool>(output.flush());
+    output.close();
+    if (!output || !whole.putInPlace())
+        endUnwritten(whole);
 }

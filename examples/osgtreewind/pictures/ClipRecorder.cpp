@@ -8,10 +8,11 @@
 std::string ClipRecorder::toggle() {
     const std::lock_guard<std::mutex> lock(_mutex);
     if (!_path.empty()) {
-        const bool good = _writer && _writer->close();
+        const bool good = _writer && _writer->close() && _whole->putInPlace();
         const std::string said = good ? "wrote " + _path + ", " + std::to_string(_frames) + " frames"
                                       : _path + " could not be written";
         _writer.reset();
+        _whole.reset();
         _path.clear();
         return said;
     }
@@ -37,9 +38,10 @@ void ClipRecorder::operator()(osg::RenderInfo& info) const {
     if (_path.empty() || !viewport)
         return;
     const int width = static_cast<int>(viewport->width()), height = static_cast<int>(viewport->height());
-    if (!_writer)
-        _writer = std::make_unique<VideoWriter>(_path, width, height, framesPerSecond);
-    else if (width != _image->s() || height != _image->t())
+    if (!_writer) {
+        _whole = std::make_unique<osgTreeWind::WholeFile>(_path);
+        _writer = std::make_unique<VideoWriter>(_whole->unfinished(), width, height, framesPerSecond);
+    } else if (width != _image->s() || height != _image->t())
         return; // a clip has one size
     _image->readPixels(static_cast<int>(viewport->x()), static_cast<int>(viewport->y()), width, height,
                        GL_RGBA, GL_UNSIGNED_BYTE);

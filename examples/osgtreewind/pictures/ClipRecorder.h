@@ -3,6 +3,8 @@
 
 #include <examples/osgtreewind/pictures/VideoWriter.h>
 
+#include <osgTreeWind/base/WholeFile.h>
+
 #include <osg/Camera>
 #include <osg/Image>
 
@@ -26,6 +28,7 @@ public:
 private:
     mutable std::mutex _mutex; ///< Guards what follows: cameras may be drawn in a thread of theirs.
     std::string _path;         ///< Of the clip; empty: there is none.
+    mutable std::unique_ptr<osgTreeWind::WholeFile> _whole;
     mutable std::unique_ptr<VideoWriter> _writer;
     mutable osg::ref_ptr<osg::Image> _image = new osg::Image;
     mutable int _frames = 0;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgTreeWind/base/Result.h>
+
+#include <fstream>
+#include <optional>
+#include <string>
+
+namespace osgTreeWind {
+
+/// Why a file cannot be read: nothing is there, or what is there is a folder, a pipe, a socket or a device,
+/// or this program may not read it. Does not wait for whoever writes a pipe.
+std::optional<Diagnostic> problemOfInput(const std::string& path);
+
+/// A regular file, open for reading bytes, or why it cannot be read.
+Result<std::ifstream> openInput(const std::string& path);
+
+/// All of a text file as readText() gives it, or why it cannot be read.
+Result<std::string> readTextFile(const std::string& path);
+
+} // namespace osgTreeWind

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace osgTreeWind {
+
+/// A file or folder that is removed with all in it, unless it is finished in time.
+class Unfinished {
+public:
+    /// @param path nothing has to be there yet.
+    explicit Unfinished(std::string path);
+    ~Unfinished();
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+    const std::string& path() const { return _path; }
+    /// It stays.
+    void finish();
+    /// It stays, under another name, in place of what is there. @return whether it could be moved.
+    bool finishAs(const std::string& path);
+
+    /// Removes all that are there, and makes no more: whoever makes or finishes one waits for ever. For a
+    /// program that is about to end.
+    static void removeAll();
+
+private:
+    std::string _path;
+};
+
+} // namespace osgTreeWind
