@@ -53,6 +53,9 @@ struct ForestReading {
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
     bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);
 
+    /// Those of the file, of its host and of OSG: what OSGTREEWIND_TRUST=folder trusts.
+    std::vector<std::string> trustedFolders() const;
+
     struct InputFile {
         std::string path;
         std::ifstream stream;

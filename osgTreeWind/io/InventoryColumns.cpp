@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestFields.h>
+#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/TableReader.h>
 
 #include <glm/gtc/constants.hpp>
@@ -89,8 +90,9 @@ std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const st
         return std::nullopt;
     const auto column = rows->column(name);
     if (!column) {
+        const std::string near = nearestName(name, rows->columns());
         columns.problem(key, "no column " + inQuotes(name) + " in " + rows->file() +
-                                 "; it has: " + joined(rows->columns()));
+                                 (near.empty() ? "" : "; the nearest is " + inQuotes(near)));
         _complete = false;
     }
     return column;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
@@ -81,6 +83,14 @@ bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::
     return false;
 }
 
+std::vector<std::string> ForestReading::trustedFolders() const {
+    std::vector<std::string> trusted = foldersOf("OSG_FILE_PATH");
+    trusted.push_back(folders.front());
+    if (const char* data = std::getenv("OSGTREEWIND_DATA"))
+        trusted.emplace_back(data);
+    return trusted;
+}
+
 std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, const std::string& key) {
     std::string name;
     if (!table.require(key, name))
@@ -95,10 +105,14 @@ std::optional<ForestReading::InputFile> ForestReading::open(TableReader& table, 
         const std::filesystem::path path = std::filesystem::path(folder) / name; // an absolute name wins
         if (!std::filesystem::is_regular_file(path, error))
             continue;
-        InputFile file{path.string(), std::ifstream(path, std::ios::binary)};
-        if (file.stream)
-            return file;
-        table.problem(key, inQuotes(path.string()) + " cannot be opened for reading");
+        if (const std::string problem = problemOfTrust(path.string(), trustedFolders()); !problem.empty()) {
+            table.problem(key, inQuotes(name) + ' ' + problem);
+            return std::nullopt;
+        }
+        Result<std::ifstream> stream = openInput(path.string());
+        if (stream)
+            return InputFile{path.string(), std::move(stream.value())};
+        table.problem(key, inQuotes(path.string()) + " " + stream.problems().front().message);
         return std::nullopt;
     }
     table.problem(key, "no file " + inQuotes(name) + " in " + joined(folders));

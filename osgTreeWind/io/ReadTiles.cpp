@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/TomlText.h>
@@ -81,6 +82,10 @@ void readTiles(TableReader& table, ForestReading& reading) {
     std::string folder = "tiles";
     table.read("folder", folder);
     tiles.folder = inFolder(reading.forest.folder, folder);
+    if (std::error_code error; std::filesystem::exists(tiles.folder, error))
+        if (const std::string problem = problemOfTrust(tiles.folder, reading.trustedFolders());
+            !problem.empty())
+            table.problem("folder", inQuotes(folder) + ' ' + problem);
     table.require("size", tiles.size, tileSizes);
     table.require("range", tiles.range, tileSizes);
     std::vector<double> corner;

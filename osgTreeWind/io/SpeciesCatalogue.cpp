@@ -2,8 +2,10 @@
 #include <osgTreeWind/io/SpeciesCatalogue.h>
 
 #include <osgTreeWind/base/EmbeddedTexts.h>
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Text.h>
+#include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 
@@ -22,17 +24,10 @@ constexpr const char* fileName = "species.treewind";
 
 /// The first one in the folders of OSG_FILE_PATH; empty: none.
 std::filesystem::path fileOfHost() {
-#ifdef _WIN32
-    constexpr char separator = ';';
-#else
-    constexpr char separator = ':';
-#endif
-    const char* folders = std::getenv("OSG_FILE_PATH");
-    std::istringstream rest(folders ? folders : "");
     std::error_code error;
-    for (std::string folder; std::getline(rest, folder, separator);)
+    for (const std::string& folder : foldersOf("OSG_FILE_PATH"))
         if (auto path = std::filesystem::path(folder) / fileName;
-            !folder.empty() && std::filesystem::is_regular_file(path, error))
+            std::filesystem::is_regular_file(path, error))
             return path;
     return {};
 }
@@ -41,8 +36,7 @@ Result<SpeciesCatalogue> readOfHost() {
     const std::filesystem::path path = fileOfHost();
     if (path.empty())
         return SpeciesCatalogue::builtIn();
-    std::ifstream input(path, std::ios::binary);
-    const Result<std::string> text = readText(input, path.string());
+    const Result<std::string> text = readTextFile(path.string());
     if (!text.ok())
         return text.problems();
     return SpeciesCatalogue::builtIn().with(text.value(), path.string(), path.parent_path().string());

@@ -7,6 +7,7 @@
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
+#include <osgTreeWind/io/RowFilter.h>
 
 #include <algorithm>
 
@@ -120,14 +121,49 @@ std::unique_ptr<TreeRows> openCsv(ForestReading::InputFile file, char delimiter,
     return {};
 }
 
+/// Those of others that match a condition.
+class MatchingRows final : public TreeRows {
+public:
+    MatchingRows(std::unique_ptr<TreeRows> all, RowFilter filter)
+        : _all(std::move(all)), _filter(std::move(filter)) {}
+
+    const std::string& file() const override { return _all->file(); }
+    const std::string& format() const override { return _all->format(); }
+    const std::vector<std::string>& columns() const override { return _all->columns(); }
+    const std::optional<Crs>& crs() const override { return _all->crs(); }
+    bool hasPlaces() const override { return _all->hasPlaces(); }
+    void rewind(const CrsWay& way, const std::vector<std::size_t>& columns) override {
+        std::vector<std::size_t> all = columns;
+        if (!all.empty())
+            all.insert(all.end(), _filter.columns().begin(), _filter.columns().end());
+        _all->rewind(way, all);
+    }
+    Result<bool> next() override {
+        for (;;) {
+            Result<bool> found = _all->next();
+            if (!found || !found.value() || _filter.matches(*_all))
+                return found;
+        }
+    }
+    bool has(std::size_t column) const override { return _all->has(column); }
+    std::string text(std::size_t column) const override { return _all->text(column); }
+    Result<double> number(std::size_t column) const override { return _all->number(column); }
+    Result<VectorPlace> place() const override { return _all->place(); }
+    Diagnostic problem(const std::string& column, const std::string& message) const override {
+        return _all->problem(column, message);
+    }
+
+private:
+    std::unique_ptr<TreeRows> _all;
+    RowFilter _filter;
+};
+
 std::unique_ptr<TreeRows> openFeatures(const std::string& path, const std::string& layer,
-                                       const std::string& filter, ForestReading& reading) {
+                                       ForestReading& reading) {
     auto file = VectorFile::open(path);
     Diagnostics problems = file.problems();
     if (problems.empty())
         problems = file.value().chooseLayer(layer);
-    if (problems.empty() && !filter.empty())
-        problems = file.value().filter(filter);
     for (const Diagnostic& problem : problems)
         reading.log.add(problem);
     if (!problems.empty())
@@ -150,7 +186,7 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& readin
         return {};
     const bool hasFeatures = VectorFile::knows(file->path);
     bool fits = true;
-    for (const char* key : {"layer", "filter", "delimiter"})
+    for (const char* key : {"layer", "delimiter"})
         if (table.has(key) && hasFeatures == (key == std::string("delimiter"))) {
             table.problem(key, hasFeatures ? "expected only beside a CSV table"
                                            : "expected only beside a file with layers, not a CSV table");
@@ -158,8 +194,15 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& readin
         }
     if (!fits)
         return {};
-    return hasFeatures ? openFeatures(file->path, layer, filter, reading)
-                       : openCsv(std::move(*file), delimiter, reading);
+    std::unique_ptr<TreeRows> rows = hasFeatures ? openFeatures(file->path, layer, reading)
+                                                 : openCsv(std::move(*file), delimiter, reading);
+    if (!rows || filter.empty())
+        return rows;
+    Result<RowFilter> condition = RowFilter::parse(filter, *rows);
+    if (condition)
+        return std::make_unique<MatchingRows>(std::move(rows), std::move(condition.value()));
+    table.problem("filter", condition.problems().front().message);
+    return {};
 }
 
 } // namespace osgTreeWind

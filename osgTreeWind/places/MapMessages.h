@@ -29,7 +29,6 @@ struct MapQuestion {
         KnowFeatures,   ///< A file: whether it has features.
         OpenFeatures,   ///< A file: FeatureFileHead. The tasks below are about it.
         ChooseLayer,    ///< A name: FeatureLayer.
-        FilterFeatures, ///< A condition.
         RewindFeatures, ///< Places from a text to another, and which columns: all where none is named.
         NextFeatures,   ///< FeatureBatch.
         WriteTable      ///< A file; the PointTable follows.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/places/VectorFile.h>
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
@@ -47,6 +48,8 @@ bool VectorFile::knows(const std::string& path) {
 }
 
 Result<VectorFile> VectorFile::open(const std::string& path) {
+    if (const auto problem = problemOfInput(path))
+        return *problem;
     VectorFile file;
     file._path = path;
     file._program = std::make_unique<MapProgram>(std::vector<std::string>{path});
@@ -68,14 +71,6 @@ Diagnostics VectorFile::chooseLayer(const std::string& layer) {
         _crs = Crs(*facts);
     rewind();
     return {};
-}
-
-Diagnostics VectorFile::filter(const std::string& condition) {
-    stop();
-    const auto filtered = _program->ask<MapDone>({Task::FilterFeatures, {condition}});
-    if (filtered)
-        rewind(CrsWay(_way), _columns);
-    return filtered.problems();
 }
 
 void VectorFile::rewind(const CrsWay& way, std::vector<std::size_t> columns) {

@@ -27,8 +27,6 @@ public:
     const std::vector<std::string>& layers() const { return _head.layers; }
     /// Chooses what next() gives. @param layer empty: the only one. @return what is wrong; empty: nothing.
     Diagnostics chooseLayer(const std::string& layer);
-    /// @param condition as behind SQL's WHERE.
-    Diagnostics filter(const std::string& condition);
 
     // Of the layer:
     const std::vector<std::string>& columns() const { return _layer.columns; }

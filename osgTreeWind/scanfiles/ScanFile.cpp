@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
@@ -65,13 +66,10 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
     if (!rows.next())
         return fileProblem(file, "expected a scanned tree, found only blank lines and comments");
     const Reader reader = readerOf(rows);
-    if (!reader) {
-        rows.fail(
-            0, expectedFound("a scanned tree: TreeQSM's cylinders as text or .mat, a table of SimpleForest, "
-                             "aRchi or rTwig, a tree file of RayCloudTools, or SWC",
-                             rows.words().front()));
-        return rows.problem();
-    }
+    if (!reader) // of what it is instead nothing is told
+        return fileProblem(
+            file, "expected a scanned tree: TreeQSM's cylinders as text or .mat, a table of SimpleForest, "
+                  "aRchi or rTwig, a tree file of RayCloudTools, or SWC");
     Result<ScanFile> scan = reader(text, file);
     if (!scan)
         return scan;
@@ -84,16 +82,14 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
 }
 
 Result<ScanFile> readScanFile(const std::string& path) {
+    if (const auto problem = problemOfInput(path))
+        return *problem;
     std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    if (!error && size > maxScanBytes)
+    if (std::filesystem::file_size(path, error) > maxScanBytes && !error)
         return fileProblem(path, "expected at most " + std::to_string(maxScanBytes) + " bytes");
-    std::ifstream input(path, std::ios::binary);
-    if (!input)
-        return fileProblem(path, "cannot be read");
-    if (!error && isMatlab(headOf(path)))
+    if (isMatlab(headOf(path)))
         return readMatlab(path);
-    const Result<std::string> text = readText(input, path);
+    const Result<std::string> text = readTextFile(path);
     if (!text)
         return text.problems();
     return readScan(text.value(), path);

@@ -7,6 +7,7 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/places/Crs.h>
 
 #include <glm/common.hpp>
@@ -28,7 +29,8 @@ Result<MapCells> readAscii(const std::string& path) {
         return text.problems();
     Result<MapCells> cells = readEsriGrid(text.value(), path);
     const std::string beside = fs::path(path).replace_extension(".prj").string();
-    if (const Result<std::string> map = readBytes(beside); cells && map) {
+    if (const Result<std::string> map = readBytes(beside);
+        cells && map && problemOfTrust(beside, {fs::path(path).parent_path().string()}).empty()) {
         const Result<Crs> crs = Crs::parse(map.value());
         if (!crs)
             return fileProblem(beside, crs.problems().front().message);
@@ -95,6 +97,9 @@ Result<WindContent> readPair(const std::string& path, const char* format,
     for (int i = 0; i < 2; ++i) {
         std::string each = begin;
         each += ends[i] + extension;
+        if (const std::string problem = problemOfTrust(each, {given.parent_path().string()});
+            !problem.empty())
+            return fileProblem(each, problem);
         Result<MapCells> read = readCells(each);
         if (!read)
             return read.problems();

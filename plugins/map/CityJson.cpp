@@ -4,6 +4,7 @@
 #include <plugins/map/GdalCrs.h>
 #include <plugins/map/GdalErrors.h>
 
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
@@ -160,8 +161,7 @@ bool isCityJson(const std::string& path) {
 
 Result<std::shared_ptr<void>> readCityJson(const std::string& path) {
     const GdalErrors errors;
-    std::ifstream file(path, std::ios::binary);
-    const Result<std::string> text = readText(file, path);
+    const Result<std::string> text = readTextFile(path);
     if (!text)
         return text.problems();
     CPLJSONDocument document;

@@ -226,13 +226,6 @@ Result<FeatureLayer> FeatureFile::chooseLayer(const std::string& layer) {
     return chosen;
 }
 
-Result<MapDone> FeatureFile::filter(const std::string& condition) {
-    const GdalErrors errors;
-    if (OGR_L_SetAttributeFilter(_layer, condition.c_str()) != OGRERR_NONE || !errors.text().empty())
-        return fileProblem(_path, described("the filter cannot be used: " + errors.textOr("not SQL")));
-    return MapDone();
-}
-
 Result<MapDone> FeatureFile::rewind(CrsWay way, std::vector<std::size_t> columns) {
     const GdalErrors unheard;
     OGR_L_ResetReading(_layer);

@@ -24,8 +24,6 @@ public:
     const FeatureFileHead& head() const { return _head; }
     /// @param layer empty: the only one.
     Result<FeatureLayer> chooseLayer(const std::string& layer);
-    /// @param condition as behind SQL's WHERE.
-    Result<MapDone> filter(const std::string& condition);
     /// Makes the first feature the next one. @param columns empty: all.
     Result<MapDone> rewind(CrsWay way, std::vector<std::size_t> columns);
     /// The next features.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/map/GdalRaster.h>
 
+#include <plugins/map/RasterFormats.h>
+
 #include <plugins/map/GdalCrs.h>
 
 #include <osgTreeWind/base/MessageText.h>
@@ -22,32 +24,6 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double mostCells = 4e8;
-
-/// Formats that are read by libraries which break on damaged files.
-bool isFragile(const std::string& format) {
-    const std::string name = lower(format);
-    return name.rfind("hdf", 0) == 0 || name.rfind("netcdf", 0) == 0 || name == "bag" || name == "gmt" ||
-           name == "kea" || name == "grib";
-}
-
-/// All others, for GDAL.
-std::vector<const char*> soundFormats() {
-    std::vector<const char*> formats;
-    for (int i = 0; i < GDALGetDriverCount(); ++i)
-        if (const char* const name = GDALGetDriverShortName(GDALGetDriver(i)); !isFragile(name))
-            formats.push_back(name);
-    formats.push_back(nullptr);
-    return formats;
-}
-
-/// Why GDAL does not open a file.
-std::string problemOfFormat(const std::string& path, const GdalErrors& errors) {
-    const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
-    if (driver && isFragile(GDALGetDriverShortName(driver)))
-        return std::string("expected another format than ") + GDALGetDriverShortName(driver) +
-               ", which a damaged file may break; gdal_translate makes a GeoTIFF of it";
-    return "cannot be read: " + errors.textOr("GDAL knows no such format");
-}
 
 constexpr Range heightRange = within(-12000, 30000); // metres: what is none stands out
 
@@ -80,8 +56,12 @@ GdalRaster::GdalRaster(const std::string& path)
               GDALClose(opened);
       }) {
     registerGdal();
+    _refusal = problemOfRaster(path);
+    if (!_refusal.empty())
+        return;
+    forgetOtherRasterFormats();
     _data.reset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                           soundFormats().data(), nullptr, nullptr));
+                           rasterFormats().data(), nullptr, nullptr));
 }
 
 Diagnostic GdalRaster::problem(const std::string& message) const {
@@ -89,8 +69,10 @@ Diagnostic GdalRaster::problem(const std::string& message) const {
 }
 
 Result<RasterHead> GdalRaster::head() {
+    if (!_refusal.empty())
+        return problem(_refusal);
     if (!_data || !_errors.text().empty())
-        return problem(problemOfFormat(_path, _errors));
+        return problem("cannot be read: " + _errors.textOr("GDAL knows no such format"));
     RasterHead head;
     head.columns = _columns = GDALGetRasterXSize(_data.get());
     head.rows = _rows = GDALGetRasterYSize(_data.get());

@@ -27,6 +27,7 @@ private:
     std::string inMetres(std::vector<float>& heights, int firstRow) const;
 
     const std::string _path;
+    std::string _refusal;     ///< Why it is not opened at all.
     const GdalErrors _errors; ///< From now on.
     std::unique_ptr<void, void (*)(void*)> _data;
     void* _band = nullptr; ///< GDALRasterBandH of the heights.

@@ -85,8 +85,6 @@ private:
         }
         case Task::ChooseLayer:
             return send(_features.chooseLayer(first));
-        case Task::FilterFeatures:
-            return send(_features.filter(first));
         case Task::RewindFeatures: {
             const auto way = first.empty() ? Result<CrsWay>(CrsWay()) : wayFrom(first, second);
             return send(way ? _features.rewind(way.value(), question.columns) : way.problems());

@@ -105,7 +105,7 @@ void elsewhere(const std::string& path) {
     file.transform = {9, 0.1, 0, 50, 0, -0.1};
     file.write(path);
 }
-void unlocated(const std::string& path) {
+void portableGreymap(const std::string& path) {
     text(path, "P5\n2 2\n255\nabcd");
 }
 void vrt(const std::string& path, const std::string& source, const std::string& size = "\"4\"") {
@@ -155,7 +155,7 @@ const BadGround badGrounds[] = {
          vrt(path, "<SimpleSource><SourceFilename relativeToVRT=\"1\">no.tif</SourceFilename>"
                    "<SourceBand>1</SourceBand></SimpleSource>");
      },
-     "a.tif: cannot be read"},
+     "a.tif: its source \"no.tif\" is no file"},
     {"VrtHuge", [](const std::string& path) { vrt(path, "", "\"2000000000\""); },
      "a.tif: expected at most 400000000 cells, found 2000000000 x 2000000000"},
     {"VrtOfNegativeSize", [](const std::string& path) { vrt(path, "", "\"-4\""); }, cannot},
@@ -169,7 +169,7 @@ const BadGround badGrounds[] = {
      "a.tif: expected heights in [-12000, 30000] metres, found -32768 in column 3, row 0"},
     {"Infinite", infinite, "a.tif: expected heights in [-12000, 30000] metres, found inf"},
     {"ScaledAway", scaledAway, "a.tif: expected heights in [-12000, 30000] metres"},
-    {"Unlocated", unlocated, "a.tif: it does not say where it lies: expected a geotransform"},
+    {"OfAFormatThatIsNotRead", portableGreymap, "a.tif: expected another format than PNM, of those in docs/treewind.md"},
     {"CellsWithoutExtent", flat, "a.tif: its cells have no extent"},
     // Where it is
     {"WithoutCrs", goodRaster,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <tests/Folders.h>
 #include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
 #include <tests/places/Places.h>
 #include <tests/places/RasterFile.h>
 
@@ -200,6 +201,48 @@ TEST(Raster, TheModelOfMissoulaIsAsGdalLocationInfoSays) {
                            (1 - u) * v * cell(column, row + 1) + u * v * cell(column + 1, row + 1),
                        0.1);
         }
+}
+
+namespace {
+
+std::string vrtOf(const std::string& source, const std::string& band = "") {
+    return "<VRTDataset rasterXSize=\"2\" rasterYSize=\"2\"><GeoTransform>0,1,0,2,0,-1</GeoTransform>"
+           "<VRTRasterBand dataType=\"Float32\" band=\"1\"" +
+           band + ">" + source + "</VRTRasterBand></VRTDataset>";
+}
+
+std::string sourceOf(const std::string& name) {
+    return "<SimpleSource><SourceFilename relativeToVRT=\"1\">" + name +
+           "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>";
+}
+
+} // namespace
+
+TEST(Raster, AVrtPutsFilesTogetherAndDoesNothingElse) {
+    const TemporaryFolder folder;
+    (void)RasterFile().write(folder.path() + "/a.tif");
+    const auto problemOf = [&](const std::string& text) {
+        return firstProblem(Raster::open(folder.write("a.vrt", text))).substr(folder.path().size() + 1);
+    };
+    EXPECT_TRUE(Raster::open(folder.write("a.vrt", vrtOf(sourceOf("a.tif")))));
+    const std::string secret = folder.write("secret", "16 bytes of text");
+    EXPECT_EQ(
+        problemOf(vrtOf("<SourceFilename>" + secret + "</SourceFilename>", " subClass=\"VRTRawRasterBand\"")),
+        "a.vrt: expected a VRT that puts files together, found one with \"VRTRawRasterBand\"");
+    EXPECT_EQ(problemOf(vrtOf(sourceOf("a.tif"), " subClass=\"VRTDerivedRasterBand\"")),
+              "a.vrt: expected a VRT that puts files together, found one with \"VRTDerivedRasterBand\"");
+    EXPECT_EQ(problemOf(vrtOf(sourceOf("secret"))),
+              "a.vrt: its source \"secret\" is of no format that is read as ground");
+    for (const char* const name :
+         {"/vsicurl/http://localhost/a.tif", "http://localhost/a.tif", "/vsimem/a.tif", "no.tif"})
+        EXPECT_EQ(problemOf(vrtOf("<SimpleSource><SourceFilename>" + std::string(name) +
+                                  "</SourceFilename></SimpleSource>")),
+                  "a.vrt: its source \"" + std::string(name) + "\" is no file");
+    folder.write("b.vrt", vrtOf(sourceOf("secret")));
+    EXPECT_EQ(problemOf(vrtOf(sourceOf("b.vrt"))),
+              "a.vrt: its source \"secret\" is of no format that is read as ground");
+    EXPECT_EQ(problemOf(vrtOf(sourceOf("a.vrt"))),
+              "a.vrt: its source \"a.vrt\" is the VRT of too many others");
 }
 
 } // namespace osgTreeWind

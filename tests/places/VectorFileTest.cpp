@@ -56,8 +56,6 @@ TEST(VectorFile, GivesFeaturesInTheirOrder) {
     EXPECT_EQ(all(file), expected);
     file.rewind();
     EXPECT_EQ(all(file), expected);
-    EXPECT_TRUE(file.filter("kind = 'elm'").empty());
-    EXPECT_EQ(all(file), "feature 1 (9.250000, 50.500000, 0.000000) elm \n");
 }
 
 TEST(VectorFile, NumbersAreNotRounded) {

@@ -251,13 +251,13 @@ TEST(BrokenScan, OfSwcIsOneProblemWithItsPlace) {
 
 TEST(BrokenScan, OfNoKnownFormatSaysWhatIsKnown) {
     expectProblems({{"\n# only this\n", "a: expected a scanned tree, found only blank lines and comments"},
-                    {"hello\n", "a:1:1: expected a scanned tree: TreeQSM's cylinders as text or .mat, a "
+                    {"hello\n", "a: expected a scanned tree: TreeQSM's cylinders as text or .mat, a "
                                 "table of SimpleForest, aRchi "
-                                "or rTwig, a tree file of RayCloudTools, or SWC, found 'hello'"}});
+                                "or rTwig, a tree file of RayCloudTools, or SWC"}});
     const TemporaryFolder temporary;
     const std::string empty = temporary.write("empty.txt", "");
     EXPECT_EQ(firstProblem(readScanFile(empty)), empty + ": the file is empty");
-    EXPECT_EQ(firstProblem(readScanFile("/no/such.txt")), "/no/such.txt: cannot be read");
+    EXPECT_EQ(firstProblem(readScanFile("/no/such.txt")), "/no/such.txt: no such file");
     EXPECT_NE(firstProblem(readScanFile(temporary.path())), "");
     EXPECT_NE(firstProblem(readScanFile(temporary.write("a.bin", std::string("1 2\0", 4)))).find("binary"),
               std::string::npos);

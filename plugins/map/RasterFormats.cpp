@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <plugins/map/RasterFormats.h>
+
+#include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Trust.h>
+
+#include <cpl_minixml.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+namespace osgTreeWind {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int deepest = 8; // VRTs in VRTs
+
+const char* const usual[] = {"GTiff", "COG",  "AAIGrid", "AIG",   "DTED", "SRTMHGT",
+                             "HFA",   "GSAG", "GSBG",    "GS7BG", "VRT"};
+
+bool isOpened(const char* format) {
+    const auto& formats = rasterFormats();
+    return std::any_of(formats.begin(), formats.end() - 1,
+                       [&](const char* known) { return EQUAL(known, format); });
+}
+
+/// The regular file in which a path of GDAL's lies; empty: none.
+std::string fileOf(std::string path) {
+    bool isPacked = false;
+    for (const char* const prefix : {"/vsizip/", "/vsigzip/"})
+        if (path.rfind(prefix, 0) == 0) {
+            path.erase(0, std::strlen(prefix));
+            isPacked = true;
+        }
+    if (path.rfind("/vsi", 0) == 0)
+        return {};
+    std::error_code ignored;
+    for (fs::path file = path; isPacked && file.has_relative_path(); file = file.parent_path())
+        if (fs::is_regular_file(file, ignored))
+            return file.string();
+    return fs::is_regular_file(path, ignored) ? path : std::string();
+}
+
+/// One VRT, or one that another names.
+class Vrt {
+public:
+    explicit Vrt(const std::string& path, int depth = 0) : _path(path), _depth(depth) {}
+
+    std::string problem() const {
+        const std::unique_ptr<CPLXMLNode, decltype(&CPLDestroyXMLNode)> root(CPLParseXMLFile(_path.c_str()),
+                                                                             &CPLDestroyXMLNode);
+        return root ? problemOf(root.get()) : std::string();
+    }
+
+private:
+    /// Of a node, what is in it and what follows it.
+    std::string problemOf(const CPLXMLNode* first) const {
+        for (const CPLXMLNode* node = first; node; node = node->psNext) {
+            if (node->eType != CXT_Element)
+                continue;
+            std::string problem = problemOfElement(*node);
+            if (problem.empty())
+                problem = problemOf(node->psChild);
+            if (!problem.empty())
+                return problem;
+        }
+        return {};
+    }
+
+    std::string problemOfElement(const CPLXMLNode& node) const {
+        const std::string kind = CPLGetXMLValue(&node, "subClass", "VRTSourcedRasterBand");
+        if ((EQUAL(node.pszValue, "VRTDataset") || EQUAL(node.pszValue, "VRTRasterBand")) &&
+            kind != "VRTSourcedRasterBand")
+            return "expected a VRT that puts files together, found one with " + inQuotes(kind);
+        if (EQUAL(node.pszValue, "Group"))
+            return "expected a VRT of one band, found one of many dimensions";
+        if (EQUAL(node.pszValue, "SourceFilename") || EQUAL(node.pszValue, "SourceDataset"))
+            return problemOfSource(CPLGetXMLValue(&node, nullptr, ""),
+                                   std::atoi(CPLGetXMLValue(&node, "relativeToVRT", "0")) != 0);
+        return {};
+    }
+
+    std::string problemOfSource(const std::string& name, bool isRelative) const {
+        const std::string folder = fs::path(_path).parent_path().string(),
+                          path = isRelative ? (fs::path(folder) / name).string() : name, file = fileOf(path),
+                          named = "its source " + inQuotes(name) + ' ';
+        if (file.empty())
+            return named + "is no file";
+        if (const std::string problem = problemOfTrust(file, {folder}); !problem.empty())
+            return named + problem;
+        const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+        const char* const format = driver ? GDALGetDriverShortName(driver) : "";
+        if (!isOpened(format))
+            return named + "is of no format that is read as ground";
+        if (!EQUAL(format, "VRT"))
+            return {};
+        return _depth < deepest ? Vrt(path, _depth + 1).problem() : named + "is the VRT of too many others";
+    }
+
+    std::string _path;
+    int _depth;
+};
+
+} // namespace
+
+const std::vector<const char*>& rasterFormats() {
+    static std::vector<std::string> further;
+    static const std::vector<const char*> formats = [] {
+        const char* const named = std::getenv("OSGTREEWIND_GDAL_DRIVERS");
+        std::istringstream names(named ? named : "");
+        for (std::string name; std::getline(names, name, ',');)
+            if (!name.empty())
+                further.push_back(name);
+        std::vector<const char*> all(std::begin(usual), std::end(usual));
+        for (const std::string& name : further)
+            all.push_back(name.c_str());
+        all.push_back(nullptr);
+        return all;
+    }();
+    return formats;
+}
+
+void forgetOtherRasterFormats() {
+    for (int i = GDALGetDriverCount() - 1; i >= 0; --i) {
+        const GDALDriverH driver = GDALGetDriver(i);
+        if (GDALGetMetadataItem(driver, GDAL_DCAP_RASTER, nullptr) &&
+            !GDALGetMetadataItem(driver, GDAL_DCAP_VECTOR, nullptr) &&
+            !isOpened(GDALGetDriverShortName(driver)))
+            GDALDeregisterDriver(driver);
+    }
+}
+
+std::string problemOfRaster(const std::string& path) {
+    const GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
+    const char* const format = driver ? GDALGetDriverShortName(driver) : "";
+    if (driver && !isOpened(format))
+        return std::string("expected another format than ") + format +
+               ", of those in docs/treewind.md; gdal_translate makes a GeoTIFF of it";
+    return EQUAL(format, "VRT") ? Vrt(path).problem() : std::string();
+}
+
+} // namespace osgTreeWind

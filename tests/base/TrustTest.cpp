@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <tests/base/FirstProblem.h>
+#include <tests/io/TemporaryFolder.h>
+
+#include <osgTreeWind/base/Trust.h>
+#include <osgTreeWind/io/ForestFile.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// The environment variable while it lives.
+struct Trusting {
+    explicit Trusting(const char* value) { setenv("OSGTREEWIND_TRUST", value, 1); }
+    ~Trusting() { unsetenv("OSGTREEWIND_TRUST"); }
+};
+
+std::string problemOfWindFile(const TemporaryFolder& folder, const std::string& name) {
+    std::filesystem::create_directories(folder.path() + "/forest");
+    const std::string file = folder.write(
+        "forest/f.treewind", "version = 1\n[[tree]]\nposition = [0, 0]\n[wind]\n"
+                             "kind = \"series\"\nfile = \"" +
+                                 name + "\"\ncolumns = { time = \"t\", u = \"u\", v = \"v\" }\n");
+    return firstProblem(readForestFile(file));
+}
+
+const char* const record = "t,u,v\n0,1,2\n";
+
+} // namespace
+
+TEST(Trust, AFileMayNameAnyFileByDefault) {
+    const TemporaryFolder folder;
+    folder.write("wind.csv", record);
+    EXPECT_EQ(problemOfWindFile(folder, "../wind.csv"), "");
+    EXPECT_EQ(problemOfWindFile(folder, folder.path() + "/wind.csv"), "");
+}
+
+TEST(Trust, OfAFolderNothingElseIsOpened) {
+    const TemporaryFolder folder;
+    folder.write("wind.csv", record);
+    std::filesystem::create_directories(folder.path() + "/forest/data");
+    folder.write("forest/data/wind.csv", record);
+    std::filesystem::create_symlink(folder.path() + "/wind.csv", folder.path() + "/forest/link.csv");
+    std::filesystem::create_symlink(folder.path() + "/forest/data/wind.csv",
+                                    folder.path() + "/forest/good.csv");
+    const Trusting trusting("folder");
+    EXPECT_EQ(problemOfWindFile(folder, "data/wind.csv"), "");
+    EXPECT_EQ(problemOfWindFile(folder, "data/../data/wind.csv"), "");
+    EXPECT_EQ(problemOfWindFile(folder, "good.csv"), "");
+    for (const std::string& name : {std::string("../wind.csv"), folder.path() + "/wind.csv",
+                                    std::string("link.csv"), std::string("data/../../wind.csv")})
+        EXPECT_NE(
+            problemOfWindFile(folder, name)
+                .find("is not opened: it lies outside the folders that OSGTREEWIND_TRUST=folder trusts"),
+            std::string::npos)
+            << name;
+    setenv("OSG_FILE_PATH", folder.path().c_str(), 1);
+    EXPECT_EQ(problemOfWindFile(folder, "../wind.csv"), "") << "in a folder of OSG's";
+    unsetenv("OSG_FILE_PATH");
+}
+
+TEST(Trust, AWordThatIsNotKnownOpensNothing) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() + "/forest");
+    folder.write("forest/wind.csv", record);
+    const Trusting trusting("Folder");
+    EXPECT_NE(
+        problemOfWindFile(folder, "wind.csv").find("expected OSGTREEWIND_TRUST to be \"folder\" or empty"),
+        std::string::npos);
+}

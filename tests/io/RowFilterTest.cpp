@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <tests/base/FirstProblem.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/io/RowFilter.h>
+#include <osgTreeWind/io/TreeRows.h>
+
+#include <gtest/gtest.h>
+
+using namespace osgTreeWind;
+
+namespace {
+
+/// One row of some cells.
+class OneRow final : public TreeRows {
+public:
+    explicit OneRow(std::vector<std::string> cells) : _cells(std::move(cells)) {}
+
+    const std::string& file() const override { return _file; }
+    const std::string& format() const override { return _file; }
+    const std::vector<std::string>& columns() const override { return _columns; }
+    const std::optional<Crs>& crs() const override { return _crs; }
+    bool hasPlaces() const override { return false; }
+    void rewind(const CrsWay&, const std::vector<std::size_t>&) override {}
+    Result<bool> next() override { return true; }
+    bool has(std::size_t column) const override { return !_cells[column].empty(); }
+    std::string text(std::size_t column) const override { return _cells[column]; }
+    Result<double> number(std::size_t column) const override {
+        const auto number = parseNumber(_cells[column]);
+        return number ? Result<double>(*number) : fileProblem(_file, "no number");
+    }
+    Result<VectorPlace> place() const override { return VectorPlace(); }
+    Diagnostic problem(const std::string&, const std::string& message) const override {
+        return fileProblem(_file, message);
+    }
+
+private:
+    std::vector<std::string> _cells, _columns = {"height", "kind", "status", "Höhe (m)"};
+    std::string _file = "f.csv";
+    std::optional<Crs> _crs;
+};
+
+bool matches(const std::string& condition, const OneRow& row) {
+    const Result<RowFilter> filter = RowFilter::parse(condition, row);
+    EXPECT_TRUE(filter) << condition << ": " << firstProblem(filter);
+    return filter && filter.value().matches(row);
+}
+
+} // namespace
+
+TEST(RowFilter, UnderstandsConditionsAsSqlDoes) {
+    const OneRow row({"12.5", "Quercus robur", "", "7"});
+    for (const char* const yes : {"height > 3",
+                                  "height>=12.5",
+                                  "height = 12.50",
+                                  "12 < height",
+                                  "height <> 3",
+                                  "height != 3",
+                                  "height < 1e2",
+                                  "height > -1e-3",
+                                  "kind = 'Quercus robur'",
+                                  "kind LIKE 'quercus%'",
+                                  "kind like '%ROB_R'",
+                                  "kind NOT LIKE 'Acer%'",
+                                  "status IS NULL",
+                                  "kind IS NOT NULL",
+                                  "height IN (1, 12.5)",
+                                  "kind NOT IN ('Acer', 'Tilia')",
+                                  "height BETWEEN 10 AND 13",
+                                  "height NOT BETWEEN 13 AND 20",
+                                  "height BETWEEN 10 AND 13 AND kind = 'Quercus robur'",
+                                  "NOT height < 3",
+                                  "height < 3 OR (kind LIKE '%robur' AND \"Höhe (m)\" = 7)",
+                                  "kind <> 'it''s'",
+                                  "height < 3 AND status = 'x' OR height > 3",
+                                  "NOT (height < 3 AND status = 'alive')",
+                                  "\"height\" > \"Höhe (m)\"",
+                                  "status = 'alive' OR height > 3",
+                                  "kind > 'A'"})
+        EXPECT_TRUE(matches(yes, row)) << yes;
+    for (const char* const no :
+         {"height < 3", "kind = 'quercus robur'", "status = 'alive'", "status <> 'alive'",
+          "NOT status = 'alive'", "status IS NOT NULL", "status IN ('a')", "status NOT IN ('a')",
+          "height IN (1, 2)", "kind LIKE 'robur'", "height > 3 AND status = 'alive'", "kind LIKE '%%%x'",
+          "status LIKE '%'", "height BETWEEN 13 AND 10"})
+        EXPECT_FALSE(matches(no, row)) << no;
+}
+
+TEST(RowFilter, SaysWhereItDoesNotUnderstand) {
+    const OneRow row({"1", "a", "b", "c"});
+    for (const auto& [condition, problem] :
+         {std::pair("", "at its character 1: expected a column, a number or a text in '...', found nothing"),
+          {"height",
+           "at its character 7: expected =, <>, <, <=, >, >=, IN, LIKE, BETWEEN or IS NULL, found nothing"},
+          {"height > 3 kind", "at its character 12: expected AND, OR or the end, found 'kind'"},
+          {"height > 'x", "at its character 10: expected a ' at its end"},
+          {"hight > 3", "at its character 1: no column \"hight\" in f.csv; the nearest is \"height\""},
+          {"height > (SELECT 1)",
+           "at its character 10: expected a column, a number or a text in '...', found '('"},
+          {"height > 3; DROP TABLE x", "at its character 11: expected AND, OR or the end, found ';'"},
+          {"height NOT = 3", "at its character 12: expected IN, LIKE or BETWEEN, found '='"},
+          {"kind LIKE kind", "at its character 11: expected a text in '...', found 'kind'"},
+          {"(height > 3", "at its character 12: expected ), found nothing"}})
+        EXPECT_EQ(firstProblem(RowFilter::parse(condition, row)), problem) << condition;
+}
+
+TEST(RowFilter, IsNotDeepOrSlowWhateverIsGiven) {
+    const OneRow row({"1", std::string(20000, 'a'), "b", "c"});
+    EXPECT_FALSE(RowFilter::parse(std::string(100000, '(') + "height > 3", row));
+    EXPECT_FALSE(matches("kind LIKE '%a%a%a%a%a%a%a%a%a%a%b'", row));
+    std::string many = "height > 3";
+    for (int i = 0; i < 20000; ++i)
+        many += " OR height > 3";
+    EXPECT_FALSE(matches(many, row));
+}
