@@ -9,6 +9,7 @@
 #include <osgTreeWind/base/Text.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 namespace osgTreeWind {
@@ -21,10 +22,16 @@ using Row = CsvTable::Row;
 Diagnostics readHeader(const Row& row, CsvTable& table) {
     table.headerLine = row.line;
     table.columns = row.cells;
+    constexpr std::size_t mostColumns = 10000; // they are found one by one
+    if (table.columns.size() > mostColumns)
+        return {fileProblem(table.file,
+                            "expected at most " + std::to_string(mostColumns) + " columns, found " +
+                                std::to_string(table.columns.size()),
+                            row.line)};
     Diagnostics problems;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const std::string& name = table.columns[i];
-        if (!name.empty() && *table.column(name) != i)
+    std::set<std::string> names;
+    for (const std::string& name : table.columns) {
+        if (!name.empty() && !names.insert(name).second)
             problems.push_back({table.file, row.line, 0, name, "the header names this column twice"});
     }
     return problems;

@@ -53,12 +53,13 @@ void readDocument(std::istream& input, const ForestFileOptions& options, ForestR
     sortByPlace(reading.log.problems, options.file);
 }
 
-void readDocumentFile(const std::string& path, std::size_t mostTrees, ForestReading& reading) {
+void readDocumentFile(const std::string& path, std::size_t mostTrees,
+                      const std::vector<std::string>& settings, ForestReading& reading) {
     Result<std::ifstream> input = openInput(path);
     if (!input)
         return reading.log.add(input.problems().front());
-    readDocument(input.value(), {path, std::filesystem::path(path).parent_path().string(), mostTrees, {}},
-                 reading);
+    readDocument(input.value(),
+                 {path, std::filesystem::path(path).parent_path().string(), mostTrees, settings}, reading);
 }
 
 namespace {
@@ -77,9 +78,10 @@ Result<ForestDescription> readForest(std::istream& input, const ForestFileOption
     return whatWasRead(reading);
 }
 
-Result<ForestDescription> readForestFile(const std::string& path, std::size_t mostTrees) {
+Result<ForestDescription> readForestFile(const std::string& path, std::size_t mostTrees,
+                                         const std::vector<std::string>& settings) {
     ForestReading reading;
-    readDocumentFile(path, mostTrees, reading);
+    readDocumentFile(path, mostTrees, settings, reading);
     return whatWasRead(reading);
 }
 

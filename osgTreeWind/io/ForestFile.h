@@ -32,9 +32,10 @@ OSGTREEWIND_EXPORT Result<ForestDescription> readForest(std::istream& input,
                                                         const ForestFileOptions& options = {});
 
 /// Opens `path` and reads it with its own folder as the folder for relative paths.
-/// @param mostTrees as ForestFileOptions has it.
+/// @param path of a regular file. @param mostTrees, settings as ForestFileOptions has them.
 OSGTREEWIND_EXPORT Result<ForestDescription> readForestFile(const std::string& path,
-                                                            std::size_t mostTrees = 1000000);
+                                                            std::size_t mostTrees = 1000000,
+                                                            const std::vector<std::string>& settings = {});
 
 /// Writes what reads back as the same forest, field by field and bit by bit; not its `notes`, and paths
 /// become absolute ones. A size that is not above 0 reads back as 0: not given.

@@ -69,7 +69,8 @@ struct ForestReading {
 /// The whole document; problems are those of the reading's log, in order of place.
 void readDocument(std::istream& input, const ForestFileOptions& options, ForestReading& reading);
 /// The same of a file, and what keeps it from being opened.
-void readDocumentFile(const std::string& path, std::size_t mostTrees, ForestReading& reading);
+void readDocumentFile(const std::string& path, std::size_t mostTrees,
+                      const std::vector<std::string>& settings, ForestReading& reading);
 
 void readRoot(TableReader& root, ForestReading& reading);
 

@@ -21,7 +21,7 @@ Result<ForestStream> ForestStream::read(const std::string& path, const ForestStr
     Reading& reading = *stream._reading;
     if (!reading.trees.useFile(options.folder, options.treesAtOnce))
         return fileProblem(options.folder, "cannot be written");
-    readDocumentFile(path, options.mostTrees, reading);
+    readDocumentFile(path, options.mostTrees, {}, reading);
     if (reading.trees.failed())
         return fileProblem(options.folder, "cannot hold " + std::to_string(reading.trees.size()) +
                                                " trees while they are read, 72 bytes each and their ids");

@@ -13,8 +13,8 @@ namespace osgTreeWind {
 
 class TreeRows;
 
-/// A condition on the cells of a row, as behind SQL's WHERE: comparisons, IN, LIKE, BETWEEN, IS NULL, AND, OR,
-/// NOT and brackets. What is compared with an empty cell is neither true nor false, as in SQL.
+/// A condition on the cells of a row, as behind SQL's WHERE: comparisons, IN, LIKE, BETWEEN, IS NULL, AND,
+/// OR, NOT and brackets. What is compared with an empty cell is neither true nor false, as in SQL.
 class RowFilter {
 public:
     /// Understands a condition, or says where it does not: a problem that says at which character.

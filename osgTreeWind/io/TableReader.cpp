@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/Toml.h>
 #include <osgTreeWind/io/TomlText.h>
@@ -10,12 +11,15 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <istream>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace osgTreeWind {
@@ -47,6 +51,22 @@ Diagnostic problemOf(const toml::parse_error& error, const ReadLog& log) {
                      "not valid TOML: " + printable(std::string(error.description())));
 }
 
+/// Keys of many parts, a.b.c.d: toml++ goes down them by recursion, as deep as the stack is or deeper.
+std::optional<Diagnostic> problemOfDepth(const std::string& text, const ReadLog& log) {
+    constexpr int mostDots = 200;
+    int dots = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const bool isOfKey = std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_-.\"' \t", c);
+        dots = isOfKey && c ? dots + (c == '.') : 0;
+        if (dots > mostDots) {
+            const TextPlace place = placeInText(text, i);
+            return Diagnostic{log.file, place.line, place.column, {}, "expected keys of at most 200 parts"};
+        }
+    }
+    return std::nullopt;
+}
+
 /// "KEY=VALUE" as a document.
 toml::parse_result parseSetting(const std::string& setting) {
     const std::string name = "setting " + inQuotes(setting);
@@ -70,6 +90,8 @@ void merge(toml::table& document, toml::table& settings) {
 } // namespace
 
 void TableReader::readDocument(const std::string& text, ReadLog& log, const Section& root) {
+    if (auto problem = problemOfDepth(text, log))
+        return log.add(std::move(*problem));
     // Without a path, for which toml++ 3.3 takes memory where it lets no exception out.
     toml::parse_result parsed = toml::parse(text);
     if (!parsed)

@@ -217,15 +217,22 @@ std::optional<std::size_t> TilePager::tileWith(const std::string& name) const {
 
 void TilePager::bring(const std::string& name) {
     const std::optional<std::size_t> tile = tileWith(name);
-    const std::lock_guard<std::mutex> lock(_mutex);
-    if (!tile || _tiles.tiles[*tile].trees == 0 ||
-        SimulationParts::forest(*_simulation).struck().count(name) > 0)
+    if (!tile || _tiles.tiles[*tile].trees == 0)
         return;
+    std::unique_lock<std::mutex> lock(_mutex);
+    if (SimulationParts::forest(*_simulation).struck().count(name) > 0)
+        return;
+    osg::ref_ptr<osg::Node> fetched;
+    if (const auto known = _slots.find(*tile); known == _slots.end() || !known->second.arrived) {
+        lock.unlock(); // a server may take its time
+        fetched = osgDB::readRefNodeFile(fileOfTile(_tiles, *tile));
+        lock.lock();
+    }
     Slot& slot = _slots[*tile];
     slot.near = _frame;
     slot.nearTime = _now;
     if (!slot.arrived)
-        receive(slot, *tile, osgDB::readRefNodeFile(fileOfTile(_tiles, *tile)), _now);
+        receive(slot, *tile, fetched, _now);
     std::vector<TreeId> near;
     putUp(slot, std::numeric_limits<double>::infinity(), near);
     if (_crowns && slot.arrived)

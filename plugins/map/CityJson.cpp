@@ -18,6 +18,7 @@
 #include <fstream>
 #include <optional>
 #include <regex>
+#include <unordered_map>
 
 // GDAL has no driver for the format; its reader of JSON spares the library one of its own.
 namespace osgTreeWind {
@@ -74,13 +75,13 @@ public:
 
 private:
     int field(const std::string& name, OGRFieldType type) {
-        const int known = OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(_layer), name.c_str());
-        if (known >= 0)
-            return known;
+        const auto [known, isNew] = _fields.emplace(name, static_cast<int>(_fields.size()));
+        if (!isNew)
+            return known->second;
         const OGRFieldDefnH made = OGR_Fld_Create(name.c_str(), type);
         OGR_L_CreateField(_layer, made, true);
         OGR_Fld_Destroy(made);
-        return OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(_layer), name.c_str());
+        return known->second;
     }
 
     void add(const CPLJSONObject& object) {
@@ -145,6 +146,7 @@ private:
     glm::dvec3 _scale, _translation, _high{0.0};
     std::optional<glm::dvec3> _low;
     OGRLayerH _layer = nullptr;
+    std::unordered_map<std::string, int> _fields; ///< Their places in the layer.
     bool _taken = true;
 };
 

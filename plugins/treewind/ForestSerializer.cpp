@@ -115,7 +115,7 @@ bool readOtherChildren(osgDB::InputStream& input, Forest& forest) {
     return guarded([&] {
         unsigned count = 0;
         input >> count >> input.BEGIN_BRACKET;
-        for (unsigned i = 0; i < count; ++i) {
+        for (unsigned i = 0; i < count && !input.getException(); ++i) {
             osg::ref_ptr<osg::Node> child = input.readObjectOfType<osg::Node>();
             if (auto* technique = dynamic_cast<osgTreeWind::ForestTechnique*>(child.get()))
                 forest.setTechnique(technique);

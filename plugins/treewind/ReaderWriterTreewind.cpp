@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Guarded.h>
-#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/motion/ForestSimulation.h>
@@ -13,7 +12,6 @@
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
 
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -48,11 +46,7 @@ public:
             const std::string path = osgDB::findDataFile(file, options);
             if (path.empty())
                 return ReadResult::FILE_NOT_FOUND;
-            Result<std::ifstream> input = openInput(path);
-            if (!input)
-                return ReadResult(input.problems().front().text());
-            return read(input.value(),
-                        {path, osgDB::getFilePath(path), ForestFileOptions().mostTrees, settingsOf(options)});
+            return forestNode(readForestFile(path, ForestFileOptions().mostTrees, settingsOf(options)), path);
         });
     }
 
@@ -63,7 +57,7 @@ public:
             where.settings = settingsOf(options);
             if (options && !options->getDatabasePathList().empty())
                 where.folder = options->getDatabasePathList().front();
-            return read(input, where);
+            return forestNode(readForest(input, where), where.file);
         });
     }
 
@@ -113,21 +107,20 @@ private:
         return settings;
     }
 
-    static ReadResult read(std::istream& input, const ForestFileOptions& where) {
-        Result<ForestDescription> forest = readForest(input, where);
+    static ReadResult forestNode(Result<ForestDescription> forest, const std::string& file) {
         if (!forest)
             return ReadResult(linesOf(forest.problems()));
         const std::vector<std::string> notes = forest.value().notes;
         Result<osg::ref_ptr<Forest>> node = Forest::create(std::move(forest.value()));
         if (!node) {
             Diagnostic problem = node.problems().front();
-            problem.file = where.file;
+            problem.file = file;
             return ReadResult(problem.text());
         }
         for (const std::string& note : notes)
             OSG_NOTICE << "osgTreeWind: " << note << std::endl;
         node.value()->setEventCallback(new StatisticsOfViewer);
-        node.value()->setName(osgDB::getSimpleFileName(where.file));
+        node.value()->setName(osgDB::getSimpleFileName(file));
         return onHostMap(*node.value());
     }
 

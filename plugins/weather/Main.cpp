@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
                      "`osgtreewind wind`.\n";
         return 2;
     }
-    limitReader({argv[1]}, std::size_t(1) << 30, 60);
+    limitReader({argv[1]}, std::size_t(1) << 30, 10);
     const int answer = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); // what a library prints is no part of the answer
     Result<WindContent> content = readWeather(argv[1], requestOf(argv + 2, argc == 8));

@@ -44,6 +44,13 @@ TEST(CsvTable, HeaderNamesLoseBlanksAndTheByteOrderMark) {
     EXPECT_EQ(read("\xEF\xBB\xBF x , \"y\" \n1,2\n").value().columns, (Cells{"x", "y"}));
 }
 
+TEST(CsvTable, AHeaderOfVeryManyColumnsIsRefusedAtOnce) {
+    std::string header = "c0";
+    for (int i = 1; i < 200000; ++i)
+        header += ",c" + std::to_string(i);
+    EXPECT_EQ(firstProblem(read(header + "\n")), "t.csv:1: expected at most 10000 columns, found 200000");
+}
+
 TEST(CsvTable, QuotedCellsKeepDelimitersQuotesAndLineEnds) {
     const auto table = read("a,b\n\"x,\"\"y\"\"\",\"1\n2\"\n");
     ASSERT_TRUE(table) << firstProblem(table);

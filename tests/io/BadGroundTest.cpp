@@ -169,7 +169,8 @@ const BadGround badGrounds[] = {
      "a.tif: expected heights in [-12000, 30000] metres, found -32768 in column 3, row 0"},
     {"Infinite", infinite, "a.tif: expected heights in [-12000, 30000] metres, found inf"},
     {"ScaledAway", scaledAway, "a.tif: expected heights in [-12000, 30000] metres"},
-    {"OfAFormatThatIsNotRead", portableGreymap, "a.tif: expected another format than PNM, of those in docs/treewind.md"},
+    {"OfAFormatThatIsNotRead", portableGreymap,
+     "a.tif: expected another format than PNM, of those in docs/treewind.md"},
     {"CellsWithoutExtent", flat, "a.tif: its cells have no extent"},
     // Where it is
     {"WithoutCrs", goodRaster,

@@ -471,6 +471,19 @@ TEST(BadInput, FolderIsNotAFile) {
     EXPECT_NE(result.problems().front().message.find("not a regular file"), std::string::npos);
 }
 
+TEST(BadInput, KeysOfVeryManyPartsAreRefused) {
+    std::string key = "a";
+    for (int i = 0; i < 250000; ++i)
+        key += ".a";
+    for (const std::string& text :
+         {"version = 1\n" + key + " = 1\n", "version = 1\n[" + key + "]\n", "x = {" + key + " = 1}\n"}) {
+        std::istringstream input(text);
+        const auto result = readForest(input);
+        ASSERT_FALSE(result.ok());
+        EXPECT_EQ(result.problems().front().message, "expected keys of at most 200 parts");
+    }
+}
+
 TEST(BadInput, EveryProblemIsReportedInTheOrderOfTheFile) {
     std::istringstream input(
         "seed = -1\n[wind]\nkind = \"gale\"\n[[tree]]\nheight = 0\n[[tree]]\nposition = 3\n"

@@ -257,7 +257,7 @@ TEST(WriteForest, WhatNoFileCanSayIsRefusedByName) {
 
 TEST(WriteForest, AFileThatCannotBeWrittenIsSaid) {
     EXPECT_EQ(writeForestFile(smallForest(), "/nowhere/a.treewind").front().text(),
-              "/nowhere/a.treewind: cannot be written");
+              "/nowhere/a.treewind: cannot be written: there is no folder /nowhere");
 }
 
 TEST(WriteForest, SpeciesThatAreBuiltInAreWithinTheirRanges) {

@@ -274,7 +274,7 @@ TEST(BenchUsageTest, RefusesAForestThatIsNotThere) {
 TEST(BenchUsageTest, FailsBeforeMeasuringWhenTheResultsCannotBeWritten) {
     const Outcome failed = runTool({"bench", "-o", "/nowhere/results.json"});
     EXPECT_EQ(failed.exitCode, 1);
-    EXPECT_EQ(failed.err, "/nowhere/results.json: cannot be written\n");
+    EXPECT_EQ(failed.err, "/nowhere/results.json: cannot be written: there is no folder /nowhere\n");
     EXPECT_EQ(failed.out, "");
 }
 

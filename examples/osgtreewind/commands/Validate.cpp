@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/io/TiledForest.h>
 
+#include <algorithm>
 #include <iostream>
 
 void addValidateCommand(CLI::App& app) {
@@ -21,6 +22,12 @@ void addValidateCommand(CLI::App& app) {
             std::cout << *file << ": good, " << forest.value().trees.size() << " trees\n";
             return;
         }
-        throw Ending{BadInput, linesOf(problems)};
+        constexpr std::size_t mostSaid = 10; // a world may lack a million tiles
+        const std::size_t count = problems.size();
+        problems.resize(std::min(count, mostSaid));
+        throw Ending{BadInput,
+                     linesOf(problems) + (count > mostSaid
+                                              ? "\nand " + std::to_string(count - mostSaid) + " problems more"
+                                              : std::string())};
     });
 }
