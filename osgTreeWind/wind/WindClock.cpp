@@ -34,6 +34,11 @@ WindClock WindClock::of(const WindClock& inner) const {
     both.scale *= scale;
     if (!travels())
         return both;
+    if (!inner.travels()) { // without rounding
+        both.travel = inner.scale != 0.0 ? travel / inner.scale : glm::dvec2(0.0);
+        both.origin = origin;
+        return both;
+    }
     both.start += inner.scale * glm::dot(lag(), origin) + glm::dot(inner.lag(), inner.origin);
     both.origin = glm::dvec2(0.0);
     both.travel = inverse(inner.scale * lag() + inner.lag());

@@ -205,7 +205,7 @@ const BadInput badInputs[] = {
     {"ScanEmpty", scan(), "species.scan", "/a.txt: the file is empty", "a.txt", ""},
     {"ScanBinary", scan(), "species.scan", "/a.txt:1:3: expected text, found binary", "a.txt",
      std::string("1 \0", 3)},
-    {"ScanUnknown", scan(), "species.scan", "/a.txt:1:1: expected a scanned tree: ", "a.txt", "hello\n"},
+    {"ScanUnknown", scan(), "species.scan", "/a.txt: expected a scanned tree: ", "a.txt", "hello\n"},
     {"ScanLoop", scan(), "species.scan", "/a.txt:2: expected parents that lead to the root, found a loop",
      "a.txt", qsmRow + qsmNext("3") + qsmNext("2")},
     {"ScanParentAbsent", scan(), "species.scan", "/a.txt:2: expected a parent of the same tree, found 7",

@@ -207,9 +207,6 @@ TEST(TiledForestTest, aSecondWorldLeavesNothingOfTheFirst) {
     ASSERT_TRUE(writeTiledForest(variedForest(20), folder.path() + "/a", ofSize(300.0)));
     EXPECT_FALSE(fs::exists(folder.path() + "/a/tiles")) << "the second has tiles-2";
     EXPECT_EQ(readForestFile(folder.path() + "/a/world.treewind").value().tiles->treeCount(), 20u);
-    ASSERT_TRUE(writeTiledForest(variedForest(20), folder.path() + "/a", ofSize(300.0)));
-    EXPECT_FALSE(fs::exists(folder.path() + "/a/tiles")) << "the second has tiles-2";
-    EXPECT_EQ(readForestFile(folder.path() + "/a/world.treewind").value().tiles->treeCount(), 20u);
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/a", ofSize(300.0)));
     ASSERT_TRUE(writeTiledForest(variedForest(10), folder.path() + "/b", ofSize(300.0)));
     EXPECT_EQ(filesOf(folder.path() + "/a"), filesOf(folder.path() + "/b"));

@@ -62,12 +62,16 @@ TEST(MapProgram, ThatIsMissingIsNamed) {
     const std::string reason =
         "reading maps needs GDAL, and the program /nowhere/map: No such file or directory";
     EXPECT_EQ(textOf(program, "EPSG:25832"), "crs: " + reason);
-    EXPECT_EQ(firstProblem(Raster::open("a.tif")), "a.tif: " + reason);
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.tif", "");
+    EXPECT_EQ(firstProblem(Raster::open(file)), file + ": " + reason);
 }
 
 TEST(MapProgram, ThatGivesNoAnswerIsAReasonNotToRead) {
     const EnvironmentVariable silent("OSGTREEWIND_MAP", "/bin/true");
-    EXPECT_EQ(firstProblem(Raster::open("a.tif")), "a.tif: cannot be read: its reader ended with status 0");
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.tif", "");
+    EXPECT_EQ(firstProblem(Raster::open(file)), file + ": cannot be read: its reader ended with status 0");
 }
 
 TEST(MapProgram, ThreadsAskOneByOne) {

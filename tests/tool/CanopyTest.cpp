@@ -282,7 +282,7 @@ TEST_F(CanopyTool, LeavesNoHalfAFile) {
     EXPECT_EQ(files().size(), 2u);
     const Outcome nowhere = canopy({example("forest.treewind"), "-o", "absent/canopy.nc", "--cell", "2"});
     EXPECT_EQ(nowhere.exitCode, 1);
-    EXPECT_EQ(nowhere.err, "absent/canopy.nc: cannot be written: No such file or directory\n");
+    EXPECT_EQ(nowhere.err, "absent/canopy.nc: cannot be written: there is no folder absent\n");
 }
 
 TEST_F(CanopyTool, WritesWhereALinkLeadsAndOverNothingElse) {

@@ -65,6 +65,8 @@ TEST(WindClock, TwoClocksAreOne) {
     expectAsInside({100.0, 60.0}, {7.0, 0.5, {8.0, 0.0}, {-30.0, 0.0}});
     expectAsInside({100.0, 2.0, {4.0, 0.0}, {10.0, 0.0}}, {7.0, 0.5});
     expectAsInside({100.0, 2.0, {4.0, 0.0}, {10.0, 0.0}}, {7.0, 0.5, {8.0, 0.0}, {-30.0, 0.0}});
+    const WindClock travelling{0.0, 1.0, {0.1, 0.3}, {7.0, 1.0}};
+    EXPECT_EQ(travelling.of(WindClock()).travel, travelling.travel) << "files are written and read again";
     expectAsInside({100.0, 2.0, {3.0, 4.0}, {10.0, 7.0}}, {7.0, 0.5, {8.0, 0.0}, {-30.0, 0.0}});
     expectAsInside({100.0, 2.0, {-4.0, 0.0}, {10.0, 0.0}},
                    {7.0, 0.5, {8.0, 0.0}, {-30.0, 0.0}}); // carried this way and that: nowhere

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Number.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -63,19 +64,25 @@ _)";
     bool write(const CanopyRow& row) override {
         put(_leaf, row.row, row.leaf);
         put(_drag, row.row, row.drag);
-        return static_cast<bool>(_file);
+        return isGood();
     }
 
     bool close() override {
         _file.seekp(_drag + static_cast<std::streamoff>(_bytes));
         _file << "\n</AppendedData>\n</VTKFile>\n";
         _file.close();
+        return isGood();
+    }
+
+    std::string problem() const override { return _problem; }
+
+private:
+    bool isGood() {
+        if (!_file && _problem.empty())
+            _problem = std::strerror(errno);
         return static_cast<bool>(_file);
     }
 
-    std::string problem() const override { return {}; }
-
-private:
     void put(std::streampos array, int row, const Span<float>& field) {
         const auto width = static_cast<std::streamoff>(_cells.x);
         for (int z = 0; z < _cells.z; ++z) {
@@ -88,6 +95,7 @@ private:
 
     glm::ivec3 _cells;
     std::ofstream _file;
+    std::string _problem;
     std::uint64_t _bytes = 0;    ///< Of an array,
     std::streampos _leaf, _drag; ///< and where they begin.
 };
