@@ -10,20 +10,33 @@
 
 namespace osgTreeWind {
 
-std::optional<Diagnostic> problemOfInput(const std::string& path) {
+namespace {
+
+/// Why what is there is no regular file.
+std::optional<Diagnostic> problemOfKind(const std::string& path) {
     std::error_code problem;
     const std::filesystem::file_status status = std::filesystem::status(path, problem);
     if (status.type() == std::filesystem::file_type::not_found)
         return fileProblem(path, "no such file");
-    if (!problem && !std::filesystem::is_regular_file(status))
+    if (problem)
+        return fileProblem(path, "cannot be read");
+    if (!std::filesystem::is_regular_file(status))
         return fileProblem(path, "not a regular file");
-    if (problem || access(path.c_str(), R_OK) != 0)
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Diagnostic> problemOfInput(const std::string& path) {
+    if (auto problem = problemOfKind(path))
+        return problem;
+    if (access(path.c_str(), R_OK) != 0)
         return fileProblem(path, "cannot be read");
     return std::nullopt;
 }
 
 Result<std::ifstream> openInput(const std::string& path) {
-    if (const auto problem = problemOfInput(path))
+    if (const auto problem = problemOfKind(path))
         return *problem;
     std::ifstream input(path, std::ios::binary);
     if (!input)

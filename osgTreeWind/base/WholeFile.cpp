@@ -92,11 +92,12 @@ Diagnostic WholeFile::problem(const std::string& otherwise) const {
     std::string reason = otherwise;
     if (fs::is_directory(_path, ignored))
         reason = "it is a folder";
-    else if (!fs::is_directory(folder, ignored))
+    else if (!_isTaken && !fs::is_directory(folder, ignored))
         reason = "there is no folder " + folder.string();
-    else if (access(folder.c_str(), W_OK) != 0)
+    else if (!_isTaken && access(folder.c_str(), W_OK) != 0)
         reason = "the folder cannot be written to";
-    else if (statvfs(folder.c_str(), &disk) == 0 && std::uintmax_t(disk.f_bavail) * disk.f_frsize < least)
+    else if (!_isTaken && statvfs(folder.c_str(), &disk) == 0 &&
+             std::uintmax_t(disk.f_bavail) * disk.f_frsize < least)
         reason = "the disk is full";
     return fileProblem(_given, "cannot be written" + (reason.empty() ? "" : ": " + reason));
 }
