@@ -9,10 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/stat.h>
-
-#include <thread>
-
 namespace osgTreeWind {
 
 namespace {
@@ -50,19 +46,6 @@ TEST(WindFormats, OnlyTheFirstKilobyteTells) {
     const std::string sensor = bytesOf({"sensor.xml", nullptr}), far(1024, ' ');
     EXPECT_NE(formatOf(folder.write("a", far + sensor)).find("no known format"), std::string::npos);
     EXPECT_EQ(formatOf(folder.write("a.xml", far + sensor)), "QES-Winds sensor") << "by its name then";
-}
-
-TEST(WindFormats, AFileMayBeAPipe) {
-    const TemporaryFolder folder;
-    std::string bytes = bytesOf({"vectors.vtk", nullptr});
-    bytes.replace(bytes.find('\n') + 1, 0, "t"); // the title
-    const std::string path = folder.path() + "/pipe";
-    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-    std::thread writer([&] { std::ofstream(path) << bytes; });
-    const auto file = readWindFile(path);
-    writer.join();
-    ASSERT_TRUE(file) << firstProblem(file);
-    EXPECT_EQ(file.value().summary.points, glm::ivec3(3, 2, 2));
 }
 
 TEST(WindFormats, RecordsAreThoseOfAnyFormatThatHoldsOne) {
