@@ -10,7 +10,7 @@
 namespace osgTreeWind {
 
 /// Why a file cannot be read: nothing is there, or what is there is a folder, a pipe, a socket or a device,
-/// or this program may not read it. Does not wait for whoever writes a pipe.
+/// or this program may not read it. Never blocks, not even on a pipe.
 std::optional<Diagnostic> problemOfInput(const std::string& path);
 
 /// A regular file, open for reading bytes, or why it cannot be read.

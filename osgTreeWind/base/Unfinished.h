@@ -20,8 +20,8 @@ public:
     /// It stays, under another name, in place of what is there. @return whether it could be moved.
     bool finishAs(const std::string& path);
 
-    /// Removes all that are there, and makes no more: whoever makes or finishes one waits for ever. For a
-    /// program that is about to end.
+    /// Removes all unfinished files and folders of a program that is about to end. A thread that then makes
+    /// or finishes one blocks for ever.
     static void removeAll();
 
 private:

@@ -24,12 +24,14 @@ namespace fs = std::filesystem;
 constexpr char ending[] = ".part";
 
 /// Tells processes of two machines or containers apart that have one number.
-std::string machine() {
-    char name[256] = {};
-    gethostname(name, sizeof name - 1);
-    char text[9];
-    std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(hashOf(name)));
-    return text;
+const std::string& machine() {
+    static const std::string known = [] {
+        char name[256] = {}, text[9];
+        gethostname(name, sizeof name - 1);
+        std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(hashOf(name)));
+        return std::string(text);
+    }();
+    return known;
 }
 
 std::string unfinishedName(const std::string& path) {

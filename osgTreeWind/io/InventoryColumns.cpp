@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/InventoryColumns.h>
 
-#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/forest/ForestFields.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/TableReader.h>
 
 #include <glm/gtc/constants.hpp>
@@ -90,9 +88,7 @@ std::optional<std::size_t> InventoryColumns::find(TableReader& columns, const st
         return std::nullopt;
     const auto column = rows->column(name);
     if (!column) {
-        const std::string near = nearestName(name, rows->columns());
-        columns.problem(key, "no column " + inQuotes(name) + " in " + rows->file() +
-                                 (near.empty() ? "" : "; the nearest is " + inQuotes(near)));
+        columns.problem(key, rows->problemOfColumn(name));
         _complete = false;
     }
     return column;

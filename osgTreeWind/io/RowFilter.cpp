@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/RowFilter.h>
 
-#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/TreeRows.h>
 
 #include <algorithm>
@@ -58,6 +56,10 @@ Truth both(const Truth& a, const Truth& b) {
 
 Truth opposite(const Truth& a) {
     return a ? Truth(!*a) : a;
+}
+
+Truth eitherOf(const Truth& a, const Truth& b) {
+    return opposite(both(opposite(a), opposite(b)));
 }
 
 struct Token {
@@ -160,7 +162,7 @@ private:
         Condition condition = each();
         while (take("or"))
             condition = [a = std::move(condition), b = each()](const TreeRows& row) {
-                return opposite(both(opposite(a(row)), opposite(b(row))));
+                return eitherOf(a(row), b(row));
             };
         return condition;
     }
@@ -210,14 +212,10 @@ private:
                             const TreeRows& row) { return both(low(row), high(row)); };
         } else {
             const std::string sign = _token.text;
-            if (isNot || _token.kind != Token::Sign || sign == "(" || sign == ")" || sign == ",")
-                fail(isNot ? "IN, LIKE or BETWEEN" : "=, <>, <, <=, >, >=, IN, LIKE, BETWEEN or IS NULL");
             for (const char* const known : {"=", "<>", "!=", "<", "<=", ">", ">="})
-                if (sign == known) {
-                    advance();
+                if (!isNot && take(known))
                     return orderOf(left, operand(), sign);
-                }
-            fail("=, <>, <, <=, > or >=");
+            fail(isNot ? "IN, LIKE or BETWEEN" : "=, <>, <, <=, >, >=, IN, LIKE, BETWEEN or IS NULL");
         }
         if (!isNot)
             return condition;
@@ -225,14 +223,14 @@ private:
     }
 
     static Condition orderOf(const Operand& left, const Operand& right, const std::string& sign) {
-        const bool less = sign[0] == '<', more = sign == ">" || sign == ">=" || sign == "<>" || sign == "!=",
-                   equal = sign.back() == '=' && sign != "!=";
+        const bool differ = sign == "<>" || sign == "!=", less = differ || sign[0] == '<',
+                   more = differ || sign[0] == '>', equal = !differ && sign.back() == '=';
         return [=](const TreeRows& row) -> Truth {
             const auto a = left(row), b = right(row);
             if (!a || !b)
                 return std::nullopt;
             const int order = compared(*a, *b);
-            return order < 0 ? less || sign == "!=" : order > 0 ? more : equal;
+            return order < 0 ? less : order > 0 ? more : equal;
         };
     }
 
@@ -241,7 +239,7 @@ private:
         Condition among = orderOf(left, operand(), "=");
         while (take(","))
             among = [a = std::move(among), b = orderOf(left, operand(), "=")](const TreeRows& row) {
-                return opposite(both(opposite(a(row)), opposite(b(row))));
+                return eitherOf(a(row), b(row));
             };
         require(")");
         return among;
@@ -269,11 +267,8 @@ private:
             };
         }
         const auto column = _rows.column(token.text);
-        if (!column) {
-            const std::string near = nearestName(token.text, _rows.columns());
-            throw NotUnderstood{token.at, "no column " + inQuotes(token.text) + " in " + _rows.file() +
-                                              (near.empty() ? "" : "; the nearest is " + inQuotes(near))};
-        }
+        if (!column)
+            throw NotUnderstood{token.at, _rows.problemOfColumn(token.text)};
         advance();
         if (std::find(columns.begin(), columns.end(), *column) == columns.end())
             columns.push_back(*column);

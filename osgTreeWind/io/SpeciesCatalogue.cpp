@@ -4,17 +4,13 @@
 #include <osgTreeWind/base/EmbeddedTexts.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/Trust.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace osgTreeWind {
 

@@ -2,11 +2,13 @@
 #include <osgTreeWind/io/TreeRows.h>
 
 #include <osgTreeWind/base/CsvReader.h>
+#include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
+#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/RowFilter.h>
 
 #include <algorithm>
@@ -18,6 +20,12 @@ std::optional<std::size_t> TreeRows::column(const std::string& name) const {
     if (found == columns().end())
         return std::nullopt;
     return static_cast<std::size_t>(found - columns().begin());
+}
+
+std::string TreeRows::problemOfColumn(const std::string& name) const {
+    const std::string near = nearestName(name, columns());
+    return "no column " + inQuotes(name) + " in " + file() +
+           (near.empty() ? "" : "; the nearest is " + inQuotes(near));
 }
 
 namespace {

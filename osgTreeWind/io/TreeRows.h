@@ -21,6 +21,8 @@ public:
     virtual const std::string& format() const = 0;
     virtual const std::vector<std::string>& columns() const = 0;
     std::optional<std::size_t> column(const std::string& name) const;
+    /// That there is no column of that name, and which name is nearest.
+    std::string problemOfColumn(const std::string& name) const;
     /// What its places are in, where it says so.
     virtual const std::optional<Crs>& crs() const = 0;
     /// Whether rows have a place without any column.

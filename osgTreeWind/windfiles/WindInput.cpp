@@ -10,8 +10,6 @@ namespace osgTreeWind {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t headSize = 1024;
 
 } // namespace
@@ -34,21 +32,15 @@ Result<std::string> WindInput::head() const {
 
 Result<std::string> WindInput::bytes() {
     std::ifstream& file = _file.value();
-    std::error_code unknown;
-    const auto size = fs::file_size(_path, unknown);
+    std::error_code problem;
+    const std::uintmax_t size = std::filesystem::file_size(_path, problem);
     std::string bytes = std::move(_head);
-    std::size_t known = bytes.size();
-    if (!unknown && size > known)
-        bytes.resize(static_cast<std::size_t>(size));
-    while (file && file.peek() != std::ifstream::traits_type::eof()) {
-        if (known == bytes.size())
-            bytes.resize(2 * known);
-        file.read(&bytes[known], static_cast<std::streamsize>(bytes.size() - known));
-        known += static_cast<std::size_t>(file.gcount());
-    }
-    if (file.bad())
+    const std::size_t known = bytes.size();
+    bytes.resize(problem ? known : std::max<std::size_t>(known, size));
+    file.read(&bytes[known], static_cast<std::streamsize>(bytes.size() - known));
+    if (problem || file.bad())
         return fileProblem(_path, "cannot be read");
-    bytes.resize(known);
+    bytes.resize(known + static_cast<std::size_t>(file.gcount())); // less of one that is cut meanwhile
     return bytes;
 }
 

@@ -33,14 +33,9 @@ void keepMemory() {
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
 }
 
-void writeText(const std::string& path, const std::string& text) {
-    if (const Diagnostics problems = writeWholeFile(path, text); !problems.empty())
-        throw Ending{Failed, problems.front().text()};
-}
-
 /// The SVG, and a PNG of it beside.
 void writeChart(const std::string& path, const std::string& svg) {
-    writeText(path, svg);
+    writeOrEnd(path, svg);
     const std::string picture = osgDB::getNameLessExtension(path) + ".png";
     const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
     if (!image)
@@ -131,7 +126,7 @@ void bench(const BenchOptions& options) {
     BenchReport report;
     measure(options, forest, conditions, report);
     if (!options.output.empty())
-        writeText(options.output, benchReport(conditions, report).dump(2) + '\n');
+        writeOrEnd(options.output, benchReport(conditions, report).dump(2) + '\n');
     if (!options.chart.empty())
         writeChart(options.chart, benchChart(conditions, report.results));
 }

@@ -5,7 +5,6 @@
 #include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/base/WholeFile.h>
 
 #include <algorithm>

@@ -246,8 +246,7 @@ void stormTable(const StormOptions& usual) {
         std::cout << text;
         return;
     }
-    if (const Diagnostics problems = writeWholeFile(usual.output, text); !problems.empty())
-        throw Ending{Failed, problems.front().text()};
+    writeOrEnd(usual.output, text);
 }
 
 } // namespace

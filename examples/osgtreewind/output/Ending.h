@@ -29,3 +29,9 @@ T valueOf(osgTreeWind::Result<T> result, ExitCode exitCode = BadInput, const std
 [[noreturn]] inline void endUnwritten(const osgTreeWind::WholeFile& file, const std::string& otherwise = {}) {
     throw Ending{Failed, file.problem(otherwise).text()};
 }
+
+/// Writes bytes as a whole file, or ends the command.
+inline void writeOrEnd(const std::string& path, const std::string& bytes) {
+    if (const osgTreeWind::Diagnostics problems = osgTreeWind::writeWholeFile(path, bytes); !problems.empty())
+        throw Ending{Failed, problems.front().text()};
+}

@@ -3,8 +3,6 @@
 
 #include <examples/osgtreewind/output/Ending.h>
 
-#include <osgTreeWind/base/WholeFile.h>
-
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
 
@@ -18,6 +16,5 @@ void writePicture(const osg::Image& picture, const std::string& path, const std:
     if (!writer || !writer->writeImage(picture, bytes, wanted.get()).success())
         throw Ending{Failed, path + ": cannot be written; expected the " + extension +
                                  " plugin of OpenSceneGraph, and a format that it writes"};
-    if (const auto problems = osgTreeWind::writeWholeFile(path, bytes.str()); !problems.empty())
-        throw Ending{Failed, problems.front().text()};
+    writeOrEnd(path, bytes.str());
 }

@@ -98,6 +98,9 @@ float skylineAt(float azimuth, int seed) {
 
 /// With two skylines of hills, the farther one higher and nearer to the haze.
 osg::Vec3 withHills(const osg::Vec3& sky, const Daylight& day, float azimuth, float elevation) {
+    constexpr float highest = 3.0f; // more than skylineAt() has
+    if (elevation > highest)
+        return sky;
     const osg::Vec3 woods(0.16f, 0.22f, 0.15f);
     osg::Vec3 color = sky;
     for (const auto& [seed, height, hazy] : {std::tuple(41, 1.0f, 0.85f), std::tuple(43, 0.55f, 0.66f)}) {

@@ -10,8 +10,10 @@
 #include <osg/Image>
 #include <osg/Texture2D>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace {
 
@@ -51,9 +53,18 @@ private:
 class TuftWind : public osg::DrawableUpdateCallback {
 public:
     TuftWind(const osgTreeWind::Forest& forest, const osg::Vec3d& eye) : _forest(&forest), _eye(eye) {
-        _image->allocateImage(places, places, 1, GL_RGB, GL_FLOAT);
+        _image->allocateImage(across, across, 1, GL_RGB, GL_FLOAT);
         _image->setInternalTextureFormat(GL_RGB32F_ARB);
         _image->setDataVariance(osg::Object::DYNAMIC);
+        const auto at = [](double middle, int cell) {
+            return static_cast<float>(middle + farthestTuft * ((2.0 * cell + 1.0) / across - 1.0));
+        };
+        for (int j = 0; j < across; ++j)
+            for (int i = 0; i < across; ++i) {
+                const float x = at(eye.x(), i), y = at(eye.y(), j);
+                const auto ground = static_cast<float>(groundHeight(forest, {x, y}, 0.0));
+                _places.emplace_back(glm::vec3(x, y, ground + 1.0f), ground);
+            }
     }
 
     void setUniforms(osg::StateSet& state) const {
@@ -76,29 +87,20 @@ public:
         if (!stamp || stamp->getFrameNumber() == _frame)
             return;
         _frame = stamp->getFrameNumber();
-        const osgTreeWind::WindFieldPtr field = osgTreeWind::asField(_forest->getWind());
-        for (int j = 0; j < places; ++j)
-            for (int i = 0; i < places; ++i) {
-                const auto at = [](double eye, int cell) {
-                    return static_cast<float>(eye + farthestTuft * ((2.0 * cell + 1.0) / places - 1.0));
-                };
-                const float x = at(_eye.x(), i), y = at(_eye.y(), j);
-                const auto ground = static_cast<float>(groundHeight(*_forest, {x, y}, 0.0));
-                const glm::vec3 wind =
-                    field ? field->velocity({{x, y, ground + 1.0f}, ground}, stamp->getSimulationTime())
-                          : glm::vec3(0.0f);
-                auto* texel = reinterpret_cast<float*>(_image->data(i, j));
-                for (int axis = 0; axis < 3; ++axis)
-                    texel[axis] = wind[axis];
-            }
+        auto* winds = reinterpret_cast<glm::vec3*>(_image->data());
+        if (const osgTreeWind::WindFieldPtr field = osgTreeWind::asField(_forest->getWind()))
+            field->sample(_places.data(), _places.size(), stamp->getSimulationTime(), winds);
+        else
+            std::fill_n(winds, _places.size(), glm::vec3(0.0f));
         _image->dirty();
     }
 
 private:
-    static constexpr int places = 16; // each way
+    static constexpr int across = 16;
 
     osg::ref_ptr<const osgTreeWind::Forest> _forest;
     osg::Vec3d _eye;
+    std::vector<osgTreeWind::WindPlace> _places; ///< A metre above the ground, west to east, then north.
     osg::ref_ptr<osg::Image> _image = new osg::Image;
     unsigned _frame = ~0u;
 };
