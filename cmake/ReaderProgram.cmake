@@ -3,7 +3,8 @@
 # there.
 # Usage: add_reader_program(NAME LIBRARY SOURCE...)     (LIBRARY: the target that reads the format)
 function(add_reader_program name library)
-    add_executable(${name} ${ARGN} ${PROJECT_SOURCE_DIR}/plugins/ReaderLimits.cpp)
+    add_executable(${name} ${ARGN} ${PROJECT_SOURCE_DIR}/plugins/ReaderLimits.cpp
+                   ${PROJECT_SOURCE_DIR}/osgTreeWind/base/MemoryLimit.cpp)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
     target_link_libraries(${name} PRIVATE ${library} glm::glm osgTreeWind_warnings)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY $<TARGET_FILE_DIR:osgTreeWind>/osgTreeWind)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <plugins/ReaderLimits.h>
 
+#include <osgTreeWind/base/MemoryLimit.h>
+
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -19,7 +22,9 @@ unsigned limitReader(const std::vector<std::string>& files, std::size_t memory, 
     }
     rlim_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages; // what this program itself takes
-    const rlim_t most = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + memory + 256 * bytes;
+    constexpr rlim_t least = rlim_t(1) << 28;   // of the libraries themselves
+    const rlim_t wanted = std::max<rlim_t>(least, std::min<rlim_t>(memory + 256 * bytes, memoryLimit()));
+    const rlim_t most = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + wanted;
     const rlimit none{0, 0}, address{most, most};
     setrlimit(RLIMIT_CORE, &none);
     setrlimit(RLIMIT_AS, &address);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
+
+#include <osgTreeWind/base/MemoryLimit.h>
+#include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>
 
@@ -39,10 +41,16 @@ Result<std::string_view> plainText(std::string_view bytes, const std::string& fi
 }
 
 Result<std::string> readText(std::istream& input, const std::string& file) {
+    constexpr std::size_t large = std::size_t(1) << 26;
     std::string text;
     char buffer[1 << 14];
-    while (input.read(buffer, sizeof buffer) || input.gcount() > 0)
-        text.append(buffer, static_cast<std::size_t>(input.gcount()));
+    while (input.read(buffer, sizeof buffer) || input.gcount() > 0) {
+        const std::size_t read = static_cast<std::size_t>(input.gcount()), size = text.size() + read;
+        if (size > large && size > text.capacity()) // it doubles
+            if (const std::string memory = problemOfMemory("its bytes", 2 * size); !memory.empty())
+                return fileProblem(file, memory);
+        text.append(buffer, read);
+    }
     if (!input.eof() || input.bad())
         return fileProblem(file, "cannot be read");
     const Result<std::string_view> plain = plainText(text, file);

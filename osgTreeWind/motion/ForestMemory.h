@@ -25,16 +25,8 @@ std::uint64_t geometryBytes(const TreeCounts& counts);
 /// Of that, what each tree adds to a simulation under `modal`: 262 bytes far, 421 near.
 std::size_t simulatedTreeBytes(ModalLevel level);
 
-/// What may be asked for: the environment's OSGTREEWIND_MAX_MEMORY, bytes or a number with k, M, G or T, else
-/// what the machine has available now and the process may have (ulimit -v). The largest number where neither
-/// is known.
-std::uint64_t memoryLimit();
-
-/// How much `what` need and what the limit is; empty where it fits. @param what several of them.
-std::string problemOfMemory(const std::string& what, std::uint64_t bytes);
-
-/// The same of a forest's trees. @param withNodes for a Forest, else for a
-/// ForestSimulation alone.
+/// How much memory a forest's trees need and what memoryLimit() is; empty where they fit.
+/// @param withNodes for a Forest, else for a ForestSimulation alone.
 std::string problemOfMemory(const ForestDescription& description, bool withNodes);
 
 } // namespace osgTreeWind

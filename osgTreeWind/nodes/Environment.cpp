@@ -25,8 +25,8 @@ osg::ApplicationUsageProxy
                       "what the processor has. Numbers do not depend on it.");
 osg::ApplicationUsageProxy memoryUsage(
     osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE, "OSGTREEWIND_MAX_MEMORY <bytes>",
-    "Memory that an osgTreeWind forest may need, with k, M, G or T for larger units; else what the "
-    "machine has available.");
+    "Memory that an osgTreeWind forest, its ground, its wind data or a picture may need, with k, M, G or T "
+    "for larger units. Default: what the machine has available.");
 
 osg::ApplicationUsageProxy stepUsage(osg::ApplicationUsage::ENVIRONMENTAL_VARIABLE,
                                      "OSGTREEWIND_STEP <seconds>",

@@ -34,11 +34,27 @@ constexpr double shortestWork = 0.002, longestWork = 0.25; // seconds of an upda
 constexpr double seenFrom = 300.0;                         // metres: how a tree sways
 constexpr double tallest = 50.0;                           // metres: trees reach that far above their feet
 
+/// The program's own options. Where they do not limit the time of a server, it has 10 s for a connection and
+/// 60 s for a file; OpenSceneGraph would wait for ever.
+osg::ref_ptr<osgDB::Options> patientOptions() {
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+    if (const osgDB::Options* program = osgDB::Registry::instance()->getOptions())
+        options = program->cloneOptions();
+    std::string text = options->getOptionString();
+    if (text.find("OSG_CURL_CONNECTTIMEOUT") == std::string::npos)
+        text += " OSG_CURL_CONNECTTIMEOUT=10";
+    if (text.find("OSG_CURL_TIMEOUT") == std::string::npos)
+        text += " OSG_CURL_TIMEOUT=60";
+    options->setOptionString(text);
+    return options;
+}
+
 } // namespace
 
 TilePager::TilePager(std::shared_ptr<const ForestSimulation> simulation, AddTree addTree)
     : _simulation(std::move(simulation)), _addTree(std::move(addTree)),
-      _tiles(*_simulation->description().tiles), _origin(_simulation->description().origin) {
+      _tiles(*_simulation->description().tiles), _origin(_simulation->description().origin),
+      _options(patientOptions()) {
     registerTileReader();
 }
 
@@ -129,7 +145,7 @@ void TilePager::ask(Slot& slot, const std::string& file, float priority, osg::No
         return failed(slot, stamp.getReferenceTime());
     slot.asked = stamp.getFrameNumber();
     osg::NodePath path = {slot.arrival.get()};
-    pager->requestNodeFile(file, path, priority, &stamp, slot.request, nullptr);
+    pager->requestNodeFile(file, path, priority, &stamp, slot.request, _options.get());
 }
 
 void TilePager::failed(Slot& slot, double now) const {
@@ -205,7 +221,7 @@ std::optional<std::size_t> TilePager::tileWith(const std::string& name) const {
     if (!number)
         return {};
     const std::string file = fileOfIds(_tiles, *number);
-    const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(file);
+    const osg::ref_ptr<osg::Node> read = osgDB::readRefNodeFile(file, _options.get());
     const auto* ids = dynamic_cast<const IdFile*>(read.get());
     if (!ids) {
         OSG_WARN << "osgTreeWind: " << file << ": expected ids; no tree is found by one of them" << std::endl;
@@ -225,7 +241,7 @@ void TilePager::bring(const std::string& name) {
     osg::ref_ptr<osg::Node> fetched;
     if (const auto known = _slots.find(*tile); known == _slots.end() || !known->second.arrived) {
         lock.unlock(); // a server may take its time
-        fetched = osgDB::readRefNodeFile(fileOfTile(_tiles, *tile));
+        fetched = osgDB::readRefNodeFile(fileOfTile(_tiles, *tile), _options.get());
         lock.lock();
     }
     Slot& slot = _slots[*tile];

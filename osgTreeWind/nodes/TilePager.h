@@ -8,6 +8,7 @@
 #include <osg/FrameStamp>
 #include <osg/Group>
 #include <osg/NodeVisitor>
+#include <osgDB/Options>
 
 #include <glm/vec3.hpp>
 
@@ -93,8 +94,9 @@ private:
     std::shared_ptr<const ForestSimulation> _simulation;
     AddTree _addTree;
     ForestTiles _tiles;
-    glm::dvec3 _origin;        ///< Of the forest.
-    mutable std::mutex _mutex; // guards all below: cull traversals may run at a time
+    glm::dvec3 _origin;                          ///< Of the forest.
+    osg::ref_ptr<const osgDB::Options> _options; ///< With which files are read.
+    mutable std::mutex _mutex;                   // guards all below: cull traversals may run at a time
     std::map<std::size_t, Slot> _slots;
     Slot _crownFile;
     osg::ref_ptr<FarCrowns> _crowns; ///< Null before they are there.

@@ -35,10 +35,20 @@ public:
                                        : ReadResult(ReadResult::FILE_NOT_FOUND);
     }
     ReadResult readNode(std::istream& input, const Options* options) const override {
-        return read(input, options ? options->getPluginStringData("STREAM_FILENAME") : std::string());
+        const std::string file = options ? options->getPluginStringData("STREAM_FILENAME") : std::string();
+        return sizeOf(input) > mostBytes ? ReadResult(file + ": expected at most 256 MiB")
+                                         : read(input, file);
     }
 
 private:
+    static constexpr std::streamoff mostBytes = 1 << 28; // of what a server sends
+
+    static std::streamoff sizeOf(std::istream& input) {
+        const std::streampos here = input.tellg();
+        const std::streampos end = input.seekg(0, std::ios::end).tellg();
+        input.seekg(here);
+        return end - here;
+    }
     static ReadResult read(std::istream& input, const std::string& file) {
         const std::string extension = osgDB::getLowerCaseFileExtension(file);
         if (extension == "crowns")

@@ -2,6 +2,7 @@
 #include <osgTreeWind/places/Raster.h>
 
 #include <osgTreeWind/base/InputFile.h>
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/places/MapProgram.h>
 
 #include <algorithm>
@@ -39,6 +40,10 @@ Result<Raster> Raster::open(const std::string& path, MapProgram& program) {
     raster._toPlace = head.value().toPlace;
     raster._toCell = head.value().toCell;
     const auto cells = static_cast<std::size_t>(raster._columns) * static_cast<std::size_t>(raster._rows);
+    const std::string size = std::to_string(raster._columns) + " x " + std::to_string(raster._rows);
+    if (const std::string memory = problemOfMemory("its " + size + " cells", cells * sizeof(float));
+        !memory.empty())
+        return fileProblem(path, memory);
     raster._heights.reserve(cells);
     while (raster._heights.size() < cells) {
         const auto rows = program.get<std::vector<float>>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/VtkImage.h>
 
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 
@@ -80,6 +81,11 @@ Result<std::string> inflateBlocks(std::string_view bytes, const VtkPacking& pack
     if (blocks * (packing.wideHeader ? 8 : 4) > static_cast<double>(bytes.size()) ||
         size > bestRatio * static_cast<double>(bytes.size()))
         return fileProblem({}, "the data end before " + numberText(blocks) + " compressed blocks");
+
+    if (const std::string memory =
+            problemOfMemory("the unpacked data", static_cast<std::uint64_t>(2.0 * size));
+        !memory.empty())
+        return fileProblem({}, memory);
 
     Counts sizes = counts;
     for (double i = 0; i < blocks; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindInput.h>
 
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <algorithm>
@@ -34,6 +35,8 @@ Result<std::string> WindInput::bytes() {
     std::ifstream& file = _file.value();
     std::error_code problem;
     const std::uintmax_t size = std::filesystem::file_size(_path, problem);
+    if (const std::string memory = problemOfMemory("its bytes", problem ? 0 : size); !memory.empty())
+        return fileProblem(_path, memory);
     std::string bytes = std::move(_head);
     const std::size_t known = bytes.size();
     bytes.resize(problem ? known : std::max<std::size_t>(known, size));

@@ -2,6 +2,7 @@
 #include <osgTreeWind/windfiles/WindSteps.h>
 
 #include <osgTreeWind/base/IsoTime.h>
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/wind/Interpolation.h>
@@ -54,6 +55,10 @@ std::string difference(const WindContent& first, const WindContent& step, const 
         return expectedFound(what, found);
     }
     return {};
+}
+
+std::size_t valueCount(const WindContent& step) {
+    return std::get<GridWind::Grid>(step.data).values.size();
 }
 
 /// Gives every time of a grid heights of its own, where those of its points are the same at all of them.
@@ -153,6 +158,10 @@ Result<WindContent> readWindSteps(const std::vector<std::string>& files, const s
         }
         if (const std::string what = difference(wind, step, files.front()); !what.empty())
             return fileProblem(file, what);
+        if (const std::string memory = problemOfMemory("all files up to this one",
+                                                       sizeof(float) * (valueCount(wind) + valueCount(step)));
+            !memory.empty())
+            return fileProblem(file, memory);
         if (!append(std::get<GridWind::Grid>(wind.data), std::get<GridWind::Grid>(step.data)))
             return fileProblem(file, "expected the heights of " + files.front());
         const std::string source = file + ": ";

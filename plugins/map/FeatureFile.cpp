@@ -202,15 +202,16 @@ Result<FeatureLayer> FeatureFile::chooseLayer(const std::string& layer) {
     const bool isOsm = _head.format == "OSM";
     const std::string& wanted = layer.empty() && isOsm ? nodes : layer;
     const auto found = std::find(names.begin(), names.end(), wanted);
-    const auto problem = [&](const std::string& message) {
-        return fileProblem(_path, message + joined(names));
-    };
     if (names.empty())
-        return problem("no layers in it");
+        return fileProblem(_path, "no layers in it");
+    const std::string known = std::to_string(names.size()) + " layers, of which " + inQuotes(names.front()) +
+                              " is the first; ogrinfo lists them";
     if (wanted.empty() && names.size() > 1)
-        return problem("expected layer to name one of its layers: ");
+        return fileProblem(_path, "expected layer to name one of its " + known);
     if (!wanted.empty() && found == names.end())
-        return problem("no layer " + inQuotes(wanted) + "; it has: ");
+        return fileProblem(_path, "no layer " + inQuotes(wanted) +
+                                      (names.size() > 1 ? " among its " + known
+                                                        : "; its only layer is " + inQuotes(names.front())));
     _layer = at(wanted.empty() ? 0 : static_cast<int>(found - names.begin()));
     if (isOsm) // the others need not be put together
         GDALDatasetExecuteSQL(_data.get(), ("SET interest_layers = " + wanted).c_str(), nullptr, nullptr);

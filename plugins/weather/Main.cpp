@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include <unistd.h>
 
@@ -34,6 +35,8 @@ Result<WindContent> readWeather(const std::string& path, const WindRequest& requ
         if (!file.good())
             return file.problem();
         return isWrf(file) ? readNetCdfWrf(file, request) : readNetCdfCf(file, request);
+    } catch (const std::bad_alloc&) {
+        return fileProblem(path, "its wind needs more memory than there is (OSGTREEWIND_MAX_MEMORY)");
     } catch (const std::exception& error) { // what the libraries below throw stops here
         return fileProblem(path, std::string("cannot be read: ") + error.what());
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/EnvironmentVariable.h>
 #include <tests/base/FirstProblem.h>
 
 #include <osgTreeWind/base/Text.h>
@@ -63,4 +64,11 @@ TEST(Text, PlacesCountEveryKindOfLineEnd) {
     EXPECT_EQ(place(text.find('d')), "3:1");
     EXPECT_EQ(place(text.find('e')), "4:1");
     EXPECT_EQ(place(1000), "4:2");
+}
+
+TEST(Text, TakesNoMoreMemoryThanAllowed) {
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "100M");
+    EXPECT_EQ(problemOf(std::string(std::size_t(60000000), 'x')), "");
+    EXPECT_EQ(problemOf(std::string(std::size_t(70000000), 'x')).substr(0, 27),
+              "f: its bytes need about 134");
 }

@@ -73,3 +73,16 @@ TEST(Trust, AWordThatIsNotKnownOpensNothing) {
         problemOfWindFile(folder, "wind.csv").find("expected OSGTREEWIND_TRUST to be \"folder\" or empty"),
         std::string::npos);
 }
+
+TEST(Trust, PartsOfAFileMayNotBeLinksToOthers) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() + "/forest");
+    folder.write("forest/wind.csv", record);
+    folder.write("secret.prj", "");
+    std::filesystem::create_symlink(folder.path() + "/secret.prj", folder.path() + "/forest/windy.prj");
+    const Trusting trusting("folder");
+    EXPECT_EQ(problemOfWindFile(folder, "wind.csv"), "") << "whose name is another";
+    std::filesystem::create_symlink(folder.path() + "/secret.prj", folder.path() + "/forest/wind.prj");
+    EXPECT_NE(problemOfWindFile(folder, "wind.csv").find("a link beside it leads out of the folders"),
+              std::string::npos);
+}

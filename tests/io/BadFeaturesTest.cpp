@@ -70,7 +70,8 @@ const BadFeatures badFeatures[] = {
     {"CityJsonWithoutGeometry", "a.json", cityTree("[]"), "", "feature 0: it has no geometry"},
     {"LayerEmpty", "a.geojson", geoJson(""), "", "a.geojson: an inventory without trees"},
     // The layer
-    {"LayerUnknown", "a.geojson", goodFeatures, "layer = \"bushes\"\n", "no layer \"bushes\"; it has: a"},
+    {"LayerUnknown", "a.geojson", goodFeatures, "layer = \"bushes\"\n",
+     "no layer \"bushes\"; its only layer is \"a\""},
     {"LayerOfATable", "a.csv", "x,y\n1,2\n", "layer = \"a\"\n" + xy,
      "inventory.layer: expected only beside a file with layers"},
     {"DelimiterOfFeatures", "a.geojson", goodFeatures, "delimiter = \";\"\n",

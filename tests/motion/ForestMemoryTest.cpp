@@ -5,11 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <cstdint>
-#include <fstream>
 
 namespace osgTreeWind {
 namespace {
@@ -46,37 +42,6 @@ TEST(ForestMemory, UnderModalATreeTakesFewBytes) {
     EXPECT_LT((all.simulation - some.simulation) / 200000, 500u);
     EXPECT_LT((all.nodes - some.nodes) / 200000, 1500u);
     EXPECT_LT(all.simulation + all.nodes, 3000000000u);
-}
-
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which take terabytes of addresses
-TEST(ForestMemory, LimitIsThatOfTheProcess) {
-    rlimit former{};
-    getrlimit(RLIMIT_AS, &former);
-    std::size_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    rlimit space = former;
-    space.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (rlim_t(1) << 28);
-    setrlimit(RLIMIT_AS, &space);
-    const std::uint64_t limit = memoryLimit();
-    setrlimit(RLIMIT_AS, &former);
-    EXPECT_NEAR(static_cast<double>(limit), 0x1p28, 0x1p23);
-}
-#endif
-
-TEST(ForestMemory, LimitIsThatOfTheEnvironment) {
-    for (const auto& [text, bytes] : {std::pair<const char*, std::uint64_t>("12345", 12345),
-                                      {"20k", 20000},
-                                      {"1.5M", 1500000},
-                                      {"3G", 3000000000},
-                                      {"2T", 2000000000000},
-                                      {"0", 0}}) {
-        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", text);
-        EXPECT_EQ(memoryLimit(), bytes) << text;
-    }
-    for (const char* senseless : {"", "k", "much", "-1", "1e30T", "nan"}) {
-        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", senseless);
-        EXPECT_GT(memoryLimit(), 1000000u) << "the machine's own, for " << senseless;
-    }
 }
 
 TEST(ForestMemory, ProblemNamesWhatIsNeededAndTheLimit) {

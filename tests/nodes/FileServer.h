@@ -14,19 +14,28 @@
 #include <string>
 #include <thread>
 
+/// Listens on the loopback. @return the port.
+inline unsigned listenOn(int server) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    if (bind(server, reinterpret_cast<sockaddr*>(&address), size) != 0 || listen(server, 64) != 0 ||
+        getsockname(server, reinterpret_cast<sockaddr*>(&address), &size) != 0)
+        ADD_FAILURE() << "no server";
+    return ntohs(address.sin_port);
+}
+
+inline std::string urlOf(unsigned port) {
+    return "http://127.0.0.1:" + std::to_string(port);
+}
+
 /// Serves the files of a folder over HTTP on the loopback, one request after the other.
 class FileServer {
 public:
     explicit FileServer(std::string folder)
         : _folder(std::move(folder)), _socket(socket(AF_INET, SOCK_STREAM, 0)) {
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        socklen_t size = sizeof address;
-        if (bind(_socket, reinterpret_cast<sockaddr*>(&address), size) != 0 || listen(_socket, 64) != 0 ||
-            getsockname(_socket, reinterpret_cast<sockaddr*>(&address), &size) != 0)
-            ADD_FAILURE() << "no server";
-        _port = ntohs(address.sin_port);
+        _port = listenOn(_socket);
         _thread = std::thread([this] { serve(); });
     }
     ~FileServer() {
@@ -38,7 +47,7 @@ public:
     FileServer(const FileServer&) = delete;
     FileServer& operator=(const FileServer&) = delete;
 
-    std::string url() const { return "http://127.0.0.1:" + std::to_string(_port); }
+    std::string url() const { return urlOf(_port); }
     /// From now on one request in `count` fails: in turns with 503, half a file, and a closed connection. 0:
     /// none.
     void failOneIn(int count) { _failOneIn = count; }
@@ -90,4 +99,19 @@ private:
     std::atomic<bool> _done{false};
     std::atomic<int> _failOneIn{0}, _failures{0};
     std::thread _thread;
+};
+
+/// Takes connections and never answers.
+class SilentServer {
+public:
+    SilentServer() : _socket(socket(AF_INET, SOCK_STREAM, 0)) { _port = listenOn(_socket); }
+    ~SilentServer() { close(_socket); }
+    SilentServer(const SilentServer&) = delete;
+    SilentServer& operator=(const SilentServer&) = delete;
+
+    std::string url() const { return urlOf(_port); }
+
+private:
+    int _socket;
+    unsigned _port;
 };

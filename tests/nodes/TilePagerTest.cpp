@@ -5,6 +5,7 @@
 #include <osgTreeWind/motion/ForestSimulation.h>
 #include <osgTreeWind/motion/SimulationParts.h>
 #include <osgTreeWind/motion/modal/ModalMotion.h>
+#include <osgTreeWind/nodes/TileReader.h>
 #include <tests/MessageCollector.h>
 #include <tests/nodes/FileServer.h>
 #include <tests/nodes/TiledWorld.h>
@@ -172,4 +173,32 @@ TEST(TilePagerTest, aServerThatFailsNowAndThenIsAskedAgain) {
     osg::setNotifyHandler(new osg::StandardNotifyHandler);
     EXPECT_GE(server.failures(), 3) << "each way of failing once";
     EXPECT_EQ(world.names().size(), 81u) << messages->take();
+}
+
+TEST(TilePagerTest, aServerThatIsSilentIsGivenUp) {
+    TiledWorld world;
+    const SilentServer server;
+    const osg::ref_ptr<osgDB::Options> options = new osgDB::Options("OSG_CURL_TIMEOUT=1");
+    osgDB::Registry::instance()->setOptions(options);
+    world.readFrom(server.url() + "/tiles");
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(world.forest().findTree("5_4/1"), noTree);
+    osgDB::Registry::instance()->setOptions(nullptr);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+TEST(TilePagerTest, aServersFileOfAnySizeIsNotRead) {
+    struct Endless : std::streambuf {
+        off_type at = 0;
+        pos_type seekoff(off_type offset, std::ios::seekdir from, std::ios::openmode) override {
+            constexpr off_type size = off_type(1) << 40;
+            return at = offset + (from == std::ios::end ? size : from == std::ios::cur ? at : 0);
+        }
+        pos_type seekpos(pos_type to, std::ios::openmode) override { return at = to; }
+    } endless;
+    std::istream input(&endless);
+    registerTileReader();
+    osgDB::ReaderWriter* reader = osgDB::Registry::instance()->getReaderWriterForExtension("trees");
+    ASSERT_TRUE(reader);
+    EXPECT_NE(reader->readNode(input, nullptr).message().find("expected at most 256 MiB"), std::string::npos);
 }

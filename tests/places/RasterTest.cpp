@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <tests/EnvironmentVariable.h>
 #include <tests/Folders.h>
 #include <tests/TestData.h>
 #include <tests/base/FirstProblem.h>
@@ -243,6 +244,18 @@ TEST(Raster, AVrtPutsFilesTogetherAndDoesNothingElse) {
               "a.vrt: its source \"secret\" is of no format that is read as ground");
     EXPECT_EQ(problemOf(vrtOf(sourceOf("a.vrt"))),
               "a.vrt: its source \"a.vrt\" is the VRT of too many others");
+}
+
+TEST(Raster, TakesNoMoreMemoryThanAllowed) {
+    const TemporaryFolder folder;
+    const std::string vrt = folder.write(
+        "a.vrt",
+        "<VRTDataset rasterXSize='20000' rasterYSize='19000'><GeoTransform>0,1,0,0,0,-1</GeoTransform>"
+        "<VRTRasterBand dataType='Float32' band='1'/></VRTDataset>");
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "1G");
+    EXPECT_EQ(firstProblem(Raster::open(vrt)),
+              vrt + ": its 20000 x 19000 cells need about 1.52 GB of memory; the limit is 1 GB "
+                    "(OSGTREEWIND_MAX_MEMORY sets another)");
 }
 
 } // namespace osgTreeWind

@@ -113,9 +113,11 @@ TEST(VectorFile, ALayerIsNamedWhereThereAreSeveral) {
     ASSERT_TRUE(result);
     VectorFile& file = result.value();
     EXPECT_EQ(file.layers(), (std::vector<std::string>{"trees", "shrubs"}));
-    EXPECT_EQ(file.chooseLayer("").front().message,
-              "expected layer to name one of its layers: trees, shrubs");
-    EXPECT_EQ(file.chooseLayer("tree").front().message, "no layer \"tree\"; it has: trees, shrubs");
+    EXPECT_EQ(
+        file.chooseLayer("").front().message,
+        "expected layer to name one of its 2 layers, of which \"trees\" is the first; ogrinfo lists them");
+    EXPECT_EQ(file.chooseLayer("tree").front().message,
+              "no layer \"tree\" among its 2 layers, of which \"trees\" is the first; ogrinfo lists them");
     ASSERT_TRUE(file.chooseLayer("shrubs").empty());
     ASSERT_TRUE(file.next().value());
     EXPECT_EQ(file.feature(), "layer \"shrubs\", feature 1");

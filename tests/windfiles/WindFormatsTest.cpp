@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one door through which records and fields come in.
+#include <tests/EnvironmentVariable.h>
 #include <tests/Folders.h>
 #include <tests/base/FirstProblem.h>
 #include <tests/io/TemporaryFolder.h>
@@ -8,6 +9,10 @@
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <gtest/gtest.h>
+
+#include <zlib.h>
+
+#include <filesystem>
 
 namespace osgTreeWind {
 
@@ -72,6 +77,36 @@ TEST(WindFormats, RecordsAreThoseOfAnyFormatThatHoldsOne) {
     const std::string grid = OSGTREEWIND_TEST_DATA "/wind/vectors.vtk";
     EXPECT_EQ(firstProblem(readWindSeries(grid, {})),
               grid + ": expected a record at one point, found a grid: VTK legacy STRUCTURED_POINTS");
+}
+
+TEST(WindFormats, UnpackNoMoreThanTheMemoryAllows) {
+    const std::uint32_t size = 3 * 4 * 1000 * 1000;
+    std::string packed(compressBound(size), '\0');
+    uLongf length = packed.size();
+    const std::string zeros(size, '\0');
+    ASSERT_EQ(compress(reinterpret_cast<Bytef*>(&packed[0]), &length,
+                       reinterpret_cast<const Bytef*>(zeros.data()), size),
+              Z_OK);
+    const std::uint32_t head[] = {1, size, 0, static_cast<std::uint32_t>(length)};
+    const std::string file =
+        "<VTKFile type='ImageData' compressor='vtkZLibDataCompressor'><ImageData WholeExtent='0 999 0 999 0 "
+        "0'>"
+        "<Piece Extent='0 999 0 999 0 0'><PointData><DataArray type='Float32' NumberOfComponents='3' "
+        "format='appended' offset='0'/></PointData></Piece></ImageData><AppendedData encoding='raw'>_" +
+        std::string(reinterpret_cast<const char*>(head), sizeof head) + packed.substr(0, length);
+    EXPECT_EQ(firstProblem(readVtkXml(file, "f")), "");
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "20M");
+    EXPECT_NE(firstProblem(readVtkXml(file, "f")).find("the unpacked data need about 24 MB of memory"),
+              std::string::npos)
+        << firstProblem(readVtkXml(file, "f"));
+}
+
+TEST(WindFormats, FilesLargerThanTheMemoryAreNotRead) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("a.vtk", "# vtk DataFile Version 3.0\n");
+    std::filesystem::resize_file(file, std::uintmax_t(1) << 40); // sparse
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "1G");
+    EXPECT_EQ(formatOf(file).find(file + ": its bytes need about 1.1 TB of memory"), 0u) << formatOf(file);
 }
 
 } // namespace osgTreeWind

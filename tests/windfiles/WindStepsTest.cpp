@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Several files of one time each, read as one wind.
+#include <tests/EnvironmentVariable.h>
 #include <tests/Folders.h>
 #include <tests/windfiles/NetCdfReading.h>
 
@@ -315,6 +316,19 @@ TEST(WindSteps, TimesMustIncreaseAndBeOneForEachFile) {
     EXPECT_EQ(problem({0, std::numeric_limits<double>::quiet_NaN()}),
               "times: expected seconds within 1e15, found times[1] = nan");
     EXPECT_EQ(firstProblem(readWindFiles({}, {})), "files: expected at least one");
+}
+
+TEST(WindSteps, TakeNoMoreMemoryThanAllowed) {
+    const auto read = [](const std::string&) {
+        WindContent content;
+        auto& grid = std::get<GridWind::Grid>(content.data);
+        grid.points = {100, 10, 1};
+        grid.values.resize(3000, 1.0f);
+        return Result<WindContent>(content);
+    };
+    const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", "30k");
+    const std::string problem = firstProblem(readWindSteps({"a", "b", "c"}, {0, 1, 2}, read));
+    EXPECT_EQ(problem.find("c: all files up to this one need about 36 kB of memory"), 0u) << problem;
 }
 
 } // namespace osgTreeWind

@@ -4,8 +4,8 @@
 #include <examples/osgtreewind/output/Json.h>
 #include <examples/osgtreewind/output/Progress.h>
 
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/WholeFile.h>
-#include <osgTreeWind/motion/ForestMemory.h>
 
 #include <osgDB/FileNameUtils>
 

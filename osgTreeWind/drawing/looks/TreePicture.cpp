@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 
+#include <osgTreeWind/base/InputFile.h>
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/drawing/looks/ByteOf.h>
 #include <osgTreeWind/drawing/looks/LeafAtlas.h>
+#include <osgTreeWind/drawing/looks/PictureSize.h>
 
 #include <osg/Notify>
 #include <osgDB/ReadFile>
@@ -42,9 +45,22 @@ glm::vec4 pixelOf(const osg::Image& image, int x, int y, int width, int height) 
     return {alpha > 0.0f ? color / alpha : glm::vec3(0.0f), alpha / (samples * samples)};
 }
 
+/// Why a picture is not read at all; empty where it may be.
+std::string problemOfPicture(const std::string& path) {
+    Result<std::ifstream> file = openInput(path);
+    const std::optional<glm::dvec2> size = file ? pictureSize(file.value()) : std::nullopt;
+    constexpr double mostBytes = 8.0; // of a pixel: four channels of 16 bits
+    return size ? problemOfMemory("its pixels", static_cast<std::uint64_t>(mostBytes * size->x * size->y))
+                : std::string();
+}
+
 Pixels readPixels(const std::string& path, int width, int height) {
-    const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
     Pixels pixels{width, height, {}};
+    if (const std::string problem = problemOfPicture(path); !problem.empty()) {
+        OSG_WARN << "osgTreeWind: \"" << path << "\": " << problem << std::endl;
+        return pixels;
+    }
+    const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(path);
     if (!image || !image->data() || image->s() < 1 || image->t() < 1 || image->isCompressed()) {
         OSG_WARN << "osgTreeWind: \"" << path << "\" is no picture that OpenSceneGraph reads"
                  << (image && image->isCompressed() ? " uncompressed" : "") << std::endl;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <tests/EnvironmentVariable.h>
 #include <tests/MessageCollector.h>
 #include <tests/io/TemporaryFolder.h>
 
+#include <osgTreeWind/drawing/looks/PictureSize.h>
 #include <osgTreeWind/drawing/looks/TreePicture.h>
 #include <osgTreeWind/drawing/looks/TreeTextures.h>
 
@@ -81,4 +83,37 @@ TEST(TreePicture, WhatIsNoneIsSaidAndOurOwnIsShown) {
     const std::string said = messages->take();
     EXPECT_NE(said.find("spray.png\" is no picture"), std::string::npos) << said;
     EXPECT_NE(said.find("no.png\" is no picture"), std::string::npos) << said;
+}
+
+TEST(TreePicture, LargerThanTheMemoryIsNotRead) {
+    const TemporaryFolder folder;
+    const std::string png = writePicture(folder), jpeg = folder.path() + "/bark.jpg";
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(640, 480, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    EXPECT_TRUE(osgDB::writeImageFile(*image, jpeg));
+    osg::ref_ptr<MessageCollector> messages = new MessageCollector;
+    const osg::ref_ptr<osg::NotifyHandler> before = osg::getNotifyHandler();
+    osg::setNotifyHandler(messages);
+    for (const char* size : {"3M", "20k"}) {
+        const EnvironmentVariable limit("OSGTREEWIND_MAX_MEMORY", size);
+        readBarkPicture(jpeg);
+        readLeafPicture(png);
+    }
+    osg::setNotifyHandler(before);
+    const std::string said = messages->take();
+    EXPECT_EQ(said.find("its pixels need about 48 kB of memory; the limit is 20 kB"),
+              said.rfind("its pixels need about 48 kB"))
+        << said;
+    EXPECT_NE(said.find("bark.jpg\": its pixels need about 2.46 MB of memory; the limit is 20 kB"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("limit is 3 MB"), std::string::npos) << said;
+}
+
+TEST(PictureSize, IsNoneWhereTheHeadSaysNone) {
+    for (const std::string& bytes : {std::string(), std::string("\x89PNG"), std::string("\xff\xd8\xff"),
+                                     std::string("\xff\xd8\xff\xe0\0\0\xff\xc0", 8), std::string("GIF89a")}) {
+        std::istringstream file(bytes);
+        EXPECT_FALSE(pictureSize(file)) << bytes;
+    }
 }
