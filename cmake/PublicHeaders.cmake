@@ -64,5 +64,6 @@ set(public_headers
     osgTreeWind/wind/WindField.h
     osgTreeWind/wind/WindPlace.h
     osgTreeWind/wind/WindSource.h
+    osgTreeWind/windfiles/WindExtent.h
     osgTreeWind/windfiles/WindFile.h
     osgTreeWind/windfiles/WindSeriesColumns.h)

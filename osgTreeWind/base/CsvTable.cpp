@@ -9,6 +9,7 @@
 #include <osgTreeWind/base/Text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -37,7 +38,46 @@ Diagnostics readHeader(const Row& row, CsvTable& table) {
     return problems;
 }
 
+/// A number in which a comma parts the decimals, and full stops before it the thousands.
+std::optional<double> parseWithComma(std::string text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos)
+        return parseNumber(text);
+    text[comma] = '.';
+    for (std::size_t at = comma; (at = text.rfind('.', at - 1)) < comma && at > 0;)
+        text.erase(at, 1);
+    return parseNumber(text);
+}
+
+bool isNines(std::string_view digits, std::size_t fewest) {
+    return digits.size() >= fewest && digits.find_first_not_of('9') == std::string_view::npos;
+}
+
 } // namespace
+
+std::optional<double> CsvFormat::numberOf(const std::string& cell) const {
+    return decimalComma ? parseWithComma(cell) : parseNumber(cell);
+}
+
+bool isMissing(std::string_view cell) {
+    static const std::set<std::string> marks = {
+        "",   "m",   "na",   "n/a",   "nan",     "null",      "none",   "nil", "nodata",
+        "-",  "--",  "---",  "/",     "//",      "///",       "?",      "*",   ".",
+        "..", "...", "k.a.", "k. a.", "unknown", "unbekannt", "inconnu"};
+    if (cell.size() > 20)
+        return false;
+    std::string word = lower(std::string(cell));
+    word.erase(0, std::min(word.find_first_not_of(" \t"), word.size()));
+    word.erase(word.find_last_not_of(" \t") + 1);
+    return marks.count(word) > 0;
+}
+
+bool isMissing(double number) {
+    const std::string text = numberText(std::round(std::abs(number) * 1000.0) / 1000.0); // of floats too
+    const std::size_t stop = std::min(text.find('.'), text.size());
+    return isNines(std::string_view(text).substr(0, stop), number < 0.0 ? 2 : 3) &&
+           (stop == text.size() || isNines(std::string_view(text).substr(stop + 1), 1));
+}
 
 std::optional<std::size_t> CsvTable::column(const std::string& name) const {
     const auto found = std::find(columns.begin(), columns.end(), name);
@@ -48,14 +88,14 @@ std::optional<std::size_t> CsvTable::column(const std::string& name) const {
 
 Result<double> CsvTable::number(const Row& row, std::size_t column) const {
     const std::string& cell = row.cells[column];
-    if (const auto number = parseNumber(cell))
+    if (const auto number = format.numberOf(cell))
         return *number;
     return Diagnostic{file, row.line, 0, columns[column], expectedFound("a number", cell)};
 }
 
-Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, char delimiter,
+Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, CsvFormat format,
                              const std::function<void(const CsvTable& table, Row& row)>& take) {
-    if (std::string_view("\0\"\r\n", 4).find(delimiter) != std::string_view::npos)
+    if (std::string_view("\0\"\r\n", 4).find(format.delimiter) != std::string_view::npos)
         return Diagnostic{file, 0, 0, "delimiter",
                           "expected a character that can part cells, such as , ; or a tab"};
 
@@ -64,9 +104,10 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, cha
         return plain.problems();
     CsvTable table;
     table.file = file;
+    table.format = format;
     table.headerLine = 0;
     Diagnostics problems;
-    CsvReader rows(plain.value(), file, delimiter);
+    CsvReader rows(plain.value(), file, format.delimiter);
     Result<bool> found = rows.next();
     for (; found && found.value(); found = rows.next()) {
         Row& row = rows.row();
@@ -90,12 +131,12 @@ Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, cha
     return table;
 }
 
-Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char delimiter) {
+Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, CsvFormat format) {
     const Result<std::string> text = readText(input, file);
     if (!text)
         return text.problems();
     std::vector<Row> rows;
-    Result<CsvTable> table = readCsvRows(text.value(), file, delimiter,
+    Result<CsvTable> table = readCsvRows(text.value(), file, format,
                                          [&](const CsvTable&, Row& row) { rows.push_back(std::move(row)); });
     if (table)
         table.value().rows = std::move(rows);
@@ -103,7 +144,7 @@ Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char
 }
 
 double CsvCells::number(std::size_t column, const Range& range, const char* what) {
-    const std::optional<double> number = parseNumber(text(column));
+    const std::optional<double> number = _table.format.numberOf(text(column));
     if (number && range.contains(*number))
         return *number;
     expect(column, what ? what : "a number " + range.text());

@@ -14,6 +14,22 @@ namespace osgTreeWind {
 
 struct Range;
 
+/// How the cells of a table are written.
+struct CsvFormat {
+    CsvFormat(char parted = ',', bool comma = false) : delimiter(parted), decimalComma(comma) {}
+
+    std::optional<double> numberOf(const std::string& cell) const;
+
+    char delimiter;
+    bool decimalComma; ///< Whether "1,5" and "1.234,5" are numbers.
+};
+
+/// Whether a cell says that there is no value: empty, or "NA", "null", "M", "-" and the like.
+bool isMissing(std::string_view cell);
+/// Whether a number is one that programs write where there is no value: -99, -99.9, -9999, 999, 999.9 and the
+/// like. Below zero two nines are enough, above it takes three.
+bool isMissing(double number);
+
 /// A delimited text file with a header row (RFC 4180 quoting, parsed with libcsv).
 struct CsvTable {
     struct Row {
@@ -25,6 +41,7 @@ struct CsvTable {
     int headerLine = 1;               ///< 1-based line of the file on which the header row starts.
     std::vector<std::string> columns; ///< Header names, trimmed of blanks and a byte-order mark.
     std::vector<Row> rows;            ///< Every row has columns.size() cells.
+    CsvFormat format;
 
     /// Index of the column called `name` (exact match), or empty.
     std::optional<std::size_t> column(const std::string& name) const;
@@ -35,12 +52,12 @@ struct CsvTable {
 
 /// Reads a whole table. Ragged rows, no header, unterminated quotes and NUL bytes are errors with a line.
 /// @param file name for diagnostics only.
-Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, char delimiter = ',');
+Result<CsvTable> readCsvTable(std::istream& input, const std::string& file, CsvFormat format = {});
 
 /// The same without ever holding all rows.
 /// @param take gets the table without rows, and each row in turn. All of it counts for nothing where the
 /// result is an error.
-Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, char delimiter,
+Result<CsvTable> readCsvRows(std::string_view text, const std::string& file, CsvFormat format,
                              const std::function<void(const CsvTable& table, CsvTable::Row& row)>& take);
 
 /// The cells of a row as what they say; the first that is not as it should be is remembered.

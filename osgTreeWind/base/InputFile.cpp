@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/InputFile.h>
 
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Text.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include <unistd.h>
@@ -42,6 +44,26 @@ Result<std::ifstream> openInput(const std::string& path) {
     if (!input)
         return fileProblem(path, "cannot be read");
     return input;
+}
+
+Result<std::string> readBytes(const std::string& path) {
+    Result<std::ifstream> input = openInput(path);
+    if (!input)
+        return input.problems();
+    std::ifstream& file = input.value();
+    const std::streamoff size = file.seekg(0, std::ios::end).tellg();
+    if (const std::string memory =
+            problemOfMemory("its bytes", static_cast<std::uint64_t>(std::max<std::streamoff>(size, 0)));
+        !memory.empty())
+        return fileProblem(path, memory);
+    std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)), '\0');
+    file.seekg(0).read(&bytes[0], size);
+    if (size < 0 || file.bad())
+        return fileProblem(path, "cannot be read");
+    bytes.resize(static_cast<std::size_t>(file.gcount())); // less of one that is cut meanwhile
+    if (bytes.empty())
+        return fileProblem(path, "the file is empty");
+    return bytes;
 }
 
 Result<std::string> readTextFile(const std::string& path) {

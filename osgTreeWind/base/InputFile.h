@@ -16,6 +16,10 @@ std::optional<Diagnostic> problemOfInput(const std::string& path);
 /// A regular file, open for reading bytes, or why it cannot be read.
 Result<std::ifstream> openInput(const std::string& path);
 
+/// All bytes of a file, or why there are none: an empty one is an error, and one that memoryLimit() does not
+/// allow.
+Result<std::string> readBytes(const std::string& path);
+
 /// All of a text file as readText() gives it, or why it cannot be read.
 Result<std::string> readTextFile(const std::string& path);
 

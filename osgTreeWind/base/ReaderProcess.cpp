@@ -88,8 +88,7 @@ std::string endOf(pid_t process) {
 
 } // namespace
 
-ReaderProcess::ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& command)
-    : _reader(reader) {
+ReaderProcess::ReaderProcess(const ReaderProgram& reader, const std::vector<std::string>& command) {
     const std::string program = placeOf(reader);
     if (const int error = start(program, command, _process, _descriptor); error != 0)
         _startProblem = std::string(reader.format) + " needs " + reader.library + ", and the program " +

@@ -40,7 +40,6 @@ public:
 private:
     void close();
 
-    const ReaderProgram _reader;
     std::string _startProblem, _end;
     pid_t _process = -1;
     int _descriptor = -1;

@@ -89,7 +89,7 @@ bool Wire::pass(T& value) {
     if constexpr (std::is_trivially_copyable_v<T>)
         return passBytes(&value, sizeof value);
     else
-        return std::apply([this](auto&... parts) { return pass(parts...); }, value.parts());
+        return std::apply([this](auto&... parts) { return this->pass(parts...); }, value.parts());
 }
 
 template <typename T>

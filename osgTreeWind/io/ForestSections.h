@@ -8,7 +8,7 @@
 #include <osgTreeWind/io/TableReader.h>
 #include <osgTreeWind/io/TreeStore.h>
 #include <osgTreeWind/io/TreesInAll.h>
-#include <osgTreeWind/places/Crs.h>
+#include <osgTreeWind/places/CrsWay.h>
 
 #include <fstream>
 #include <map>
@@ -31,7 +31,10 @@ struct ForestReading {
     TreeStore trees{forest.trees};
     std::vector<UnsaidOfTree> unsaid; ///< By tree.
     std::optional<Crs> crs;           ///< That of the forest.
+    bool keepsMap = false;            ///< `stretched`: whatever a metre of the map is on the ground.
+    CrsWay toScene;                   ///< From the map of the file's places to `crs`, once that is known.
     std::optional<double> windDate;   ///< Seconds since 1970 of the wind's time 0, where its files say.
+    bool saysSpecies = false;         ///< Whether the file has [[species]].
     std::size_t declaredSpecies = 0;  ///< Number of the file's own species. Built-in ones follow them.
     std::map<std::string, std::size_t> speciesByName; ///< Folded names and aliases to indices.
     std::set<std::string> treeNames;                  ///< Of all trees so far.
@@ -42,6 +45,8 @@ struct ForestReading {
     /// The same, or else a built-in species of that name, which then is one of the forest's; if the document
     /// has a species of its own by the built-in one's common name, that one.
     std::optional<std::size_t> speciesOrBuiltIn(const std::string& name);
+    /// The index of a built-in species, which then is one of the forest's, as above. @param found null: none.
+    std::optional<std::size_t> takeBuiltIn(const Species* found);
     /// Where species are looked for that the document has not. If that of the host is broken, its problems
     /// are now those of the reading.
     const SpeciesCatalogue& builtIn();
@@ -50,6 +55,8 @@ struct ForestReading {
     void addTree(const TreePlacement& tree, bool onGround, UnsaidOfTree said);
     /// Takes the crs that an inventory or the ground asks for.
     void choose(const Crs& chosen);
+    /// A place of the file in the scene's map.
+    glm::dvec3 inScene(const glm::dvec3& place) const;
     /// Whether `count` more trees are still allowed; a problem with `key` when not.
     bool roomFor(std::uint64_t count, TableReader& table, const std::string& key);
 

@@ -3,7 +3,6 @@
 
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Text.h>
-#include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/TableReader.h>
 
 #include <glm/gtc/constants.hpp>
@@ -13,6 +12,10 @@
 namespace osgTreeWind {
 
 namespace {
+
+// Metres of the largest trees that were measured: coast redwood Hyperion, a live oak's mean spread of 47 m
+// with some room, and a trunk as General Sherman's.
+constexpr double highestTree = 116.0, widestCrown = 60.0, thickestTrunk = 7.8;
 
 /// How a format calls what `key` means.
 struct KnownColumn {
@@ -33,6 +36,16 @@ const KnownColumn knownColumns[] = {
     {"OSM", "circumference", "circumference"},
     {"OSM", "crown_width", "diameter_crown"},
 };
+
+/// The column that open-data portals and databases put a place in.
+std::optional<std::size_t> usualPoint(const TreeRows& rows) {
+    for (const char* const name : {"geo_point_2d", "geopoint", "geo_point", "geom", "the_geom", "geometry",
+                                   "wkt", "wkt_geom", "shape", "point", "location"})
+        for (std::size_t i = 0; i < rows.columns().size(); ++i)
+            if (lower(rows.columns()[i]) == name)
+                return i;
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -56,11 +69,9 @@ std::optional<double> metresOf(const std::string& text) {
 }
 
 InventoryColumns::InventoryColumns()
-    : height{"height", treeRange("height")}, trunkDiameter{"trunk_diameter", treeRange("trunk_diameter")},
-      circumference{"circumference", treeRange("trunk_diameter")}, crownWidth{"crown_width",
-                                                                              treeRange("crown_width")} {
-    circumference.range.max *= glm::pi<double>();
-}
+    : height{"height", above(0, highestTree)}, trunkDiameter{"trunk_diameter", above(0, thickestTrunk)},
+      circumference{"circumference", above(0, glm::pi<double>() * thickestTrunk)},
+      crownWidth{"crown_width", above(0, widestCrown)} {}
 
 void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
     table.table("columns", [&](TableReader& columns) {
@@ -69,9 +80,15 @@ void InventoryColumns::read(TableReader& table, const TreeRows* rows) {
         id = find(columns, "id", rows);
         if (const auto given = find(columns, "species", rows))
             species = {*given};
+        point = find(columns, "point", rows);
+        if (x.column && x.column == y.column)
+            std::swap(point, x.column);
+        if (rows && !point && !columns.has("point") && !columns.has("x") && !columns.has("y") &&
+            !rows->hasPlaces())
+            point = usualPoint(*rows);
         if (rows && columns.has("x") != columns.has("y"))
             _complete = columns.missing(columns.has("x") ? "y" : "x");
-        else if (rows && !columns.has("x") && !rows->hasPlaces())
+        else if (rows && !hasXY() && !columns.has("x") && !columns.has("point") && !rows->hasPlaces())
             _complete = columns.missing("x");
     });
     if (!table.has("columns") && rows && !rows->hasPlaces())
@@ -122,8 +139,9 @@ std::vector<std::size_t> InventoryColumns::all() {
     for (const Measure* measure : measures())
         if (measure->column)
             columns.push_back(*measure->column);
-    if (id)
-        columns.push_back(*id);
+    for (const auto& column : {id, point})
+        if (column)
+            columns.push_back(*column);
     return columns;
 }
 
@@ -132,7 +150,7 @@ bool InventoryColumns::areDegrees(const TreeRows& rows) const {
         return measure.column &&
                std::count(names.begin(), names.end(), lower(rows.columns()[*measure.column]));
     };
-    return isCalled(x, {"longitude", "lon", "long", "lng"}) && isCalled(y, {"latitude", "lat"});
+    return point || (isCalled(x, {"longitude", "lon", "long", "lng"}) && isCalled(y, {"latitude", "lat"}));
 }
 
 } // namespace osgTreeWind

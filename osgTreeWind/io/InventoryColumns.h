@@ -29,15 +29,17 @@ public:
     void read(TableReader& table, const TreeRows* rows);
     /// Whether all is there that trees need but their species.
     bool complete() const { return _complete; }
-    /// Whether places are those of `x` and `y`, not of the rows themselves.
-    bool hasXY() const { return x.column.has_value(); }
+    /// Whether places are in columns, `x` and `y` or `point`, and not those of the rows themselves.
+    bool hasXY() const { return x.column || point; }
     /// All columns that are read.
     std::vector<std::size_t> all();
-    /// Whether `x` and `y` are called longitude and latitude.
+    /// Whether places are longitudes and latitudes, as the names of `x` and `y` say it, or those of a
+    /// `point`.
     bool areDegrees(const TreeRows& rows) const;
 
     Measure x{"x", worldCoordinates}, y{"y", worldCoordinates}, z{"z", worldCoordinates};
     Measure height, trunkDiameter, circumference, crownWidth;
+    std::optional<std::size_t> point; ///< A place in one cell: "48.88, 2.30" or "POINT (2.30 48.88)".
     std::optional<std::size_t> id;
     std::vector<std::size_t> species; ///< The first whose name is known counts.
 

@@ -4,9 +4,11 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/StretchedMap.h>
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,6 +33,24 @@ Result<std::optional<Crs>> sourceOf(const std::string& text, const TreeRows& row
     return std::optional(given.value());
 }
 
+/// The place that one cell holds: "POINT (2.30 48.88)", GeoJSON, or latitude and longitude, "48.88, 2.30".
+Result<glm::dvec2> pointOf(const TreeRows& rows, std::size_t column) {
+    const std::string cell = rows.text(column);
+    std::vector<double> numbers;
+    for (std::size_t at = 0; (at = cell.find_first_of("+-.0123456789", at)) != std::string::npos;) {
+        const std::size_t end = std::min(cell.find_first_not_of("+-.0123456789eE", at), cell.size());
+        if (const auto number = parseNumber(std::string_view(cell).substr(at, end - at)))
+            numbers.push_back(*number);
+        at = end;
+    }
+    const bool isNamed = cell.find("oint") != std::string::npos || cell.find("OINT") != std::string::npos;
+    if (numbers.size() < 2)
+        return rows.problem(rows.columns()[column],
+                            expectedFound("a place such as 48.88, 2.30 or POINT (2.30 48.88)", cell));
+    const bool isNorthFirst = !isNamed && std::abs(numbers[0]) <= 90.0;
+    return isNorthFirst ? glm::dvec2(numbers[1], numbers[0]) : glm::dvec2(numbers[0], numbers[1]);
+}
+
 /// Where a row says that it is: in columns as they are, else where the way of its rows has brought it.
 Result<VectorPlace> stated(const TreeRows& rows, const InventoryColumns& columns) {
     VectorPlace place;
@@ -39,7 +59,9 @@ Result<VectorPlace> stated(const TreeRows& rows, const InventoryColumns& columns
         problems.insert(problems.end(), result.problems().begin(), result.problems().end());
         return result ? result.value() : std::decay_t<decltype(result.value())>();
     };
-    if (columns.hasXY()) {
+    if (columns.point) {
+        place.position = {take(pointOf(rows, *columns.point)), 0.0};
+    } else if (columns.hasXY()) {
         const double x = take(metresOfRow(rows, columns.x)), y = take(metresOfRow(rows, columns.y));
         place.position = {x, y, 0.0};
     } else
@@ -56,30 +78,36 @@ Result<VectorPlace> stated(const TreeRows& rows, const InventoryColumns& columns
 
 /// Where all rows are as they say it; NaN for one that does not. What is wrong with rows is told when they
 /// become trees.
-std::vector<glm::dvec2> statedPlaces(TreeRows& rows, const InventoryColumns& columns) {
+/// @param most of those that do say it: where the first ones are is enough for some.
+std::vector<glm::dvec2> statedPlaces(TreeRows& rows, const InventoryColumns& columns,
+                                     std::size_t most = std::numeric_limits<std::size_t>::max()) {
     std::vector<glm::dvec2> places;
     std::vector<std::size_t> read; // none would mean all
     for (const Measure* measure : {&columns.x, &columns.y, &columns.z})
         if (measure->column)
             read.push_back(*measure->column);
+    if (columns.point)
+        read.push_back(*columns.point);
     rows.rewind({}, read);
-    for (auto found = rows.next(); found && found.value(); found = rows.next()) {
+    std::size_t count = 0;
+    for (auto found = rows.next(); found && found.value() && count < most; found = rows.next()) {
         const auto place = stated(rows, columns);
+        count += place.ok();
         places.push_back(place ? glm::dvec2(place.value().position)
                                : glm::dvec2(std::numeric_limits<double>::quiet_NaN()));
     }
     return places;
 }
 
-/// The UTM zone of the middle of all places.
-Result<Crs> zoneOf(const std::vector<glm::dvec2>& places, const Crs& source) {
+/// The middle of all places.
+glm::dvec2 middleOf(const std::vector<glm::dvec2>& places) {
     glm::dvec2 low(1e300), high(-1e300);
     for (const glm::dvec2& place : places)
         if (!std::isnan(place.x)) {
             low = glm::min(low, place);
             high = glm::max(high, place);
         }
-    return utmZoneOf(low.x <= high.x ? 0.5 * (low + high) : glm::dvec2(0.0), source, "crs");
+    return low.x <= high.x ? 0.5 * (low + high) : glm::dvec2(0.0);
 }
 
 } // namespace
@@ -110,7 +138,8 @@ std::optional<InventoryPlaces> InventoryPlaces::find(TableReader& table, TreeRow
         const bool isMap = from.problemOfMap().empty();
         if (!isMap)
             places = statedPlaces(*rows, columns);
-        const Result<Crs> chosen = isMap ? Result<Crs>(from) : zoneOf(places, from);
+        const glm::dvec2 middle = middleOf(isMap ? statedPlaces(*rows, columns, 1) : places);
+        const Result<Crs> chosen = isMap ? trueMapAt(middle, from, reading) : utmZoneOf(middle, from, "crs");
         if (!chosen)
             return fail(chosen.problems());
         reading.choose(chosen.value());

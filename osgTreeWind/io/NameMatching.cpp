@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/io/NameMatching.h>
 
-#include <osgTreeWind/base/Text.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -39,14 +37,6 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
         }
     }
     return best;
-}
-
-std::string foldedName(const std::string& text) {
-    const std::string blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string::npos)
-        return {};
-    return lower(text.substr(first, text.find_last_not_of(blanks) - first + 1));
 }
 
 } // namespace osgTreeWind

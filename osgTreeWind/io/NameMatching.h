@@ -8,7 +8,5 @@ namespace osgTreeWind {
 
 /// The word closest to `word` by edit distance; empty when none is similar.
 std::string nearestName(const std::string& word, const std::vector<std::string>& words);
-/// Without blanks around it, ASCII letters in lower case: how names of species are compared.
-std::string foldedName(const std::string& text);
 
 } // namespace osgTreeWind

@@ -2,6 +2,7 @@
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/forest/FeetOnGround.h>
 #include <osgTreeWind/io/ForestSections.h>
+#include <osgTreeWind/io/StretchedMap.h>
 #include <osgTreeWind/io/TomlText.h>
 #include <osgTreeWind/places/RasterGround.h>
 
@@ -52,17 +53,24 @@ void readGround(TableReader& table, ForestReading& reading) {
         return;
     RasterGround::Source source;
     table.read("crs", source.crs);
+    if (int number = 0; !table.readScalar("band", source.band) && table.has("band"))
+        if (table.read("band", number, within(1, 65535)))
+            source.band = std::to_string(number);
     source.files = findFiles(table, reading);
     if (source.files.empty())
         return;
-    const auto ground = RasterGround::open(source, reading.crs);
+    auto ground = RasterGround::open(source, reading.crs);
+    if (ground && ground.value()->map() && !reading.crs) {
+        reading.choose(*ground.value()->map());
+        leaveStretchedMap(reading);
+        if (!reading.toScene.staysHere())
+            ground = RasterGround::open(source, reading.crs);
+    }
     if (!ground) {
         const Diagnostic& problem = ground.problems().front();
         return problem.file.empty() ? table.problem(problem.key, problem.message) : reading.log.add(problem);
     }
     reading.forest.ground = ground.value();
-    if (ground.value()->map() && !reading.crs)
-        reading.choose(*ground.value()->map());
     if (reading.log.problems.empty())
         putTreesOnGround(table, reading);
 }
@@ -82,6 +90,8 @@ std::string writeGround(std::ostream& output, const ForestDescription& forest) {
     output << "\n[ground]\nfile = " << tomlText(files) << '\n';
     if (const std::string& crs = rasters->source().crs; !crs.empty())
         output << "crs = " << tomlText(crs) << '\n';
+    if (const std::string& band = rasters->source().band; !band.empty())
+        output << "band = " << tomlText(band) << '\n';
     return {};
 }
 

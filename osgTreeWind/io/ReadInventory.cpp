@@ -6,12 +6,15 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/InventoryPlaces.h>
+#include <osgTreeWind/io/InventorySizes.h>
+#include <osgTreeWind/io/SpreadOfPlaces.h>
 #include <osgTreeWind/species/SizeLaws.h>
 
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace osgTreeWind {
 
@@ -19,15 +22,8 @@ namespace {
 
 using RowCounts = std::map<std::string, std::size_t>;
 
-/// How many names a note tells before it only counts them.
-constexpr std::size_t mostNamed = 10;
-
-/// Metres; the highest that was ever measured has 116.
-constexpr float tallestTree = 120.0f;
-
-std::string rounded(float metres) {
-    return numberText(std::round(100.0 * static_cast<double>(metres)) / 100.0);
-}
+/// How many ids, and names of species, a note tells before it only counts them.
+constexpr std::size_t mostNamed = 10, mostSpecies = 300;
 
 std::size_t sumOf(const RowCounts& rows) {
     std::size_t sum = 0;
@@ -42,11 +38,11 @@ std::string mostFrequent(const RowCounts& rows) {
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.second > b.second; });
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(sorted.size(), mostNamed); ++i)
+    for (std::size_t i = 0; i < std::min(sorted.size(), mostSpecies); ++i)
         names.push_back((sorted[i].first.empty() ? "no name" : printable(sorted[i].first)) + " (" +
                         std::to_string(sorted[i].second) + ')');
-    if (sorted.size() > mostNamed)
-        names.push_back("and " + std::to_string(sorted.size() - mostNamed) + " more names");
+    if (sorted.size() > mostSpecies)
+        names.push_back("and " + std::to_string(sorted.size() - mostSpecies) + " more names");
     return joined(names);
 }
 
@@ -59,16 +55,13 @@ public:
         std::uint32_t seed = _reading.seed;
         _table.read("seed", seed);
         _saysCompany = _table.read("open_grown", _openGrown);
-        _table.read("skip", _skip);
+        _saysSkip = _table.read("skip", _skip);
+        _table.read("missing", _sizes.missing);
         _leaves = _reading.leaves;
         _table.read("leaves", _leaves, treeRange("leaves"));
         readDefaultSpecies();
         _rows = openTreeRows(_table, _reading);
         _columns.read(_table, _rows.get());
-        if (_columns.species.empty() && !_default && _defaultName.empty() && _rows) {
-            _table.problem("columns", "expected a species column, or default_species beside columns");
-            _complete = false;
-        }
         auto places = InventoryPlaces::find(_table, _rows.get(), _columns, _reading);
         if (!places || !_complete || !_columns.complete())
             return;
@@ -77,7 +70,9 @@ public:
         noteSkipped();
         noteUnmatched();
         noteRepeated();
+        noteSizes();
         noteEstimated();
+        noteFarAway();
     }
 
 private:
@@ -88,8 +83,14 @@ private:
                 _table.problem("default_species", "no species " + inQuotes(_defaultName));
                 _complete = false;
             }
-        } else if (_reading.declaredSpecies == 1)
+        } else if (_reading.saysSpecies && _reading.declaredSpecies == 1)
             _default = 0;
+    }
+    /// What stands for a tree whose name no species has.
+    std::size_t defaultSpecies() {
+        if (!_default)
+            _default = _reading.speciesOrBuiltIn("broadleaf");
+        return _default.value_or(0);
     }
 
     void readRows(std::uint32_t seed) {
@@ -109,11 +110,14 @@ private:
 
     void noteNone() {
         const bool isTable = _rows->format() == "CSV";
-        _reading.log.add({_rows->file(), isTable ? 1 : 0, 0, "",
-                          std::string("an inventory without trees: no ") +
-                              (_skipped > 0 ? "row is one; the first: " + _firstSkipped.text()
-                               : isTable    ? "row below the header"
-                                            : "feature is chosen")});
+        Diagnostic problem{_rows->file(), isTable ? 1 : 0, 0, "",
+                           std::string("an inventory without trees: no ") +
+                               (isTable ? "row below the header" : "feature is chosen")};
+        if (_skipped > 0) {
+            problem = _firstSkipped;
+            problem.message += "; no row has a place";
+        }
+        _reading.log.add(problem);
     }
 
     void readRow(Random& random) {
@@ -121,26 +125,26 @@ private:
         TreePlacement tree;
         const VectorPlace place = taken(_places.of(*_rows, _columns, _row - 1));
         tree.position = place.position;
-        tree.size.height = size(_columns.height);
-        tree.size.trunkDiameter = size(_columns.trunkDiameter);
-        if (tree.size.trunkDiameter == 0.0f)
-            tree.size.trunkDiameter = size(_columns.circumference) / glm::pi<float>();
-        tree.size.crownWidth = size(_columns.crownWidth);
-        if (tree.size.crownWidth == 0.0f && place.width)
-            tree.size.crownWidth = outlineWidth(*place.width);
         if (!isTree())
             return;
+        tree.size.height = _sizes.of(*_rows, _columns.height);
+        tree.size.trunkDiameter = _sizes.of(*_rows, _columns.trunkDiameter);
+        if (tree.size.trunkDiameter == 0.0f)
+            tree.size.trunkDiameter = _sizes.of(*_rows, _columns.circumference) / glm::pi<float>();
+        tree.size.crownWidth = _sizes.of(*_rows, _columns.crownWidth);
+        if (tree.size.crownWidth == 0.0f && place.width)
+            tree.size.crownWidth = _sizes.ofOutline(*_rows, _columns.crownWidth, *place.width);
         tree.species = rowSpecies();
         tree.openGrown = _openGrown;
         tree.leaves = _leaves;
         tree.heading = random.uniform() * glm::two_pi<float>();
         tree.seed = static_cast<std::uint32_t>(random.next());
         const std::string said = _columns.id ? _rows->text(*_columns.id) : std::string();
-        if (!estimate(tree, said.empty() ? std::to_string(_row) : said))
-            return;
+        estimate(tree, said.empty() ? std::to_string(_row) : said);
         if (_standsFor)
             ++_unmatched[*_standsFor];
         tree.name = nameOf(said);
+        _spread.add(glm::dvec2(tree.position), [&] { return rowText(); });
         _reading.addTree(tree, !place.hasHeight, {!_saysCompany});
     }
 
@@ -163,59 +167,44 @@ private:
         return false;
     }
 
-    /// Metres; 0 when the row does not say.
-    float size(const Measure& measure) {
-        if (!measure.column || !_rows->has(*measure.column))
-            return 0.0f;
-        return static_cast<float>(taken(metresOfRow(*_rows, measure)));
-    }
-
-    float outlineWidth(double width) {
-        if (!_columns.crownWidth.range.contains(width))
-            _problems.push_back(_rows->problem("", "expected the outline of a crown, " +
-                                                       _columns.crownWidth.range.text() +
-                                                       " metres wide, found " + numberText(width)));
-        return static_cast<float>(width);
-    }
-
     std::size_t rowSpecies() {
         _standsFor.reset();
-        if (_columns.species.empty())
-            return *_default;
+        if (_columns.species.empty()) {
+            if (_defaultName.empty() && !_default)
+                _isSpeciesSaid = false;
+            return defaultSpecies();
+        }
         std::string name;
         for (const std::size_t column : _columns.species) {
             const std::string said = _rows->text(column);
-            if (const auto index = _reading.speciesOrBuiltIn(said))
+            if (const auto index = known(said))
                 return *index;
             name = name.empty() ? said : name;
         }
-        if (_default)
-            _standsFor = name;
-        else if (_unmatched[name]++ == 0)
-            _reading.log.add(_rows->problem(_rows->columns()[_columns.species.front()],
-                                            "no species " + inQuotes(name) + ", and no default_species"));
-        return _default.value_or(0);
+        if (const auto index = _reading.takeBuiltIn(_reading.builtIn().findKin(name))) {
+            ++_kin[name + " as " + _reading.forest.species[*index].name];
+            return *index;
+        }
+        _standsFor = name;
+        return defaultSpecies();
     }
 
-    /// False where what is given is no size of a tree.
-    bool estimate(TreePlacement& tree, const std::string& id) {
-        if (tree.species >= _reading.forest.species.size())
-            return true;
+    /// ForestReading::speciesOrBuiltIn(), which is asked once for each name.
+    std::optional<std::size_t> known(const std::string& name) {
+        const auto [entry, isNew] = _known.emplace(name, std::nullopt);
+        if (isNew)
+            entry->second = _reading.speciesOrBuiltIn(name);
+        return entry->second;
+    }
+
+    void estimate(TreePlacement& tree, const std::string& id) {
         const SizeEstimate estimate =
             estimateSize(tree.size, _reading.forest.species[tree.species], tree.openGrown, id);
-        if (estimate.estimated.height && estimate.size.height > tallestTree)
-            _problems.push_back(_rows->problem(
-                "", "a trunk of " + rounded(tree.size.trunkDiameter) + " m is that of no " +
-                        _reading.forest.species[tree.species].name + ": such a tree would be " +
-                        rounded(estimate.size.height) + " m high"));
-        if (!isTree())
-            return false;
         tree.size = estimate.size;
         tree.estimated = estimate.estimated;
         _heights += tree.estimated.height;
         _diameters += tree.estimated.trunkDiameter;
         _crowns += tree.estimated.crownWidth;
-        return true;
     }
 
     /// Empty where it has none of its own.
@@ -240,10 +229,22 @@ private:
     }
 
     void noteSkipped() {
-        if (_skipped > 0 && _skipped < _row)
+        if (!_saysSkip && _skipped < _row && 2 * _skipped > _row) {
+            Diagnostic problem = _firstSkipped;
+            problem.message += "; so it is with " + std::to_string(_skipped) + " of " + std::to_string(_row) +
+                               " rows: inventory.skip = true leaves them out";
+            _reading.log.add(problem);
+        } else if (_skipped > 0 && _skipped < _row)
             _reading.forest.notes.push_back(
                 _rows->file() + ": " + std::to_string(_skipped) + " of " + std::to_string(_row) +
-                " rows are no trees and left out, the first: " + _firstSkipped.text());
+                " rows have no place and are left out, the first: " + _firstSkipped.text());
+    }
+
+    void noteSizes() {
+        for (const Diagnostic& problem : _sizes.problems())
+            _reading.log.add(problem);
+        for (const std::string& note : _sizes.notes())
+            _reading.forest.notes.push_back(_rows->file() + ": " + note);
     }
 
     void noteEstimated() {
@@ -258,10 +259,36 @@ private:
     }
 
     void noteUnmatched() {
-        if (_default && !_unmatched.empty())
+        if (!_kin.empty())
             _reading.forest.notes.push_back(
-                _rows->file() + ": " + std::to_string(sumOf(_unmatched)) + " trees stand as " +
-                inQuotes(_reading.forest.species[*_default].name) + ": " + mostFrequent(_unmatched));
+                _rows->file() + ": " + std::to_string(sumOf(_kin)) +
+                " trees, whose names no species has, stand as what they are called after: " +
+                mostFrequent(_kin));
+        const std::string name = _default ? inQuotes(_reading.forest.species[*_default].name) : std::string();
+        if (!_isSpeciesSaid)
+            _reading.forest.notes.push_back(_rows->file() + ": all trees stand as " + name +
+                                            ": neither a column of species nor default_species is named");
+        else if (!_unmatched.empty())
+            _reading.forest.notes.push_back(_rows->file() + ": " + std::to_string(sumOf(_unmatched)) +
+                                            " trees, whose names no species has, stand as " + name + ": " +
+                                            mostFrequent(_unmatched));
+    }
+
+    /// "line 17", or "feature 3".
+    std::string rowText() const {
+        const Diagnostic row = _rows->problem("", "");
+        return row.line > 0 ? "line " + std::to_string(row.line)
+                            : row.message.substr(0, row.message.find(": "));
+    }
+
+    /// Names the tree that stands by far the farthest from the others, as one whose place is wrong does.
+    void noteFarAway() {
+        const std::optional<OutlyingPlace> far = _spread.outlier();
+        if (far)
+            _reading.forest.notes.push_back(_rows->file() + ": " + far->row + ": this tree stands " +
+                                            numberText(std::round(far->distance / 1000.0)) +
+                                            " km from the middle of the others, which are within " +
+                                            numberText(std::ceil(far->others / 1000.0)) + " km");
     }
 
     TableReader& _table;
@@ -270,17 +297,21 @@ private:
     InventoryColumns _columns;
     InventoryPlaces _places;
     bool _complete = true;
-    bool _openGrown = false, _saysCompany = false, _skip = false;
+    bool _openGrown = false, _saysCompany = false, _skip = true, _saysSkip = false, _isSpeciesSaid = true;
     float _leaves = 1.0f;
     std::string _defaultName;
     std::optional<std::size_t> _default;
+    InventorySizes _sizes;
+    SpreadOfPlaces _spread;
     Diagnostics _problems; ///< With the row.
     Diagnostic _firstSkipped;
     std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< That were estimated.
     std::optional<std::string> _standsFor; ///< The name of an unknown species that the row has.
-    RowCounts _unmatched;                  ///< Names of species to numbers of rows.
-    RowCounts _repeated;                   ///< Ids to numbers of rows that go without.
+    std::unordered_map<std::string, std::optional<std::size_t>> _known; ///< Names to species.
+    RowCounts _kin;       ///< "river birch as silver birch" to numbers of rows.
+    RowCounts _unmatched; ///< Names of species to numbers of rows.
+    RowCounts _repeated;  ///< Ids to numbers of rows that go without.
 };
 
 } // namespace

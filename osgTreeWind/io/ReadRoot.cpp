@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/InputFile.h>
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Trust.h>
+#include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/forest/HostMap.h>
 #include <osgTreeWind/forest/ShapeFamilies.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
+#include <osgTreeWind/io/StretchedMap.h>
 #include <osgTreeWind/model/TreeModel.h>
 #include <osgTreeWind/motion/ForestMemory.h>
 
@@ -32,7 +34,10 @@ std::optional<std::size_t> ForestReading::species(const std::string& name) const
 std::optional<std::size_t> ForestReading::speciesOrBuiltIn(const std::string& name) {
     if (const auto declared = species(name))
         return declared;
-    const Species* found = builtIn().find(name);
+    return takeBuiltIn(builtIn().find(name));
+}
+
+std::optional<std::size_t> ForestReading::takeBuiltIn(const Species* found) {
     if (!found)
         return std::nullopt;
     // "English oak" is whatever is called oak: the document's own, or one that is here already.
@@ -74,6 +79,12 @@ void ForestReading::choose(const Crs& chosen) {
     crs = chosen;
     forest.crs = chosen.text();
     forest.crsChosen = true;
+}
+
+glm::dvec3 ForestReading::inScene(const glm::dvec3& place) const {
+    glm::dvec2 there(place);
+    toScene.go(there);
+    return {there, place.z};
 }
 
 bool ForestReading::roomFor(std::uint64_t count, TableReader& table, const std::string& key) {
@@ -155,6 +166,7 @@ void readHead(TableReader& root, ForestReading& reading) {
 
 void readCrs(TableReader& root, ForestReading& reading) {
     readFields(root, fieldsOfFile(), &reading.forest);
+    root.read("stretched", reading.keepsMap);
     if (reading.forest.crs.empty())
         return;
     auto crs = Crs::parseMap(reading.forest.crs);
@@ -232,7 +244,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
     ForestDescription& forest = reading.forest;
     std::vector<double> origin;
     if (root.readNumbers("origin", origin, 3, 3, worldCoordinates))
-        forest.origin = {origin[0], origin[1], origin[2]};
+        forest.origin = reading.inScene({origin[0], origin[1], origin[2]});
     else if (forest.tiles)
         root.problem("origin", "missing: expected it beside [tiles]");
     else
@@ -266,6 +278,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
     root.tables("species", [&](TableReader& table) { readSpecies(table, reading); });
     if (reading.forest.species.empty())
         root.problem("species", "expected at least one [[species]]");
+    reading.saysSpecies = root.has("species");
     reading.declaredSpecies = reading.forest.species.size();
 
     root.tables("tree", [&](TableReader& table) { readTree(table, reading); });
@@ -279,6 +292,7 @@ void readRoot(TableReader& root, ForestReading& reading) {
 
     if (!root.has("species"))
         dropUnusedDefault(reading);
+    leaveStretchedMap(reading);
 
     if (reading.log.problems.empty() && reading.trees.areInMemory()) {
         findCompany(reading.forest, reading.unsaid);

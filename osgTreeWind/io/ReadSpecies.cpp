@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
+#include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/FormerGrowth.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/model/TreeFields.h>
 #include <osgTreeWind/scanfiles/ScanFile.h>
@@ -48,6 +48,9 @@ bool addScans(TableReader& table, ForestReading& reading, const std::string& nam
     }
     for (std::size_t i = 0; i < trees.size(); ++i) {
         scans.push_back(makeScannedTree(trees[i]).value());
+        if (const std::size_t joined = file.value().joined[i]; joined > 0)
+            reading.forest.notes.push_back(found->path + ": " + std::to_string(joined) +
+                                           " branches without a parent are joined to the nearest cylinder");
         ScanReport& report = scans.back().report;
         report.file = found->path;
         report.tree = i;

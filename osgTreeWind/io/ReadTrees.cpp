@@ -6,6 +6,7 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
+#include <osgTreeWind/places/MapScale.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -213,6 +214,10 @@ void readScatter(TableReader& table, ForestReading& reading) {
         scatter.spacing < 0.001) {
         table.problem("spacing", "expected 0, or at least 0.001");
         complete = false;
+    }
+    if (reading.crs && complete) { // spacing is in true metres, and the area is on the map
+        const double scale = scaleOfMap(*reading.crs, 0.5 * (scatter.low + scatter.high)).value_or(1.0);
+        scatter.spacing *= isStretched(scale) ? scale : 1.0;
     }
     complete &= readMixture(table, reading, scatter);
     scatter.height = readDrawnNumber(table, "height", treeRange("height"));

@@ -6,6 +6,7 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/ReadFields.h>
 #include <osgTreeWind/io/ReadWindData.h>
+#include <osgTreeWind/io/TreeRows.h>
 #include <osgTreeWind/wind/GridWind.h>
 #include <osgTreeWind/wind/GustWind.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
@@ -153,7 +154,9 @@ bool readCorner(TableReader& table, const ForestReading& reading, glm::dvec3& co
     std::vector<double> from = {0, 0, 0}, world = {zero.x, zero.y, zero.z};
     const bool given = table.readNumbers("corner", from, 3, 3, worldCoordinates),
                placed = table.readNumbers("origin", world, 3, 3, worldCoordinates);
-    corner = given ? glm::dvec3(from[0], from[1], from[2]) : glm::dvec3(world[0], world[1], world[2]) - zero;
+    corner = given    ? glm::dvec3(from[0], from[1], from[2])
+             : placed ? reading.inScene({world[0], world[1], world[2]}) - zero
+                      : glm::dvec3(0.0);
     if (table.has("corner") && table.has("origin"))
         table.problem("corner", "give either this or origin");
     return given == table.has("corner") && placed == table.has("origin") && !(given && placed);
@@ -203,8 +206,10 @@ Wind readForestWind(TableReader& table, ForestReading& reading) {
 
 /// The column map of a CSV record.
 bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
-    table.readChoice<char>("delimiter", columns.delimiter,
-                           {{",", ','}, {";", ';'}, {"\t", '\t'}, {"|", '|'}});
+    const TableOptions options = readTableOptions(table);
+    columns.delimiter = options.delimiter;
+    columns.decimalComma = options.decimalComma;
+    table.read("missing", columns.missing);
     table.readChoice<std::string>("time_unit", columns.timeUnit,
                                   {{"s", "s"}, {"min", "min"}, {"h", "h"}, {"iso8601", "iso8601"}});
     const bool known = readSpeedUnit(table, "speed_unit", columns.speedUnit).has_value();
@@ -225,18 +230,22 @@ bool readSeriesColumns(TableReader& table, WindSeriesColumns& columns) {
     return known;
 }
 
-/// A record in a file; but for QES sensor XML, with a map of its columns.
+/// A record in a file. A table needs a map of its columns; QES sensor XML and EPW do not.
 bool readSeriesFile(TableReader& table, ForestReading& reading, WindSeries& series) {
     auto file = reading.open(table, "file");
     std::string name;
     table.read("file", name);
-    const bool xml = lower(std::filesystem::path(name).extension().string()) == ".xml";
+    const std::string extension = lower(std::filesystem::path(name).extension().string());
     WindSeriesColumns columns;
-    if (!xml && !readSeriesColumns(table, columns))
+    const bool needsColumns = extension != ".xml" && (extension != ".epw" || table.has("columns"));
+    if (needsColumns && !readSeriesColumns(table, columns))
         return false;
     if (!file)
         return false;
-    auto record = readWindSeries(file->path, columns);
+    std::vector<std::string> notes;
+    auto record = readWindSeries(file->path, columns, &notes);
+    for (const std::string& note : notes)
+        reading.forest.notes.push_back(file->path + ": " + note);
     if (record.ok()) {
         series = std::move(record.value());
         return true;
@@ -312,16 +321,18 @@ void readTravel(TableReader& table, const Wind& wind, WindClock& clock) {
 WindSource readSource(TableReader& table, const ForestReading& reading) {
     WindSource source;
     readFields(table, source);
-    const auto readVector = [&](const char* key, glm::dvec3& vector, const glm::dvec3& zero) {
+    const auto readVector = [&](const char* key, glm::dvec3& vector) {
         std::vector<double> numbers;
         const Range& range =
             fieldAt(fieldsOf<WindSource>(), key == std::string("velocity") ? key : "place").range;
         if (table.readNumbers(key, numbers, 3, 3, range))
-            vector = glm::dvec3(numbers[0], numbers[1], numbers[2]) - zero;
+            vector = glm::dvec3(numbers[0], numbers[1], numbers[2]);
     };
-    readVector("velocity", source.velocity, glm::dvec3(0.0));
-    readVector("place", source.position, glm::dvec3(0.0));
-    readVector("position", source.position, reading.forest.origin);
+    readVector("velocity", source.velocity);
+    readVector("place", source.position);
+    readVector("position", source.position);
+    if (table.has("position"))
+        source.position = reading.inScene(source.position) - reading.forest.origin;
     if (!table.has("kind"))
         table.missing("kind");
     if (table.has("position") && table.has("place"))

@@ -64,29 +64,57 @@ bool readDataPaths(TableReader& table, ForestReading& reading, std::vector<std::
     return true;
 }
 
-/// A note where trees stand beside the points of a file's grid.
-void noteTreesOutside(const WindFile& file, const glm::dvec3& offset, const std::string& path,
-                      ForestReading& reading) {
-    ForestDescription& forest = reading.forest;
-    std::ptrdiff_t count = 0;
-    reading.trees.visit([&](const TreeStore::Trees& trees) {
-        count += std::count_if(trees.begin(), trees.end(), [&](const TreePlacement& tree) {
-            return !file.covers(glm::dvec2(tree.position - forest.origin));
-        });
-    });
-    if (count == 0)
-        return;
-    const WindSummary& wind = file.summary;
-    const glm::dvec3 low = wind.low + offset, high = wind.high + offset;
+/// "x 385000 to 385700, y 5818000 to 5818500".
+std::string extentText(const WindExtent& extent, const glm::dvec3& offset) {
     const auto rounded = [](double metres) { return numberText(std::round(100.0 * metres) / 100.0); };
-    std::string extent;
+    std::string text;
     for (int axis = 0; axis < 2; ++axis)
-        if (wind.points[axis] > 1)
-            extent +=
-                std::string(axis == 0 ? ", x " : ", y ") + rounded(low[axis]) + " to " + rounded(high[axis]);
-    forest.notes.push_back(std::to_string(count) + " of " + std::to_string(reading.trees.size()) +
-                           " trees stand outside the grid of " + path + extent +
-                           "; the wind at its edges holds there");
+        if (!extent.isEverywhere(axis))
+            text += std::string(text.empty() ? "" : ", ") + (axis == 0 ? "x " : "y ") +
+                    rounded(extent.low[axis] + offset[axis]) + " to " +
+                    rounded(extent.high[axis] + offset[axis]);
+    return text;
+}
+
+/// How many places of trees a wind does not cover, and how many there are; of a forest in tiles, of its
+/// rectangle.
+std::pair<std::size_t, std::size_t> countOutside(const WindFile& file, ForestReading& reading) {
+    const glm::dvec3& origin = reading.forest.origin;
+    std::size_t outside = 0, all = 0;
+    const auto take = [&](const glm::dvec2& place) {
+        outside += !file.covers(place - glm::dvec2(origin));
+        ++all;
+    };
+    reading.trees.visit([&](const TreeStore::Trees& trees) {
+        for (const TreePlacement& tree : trees)
+            take(glm::dvec2(tree.position));
+    });
+    const TreesInAll trees = reading.treesInAll();
+    constexpr int steps = 4;
+    for (int i = 0; reading.forest.tiles && i < (steps + 1) * (steps + 1); ++i)
+        take(glm::mix(glm::dvec2(trees.low), glm::dvec2(trees.high),
+                      glm::dvec2(i % (steps + 1), i / (steps + 1)) / double(steps)));
+    return {outside, all};
+}
+
+/// A note where trees stand beside the points of a file's grid, and a problem where all of them do.
+/// @param holds whether the wind of the edge is wanted there.
+void checkCover(const WindFile& file, const std::string& path, const glm::dvec3& offset, bool holds,
+                TableReader& table, ForestReading& reading) {
+    const auto [outside, all] = countOutside(file, reading);
+    if (outside == 0)
+        return;
+    const std::string extent = extentText(file.summary.extent, offset);
+    if (outside == all && !holds)
+        return table.problem(
+            table.has("files") ? "files" : "file",
+            "no tree stands where the wind of " + path + " is, " + extent +
+                (file.summary.coordinates.empty() ? "" : " of " + file.summary.coordinates) +
+                "; expected a wind of the forest's place, or beyond = \"hold\" for that of the edge");
+    reading.forest.notes.push_back(
+        (reading.forest.tiles ? "parts of the world lie"
+                              : std::to_string(outside) + " of " + std::to_string(all) + " trees stand") +
+        " outside the grid of " + path + ", " + extent + "; the wind at its edges holds there");
 }
 
 /// Wind is wanted where trees stand, and a kilometre around.
@@ -110,6 +138,8 @@ Wind readWindData(TableReader& table, ForestReading& reading) {
     options.crs = reading.forest.crs;
     table.read("roughness", options.roughness, fieldAt(fieldsOf<LogProfile>(), "roughness").range);
     table.read("height", options.height, fieldAt(fieldsOf<LogProfile>(), "height").range);
+    bool holds = false;
+    table.readChoice<bool>("beyond", holds, {{"hold", true}});
     chooseArea(reading, options);
     std::vector<std::string> paths;
     std::vector<double> times;
@@ -124,10 +154,10 @@ Wind readWindData(TableReader& table, ForestReading& reading) {
     reading.windDate = parseIsoTime(wind.value().summary.start);
     for (const std::string& note : wind.value().summary.notes)
         reading.forest.notes.push_back(paths.front() + ": " + note);
-    noteTreesOutside(wind.value(), offset, paths.front(), reading);
+    checkCover(wind.value(), paths.front(), offset, holds, table, reading);
     WindParts::setFiles(wind.value().wind,
                         {paths, table.has("files"), times, offset, reading.forest.origin, options.crs,
-                         options.roughness, options.height, options.speedUnit});
+                         options.roughness, options.height, options.speedUnit, holds});
     return std::move(wind.value().wind);
 }
 

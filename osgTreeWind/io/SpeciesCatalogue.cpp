@@ -5,8 +5,9 @@
 #include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Trust.h>
+#include <osgTreeWind/base/Unicode.h>
+#include <osgTreeWind/io/CommonNames.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/NameMatching.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -38,8 +39,32 @@ Result<SpeciesCatalogue> readOfHost() {
     return SpeciesCatalogue::builtIn().with(text.value(), path.string(), path.parent_path().string());
 }
 
-bool isNamed(const Species& species, const std::string& folded) {
-    return foldedName(species.name) == folded;
+bool isNamed(const Species& species, const std::string& comparable) {
+    return comparableName(species.name) == comparable;
+}
+
+/// A name without what tells cultivars and synonyms: "Acer platanoides 'Globosum'", "Tilia cordata (Linde)".
+std::string plainName(const std::string& name) {
+    std::string plain = name.substr(0, name.find_first_of("('\"`"));
+    for (const char* const mark : {" \xe2\x80\x98", " \xe2\x80\x9c", " \xe2\x80\x9e"}) // opening quotes
+        plain = plain.substr(0, plain.find(mark));
+    return plain;
+}
+
+/// The first words of a folded name.
+std::string firstWords(const std::string& name, int count) {
+    std::size_t end = 0;
+    for (; count > 0 && end < name.size(); --count)
+        end = std::min(name.find_first_of(" ,", end + 1), name.size());
+    return name.substr(0, end);
+}
+
+/// "Norway maple" of "Maple, Norway" and of "Maple - Norway"; empty where the name is not turned round.
+std::string turnedRound(const std::string& name) {
+    for (const std::string& mark : {std::string(","), std::string(" - ")})
+        if (const std::size_t at = name.find(mark); at != std::string::npos)
+            return name.substr(at + mark.size()) + ' ' + name.substr(0, at);
+    return {};
 }
 
 } // namespace
@@ -80,12 +105,12 @@ Result<SpeciesCatalogue> SpeciesCatalogue::with(const std::string& text, const s
         readVersion(root);
         root.tables("group", [&](TableReader& table) {
             readSpecies(table, reading);
-            catalogue._groups[foldedName(read.back().name)] = read.back();
+            catalogue._groups[comparableName(read.back().name)] = read.back();
         });
         root.tables("species", [&](TableReader& table) {
             readSpecies(table, reading);
             for (const std::string& alias : read.back().aliases)
-                if (const auto other = catalogue._byName.find(foldedName(alias));
+                if (const auto other = catalogue._byName.find(comparableName(alias));
                     other != catalogue._byName.end() &&
                     isNamed(catalogue._species[other->second], other->first))
                     table.problem("aliases", "the name " + inQuotes(alias) + " is taken already");
@@ -98,7 +123,7 @@ Result<SpeciesCatalogue> SpeciesCatalogue::with(const std::string& text, const s
 }
 
 void SpeciesCatalogue::add(Species species) {
-    const std::string name = foldedName(species.name);
+    const std::string name = comparableName(species.name);
     std::size_t index = _species.size();
     if (const auto known = _byName.find(name);
         known != _byName.end() && isNamed(_species[known->second], name)) {
@@ -112,29 +137,54 @@ void SpeciesCatalogue::add(Species species) {
     std::vector<std::string> names = species.aliases;
     names.push_back(species.name);
     for (const std::string& own : names) {
-        const std::string folded = foldedName(own);
+        const std::string folded = comparableName(own);
         const auto [entry, isNew] = _byName.emplace(folded, index);
         if (isNew || entry->second == index)
             continue;
         std::vector<std::string>& others = _species[entry->second].aliases;
-        others.erase(std::remove_if(others.begin(), others.end(),
-                                    [&](const std::string& alias) { return foldedName(alias) == folded; }),
-                     others.end());
+        others.erase(
+            std::remove_if(others.begin(), others.end(),
+                           [&](const std::string& alias) { return comparableName(alias) == folded; }),
+            others.end());
         entry->second = index;
     }
     _species[index] = std::move(species);
 }
 
-const Species* SpeciesCatalogue::find(const std::string& name) const {
-    const std::string folded = foldedName(name);
-    auto found = _byName.find(folded);
-    if (found == _byName.end())
-        found = _byName.find(folded.substr(0, folded.find(' ')));
+const Species* SpeciesCatalogue::findExactly(const std::string& name) const {
+    const auto found = _byName.find(comparableName(name));
     return found == _byName.end() ? nullptr : &_species[found->second];
 }
 
+const Species* SpeciesCatalogue::findScientific(const std::string& name) const {
+    if (name.empty())
+        return nullptr;
+    if (const Species* found = findExactly(name))
+        return found;
+    return findExactly(firstWords(foldedName(name), 1));
+}
+
+const Species* SpeciesCatalogue::find(const std::string& name) const {
+    const std::string plain = plainName(name);
+    for (const std::string& each : {name, plain, turnedRound(plain), firstWords(foldedName(plain), 2)}) {
+        if (const Species* found = each.empty() ? nullptr : findExactly(each))
+            return found;
+        if (const Species* found = findScientific(scientificName(each)))
+            return found;
+    }
+    const std::string first = firstWords(foldedName(plain), 1);
+    if (const Species* genus = findExactly(first))
+        return genus;
+    return findScientific(scientificName(first));
+}
+
+const Species* SpeciesCatalogue::findKin(const std::string& name) const {
+    const std::string plain = plainName(name);
+    return findScientific(scientificNameOfKin(plain.empty() ? name : plain));
+}
+
 const Species* SpeciesCatalogue::findModel(const std::string& name) const {
-    const auto group = _groups.find(foldedName(name));
+    const auto group = _groups.find(comparableName(name));
     return group == _groups.end() ? find(name) : &group->second;
 }
 

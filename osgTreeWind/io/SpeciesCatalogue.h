@@ -36,17 +36,23 @@ public:
     /// In the order of the files; in the built-in one conifers first, and the last two stand for any other
     /// conifer and any other broadleaf.
     const std::vector<Species>& species() const { return _species; }
-    /// The species with this common or scientific name, else with its genus, whatever its case. Null: none.
+    /// The species with this scientific name, or common name in English, German, French, Spanish, Dutch or
+    /// Italian, else with its genus; with accents or not, in any case, and whatever cultivar follows. Null:
+    /// none.
     const Species* find(const std::string& name) const;
+    /// The species that a name which is not known is called after: a birch for "river birch". Null: none.
+    const Species* findKin(const std::string& name) const;
     /// What `like` may name: a [[group]], or a species.
     const Species* findModel(const std::string& name) const;
 
 private:
     void add(Species species);
+    const Species* findExactly(const std::string& name) const;
+    const Species* findScientific(const std::string& name) const; ///< Or its genus.
 
     std::vector<Species> _species;
-    std::map<std::string, std::size_t> _byName; ///< By folded names and aliases.
-    std::map<std::string, Species> _groups;     ///< By folded names.
+    std::map<std::string, std::size_t> _byName; ///< By comparableName() of names and aliases.
+    std::map<std::string, Species> _groups;     ///< Likewise.
 };
 
 /// SpeciesCatalogue::current().find() as a value.

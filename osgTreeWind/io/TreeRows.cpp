@@ -2,10 +2,10 @@
 #include <osgTreeWind/io/TreeRows.h>
 
 #include <osgTreeWind/base/CsvReader.h>
+#include <osgTreeWind/base/InputFile.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Problem.h>
-#include <osgTreeWind/base/Text.h>
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/InventoryColumns.h>
 #include <osgTreeWind/io/NameMatching.h>
@@ -32,9 +32,8 @@ namespace {
 
 class CsvRows final : public TreeRows {
 public:
-    /// @param text as readText() gives it, in which readCsvRows() found nothing wrong and that head.
-    CsvRows(CsvTable head, std::string text, char delimiter)
-        : _head(std::move(head)), _text(std::move(text)), _delimiter(delimiter) {
+    /// @param text as tableText() gives it, in which readCsvRows() found nothing wrong and that head.
+    CsvRows(CsvTable head, std::string text) : _head(std::move(head)), _text(std::move(text)) {
         rewind({}, {});
     }
 
@@ -44,7 +43,7 @@ public:
     const std::optional<Crs>& crs() const override { return _crs; }
     bool hasPlaces() const override { return false; }
     void rewind(const CrsWay&, const std::vector<std::size_t>&) override {
-        _reader.emplace(_text, _head.file, _delimiter);
+        _reader.emplace(_text, _head.file, _head.format.delimiter);
         static_cast<void>(_reader->next()); // the header, which was read before
     }
     Result<bool> next() override { return _reader->next(); }
@@ -59,7 +58,6 @@ public:
 private:
     CsvTable _head;
     std::string _text;
-    char _delimiter;
     const std::string _format = "CSV";
     std::optional<CsvReader> _reader;
     std::optional<Crs> _crs;
@@ -117,16 +115,21 @@ private:
     std::optional<std::size_t> _natural; ///< Of OpenStreetMap: the column that says "tree".
 };
 
-std::unique_ptr<TreeRows> openCsv(ForestReading::InputFile file, char delimiter, ForestReading& reading) {
-    Result<std::string> text = readText(file.stream, file.path);
-    const Result<CsvTable> table =
-        text ? readCsvRows(text.value(), file.path, delimiter, [](const CsvTable&, CsvTable::Row&) {})
-             : Result<CsvTable>(text.problems());
-    if (table)
-        return std::make_unique<CsvRows>(table.value(), std::move(text.value()), delimiter);
+std::unique_ptr<TreeRows> openCsv(const std::string& path, const TableOptions& options,
+                                  ForestReading& reading) {
+    Result<std::string> bytes = readBytes(path);
+    Result<TableText> text =
+        bytes ? tableText(std::move(bytes.value()), path, options) : Result<TableText>(bytes.problems());
+    const Result<CsvTable> table = text ? readCsvRows(text.value().text, path, text.value().format,
+                                                      [](const CsvTable&, CsvTable::Row&) {})
+                                        : Result<CsvTable>(text.problems());
     for (const Diagnostic& problem : table.problems())
         reading.log.add(problem);
-    return {};
+    if (!table)
+        return {};
+    for (const std::string& note : text.value().notes)
+        reading.forest.notes.push_back(path + ": " + note);
+    return std::make_unique<CsvRows>(table.value(), std::move(text.value().text));
 }
 
 /// Those of others that match a condition.
@@ -183,9 +186,16 @@ std::unique_ptr<TreeRows> openFeatures(const std::string& path, const std::strin
 
 } // namespace
 
+TableOptions readTableOptions(TableReader& table) {
+    TableOptions options;
+    table.readChoice<std::optional<char>>("delimiter", options.delimiter,
+                                          {{",", ','}, {";", ';'}, {"\t", '\t'}, {"|", '|'}});
+    table.readChoice<std::optional<bool>>("decimal", options.decimalComma, {{".", false}, {",", true}});
+    return options;
+}
+
 std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& reading) {
-    char delimiter = ',';
-    table.readChoice<char>("delimiter", delimiter, {{",", ','}, {";", ';'}, {"\t", '\t'}, {"|", '|'}});
+    const TableOptions options = readTableOptions(table);
     std::string layer, filter;
     table.read("layer", layer);
     table.read("filter", filter);
@@ -202,8 +212,8 @@ std::unique_ptr<TreeRows> openTreeRows(TableReader& table, ForestReading& readin
         }
     if (!fits)
         return {};
-    std::unique_ptr<TreeRows> rows = hasFeatures ? openFeatures(file->path, layer, reading)
-                                                 : openCsv(std::move(*file), delimiter, reading);
+    std::unique_ptr<TreeRows> rows =
+        hasFeatures ? openFeatures(file->path, layer, reading) : openCsv(file->path, options, reading);
     if (!rows || filter.empty())
         return rows;
     Result<RowFilter> condition = RowFilter::parse(filter, *rows);

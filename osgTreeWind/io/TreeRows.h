@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgTreeWind/base/TableText.h>
 #include <osgTreeWind/places/VectorFile.h>
 
 #include <cstddef>
@@ -47,6 +48,9 @@ public:
 
 class TableReader;
 struct ForestReading;
+
+/// `delimiter` and `decimal`, which a table of trees and a record of wind have.
+TableOptions readTableOptions(TableReader& table);
 
 /// The file that an [inventory] names, with its `layer`, `filter` and `delimiter`. Null, and problems, where
 /// it cannot be read.

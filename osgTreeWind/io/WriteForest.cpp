@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
+#include <osgTreeWind/base/Unicode.h>
 #include <osgTreeWind/base/WholeFile.h>
 #include <osgTreeWind/forest/CheckForest.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/growth/GrowthFields.h>
 #include <osgTreeWind/io/ForestFile.h>
 #include <osgTreeWind/io/ForestSections.h>
-#include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/TomlText.h>
+#include <osgTreeWind/io/TreesInAll.h>
 #include <osgTreeWind/model/TreeFields.h>
+#include <osgTreeWind/places/MapScale.h>
 #include <osgTreeWind/species/SpeciesFields.h>
 
 #include <filesystem>
@@ -150,6 +152,18 @@ void writeMotion(std::ostream& output, const ForestDescription& forest) {
         output << "noise = \"1/f\"\nnoise_exponent = " << tomlText(*forest.noiseExponent) << '\n';
 }
 
+/// Whether a reader would leave the map of a forest made in code for one in true metres.
+bool isOnStretchedMap(const ForestDescription& forest) {
+    if (forest.crs.empty() || forest.trees.empty())
+        return false;
+    const Result<Crs> map = Crs::parse(forest.crs);
+    if (!map)
+        return false;
+    TreesInAll trees;
+    trees.add(forest.trees);
+    return isStretched(scaleOfMap(map.value(), 0.5 * glm::dvec2(trees.low + trees.high)).value_or(1.0));
+}
+
 /// Names a folder of tiles below its own by the way there, so that both may move.
 ForestDescription besideItsTiles(ForestDescription forest, const std::string& file) {
     namespace fs = std::filesystem;
@@ -176,6 +190,8 @@ Diagnostics writeForest(const ForestDescription& forest, std::ostream& output) {
            << '\n';
     const ForestDescription usual;
     writeFields(output, "", fieldsOfFile(), &forest, &usual);
+    if (isOnStretchedMap(forest))
+        output << "stretched = true\n";
     if (forest.trees.empty() && !forest.tiles)
         output << "tree = []\n";
     output << ground.str() << wind.str();

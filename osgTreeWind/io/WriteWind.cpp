@@ -108,6 +108,8 @@ private:
             key("roughness", tomlText(source.roughness));
         if (source.height > 0.0)
             key("height", tomlText(source.height));
+        if (source.holdsBeyond)
+            key("beyond", tomlText(std::string("hold")));
         if (source.crs != _forest.crs)
             return "it was read for a forest with another crs";
         return source.origin == _forest.origin ? "" : "it was read for a forest with another origin";

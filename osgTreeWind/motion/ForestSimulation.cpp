@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/motion/ForestSimulation.h>
 
+#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/ThreadPool.h>

@@ -24,7 +24,7 @@ struct MapQuestion {
         FindWay,        ///< From a text to another: whether there is anything to do.
         BringPlaces,    ///< From one system to another: the places there, NaN where there is none.
         DescribeMap,    ///< A text: GridMapping.
-        ReadRaster,     ///< A file: RasterHead, then rows.
+        ReadRaster,     ///< A file, and the name or number of a band: RasterHead, then rows.
         ReadCells,      ///< A GeoTIFF: MapCells.
         KnowFeatures,   ///< A file: whether it has features.
         OpenFeatures,   ///< A file: FeatureFileHead. The tasks below are about it.

@@ -25,10 +25,10 @@ Result<Raster> Raster::open(const std::string& path) {
     return open(path, program);
 }
 
-Result<Raster> Raster::open(const std::string& path, MapProgram& program) {
+Result<Raster> Raster::open(const std::string& path, MapProgram& program, const std::string& band) {
     if (const auto problem = problemOfInput(path))
         return *problem;
-    const auto head = program.ask<RasterHead>({MapQuestion::Task::ReadRaster, {path}});
+    const auto head = program.ask<RasterHead>({MapQuestion::Task::ReadRaster, {path, band}});
     if (!head)
         return head.problems();
     Raster raster;

@@ -18,7 +18,9 @@ class Raster {
 public:
     static Result<Raster> open(const std::string& path);
     /// The same by a program that reads several.
-    static Result<Raster> open(const std::string& path, MapProgram& program);
+    /// @param band name or number of the band of heights; empty: the only one, or the one that its name
+    /// tells.
+    static Result<Raster> open(const std::string& path, MapProgram& program, const std::string& band = {});
 
     const std::string& path() const { return _path; }
     /// What its places are in, where it says so.

@@ -32,7 +32,7 @@ Result<std::shared_ptr<const RasterGround>> RasterGround::open(const Source& sou
 }
 
 Diagnostics RasterGround::add(const std::string& file, MapProgram& program) {
-    auto raster = Raster::open(file, program);
+    auto raster = Raster::open(file, program, _source.band);
     if (!raster)
         return raster.problems();
     const std::optional<Crs> crs = _given ? _given : raster.value().crs();

@@ -14,7 +14,8 @@ public:
     /// What a file says of it.
     struct Source {
         std::vector<std::string> files;
-        std::string crs; ///< Of all of them, whatever they say; empty: what they say.
+        std::string crs;    ///< Of all of them, whatever they say; empty: what they say.
+        std::string band{}; ///< Name or number of that of the heights; empty: the only one, or by its name.
     };
     /// @param map of the world; none: that of the first file, or for what is no map in metres the UTM zone of
     /// its middle, or none where no file says any.

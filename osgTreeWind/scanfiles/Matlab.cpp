@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/ReaderProcess.h>
-#include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
 
 namespace osgTreeWind {
@@ -16,13 +15,12 @@ bool isMatlab(std::string_view head) {
 Result<ScanFile> readMatlab(const std::string& path) {
     Result<ScanFile> scan =
         readBy<ScanFile>({"osgtreewind-matlab", "OSGTREEWIND_MATLAB", ".mat", "libmatio"}, {path, "trees"});
-    for (std::size_t tree = 0; scan && tree < scan.value().trees.size(); ++tree)
-        if (auto unsound = problemOfScan(scan.value().trees[tree])) {
-            const std::string of = "tree " + std::to_string(tree + 1);
-            return Diagnostic{path, 0, 0,
-                              unsound->line > 0 ? of + ", cylinder " + std::to_string(unsound->line) : of,
-                              unsound->message};
-        }
+    if (auto problem = scan ? settleTrees(scan.value()) : std::nullopt) {
+        const std::string tree = problem->key.empty() ? "tree 1" : problem->key;
+        return Diagnostic{path, 0, 0,
+                          problem->line > 0 ? tree + ", cylinder " + std::to_string(problem->line) : tree,
+                          problem->message};
+    }
     return scan;
 }
 

@@ -8,6 +8,7 @@
 #include <osgTreeWind/model/CheckScan.h>
 #include <osgTreeWind/scanfiles/ScanColumns.h>
 #include <osgTreeWind/scanfiles/ScanFormats.h>
+#include <osgTreeWind/scanfiles/ScanOrphans.h>
 #include <osgTreeWind/scanfiles/ScanRows.h>
 
 #include <filesystem>
@@ -61,6 +62,20 @@ std::string headOf(const std::string& path) {
 
 } // namespace
 
+std::optional<Diagnostic> settleTrees(ScanFile& scan) {
+    for (ScanCylinders& tree : scan.trees) {
+        const Result<std::size_t> joined = joinOrphans(tree);
+        auto problem = joined ? problemOfScan(tree) : joined.problems().front();
+        if (problem) {
+            if (scan.trees.size() > 1)
+                problem->key = "tree " + std::to_string(&tree - scan.trees.data() + 1);
+            return problem;
+        }
+        scan.joined.push_back(joined.value());
+    }
+    return std::nullopt;
+}
+
 Result<ScanFile> readScan(std::string_view text, const std::string& file) {
     ScanRows rows(text, file);
     if (!rows.next())
@@ -73,11 +88,10 @@ Result<ScanFile> readScan(std::string_view text, const std::string& file) {
     Result<ScanFile> scan = reader(text, file);
     if (!scan)
         return scan;
-    for (const ScanCylinders& tree : scan.value().trees)
-        if (auto unsound = problemOfScan(tree)) {
-            unsound->file = file;
-            return std::move(*unsound);
-        }
+    if (auto problem = settleTrees(scan.value())) {
+        problem->file = file;
+        return std::move(*problem);
+    }
     return scan;
 }
 

@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/scanfiles/ScanFile.h>
 
+#include <optional>
 #include <string_view>
 
 /// The readers behind readScanFile(), one for each format, over a text in memory. Not part of the interface.
@@ -11,6 +12,10 @@ namespace osgTreeWind {
 
 /// The text in whichever of the formats it is, its trees sound.
 Result<ScanFile> readScan(std::string_view text, const std::string& file);
+
+/// Joins the orphans of all trees (ScanOrphans) and counts them. @return why a tree is not sound then, with
+/// its number as key where there are several.
+std::optional<Diagnostic> settleTrees(ScanFile& scan);
 
 /// radius, length, start x y z, axis x y z, parent (counts from 1; 0: the root), and 6 or 8 columns more; by
 /// blanks or commas, with a line of names above them or without.

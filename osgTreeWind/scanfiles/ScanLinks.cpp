@@ -3,9 +3,18 @@
 
 #include <osgTreeWind/base/Problem.h>
 
+#include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace osgTreeWind {
+
+void countFromOne(std::vector<ScanName>& names) {
+    const bool isFromZero =
+        std::any_of(names.begin(), names.end(), [](const ScanName& name) { return name.parent == -1; });
+    for (ScanName& name : names)
+        name.parent += isFromZero;
+}
 
 Result<std::vector<int>> parentsOf(const std::vector<ScanName>& names, int root, const std::string& file) {
     std::unordered_map<int, int> indices;
@@ -42,38 +51,30 @@ Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const st
     const Result<std::vector<int>> parents = parentsOf(names, -1, file);
     if (!parents)
         return parents.problems();
-    int root = -1;
     std::vector<int> cylinderOf(points.size(), -1); // that ends in the point
-    for (std::size_t i = 0, count = 0; i < points.size(); ++i) {
-        if (parents.value()[i] >= 0) {
+    for (std::size_t i = 0, count = 0; i < points.size(); ++i)
+        if (parents.value()[i] >= 0)
             cylinderOf[i] = static_cast<int>(count++);
-            continue;
-        }
-        if (root >= 0)
-            return fileProblem(file, "expected one root, found another", names[i].line);
-        root = static_cast<int>(i);
-    }
     ScanCylinders cylinders;
-    int trunk = -1;
+    std::vector<std::pair<std::size_t, int>> stems; // root points, and the cylinders that spring from them
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const int parent = parents.value()[i];
-        if (parent < 0)
+        if (parents.value()[i] < 0)
             continue;
-        ScanCylinder cylinder;
-        cylinder.start = points[static_cast<std::size_t>(parent)].place;
-        cylinder.end = points[i].place;
-        cylinder.radius = points[i].radius;
-        cylinder.parent = cylinderOf[static_cast<std::size_t>(parent)];
-        cylinder.line = names[i].line;
-        if (cylinder.parent < 0 &&
-            (trunk < 0 || cylinder.radius > cylinders[static_cast<std::size_t>(trunk)].radius))
-            trunk = cylinderOf[i];
-        cylinders.push_back(cylinder);
+        const auto parent = static_cast<std::size_t>(parents.value()[i]);
+        if (cylinderOf[parent] < 0)
+            stems.emplace_back(parent, cylinderOf[i]);
+        cylinders.push_back(
+            {points[parent].place, points[i].place, points[i].radius, cylinderOf[parent], names[i].line});
     }
-    for (int i = 0; i < static_cast<int>(cylinders.size()); ++i) {
-        int& parent = cylinders[static_cast<std::size_t>(i)].parent;
-        if (parent < 0 && i != trunk)
-            parent = trunk;
+    const auto radiusOf = [&](int cylinder) { return cylinders[static_cast<std::size_t>(cylinder)].radius; };
+    for (const auto& [root, stem] : stems) {
+        int trunk = stem;
+        for (const auto& [other, rival] : stems)
+            if (other == root &&
+                (radiusOf(rival) > radiusOf(trunk) || (radiusOf(rival) == radiusOf(trunk) && rival < trunk)))
+                trunk = rival;
+        if (stem != trunk)
+            cylinders[static_cast<std::size_t>(stem)].parent = trunk;
     }
     if (cylinders.empty())
         return fileProblem(file, "expected more than one point", names.empty() ? 0 : names.front().line);

@@ -17,6 +17,10 @@ struct ScanName {
     int line = 0; ///< 1-based.
 };
 
+/// Where parents count from 0, with -1 for that of the root, as PyTLidar writes them, makes them count
+/// from 1.
+void countFromOne(std::vector<ScanName>& names);
+
 /// Index of the parent of each; -1 for those with `root` as parent. Problems: an id twice, no such parent.
 Result<std::vector<int>> parentsOf(const std::vector<ScanName>& names, int root, const std::string& file);
 /// Gives those parents to cylinders of these names. @return the problem, if there is one.
@@ -31,8 +35,8 @@ struct ScanPoint {
 };
 
 /// A cylinder from each point's parent to itself, of its radius. Where several spring from the root, the
-/// thickest is the first of the trunk and bears the others. Besides those of parentsOf(), a second root and a
-/// root on its own are problems.
+/// thickest is the first of the trunk and bears the others. Branches from a second root have no parent.
+/// Besides those of parentsOf(), a root on its own is a problem.
 Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const std::string& file);
 
 } // namespace osgTreeWind

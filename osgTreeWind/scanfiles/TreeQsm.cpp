@@ -23,7 +23,7 @@ int readCylinder(ScanRows& rows, ScanCylinder& cylinder) {
     if (const std::string wrong = endAlong(axis, length, cylinder); !wrong.empty())
         rows.fail(5, wrong);
     cylinder.line = rows.line();
-    return rows.whole(8, "the number of a cylinder as parent, or 0", 0, static_cast<int>(maxScanCylinders));
+    return rows.whole(8, "the number of a cylinder as parent, or 0", -1, static_cast<int>(maxScanCylinders));
 }
 
 } // namespace
@@ -53,6 +53,7 @@ Result<ScanFile> readTreeQsm(std::string_view text, const std::string& file) {
     }
     if (!rows.good())
         return rows.problem();
+    countFromOne(names);
     if (auto problem = linkCylinders(cylinders, names, 0, file))
         return std::move(*problem);
     return scan;

@@ -13,7 +13,13 @@ namespace osgTreeWind {
 namespace {
 
 constexpr double thin = 0.05; // below this crown and diameter are in proportion
-constexpr double least = 0.001, highest = 150.0, thickest = 20.0, widest = 150.0; // metres
+constexpr double least = 0.001, highest = 116.0, thickest = 20.0, widest = 50.0; // metres
+
+/// The diameter that counts in a law: laws were fitted to trees of 1 m at most, and trees that are thicker
+/// are hardly higher and little wider. Beyond 1 m it grows ever less, to 2 m.
+double fitted(double diameter) {
+    return diameter <= 1.0 ? diameter : 2.0 - std::exp(1.0 - diameter);
+}
 
 float within(double size, double low, double high) {
     return static_cast<float>(std::min(std::max(size, low), high));
@@ -55,9 +61,9 @@ private:
 
     void setHeight() {
         const double diameter = _tree.size.trunkDiameter;
-        const double height = _scale * std::pow(diameter, _power) * factor(_spread, "height");
+        const double height = _scale * std::pow(fitted(diameter), _power) * factor(_spread, "height");
         const double limit = std::min(slenderestEstimate * diameter, highest);
-        _tree.size.height = within(height, std::min(stoutestEstimate * diameter, limit), limit);
+        _tree.size.height = within(height, std::min(stoutestEstimate * fitted(diameter), limit), limit);
         _tree.estimated.height = true;
     }
     /// That of which a tree that is off the law as this one has the height.
@@ -88,7 +94,9 @@ private:
         _tree.estimated.height = true;
     }
     void setCrown() {
-        const double width = withCrown(_tree.size, _species.crown, _openGrown).crownWidth;
+        TreeSize size = _tree.size;
+        size.trunkDiameter = static_cast<float>(fitted(size.trunkDiameter));
+        const double width = withCrown(size, _species.crown, _openGrown).crownWidth;
         if (!(width > 0.0))
             return;
         _tree.size.crownWidth = within(width * crownFactor(), least, widest);

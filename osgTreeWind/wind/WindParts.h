@@ -22,6 +22,8 @@ struct WindFiles {
     double roughness = 0.0;        ///< Below the data, metres; 0: none is taken.
     double height = 0.0;           ///< Of data that do not say theirs.
     std::string speedUnit = "m/s"; ///< Of speeds where a file does not say.
+    bool holdsBeyond =
+        false; ///< Whether a forest that lies wholly beyond the data has the wind of their edge.
 };
 
 /// What a Wind keeps of the files that it was read from: for the library's own files and its tests.

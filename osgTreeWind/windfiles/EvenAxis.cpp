@@ -24,6 +24,11 @@ AxisPart between(const EvenAxis& axis, long long from, long long to) {
 
 } // namespace
 
+bool isRound(const EvenAxis& axis) {
+    const double step = std::abs(axis.step), length = step * static_cast<double>(axis.count - 1);
+    return axis.period > 0.0 && std::abs(length + step - axis.period) < 0.01 * step;
+}
+
 AxisPart wholeOf(const EvenAxis& axis) {
     return between(axis, 0, static_cast<long long>(axis.count) - 1);
 }
@@ -40,8 +45,7 @@ AxisPart partAround(const EvenAxis& axis, double low, double high) {
     };
     auto from = static_cast<long long>(std::floor(pointAt(low))) - 1,
          to = static_cast<long long>(std::ceil(pointAt(high))) + 1;
-    const bool isRound = axis.period > 0.0 && std::abs(length + step - axis.period) < 0.01 * step;
-    if (!isRound) {
+    if (!isRound(axis)) {
         from = std::clamp(from, 0LL, last);
         to = std::clamp(to, 0LL, last);
     } else if (to - from > last)

@@ -14,6 +14,9 @@ struct EvenAxis {
     double period = 0.0; ///< 360 for longitudes; 0: it does not come back to where it began.
 };
 
+/// Whether it comes back to its first point a step after its last one.
+bool isRound(const EvenAxis& axis);
+
 /// Points of an axis, upward.
 struct AxisPart {
     double first = 0.0;

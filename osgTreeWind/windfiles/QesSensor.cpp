@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFormats.h>
 
+#include <osgTreeWind/base/IsoTime.h>
 #include <osgTreeWind/base/Number.h>
 #include <osgTreeWind/base/Range.h>
 #include <osgTreeWind/base/Text.h>
@@ -23,6 +24,9 @@ public:
     SensorReader(std::string_view text, const std::string& file) : _text(text), _file(file) {}
 
     Diagnostics problems;
+
+    /// Seconds since 1970 of the first record.
+    double start() const { return _start; }
 
     WindSeries read() {
         pugi::xml_document document;
@@ -58,7 +62,9 @@ private:
         const pugi::xml_node element = record.child(name);
         if (!element) {
             if (!absent)
-                report(record.offset_debug(), name, "expected this element in timeSeries");
+                report(record.offset_debug(), name,
+                       name == std::string("timeEpoch") ? "expected this element or timeStamp in timeSeries"
+                                                        : "expected this element in timeSeries");
             return absent.value_or(0.0);
         }
         if (const pugi::xml_node second = element.next_sibling(name))
@@ -72,9 +78,25 @@ private:
         return 0.0;
     }
 
+    /// Seconds since 1970 of a date and time as text.
+    double timeStamp(pugi::xml_node element) {
+        const std::string text = element.child_value();
+        const std::size_t begin = text.find_first_not_of(" \t\r\n");
+        const auto seconds = parseIsoTime(
+            begin == std::string::npos ? ""
+                                       : text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1));
+        if (!seconds)
+            report(element.offset_debug(), "timeStamp",
+                   expectedFound("a date and time such as 2020-01-01T12:00:00", text));
+        return seconds.value_or(0.0);
+    }
+
     void readRecord(pugi::xml_node record, WindSeries& series) {
         const std::size_t before = problems.size();
-        const double time = number(record, "timeEpoch", within(-anyNumber, anyNumber), "seconds");
+        const bool isText = !record.child("timeEpoch") && record.child("timeStamp");
+        const char* const timeKey = isText ? "timeStamp" : "timeEpoch";
+        const double time = isText ? timeStamp(record.child(timeKey))
+                                   : number(record, timeKey, within(-anyNumber, anyNumber), "seconds");
         const LogProfile profile{number(record, "height", within(1e-6, 1e6), "metres above 0"),
                                  number(record, "siteZ0", within(1e-6, 1e6), "metres above 0")};
         const double speed =
@@ -98,7 +120,7 @@ private:
                               numberText(series.profile->height) + " and " +
                               numberText(series.profile->roughness));
         } else if (time - _start <= series.times.back()) {
-            return report(record.child("timeEpoch").offset_debug(), "timeEpoch",
+            return report(record.child(timeKey).offset_debug(), timeKey,
                           expectedFound("a later time than in the record before", numberText(time)));
         }
         series.times.push_back(time - _start);
@@ -123,6 +145,7 @@ Result<WindContent> readQesSensor(std::string_view bytes, const std::string& fil
     WindContent content;
     content.summary.format = "QES-Winds sensor";
     content.summary.unit = "m/s";
+    content.summary.start = isoTimeText(reader.start());
     content.summary.direction = "from, degrees clockwise from north";
     content.summary.notes = {"measured " + numberText(series.profile->height) +
                              " m above ground of roughness length " + numberText(series.profile->roughness) +

@@ -54,11 +54,10 @@ public:
         WindContent content;
         content.summary.format = "Campbell TOA5";
         content.summary.unit = _unit;
-        content.summary.start = _start;
+        content.summary.start = _records->start();
         content.summary.direction = WindSeriesRows::direction(
             _map, "components of the instrument, taken as toward east, north and up");
-        if (_left > 0)
-            content.summary.notes = {std::to_string(_left) + " records marked NAN are left out"};
+        _records->noteLeftOut(content.assumed);
         content.data = std::move(series.value());
         return content;
     }
@@ -71,7 +70,6 @@ private:
             const auto column = table.column(*name);
             if (!column || name->empty())
                 continue;
-            _used.push_back(*column);
             if (name == &_map.direction || !_problems.empty())
                 continue;
             const std::string found = usualSpeedUnit(row.cells[*column]);
@@ -84,26 +82,16 @@ private:
     }
 
     void readRecord(const CsvTable& table, const CsvTable::Row& row) {
-        const bool measured = std::none_of(_used.begin(), _used.end(),
-                                           [&](std::size_t column) { return row.cells[column] == "NAN"; });
-        if (!measured) {
-            ++_left;
-            return;
-        }
-        if (!_records) {
+        if (!_records)
             _records.emplace(table, _map);
-            const auto time = table.column(_map.time);
-            _start = time ? row.cells[*time] : "";
-        }
         _records->take(row);
     }
 
     const WindSeriesColumns _map;
-    std::vector<std::size_t> _used; ///< Columns of wind.
-    std::string _unit, _start;
+    std::string _unit;
     Diagnostics _problems;
     std::optional<WindSeriesRows> _records;
-    int _taken = 0, _unitLine = 0, _left = 0;
+    int _taken = 0, _unitLine = 0;
 };
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgTreeWind/base/TableText.h>
 #include <osgTreeWind/windfiles/WindFormats.h>
 #include <osgTreeWind/windfiles/WindSeriesRows.h>
 
@@ -28,13 +29,17 @@ WindSeriesColumns namedColumns(WindSeriesColumns columns, const CsvTable& table)
 
 Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                 const WindSeriesColumns& columns) {
+    const Result<TableText> text =
+        tableText(std::string(bytes), file, {columns.delimiter, columns.decimalComma});
+    if (!text)
+        return text.problems();
     std::optional<WindSeriesRows> rows;
-    const Result<CsvTable> table =
-        readCsvRows(bytes, file, columns.delimiter, [&](const CsvTable& head, const CsvTable::Row& row) {
-            if (!rows)
-                rows.emplace(head, namedColumns(columns, head));
-            rows->take(row);
-        });
+    const Result<CsvTable> table = readCsvRows(text.value().text, file, text.value().format,
+                                               [&](const CsvTable& head, const CsvTable::Row& row) {
+                                                   if (!rows)
+                                                       rows.emplace(head, namedColumns(columns, head));
+                                                   rows->take(row);
+                                               });
     if (!table)
         return table.problems();
     const WindSeriesColumns named = namedColumns(columns, table.value());
@@ -45,6 +50,8 @@ Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
         return series.problems();
     WindContent content;
     content.summary.format = "CSV";
+    content.assumed = text.value().notes;
+    rows->noteLeftOut(content.assumed);
     content.summary.direction = WindSeriesRows::direction(named, "components toward east, north and up");
     content.data = std::move(series.value());
     return content;

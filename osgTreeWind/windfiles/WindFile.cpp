@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindFile.h>
 
+#include <osgTreeWind/base/CsvTable.h>
 #include <osgTreeWind/base/Problem.h>
 
 #include <osgTreeWind/places/CrsMesh.h>
@@ -18,14 +19,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 namespace osgTreeWind {
 
 namespace {
 
+/// Whether a component is a number, and none of those that programs write where there is no value.
+bool isKnown(float component) {
+    constexpr float leastMark = 99.0f;
+    return !std::isnan(component) &&
+           (std::abs(component) < leastMark || !isMissing(static_cast<double>(component)));
+}
+
 /// Converts one velocity to m/s and takes note of it. False when no wind is like this.
 bool takeIn(glm::vec3& velocity, float unit, WindContent& content) {
-    const bool known = !std::isnan(velocity.x) && !std::isnan(velocity.y) && !std::isnan(velocity.z);
+    const bool known = isKnown(velocity.x) && isKnown(velocity.y) && isKnown(velocity.z);
     if (!known)
         ++content.missing;
     velocity = known ? velocity * unit : glm::vec3(0.0f);
@@ -90,22 +100,16 @@ Result<WindFieldPtr> named(const Result<Field>& field, const std::string& path) 
     return named(field.problems(), path);
 }
 
-/// Where the points of a grid are, as a place is compared with them.
-struct Extent {
-    glm::dvec2 low, high;
-
-    explicit Extent(const WindSummary& summary) : low(summary.low), high(summary.high) {
-        constexpr double everywhere = 1e300;
-        for (int axis = 0; axis < 2; ++axis)
-            if (summary.points[axis] == 1) {
-                low[axis] = -everywhere;
-                high[axis] = everywhere;
-            }
-    }
-    bool holds(const glm::dvec2& place) const {
-        return place.x >= low.x && place.x <= high.x && place.y >= low.y && place.y <= high.y;
-    }
-};
+/// Where the points of a grid are.
+WindExtent extentOf(const WindSummary& summary) {
+    WindExtent extent;
+    for (int axis = 0; axis < 2; ++axis)
+        if (summary.points[axis] > 1) {
+            extent.low[axis] = summary.low[axis];
+            extent.high[axis] = summary.high[axis];
+        }
+    return extent;
+}
 
 /// Puts the scene's origin at 0 of a grid. @param there the place of the origin on the grid's map.
 void moveTo(const glm::dvec2& there, double height, GridWind::Grid& grid) {
@@ -168,7 +172,14 @@ Result<WindFile> gridFile(WindContent&& content, const WindFileOptions& options,
         return problems;
     WindFile file;
     summarize(grid, content.summary);
-    file.covers = [mesh, origin, extent = Extent(content.summary)](const glm::dvec2& place) {
+    WindExtent extent = content.whole.value_or(extentOf(content.summary));
+    if (mesh && mesh->isDegrees() && !extent.isEverywhere(0)) {
+        const double turns = wholeTurns(0.5 * (extent.low.x + extent.high.x), itsOrigin.x);
+        extent.low.x += turns;
+        extent.high.x += turns;
+    }
+    content.summary.extent = extent;
+    file.covers = [mesh, origin, extent](const glm::dvec2& place) {
         return extent.holds(mesh ? mesh->there(origin + place) : origin + place);
     };
     file.summary = std::move(content.summary);
@@ -199,8 +210,10 @@ Result<WindFile> recordFile(WindContent&& content, const WindFileOptions& option
 }
 
 /// One file, velocities in m/s.
-Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options) {
-    WindRequest request{options.columns, options.asStored, {}};
+/// @param also a second file with the other component; empty: none.
+Result<WindContent> readSettled(const std::string& path, const WindFileOptions& options,
+                                const std::string& also = {}) {
+    WindRequest request{options.columns, options.asStored, {}, also};
     if (!options.crs.empty())
         request.area = {options.crs, glm::dvec2(options.origin) + options.low,
                         glm::dvec2(options.origin) + options.high};
@@ -227,6 +240,7 @@ Result<WindFile> fileOf(Result<WindContent>&& read, const std::string& path, con
         return read.problems();
     WindContent& content = read.value();
     std::vector<std::string>& notes = content.summary.notes;
+    notes.insert(notes.end(), content.assumed.begin(), content.assumed.end());
     if (content.missing > 0)
         notes.push_back(std::to_string(content.missing) + " of " + std::to_string(velocityCount(content)) +
                         " velocities have no data and are taken as calm");
@@ -261,18 +275,38 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
     const auto maps = MapProgram::shared();
     if (Diagnostics problems = check(options); !problems.empty())
         return problems;
+    std::map<std::string, std::string> partners; // files of one component each, two and two
+    std::optional<Result<WindContent>> first;
+    std::vector<std::string> moments = files;
+    if (files.size() > 1) {
+        first = readSettled(files[0], options);
+        if (!*first && files.size() % 2 == 0)
+            if (Result<WindContent> pair = readSettled(files[0], options, files[1])) {
+                first = std::move(pair);
+                moments.clear();
+                for (std::size_t i = 0; i < files.size(); i += 2) {
+                    moments.push_back(files[i]);
+                    partners[files[i]] = files[i + 1];
+                }
+            }
+    }
     const auto read = [&](const std::string& file) {
-        Result<WindContent> step = readSettled(file, options);
+        Result<WindContent> step = first ? std::move(*first) : readSettled(file, options, partners[file]);
+        first.reset();
         if (const auto* grid = step ? std::get_if<GridWind::Grid>(&step.value().data) : nullptr)
             if (Diagnostics problems = named(GridWind::check(*grid), file); !problems.empty())
                 return Result<WindContent>(problems); // of this file, before they are joined
         return step;
     };
-    return fileOf(readWindSteps(files, times, read), files.empty() ? "" : files.front(), options);
+    Result<WindContent> wind = readWindSteps(moments, times, read);
+    if (wind && !partners.empty())
+        wind.value().summary.notes.push_back("components in files of their own, put together two and two");
+    return fileOf(std::move(wind), files.empty() ? "" : files.front(), options);
 }
 
-Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns) {
-    Result<WindContent> read = readWindContent(path, {columns, false, {}});
+Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColumns& columns,
+                                  std::vector<std::string>* notes) {
+    Result<WindContent> read = readWindContent(path, {columns, false, {}, {}});
     if (!read)
         return read.problems();
     auto* series = std::get_if<WindSeries>(&read.value().data);
@@ -285,6 +319,8 @@ Result<WindSeries> readWindSeries(const std::string& path, const WindSeriesColum
         return fileProblem(path, unit.problems().front().message);
     for (glm::vec3& velocity : series->velocities)
         velocity *= static_cast<float>(unit.value());
+    if (notes)
+        *notes = read.value().assumed;
     return std::move(*series);
 }
 

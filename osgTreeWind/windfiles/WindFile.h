@@ -5,6 +5,7 @@
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/wind/TimeSeriesWind.h>
 #include <osgTreeWind/wind/Wind.h>
+#include <osgTreeWind/windfiles/WindExtent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 #include <glm/vec2.hpp>
@@ -61,6 +62,7 @@ struct WindSummary {
     glm::ivec3 points{1};      ///< Points east, north and up; 1, 1, 1 for a record at one point.
     glm::dvec3 low{0.0};       ///< South-western lowest point; all 0 for a record at one point.
     glm::dvec3 high{0.0};      ///< North-eastern highest point.
+    WindExtent extent;         ///< Of all points of the file, of which those near the scene may be a part.
     bool aboveGround = false;  ///< Heights count from the ground below each place.
     std::vector<double> times; ///< Seconds; empty for a wind that does not change.
     double slowest = 0.0;      ///< m/s, over all points and times.
@@ -104,7 +106,9 @@ OSGTREEWIND_EXPORT Result<WindFile> readWindFiles(const std::vector<std::string>
 
 /// A record at one point as it is, m/s: of any format that holds one; of a table with these columns, their
 /// unit among them. A grid is an error.
+/// @param notes where not null, what had to be assumed and what was left out.
 OSGTREEWIND_EXPORT Result<WindSeries> readWindSeries(const std::string& path,
-                                                     const WindSeriesColumns& columns);
+                                                     const WindSeriesColumns& columns,
+                                                     std::vector<std::string>* notes = nullptr);
 
 } // namespace osgTreeWind

@@ -64,6 +64,7 @@ const Format windFormats[] = {
     {"TurbSim .bts", ".bts", nullptr, readAll<readTurbSim>},
     {"TOA5", nullptr, [](std::string_view head) { return startsWith(head, "\"TOA5\""); },
      readTable<readToa5>},
+    {"EPW", nullptr, [](std::string_view head) { return startsWith(head, "LOCATION,"); }, readAll<readEpw>},
     {"NetCDF", nullptr, beginsNetCdf,
      [](const Given& given) { return readNetCdf(given.input.path(), given.request); }},
     {"GRIB", nullptr, beginsGrib,

@@ -38,17 +38,20 @@ Result<WindContent> readVtkLegacy(std::string_view bytes, const std::string& fil
 Result<WindContent> readVtkXml(std::string_view bytes, const std::string& file);
 /// TurbSim full field: the grid drifts along x with the mean wind at the hub (Taylor's frozen turbulence).
 Result<WindContent> readTurbSim(std::string_view bytes, const std::string& file);
-/// Campbell TOA5: four lines of header, the third with units. Records marked NAN are left out.
+/// Campbell TOA5: four lines of header, the third with units. Records without a wind are left out.
 Result<WindContent> readToa5(std::string_view bytes, const std::string& file,
                              const WindSeriesColumns& columns);
-/// QES-Winds sensor: XML, with or without a single root, whose `timeSeries` elements each hold timeEpoch (s),
-/// height and siteZ0 (m), speed (m/s) and direction (degrees from). Times become seconds since the first;
-/// height and roughness become the profile.
+/// QES-Winds sensor: XML, with or without a single root, whose `timeSeries` elements each hold timeEpoch (s)
+/// or timeStamp (a date and time), height and siteZ0 (m), speed (m/s) and direction (degrees from). Times
+/// become seconds since the first; height and roughness become the profile.
 ///
 /// Problems carry line and column: broken XML, a missing or repeated element, text in a number, values no
 /// wind has, times that do not increase. Only the neutral logarithmic profile is read (boundaryLayerFlag 1
 /// and reciprocal 0, both the defaults when absent), with one height and roughness for the whole record.
 Result<WindContent> readQesSensor(std::string_view bytes, const std::string& file);
+/// EnergyPlus weather: eight lines of header, then a row for each hour of a year that may be put together
+/// from months of several years. Its winds are those at 10 m.
+Result<WindContent> readEpw(std::string_view bytes, const std::string& file);
 /// CSV, and what WindSeriesRows says of it. While it names no column, the usual names.
 Result<WindContent> readWindCsv(std::string_view bytes, const std::string& file,
                                 const WindSeriesColumns& columns);

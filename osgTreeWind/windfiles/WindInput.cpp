@@ -47,12 +47,4 @@ Result<std::string> WindInput::bytes() {
     return bytes;
 }
 
-Result<std::string> readBytes(const std::string& path) {
-    WindInput input(path);
-    const Result<std::string> head = input.head();
-    if (!head)
-        return head.problems();
-    return input.bytes();
-}
-
 } // namespace osgTreeWind

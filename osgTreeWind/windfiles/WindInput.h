@@ -24,7 +24,4 @@ private:
     Result<std::ifstream> _file;
 };
 
-/// All of a file, or why it has none.
-Result<std::string> readBytes(const std::string& path);
-
 } // namespace osgTreeWind

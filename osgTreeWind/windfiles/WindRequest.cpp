@@ -9,6 +9,18 @@
 
 namespace osgTreeWind {
 
+namespace {
+
+void takeExtent(const EvenAxis& axis, double onMap, double& low, double& high) {
+    if (axis.count < 2 || isRound(axis))
+        return;
+    const AxisPart all = wholeOf(axis);
+    low = all.first + onMap;
+    high = low + all.step * static_cast<double>(axis.count - 1);
+}
+
+} // namespace
+
 Result<WindArea> areaOn(const std::string& crs, const WindArea& area) {
     WindArea there{crs, area.low, area.high};
     if (crs.empty() || area.crs.empty() || crs == area.crs)
@@ -45,13 +57,16 @@ Result<WindArea> areaOn(const std::string& crs, const WindArea& area) {
 
 Result<GridPart> partFor(const WindRequest& request, const std::string& crs, const EvenAxis& x,
                          const EvenAxis& y, const glm::dvec2& onMap) {
+    WindExtent whole;
+    takeExtent(x, onMap.x, whole.low.x, whole.high.x);
+    takeExtent(y, onMap.y, whole.low.y, whole.high.y);
     if (!request.area)
-        return GridPart{wholeOf(x), wholeOf(y)};
+        return GridPart{wholeOf(x), wholeOf(y), whole};
     const Result<WindArea> area = areaOn(crs, *request.area);
     if (!area)
         return area.problems();
     const glm::dvec2 low = area.value().low - onMap, high = area.value().high - onMap;
-    return GridPart{partAround(x, low.x, high.x), partAround(y, low.y, high.y)};
+    return GridPart{partAround(x, low.x, high.x), partAround(y, low.y, high.y), whole};
 }
 
 } // namespace osgTreeWind

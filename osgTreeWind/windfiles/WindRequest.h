@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Result.h>
 #include <osgTreeWind/windfiles/EvenAxis.h>
+#include <osgTreeWind/windfiles/WindExtent.h>
 #include <osgTreeWind/windfiles/WindSeriesColumns.h>
 
 #include <glm/vec2.hpp>
@@ -23,6 +24,7 @@ struct WindRequest {
     WindSeriesColumns columns;    ///< Of a table.
     bool asStored = false;        ///< As in WindFileOptions.
     std::optional<WindArea> area; ///< Where wind is wanted; nothing: everywhere.
+    std::string also;             ///< A second file with the other component, of NetCDF or GRIB; empty: none.
 };
 
 /// Where an area lies on the map of a file: what holds all of it, longitudes within half a turn of its
@@ -34,6 +36,7 @@ Result<WindArea> areaOn(const std::string& crs, const WindArea& area);
 /// Points of a grid, in rows and columns.
 struct GridPart {
     AxisPart x, y;
+    WindExtent whole; ///< Of the file.
 };
 
 /// Those of a file that a request is for: around its area, or all. Problems as of areaOn().

@@ -5,7 +5,9 @@
 
 #include <osgTreeWind/wind/WindDirection.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
@@ -21,7 +23,9 @@ struct OSGTREEWIND_EXPORT WindSeriesColumns {
     std::string direction;      ///< Degrees clockwise from north, -360 to 360.
     DirectionSense sense = DirectionSense::From; ///< Of the direction.
     std::string speedUnit = "m/s";               ///< Of all velocities: "m/s", "km/h", "kn", "mph" or "ft/s".
-    char delimiter = ',';                        ///< Between columns.
+    std::optional<char> delimiter;               ///< Between columns; else the header tells.
+    std::optional<bool> decimalComma; ///< Whether numbers have one; else where commas part no cells.
+    std::vector<double> missing;      ///< Numbers that stand for no value, beside -99, 999 and the like.
 
     /// Whether any column is named; otherwise readers take the usual names.
     bool named() const { return !(time + u + v + w + speed + direction).empty(); }

@@ -6,6 +6,7 @@
 #include <osgTreeWind/wind/WindLimits.h>
 #include <osgTreeWind/windfiles/WindUnits.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace osgTreeWind {
@@ -17,7 +18,7 @@ constexpr const char* isoTime = "iso8601";
 } // namespace
 
 WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& columns)
-    : _table{head.file, head.headerLine, head.columns, {}}, _map(columns),
+    : _table{head.file, head.headerLine, head.columns, {}, head.format}, _map(columns),
       _polar(!columns.speed.empty() || !columns.direction.empty()) {
     if (_polar == !(_map.u.empty() && _map.v.empty() && _map.w.empty())) {
         report(0, {}, "expected columns for u and v, or for speed and direction");
@@ -37,7 +38,6 @@ WindSeriesRows::WindSeriesRows(const CsvTable& head, const WindSeriesColumns& co
     else
         report(0, "speed unit", speed.problems().front().message);
     _sound = _problems.empty();
-    _needsRow = true;
 }
 
 void WindSeriesRows::report(int line, const std::string& key, std::string message) {
@@ -71,6 +71,21 @@ double WindSeriesRows::number(const Row& row, std::size_t column, double scale, 
     return 0.0;
 }
 
+bool WindSeriesRows::isMissing(const Row& row, std::size_t column) const {
+    if (osgTreeWind::isMissing(row.cells[column]))
+        return true;
+    const std::optional<double> number = _table.format.numberOf(row.cells[column]);
+    return number && (osgTreeWind::isMissing(*number) ||
+                      std::count(_map.missing.begin(), _map.missing.end(), *number) > 0);
+}
+
+/// A calm needs no direction.
+bool WindSeriesRows::hasWind(const Row& row) const {
+    if (isMissing(row, _time) || isMissing(row, _first) || (!_map.w.empty() && isMissing(row, _up)))
+        return false;
+    return !isMissing(row, _second) || (_polar && _table.format.numberOf(row.cells[_first]) == 0.0);
+}
+
 double WindSeriesRows::speed(const Row& row, std::size_t column, double low) {
     return number(row, column, _speedPerUnit, low, maxMeasuredSpeed,
                   low < 0.0 ? "a wind of at most 200 m/s either way" : "a wind speed of 0 to 200 m/s");
@@ -89,7 +104,9 @@ double WindSeriesRows::time(const Row& row) {
 glm::vec3 WindSeriesRows::velocity(const Row& row) {
     if (_polar) {
         const double s = speed(row, _first, 0.0);
-        const double d = number(row, _second, 1.0, -maxDirection, maxDirection, "degrees of -360 to 360");
+        const double d = isMissing(row, _second) ? 0.0
+                                                 : number(row, _second, 1.0, -maxDirection, maxDirection,
+                                                          "degrees of -360 to 360");
         return windVelocity({s, d}, _map.sense);
     }
     const double u = speed(row, _first, -maxMeasuredSpeed), v = speed(row, _second, -maxMeasuredSpeed);
@@ -97,17 +114,22 @@ glm::vec3 WindSeriesRows::velocity(const Row& row) {
 }
 
 void WindSeriesRows::take(const Row& row) {
-    _needsRow = false;
+    ++_taken;
     if (!_sound || _problems.size() >= maxRecordProblems)
         return;
+    if (!hasWind(row)) {
+        ++_left;
+        return;
+    }
     const std::size_t before = _problems.size();
     const double now = time(row);
     const glm::vec3 wind = velocity(row);
     if (_problems.size() != before)
         return;
-    if (_series.times.empty())
+    if (_series.times.empty()) {
         _start = now;
-    else if (now - _start <= _series.times.back())
+        _startText = row.cells[_time];
+    } else if (now - _start <= _series.times.back())
         return report(row.line, _map.time,
                       expectedFound("a later time than in the row before", row.cells[_time]));
     _series.times.push_back(now - _start);
@@ -115,11 +137,20 @@ void WindSeriesRows::take(const Row& row) {
 }
 
 Result<WindSeries> WindSeriesRows::series() {
-    if (_needsRow)
+    if (_sound && _taken == 0)
         report(_table.headerLine, {}, "expected at least one record below the header");
+    else if (_sound && _left == _taken)
+        report(_table.headerLine, {},
+               "expected a record with a wind; all " + std::to_string(_taken) + " have none");
     if (!_problems.empty())
         return _problems;
     return std::move(_series);
+}
+
+void WindSeriesRows::noteLeftOut(std::vector<std::string>& notes) const {
+    if (_left > 0)
+        notes.push_back(std::to_string(_left) + " of " + std::to_string(_taken) +
+                        " records have no wind and are left out");
 }
 
 std::string WindSeriesRows::direction(const WindSeriesColumns& columns, const char* components) {

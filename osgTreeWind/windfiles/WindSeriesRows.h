@@ -15,11 +15,16 @@ public:
 
     void take(const CsvTable::Row& row);
 
-    /// After the last row: the record, its times seconds since the first row; or every problem: a column map
-    /// that names both forms or neither, a missing column, an unknown unit, and, with its line, a cell that
-    /// is no number, a time that does not increase, or a value no wind has (negative speed, more than 200
-    /// m/s).
+    /// After the last row: the record, its times seconds since the first row with a wind; or every problem: a
+    /// column map that names both forms or neither, a missing column, an unknown unit, no row with a wind,
+    /// and, with its line, a cell that is no number, a time that does not increase, or a value no wind has
+    /// (negative speed, more than 200 m/s). Rows whose wind is missing are left out, but of a calm without a
+    /// direction.
     Result<WindSeries> series();
+    /// Adds a note where rows were left out.
+    void noteLeftOut(std::vector<std::string>& notes) const;
+    /// The time of the first row with a wind, as it stands there.
+    const std::string& start() const { return _startText; }
 
     /// What the directions or components mean, as a summary says it.
     static std::string direction(const WindSeriesColumns& columns, const char* components);
@@ -31,6 +36,8 @@ private:
     std::size_t find(const char* role, const std::string& name);
     double number(const Row& row, std::size_t column, double scale, double low, double high,
                   const char* what);
+    bool isMissing(const Row& row, std::size_t column) const;
+    bool hasWind(const Row& row) const;
     double speed(const Row& row, std::size_t column, double low);
     double time(const Row& row);
     glm::vec3 velocity(const Row& row);
@@ -42,8 +49,9 @@ private:
     double _secondsPerUnit = 1.0, _speedPerUnit = 1.0, _start = 0.0;
     WindSeries _series;
     Diagnostics _problems;
-    bool _sound = false;    ///< The column map is.
-    bool _needsRow = false; ///< None came yet.
+    bool _sound = false; ///< The column map is.
+    std::string _startText;
+    std::size_t _taken = 0, _left = 0; ///< Rows that came; those without a wind.
 };
 
 } // namespace osgTreeWind

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace osgTreeWind {
@@ -48,10 +49,17 @@ std::optional<double> unitOfHeights(GDALRasterBandH band, OGRSpatialReferenceH r
     return std::nullopt;
 }
 
+bool nameOfHeights(const std::string& name) {
+    for (const char* const part : {"elevation", "altitude", "height", "dem", "dtm", "dsm"})
+        if (name.find(part) != std::string::npos)
+            return true;
+    return false;
+}
+
 } // namespace
 
-GdalRaster::GdalRaster(const std::string& path)
-    : _path(path), _data(nullptr, [](void* opened) {
+GdalRaster::GdalRaster(const std::string& path, std::string band)
+    : _path(path), _wanted(std::move(band)), _data(nullptr, [](void* opened) {
           if (opened)
               GDALClose(opened);
       }) {
@@ -100,16 +108,33 @@ Result<RasterHead> GdalRaster::head() {
     return head;
 }
 
+/// The band that is wanted; else the only one, or the only one whose name is that of heights. Null: none.
+void* GdalRaster::chosenOf(const std::vector<void*>& bands) const {
+    std::vector<void*> called;
+    for (void* const band : bands) {
+        const std::string name = GDALGetDescription(band), small = lower(name);
+        if (_wanted.empty() ? nameOfHeights(small)
+                            : name == _wanted || std::to_string(GDALGetBandNumber(band)) == _wanted)
+            called.push_back(band);
+    }
+    if (_wanted.empty() && bands.size() == 1)
+        return bands.front();
+    return called.size() == 1 ? called.front() : nullptr;
+}
+
 std::string GdalRaster::problemOfBands() {
-    int bands = 0;
-    for (int i = GDALGetRasterCount(_data.get()); i > 0; --i)
-        if (const GDALRasterBandH each = GDALGetRasterBand(_data.get(), i);
-            GDALGetRasterColorInterpretation(each) != GCI_AlphaBand) {
-            _band = each;
-            ++bands;
-        }
-    if (bands != 1)
-        return "expected one band of heights, found " + std::to_string(bands);
+    std::vector<GDALRasterBandH> bands;
+    for (int i = 1; i <= GDALGetRasterCount(_data.get()); ++i)
+        if (const GDALRasterBandH band = GDALGetRasterBand(_data.get(), i);
+            GDALGetRasterColorInterpretation(band) != GCI_AlphaBand || _wanted == std::to_string(i))
+            bands.push_back(band);
+    _band = chosenOf(bands);
+    if (!_band && !_wanted.empty())
+        return "no band " + inQuotes(_wanted) + " among its " + std::to_string(bands.size()) +
+               "; gdalinfo lists them";
+    if (!_band)
+        return "expected one band of heights, found " + std::to_string(bands.size()) +
+               "; ground.band says which, by its number or name (gdalinfo)";
     if (GDALGetRasterColorInterpretation(_band) == GCI_PaletteIndex)
         return "expected heights, found colours of a palette";
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(_band)))

@@ -7,13 +7,17 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace osgTreeWind {
 
 /// Heights of a raster while they are read: what Raster asks for.
 class GdalRaster {
 public:
-    explicit GdalRaster(const std::string& path);
+    /// @param band name or number of the band of heights; empty: the only one, or the one that its name
+    /// tells.
+    GdalRaster(const std::string& path, std::string band);
 
     Result<RasterHead> head();
     /// After a good head(): metres, some rows after others, NaN for a hole. Ends with a problem, or when
@@ -22,13 +26,14 @@ public:
 
 private:
     Diagnostic problem(const std::string& message) const;
+    void* chosenOf(const std::vector<void*>& bands) const;
     std::string problemOfBands();
     Result<std::vector<float>> rows(int first, int count);
     std::string inMetres(std::vector<float>& heights, int firstRow) const;
 
-    const std::string _path;
-    std::string _refusal;     ///< Why it is not opened at all.
-    const GdalErrors _errors; ///< From now on.
+    const std::string _path, _wanted; ///< The file; the band.
+    std::string _refusal;             ///< Why it is not opened at all.
+    const GdalErrors _errors;         ///< From now on.
     std::unique_ptr<void, void (*)(void*)> _data;
     void* _band = nullptr; ///< GDALRasterBandH of the heights.
     int _columns = 0, _rows = 0;

@@ -59,7 +59,7 @@ public:
             return send(gridMappingOf(Crs(map)));
         }
         case Task::ReadRaster:
-            return sendRaster(first);
+            return sendRaster(first, second);
         case Task::ReadCells:
             return send(readGeoTiffCells(first));
         case Task::KnowFeatures:
@@ -110,8 +110,8 @@ private:
         return way;
     }
 
-    bool sendRaster(const std::string& path) {
-        GdalRaster raster(path);
+    bool sendRaster(const std::string& path, const std::string& band) {
+        GdalRaster raster(path, band);
         Result<RasterHead> head = raster.head();
         const bool isGood = head.ok();
         bool isTaken = send(std::move(head));

@@ -15,13 +15,11 @@ MatCylinders::MatCylinders(const Arrays& arrays, const Names& names, std::string
 Result<ScanCylinders> MatCylinders::read() {
     ScanCylinders tree;
     std::vector<ScanName> names;
-    std::size_t roots = 0;
     for (std::size_t row = 0; row < _rows && _problem.message.empty(); ++row) {
         tree.push_back(cylinder(row));
         names.push_back({tree.back().line, parent(row), tree.back().line});
-        if (names.back().parent == 0 && ++roots > 1)
-            fail(_parent, row, "expected one root, found another");
     }
+    countFromOne(names);
     if (_problem.message.empty())
         if (const auto unlinked = linkCylinders(tree, names, 0, _path))
             fail(_parent, static_cast<std::size_t>(unlinked->line) - 1, unlinked->message);
@@ -72,7 +70,7 @@ ScanCylinder MatCylinders::cylinder(std::size_t row) {
 }
 
 int MatCylinders::parent(std::size_t row) {
-    const ScanMeasure measure{"the number of a cylinder as parent, or 0", within(0.0, maxScanCylinders)};
+    const ScanMeasure measure{"the number of a cylinder as parent, or 0", within(-1.0, maxScanCylinders)};
     const double parent = number(_parent, row, 0, measure);
     if (!_problem.message.empty())
         return 0;

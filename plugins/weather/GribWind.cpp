@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -102,6 +103,7 @@ private:
             partFor(_request, _content.summary.crs, place.value().x, place.value().y);
         if (!part)
             return fail({_path, 0, 0, part.problems().front().key, part.problems().front().message});
+        _content.whole = part.value().whole;
         _x = part.value().x;
         _y = part.value().y;
         checkSize();
@@ -262,23 +264,52 @@ private:
 
 } // namespace
 
+namespace {
+
+/// The bytes of a file, without a copy.
+class MappedFile {
+public:
+    explicit MappedFile(const std::string& path)
+        : _file(VSIFOpenL(path.c_str(), "rb"), &VSIFCloseL), _memory(nullptr, &CPLVirtualMemFree) {
+        std::error_code problem;
+        const auto size = std::filesystem::file_size(path, problem);
+        if (_file && !problem)
+            _memory.reset(
+                CPLVirtualMemFileMapNew(_file.get(), 0, size, VIRTUALMEM_READONLY, nullptr, nullptr));
+        if (_memory)
+            _bytes = {static_cast<const char*>(CPLVirtualMemGetAddr(_memory.get())), size};
+    }
+    std::string_view bytes() const { return _bytes; } ///< None where it cannot be read.
+
+private:
+    std::unique_ptr<VSILFILE, decltype(&VSIFCloseL)> _file;
+    std::unique_ptr<CPLVirtualMem, decltype(&CPLVirtualMemFree)> _memory;
+    std::string_view _bytes;
+};
+
+} // namespace
+
 Result<WindContent> readGribWind(const std::string& path, const WindRequest& request) {
-    const std::unique_ptr<VSILFILE, decltype(&VSIFCloseL)> file(VSIFOpenL(path.c_str(), "rb"), &VSIFCloseL);
-    std::error_code ignored;
-    const auto size = std::filesystem::file_size(path, ignored);
-    const std::unique_ptr<CPLVirtualMem, decltype(&CPLVirtualMemFree)> memory( // without a copy
-        file ? CPLVirtualMemFileMapNew(file.get(), 0, size, VIRTUALMEM_READONLY, nullptr, nullptr) : nullptr,
-        &CPLVirtualMemFree);
-    if (!memory)
-        return fileProblem(path, "cannot be read");
-    const auto fields =
-        readGribFields({static_cast<const char*>(CPLVirtualMemGetAddr(memory.get())), size}, path);
-    if (!fields)
-        return fields.problems();
-    const Result<GribChoice> choice = chooseGribWind(fields.value(), path);
+    std::vector<std::string> paths = {path};
+    if (!request.also.empty())
+        paths.push_back(request.also);
+    std::vector<std::unique_ptr<MappedFile>> files; // which the fields look into
+    std::vector<GribField> fields;
+    double size = 0.0;
+    for (const std::string& each : paths) {
+        files.push_back(std::make_unique<MappedFile>(each));
+        if (files.back()->bytes().empty())
+            return fileProblem(each, "cannot be read");
+        Result<std::vector<GribField>> some = readGribFields(files.back()->bytes(), each);
+        if (!some)
+            return some.problems();
+        std::move(some.value().begin(), some.value().end(), std::back_inserter(fields));
+        size += static_cast<double>(files.back()->bytes().size());
+    }
+    const Result<GribChoice> choice = chooseGribWind(fields, path);
     if (!choice)
         return choice.problems();
-    return GribReader(path, static_cast<double>(size), choice.value(), request).read();
+    return GribReader(path, size, choice.value(), request).read();
 }
 
 } // namespace osgTreeWind

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]: reads NetCDF and GRIB for the library, which runs
-// it, so that a damaged file, on which libhdf5 frees wild memory, ends this process and not the one that has
-// a forest.
+// osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1] [FILE]: reads NetCDF and GRIB for the library, which
+// runs it, so that a damaged file, on which libhdf5 frees wild memory, ends this process and not the one that
+// has a forest.
 #include <plugins/ReaderLimits.h>
 #include <plugins/weather/GribWind.h>
 #include <plugins/weather/NetCdfFile.h>
@@ -31,7 +31,7 @@ Result<WindContent> readWeather(const std::string& path, const WindRequest& requ
         const Result<std::string> head = WindInput(path).head();
         if (head && !beginsNetCdf(head.value()) && beginsGrib(head.value()))
             return readGribWind(path, request);
-        NetCdfFile file(path);
+        NetCdfFile file(path, request.also);
         if (!file.good())
             return file.problem();
         return isWrf(file) ? readNetCdfWrf(file, request) : readNetCdfCf(file, request);
@@ -42,13 +42,16 @@ Result<WindContent> readWeather(const std::string& path, const WindRequest& requ
     }
 }
 
-WindRequest requestOf(char** arguments, bool hasArea) {
+WindRequest requestOf(char** arguments, int count) {
+    const bool hasArea = count > 2;
     WindRequest request;
     request.asStored = std::string(arguments[0]) == "stored";
     if (hasArea)
         request.area = {arguments[1],
                         {std::atof(arguments[2]), std::atof(arguments[3])},
                         {std::atof(arguments[4]), std::atof(arguments[5])}};
+    if (count % 5 == 2)
+        request.also = arguments[count - 1];
     return request;
 }
 
@@ -58,15 +61,16 @@ WindRequest requestOf(char** arguments, bool hasArea) {
 
 int main(int argc, char** argv) {
     using namespace osgTreeWind;
-    if (argc != 3 && argc != 8) {
-        std::cerr << "usage: osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1]\n"
+    if (argc != 3 && argc != 4 && argc != 8 && argc != 9) {
+        std::cerr << "usage: osgtreewind-weather FILE grid|stored [CRS X0 Y0 X1 Y1] [FILE]\n"
                      "What osgTreeWind reads NetCDF and GRIB with; its answer is not for people. See "
                      "`osgtreewind wind`.\n";
         return 2;
     }
-    limitReader({argv[1]}, std::size_t(1) << 30, 10);
+    const WindRequest request = requestOf(argv + 2, argc - 2);
+    limitReader({argv[1], request.also}, std::size_t(1) << 30, 10);
     const int answer = dup(STDOUT_FILENO);
     dup2(STDERR_FILENO, STDOUT_FILENO); // what a library prints is no part of the answer
-    Result<WindContent> content = readWeather(argv[1], requestOf(argv + 2, argc == 8));
+    Result<WindContent> content = readWeather(argv[1], request);
     _exit(Wire::send(answer, content) ? 0 : 1); // at once: what was damaged is not tidied up
 }

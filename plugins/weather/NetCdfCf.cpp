@@ -82,6 +82,7 @@ private:
             partFor(_request, summary().crs, _points.xAxis.points, _points.yAxis.points, _points.onMap);
         if (!part)
             return _file.fail({}, part.problems().front().message);
+        _content.whole = part.value().whole;
         _points.x = part.value().x;
         _points.y = part.value().y;
         for (const Array& array : arrays()) {

@@ -112,30 +112,38 @@ bool NetCdfArray::is32BitFloat() const {
     return GDALExtendedDataTypeGetNumericDataType(kindOf(*this).get()) == GDT_Float32;
 }
 
-NetCdfFile::NetCdfFile(const std::string& path)
-    : _dataset(nullptr, &GDALReleaseDataset), _root(nullptr, &GDALGroupRelease), _path(path) {
+NetCdfFile::NetCdfFile(const std::string& path, const std::string& also)
+    : _root(nullptr, &GDALGroupRelease), _path(path) {
     GDALAllRegister();
+    _isClassic = std::ifstream(path, std::ios::binary).get() == 'C';
+    _root = open(path);
+    if (_root && !also.empty())
+        open(also);
+}
+
+NetCdfFile::Group NetCdfFile::open(const std::string& path) {
     const char* const drivers[] = {"netCDF", nullptr};
     std::error_code ignored;
-    _bytes = static_cast<double>(std::filesystem::file_size(path, ignored));
-    _isClassic = std::ifstream(path, std::ios::binary).get() == 'C';
-    _dataset.reset(GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr));
-    if (_dataset)
-        _root.reset(GDALDatasetGetRootGroup(_dataset.get()));
-    if (!_root) {
+    _bytes += static_cast<double>(std::filesystem::file_size(path, ignored));
+    _datasets.emplace_back(GDALOpenEx(path.c_str(), GDAL_OF_MULTIDIM_RASTER, drivers, nullptr, nullptr),
+                           &GDALReleaseDataset);
+    Group root(_datasets.back() ? GDALDatasetGetRootGroup(_datasets.back().get()) : nullptr,
+               &GDALGroupRelease);
+    if (!root) {
         fail({}, "no NetCDF file that GDAL can read: " + reason());
-        return;
+        return root;
     }
     const char* const options[] = {"SHOW_ZERO_DIM=YES", nullptr};
-    const std::unique_ptr<char*, decltype(&CSLDestroy)> names(GDALGroupGetMDArrayNames(_root.get(), options),
+    const std::unique_ptr<char*, decltype(&CSLDestroy)> names(GDALGroupGetMDArrayNames(root.get(), options),
                                                               &CSLDestroy);
     for (char** name = names.get(); name && *name; ++name)
-        if (const GDALMDArrayH handle = GDALGroupOpenMDArray(_root.get(), *name, nullptr))
+        if (const GDALMDArrayH handle = GDALGroupOpenMDArray(root.get(), *name, nullptr))
             _arrays.push_back(
                 std::make_shared<const NetCdfArray>(NetCdfArray{{handle, &GDALMDArrayRelease},
                                                                 *name,
                                                                 orEmpty(GDALMDArrayGetUnit(handle)),
                                                                 dimensionsOf(handle)}));
+    return root;
 }
 
 void NetCdfFile::fail(const std::string& array, const std::string& message) {

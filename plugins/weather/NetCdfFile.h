@@ -53,7 +53,8 @@ class NetCdfFile {
 public:
     using Array = std::shared_ptr<const NetCdfArray>;
 
-    explicit NetCdfFile(const std::string& path);
+    /// @param also a second file, whose arrays come behind those of the first; empty: none.
+    explicit NetCdfFile(const std::string& path, const std::string& also = {});
 
     bool good() const { return _problem.message.empty(); }
     const Diagnostic& problem() const { return _problem; }
@@ -86,8 +87,14 @@ private:
     bool holds(const NetCdfArray& array, const NetCdfSelection& selection);
     void unpack(const NetCdfArray& array, std::vector<float>& numbers) const;
 
-    std::unique_ptr<std::remove_pointer_t<GDALDatasetH>, decltype(&GDALReleaseDataset)> _dataset;
-    std::unique_ptr<std::remove_pointer_t<GDALGroupH>, decltype(&GDALGroupRelease)> _root;
+    using Dataset = std::unique_ptr<std::remove_pointer_t<GDALDatasetH>, decltype(&GDALReleaseDataset)>;
+    using Group = std::unique_ptr<std::remove_pointer_t<GDALGroupH>, decltype(&GDALGroupRelease)>;
+
+    /// The arrays of a file are kept. @return its root; null where it cannot be read.
+    Group open(const std::string& path);
+
+    std::vector<Dataset> _datasets;
+    Group _root; ///< Of the first file.
     std::vector<Array> _arrays;
     double _bytes = 0.0;
     bool _isClassic = false;

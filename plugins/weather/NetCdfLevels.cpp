@@ -104,6 +104,11 @@ void NetCdfLevels::measure(NetCdfFile& file, const NetCdfArray& wind, NetCdfPoin
     _heights.assign(points.levelsAt.begin(), points.levelsAt.end());
     _aboveGround = coordinates && (coordinates->text("standard_name") == "height" ||
                                    begins(lower(coordinates->name), {"height"}));
+    if (_aboveGround)
+        return;
+    _origin = file.number("origin_z").value_or(0.0); // of PALM
+    for (float& height : _heights)
+        height += static_cast<float>(_origin);
 }
 
 void NetCdfLevels::findGeopotential(const NetCdfFile& file, const NetCdfArray& wind) {
@@ -153,6 +158,8 @@ bool NetCdfLevels::isUpward(NetCdfFile& file, const NetCdfPoints& points) const 
 
 void NetCdfLevels::setHeights(NetCdfFile& file, const NetCdfPoints& points, GridWind::Grid& grid,
                               WindSummary& summary) const {
+    if (_origin != 0.0)
+        summary.notes.push_back("heights count from the model's origin_z, " + numberText(_origin) + " m");
     grid.heights = _heights;
     grid.aboveGround = _aboveGround;
     if (!_geopotential)

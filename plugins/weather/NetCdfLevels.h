@@ -30,6 +30,7 @@ private:
 
     std::vector<float> _heights; ///< Of the layers, where they are the same at all points.
     bool _aboveGround = false;
+    double _origin = 0.0; ///< Metres above its vertical datum, of the 0 of a model with an origin of its own.
     NetCdfFile::Array _geopotential, _ground;
     double _geopotentialScale = 1.0, _groundScale = 1.0;
 };

@@ -148,6 +148,7 @@ struct Part {
     AxisPart x, y;          ///< Of the grid.
     Window window;          ///< Of the file.
     std::size_t layers = 0; ///< Of the grid.
+    WindExtent whole;       ///< Of the file.
 
     std::size_t cells() const { return window.rows() * window.columns(); }
 };
@@ -316,7 +317,7 @@ Part partOf(NetCdfFile& file, const Sizes& n, const glm::dvec2& corner, const gl
         file.fail({}, wanted.problems().front().message);
         return {};
     }
-    Part part{n, wanted.value().x, wanted.value().y, {}, n.z};
+    Part part{n, wanted.value().x, wanted.value().y, {}, n.z, wanted.value().whole};
     part.window = windowOf(part.x, part.y, moved, n);
     return part;
 }
@@ -351,6 +352,7 @@ Result<WindContent> readNetCdfWrf(NetCdfFile& file, const WindRequest& request) 
     if (!file.good())
         return file.problem();
     content.summary.unit = file.speedUnitOf({arrays.begin(), arrays.begin() + (arrays.size() == 2 ? 2 : 3)});
+    content.whole = part.whole;
     const Means means = readMeans(file, arrays, part, grid.aboveGround);
     readTimes(file, n, grid, content.summary);
     if (!file.good())

@@ -27,9 +27,6 @@ const std::string goodFeatures =
 std::string shape(const std::string& type, const std::string& coordinates) {
     return geoJson(feature("{\"type\": \"" + type + "\", \"coordinates\": " + coordinates + "}"), utm);
 }
-std::string sized(const std::string& height) {
-    return geoJson(point("565000, 5934000", "\"h\": " + height), utm);
-}
 std::string city(const std::string& rest) {
     return R"({"type": "CityJSON", "version": "1.1", "vertices": [[1,2,3]])" + rest + "}";
 }
@@ -124,19 +121,6 @@ const BadFeatures badFeatures[] = {
     {"CoordinateHuge", "a.geojson", shape("Point", "[1e12, 5]"), "",
      "feature 0: expected coordinates in [-100000000, 100000000] metres"},
     {"OutlineNaN", "a.geojson", shape("Polygon", "[[[0,0],[9,0],[NaN,9],[0,0]]]"), "", "feature 0"},
-    {"OutlineFlat", "a.geojson", shape("Polygon", "[[[3,3],[3,3],[3,3],[3,3]]]"), "", "feature 0"},
-    {"OutlineWide", "a.geojson", shape("Polygon", "[[[0,0],[999,0],[999,999],[0,0]]]"), "",
-     "feature 0: expected the outline of a crown, in (0, 150] metres wide, found 999"},
-    {"HeightText", "a.geojson", sized("\"tall\""), columnH, "h: feature 0: expected a number, found 'tall'"},
-    {"HeightNegative", "a.geojson", sized("-3"), columnH,
-     "h: feature 0: expected in (0, 150] metres, found \"-3\""},
-    {"HeightOfFeet", "a.geojson", sized("999"), columnH + "units = { height = \"ft\" }\n",
-     "h: feature 0: expected in (0, 150] metres, found \"999\""},
-    {"GirthHuge", "a.geojson", sized("99"), "columns = { circumference = \"h\" }\n",
-     "h: feature 0: expected in (0, 62.8"},
-    {"OsmHeightOfWords", "a.geojson",
-     geoJson(point("9, 50", R"("@id": "n", "natural": "tree", "height": "12 elephants")")), "",
-     "height: feature 0: expected a number, found '12 elephants'"},
 };
 
 class BadFeaturesTest : public testing::TestWithParam<BadFeatures> {};

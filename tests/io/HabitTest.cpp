@@ -107,8 +107,8 @@ TEST(Habit, IsWrittenAndReadToTheBit) {
 
 TEST(Habit, SaysWhatIsWrongWithIt) {
     const std::string start = "[[species]]\nname = \"a\"\n";
-    EXPECT_EQ(habitRefusal(start + "[species.habit]\nlike = \"willow\"\n"),
-              "a.treewind:5:8: species.habit.like: no built-in species with a habit is called \"willow\"");
+    EXPECT_EQ(habitRefusal(start + "[species.habit]\nlike = \"kelp\"\n"),
+              "a.treewind:5:8: species.habit.like: no built-in species with a habit is called \"kelp\"");
     EXPECT_EQ(habitRefusal(start + "[species.growth]\n[species.habit]\n"),
               "a.treewind:5:1: species.habit: give either this or growth");
     EXPECT_EQ(habitRefusal(start + "[species.habit]\nrise = [0, 1, 7, 0]\n").find("a.treewind:5"), 0u);

@@ -35,4 +35,12 @@ inline void expectAt(const TreePlacement& tree, double x, double y, double toler
     EXPECT_NEAR(tree.position.y, y, tolerance);
 }
 
+/// All notes, a line each.
+inline std::string notesOf(const ForestDescription& forest) {
+    std::string all;
+    for (const std::string& note : forest.notes)
+        all += note + '\n';
+    return all;
+}
+
 } // namespace osgTreeWind

@@ -146,49 +146,92 @@ TEST(InventorySizes, NoSpeciesAtAllIsAnErrorToo) {
     EXPECT_FALSE(readForest(input, {"test.treewind", folder.path()}).ok());
 }
 
-TEST(InventorySkip, LeavesOutRowsThatAreNoTreesAndSaysSo) {
+TEST(InventorySizes, ThoseOfNoTreeCountAsNotGivenAndAreCounted) {
     const TemporaryFolder folder;
-    folder.write("a.csv", "x,y,h\n1,1,9\n2,2,999\n3,,9\n4,4,-1\n5,5,tall\n6,6,8\n");
-    const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n";
-    const auto strict = readInventoryOf(folder.path(), lines);
-    ASSERT_FALSE(strict);
-    EXPECT_EQ(strict.problems().size(), 4u);
-
-    const ForestDescription forest = inventoryOf(folder.path(), lines + "skip = true\n");
-    ASSERT_EQ(forest.trees.size(), 2u);
-    EXPECT_EQ(forest.trees[1].position.x, 6.0);
-    EXPECT_EQ(forest.trees[1].size.height, 8.0f);
-    ASSERT_FALSE(forest.notes.empty());
-    EXPECT_NE(forest.notes.front().find("a.csv: 4 of 6 rows are no trees and left out, the first: "),
+    folder.write("a.csv",
+                 "x,y,h,d\n1,1,9,30\n2,2,327,0\n3,3,0,-99\n4,4,-9999,25\n5,5,tall,999\n6,6,8,77\n7,7,7,40\n");
+    const std::string lines =
+        "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\", trunk_diameter = "
+        "\"d\" }\nunits = { trunk_diameter = \"cm\" }\n";
+    const ForestDescription forest = inventoryOf(folder.path(), lines + "missing = [77]\n");
+    ASSERT_EQ(forest.trees.size(), 7u) << "one bad size costs no tree";
+    EXPECT_TRUE(forest.trees[1].estimated.height);
+    EXPECT_TRUE(forest.trees[5].estimated.trunkDiameter);
+    EXPECT_FALSE(inventoryOf(folder.path(), lines).trees[5].estimated.trunkDiameter);
+    const std::string notes = notesOf(forest);
+    EXPECT_NE(
+        notes.find("0 and marks such as -99 count as not measured: height of 2, trunk diameter of 4 rows"),
+        std::string::npos)
+        << notes;
+    EXPECT_NE(notes.find("sizes that no tree has count as not measured: height of 2 rows, the first: "),
               std::string::npos)
-        << forest.notes.front();
-    EXPECT_NE(forest.notes.front().find("a.csv:3: "), std::string::npos) << forest.notes.front();
+        << notes;
+    EXPECT_NE(notes.find("a.csv:3: h: expected in (0, 116] metres, found \"327\""), std::string::npos)
+        << notes;
 }
 
-/// 999 is what some inventories write for what they do not know.
-TEST(InventorySkip, ATrunkOfTenMetresIsNoTrees) {
+TEST(InventorySizes, MostOfThemBeingImpossibleIsAWrongUnit) {
     const TemporaryFolder folder;
-    folder.write("a.csv", "x,y,d\n1,1,0.4\n2,2,9.99\n3,3,4.9\n");
-    const std::string lines =
-        "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", trunk_diameter = \"d\" }\n";
-    const auto strict = readInventoryOf(folder.path(), lines);
-    ASSERT_FALSE(strict);
-    ASSERT_EQ(strict.problems().size(), 1u);
-    EXPECT_NE(strict.problems().front().text().find(
-                  "a.csv:3: a trunk of 9.99 m is that of no beech: such a tree would be 149.85 m high"),
+    folder.write("a.csv", "x,y,h\n1,1,900\n2,2,1200\n3,3,1500\n4,4,20\n");
+    const auto forest = readInventoryOf(
+        folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n");
+    ASSERT_FALSE(forest);
+    const std::string problem = forest.problems().front().text();
+    EXPECT_NE(problem.find("a.csv:2: h: "), std::string::npos) << problem;
+    EXPECT_NE(problem.find("so are 3 of 4: give their unit as inventory.units.height"), std::string::npos)
+        << problem;
+}
+
+TEST(InventorySkip, RowsWithoutAPlaceAreLeftOutAndCounted) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y,h\n1,1,9\n2,,8\n,,9\n4,4,7\n5,5,6\n");
+    const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n";
+    const ForestDescription forest = inventoryOf(folder.path(), lines);
+    EXPECT_EQ(forest.trees.size(), 3u);
+    EXPECT_NE(notesOf(forest).find("a.csv: 2 of 5 rows have no place and are left out, the first: "),
               std::string::npos)
-        << strict.problems().front().text();
-    EXPECT_EQ(inventoryOf(folder.path(), lines + "skip = true\n").trees.size(), 2u);
+        << notesOf(forest);
+    EXPECT_EQ(readInventoryOf(folder.path(), lines + "skip = false\n").problems().size(), 3u);
+}
+
+TEST(InventorySkip, MostRowsWithoutAPlaceAreAProblemUnlessWanted) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "x,y\n1,1\nleft,2\nright,3\n");
+    const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\" }\n";
+    const auto forest = readInventoryOf(folder.path(), lines);
+    ASSERT_FALSE(forest);
+    EXPECT_NE(forest.problems().front().text().find(
+                  "so it is with 2 of 3 rows: inventory.skip = true leaves them out"),
+              std::string::npos)
+        << forest.problems().front().text();
+    EXPECT_EQ(inventoryOf(folder.path(), lines + "skip = true\n").trees.size(), 1u);
 }
 
 TEST(InventorySkip, NoTreesAtAllAreStillAProblem) {
     const TemporaryFolder folder;
-    folder.write("a.csv", "x,y,h\n2,2,999\n");
+    folder.write("a.csv", "x,y,h\n2,,9\n");
     const auto forest = readInventoryOf(
-        folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\nskip = true\n");
+        folder.path(), "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\", height = \"h\" }\n");
     ASSERT_FALSE(forest);
-    EXPECT_NE(forest.problems().front().text().find("an inventory without trees: no row is one; the first: "),
+    EXPECT_NE(forest.problems().front().text().find(
+                  "a.csv:2: y: expected a number, found nothing; no row has a place"),
               std::string::npos);
+}
+
+TEST(InventoryPlaces, TheOneFarFromAllOthersIsNamed) {
+    const TemporaryFolder folder;
+    std::string rows = "x,y\n";
+    for (int i = 0; i < 30; ++i)
+        rows += std::to_string(i % 6) + ',' + std::to_string(10 * i) + '\n';
+    const std::string lines = "file = \"a.csv\"\ncolumns = { x = \"x\", y = \"y\" }\n";
+    folder.write("a.csv", rows);
+    EXPECT_EQ(notesOf(inventoryOf(folder.path(), lines)).find("km from"), std::string::npos);
+    folder.write("a.csv", rows + "40000,50\n3,3\n");
+    const std::string notes = notesOf(inventoryOf(folder.path(), lines));
+    EXPECT_NE(
+        notes.find("line 32: this tree stands 40 km from the middle of the others, which are within 1 km"),
+        std::string::npos)
+        << notes;
 }
 
 } // namespace osgTreeWind

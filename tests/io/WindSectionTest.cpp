@@ -30,7 +30,8 @@ glm::vec3 windOf(const Result<ForestDescription>& forest, const glm::vec3& posit
 } // namespace
 
 TEST(WindSection, FileIsReadInWorldCoordinates) {
-    const auto forest = readWith("kind = \"file\"\nfile = \"vectors.vtk\"\n", "origin = [110, 200, 0]\n");
+    const auto forest =
+        readWith("kind = \"file\"\nfile = \"vectors.vtk\"\nbeyond = \"hold\"\n", "origin = [110, 200, 0]\n");
     EXPECT_EQ(windOf(forest, {0, 0, 5}), glm::vec3(2, 0, 0));
     EXPECT_EQ(windOf(forest, {10, 20, 10}), glm::vec3(3, 0.5f, 0.25f));
 }
@@ -104,8 +105,9 @@ TEST(WindSection, OffsetMovesTheFile) {
 }
 
 TEST(WindSection, FileInAnotherUnit) {
-    const auto forest = readWith("kind = \"file\"\nfile = \"vectors.vtk\"\nspeed_unit = \"km/h\"\n",
-                                 "origin = [120, 200, 0]\n");
+    const auto forest =
+        readWith("kind = \"file\"\nfile = \"vectors.vtk\"\nspeed_unit = \"km/h\"\nbeyond = \"hold\"\n",
+                 "origin = [120, 200, 0]\n");
     EXPECT_FLOAT_EQ(windOf(forest, {0, 0, 5}).x, 3 / 3.6f);
 }
 
@@ -160,14 +162,18 @@ TEST(WindSection, TreesOutsideTheGridOfAFileAreNoted) {
         EXPECT_TRUE(forest) << firstProblem(forest);
         return forest && !forest.value().notes.empty() ? forest.value().notes.back() : std::string();
     };
-    const std::string far = noted(readWith(file));
+    EXPECT_NE(firstProblem(readWith(file)).find("no tree stands where the wind of"), std::string::npos);
+    EXPECT_NE(
+        firstProblem(readWith(file + "offset = [880, 1780, 0]\nbeyond = \"ebb\"\n")).find("wind.beyond"),
+        std::string::npos);
+    const std::string hold = file + "beyond = \"hold\"\n", far = noted(readWith(hold));
     EXPECT_EQ(far.rfind("1 of 1 trees stand outside the grid of ", 0), 0u) << far;
     EXPECT_NE(far.find("vectors.vtk, x 100 to 120, y 200 to 220; the wind at its edges holds there"),
               std::string::npos)
         << far;
     EXPECT_EQ(noted(readWith(file + "offset = [880, 1780, 0]\n")).find("outside"), std::string::npos);
     EXPECT_NE(
-        noted(readWith(file + "offset = [901.0049, 1780, 0]\n")).find("x 1001 to 1021, y 1980 to 2000;"),
+        noted(readWith(hold + "offset = [901.0049, 1780, 0]\n")).find("x 1001 to 1021, y 1980 to 2000;"),
         std::string::npos);
     EXPECT_EQ(
         noted(readWith(file + "offset = [880, 1780, 0]\n", "origin = [900, 1900, 0]\n")).find("outside"),

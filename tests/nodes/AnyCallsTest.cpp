@@ -614,7 +614,7 @@ TEST(AnyCallsTest, everyPublicHeaderIsCalledOrHasNothingToSet) {
         "base/Export.h", "base/Version.h",
         // They read and write files: tests/io, tests/windfiles and tests/fuzz damage those.
         "io/ForestFile.h", "io/ForestStream.h", "io/SpeciesCatalogue.h", "io/TiledForest.h",
-        "windfiles/WindFile.h",
+        "windfiles/WindExtent.h", "windfiles/WindFile.h",
         // It asks a program for maps: tests/plugins.
         "forest/HostMap.h",
         // They need a context or a viewer: tests/offscreen, ForestStatisticsGlTest.

@@ -113,7 +113,8 @@ TEST_P(Matlab, WhatIsWrongHasItsPlace) {
     const auto with = [&](const std::function<void(QsmArrays&)>& change) {
         QsmArrays good(sapling()), arrays = good;
         change(arrays);
-        return problemOf({qsmStruct("QSM", {good, arrays})});
+        const std::string problem = problemOf({qsmStruct("QSM", {good, arrays})});
+        return problem.substr(0, problem.find("; all others bear "));
     };
     EXPECT_EQ(with([](QsmArrays&) {}), "");
     EXPECT_EQ(with([](QsmArrays& a) { a.radius[2] = 0.0; }),
@@ -125,7 +126,7 @@ TEST_P(Matlab, WhatIsWrongHasItsPlace) {
     EXPECT_EQ(with([](QsmArrays& a) { a.parent[4] = 9; }),
               "QSM(2).cylinder.parent(5): expected a parent of the same tree, found 9");
     EXPECT_EQ(with([](QsmArrays& a) { a.parent[4] = 0; }),
-              "QSM(2).cylinder.parent(5): expected one root, found another");
+              "tree 2, cylinder 5: expected one root, found another one than in line 1");
     EXPECT_EQ(with([](QsmArrays& a) { a.parent[1] = 2; }),
               "tree 2, cylinder 2: expected parents that lead to the root, found a loop");
     EXPECT_EQ(with([](QsmArrays& a) { a.length.pop_back(); }),

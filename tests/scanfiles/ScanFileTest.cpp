@@ -192,7 +192,8 @@ TEST(BrokenScan, OfTreeQsmIsOneProblemWithItsPlace) {
          {row + replaced(next, " 1 0 0 0.1", " 1.5 0 0 0.1"),
           "a:2:19: expected the number of a cylinder as parent, or 0, found '1.5'"},
          {row + replaced(next, " 1 0 0 0.1", " 0 0 0 0.1"),
-          "a:2: expected one root, found another one than in line 1"},
+          "a:2: expected one root, found another one than in line 1; all others bear 50 % of the wood, and "
+          "at most 5 % are joined to what is nearest"},
          {row + replaced(next, " 1 0 0 0.1", " 2 0 0 0.1"),
           "a:2: expected parents that lead to the root, found a loop"},
          {replaced(row, "1 0 2", "1 2 2") + next,
@@ -240,7 +241,9 @@ TEST(BrokenScan, OfSwcIsOneProblemWithItsPlace) {
     const std::string root = "# a\n1 1 0 0 0 0.1 -1\n";
     expectProblems({{root + "2 3 0 0 1 0.1 1\n", ""},
                     {root, "a:2: expected more than one point"},
-                    {root + "2 3 0 0 1 0.1 -1\n", "a:3: expected one root, found another"},
+                    {root + "2 3 0 0 1 0.1 1\n3 3 1 0 0 0.1 -1\n4 3 1 0 1 0.1 3\n",
+                     "a:5: expected one root, found another one than in line 3; all others bear 50 % of the "
+                     "wood, and at most 5 % are joined to what is nearest"},
                     {root + "2 3 0 0 1 0.1\n",
                      "a:3: expected 7 numbers: id, type, x, y, z, radius, parent; found 6 words"},
                     {root + "2 3 0 0 1 0.1 3\n3 3 0 0 2 0.1 2\n",

@@ -152,7 +152,9 @@ TEST(BrokenScanTable, IsOneProblemWithItsPlace) {
         archiWith("0,0,1,0,0,2,2,1.5,0.1"),
         "a:3: parent_ID: expected the id of a cylinder, or 0, -1 or NA for that of the root, found '1.5'");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,3,0.1"), "a:3: expected a parent of the same tree, found 3");
-    EXPECT_EQ(archiWith("0,0,1,0,0,2,2,NA,0.1"), "a:3: expected one root, found another one than in line 2");
+    EXPECT_EQ(archiWith("0,0,1,0,0,2,2,NA,0.1"),
+              "a:3: expected one root, found another one than in line 2; all others bear 50 % of the wood, "
+              "and at most 5 % are joined to what is nearest");
     EXPECT_EQ(archiWith("0,0,1,0,0,2,2,1"), "a:3: expected 9 cells as in the header, found 8");
     EXPECT_EQ(problemOfText(table(rtwig, {"0,0,0,0,0,2,1,0,0.1,1"})),
               "a:2: axis_z: expected a part of a direction of length 1, found '2'");

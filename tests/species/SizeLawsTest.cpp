@@ -160,9 +160,25 @@ TEST(SizeLaws, EstimatesAreNoPolesAndNoBarrels) {
     EXPECT_NEAR(slenderness(sizeOf(0.0f, 0.001f)), 150.0f, 0.01f);
     EXPECT_NEAR(slenderness(sizeOf(0.01f, 0.0f)), 150.0f, 0.01f);
     species.height.power = 0.1f;
-    EXPECT_NEAR(slenderness(sizeOf(0.0f, 9.0f)), 15.0f, 0.01f);
     EXPECT_NEAR(slenderness(sizeOf(150.0f, 0.0f)), 15.0f, 0.01f);
-    EXPECT_EQ(estimateSize(sizeOf(0.0f, 20.0f), species, false, "a").size.height, 150.0f);
+    species.height.scale = 1.0f;
+    EXPECT_NEAR(slenderness(sizeOf(0.0f, 0.9f)), 15.0f, 0.01f);
+}
+
+/// Laws that were fitted to trees of 1 m at most do not go on for ever: an oak of 5 m is as high as one of 2
+/// m.
+TEST(SizeLaws, TreesThickerThanThoseMeasuredAreHardlyHigherOrWider) {
+    for (const char* const name : {"oak", "Norway spruce", "London plane", "broadleaf"}) {
+        const Species species = *findSpecies(name);
+        const TreeSize large = estimateSize(sizeOf(0.0f, 1.0f), species, true, "a").size,
+                       huge = estimateSize(sizeOf(0.0f, 7.0f), species, true, "a").size;
+        EXPECT_GT(huge.height, large.height) << name;
+        EXPECT_LT(huge.height, 1.8f * large.height) << name;
+        EXPECT_LT(huge.height, 80.0f) << name;
+        EXPECT_GT(huge.crownWidth, large.crownWidth) << name;
+        EXPECT_LT(huge.crownWidth, 2.1f * large.crownWidth) << name;
+        EXPECT_LE(huge.crownWidth, 50.0f) << name;
+    }
 }
 
 TEST(SizeLaws, WhatNoLawTellsIsNotGiven) {

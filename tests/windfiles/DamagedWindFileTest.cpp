@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
                "f:2:2: compressor: expected  or vtkZLibDataCompressor, found 'vtkLZ4DataCompressor'"},
         Damage{"Toa5Unit", "toa5.dat", "\"m/s\"", "\"V\"",
                "f:3: Ux: expected a unit of speed (m/s, km/h, kn, mph, ft/s), found 'V'"},
-        Damage{"Toa5Number", "toa5.dat", ",5,-2", ",5,?", "f:7: Uy: expected a number, found '?'"},
+        Damage{"Toa5Number", "toa5.dat", ",5,-2", ",5,x", "f:7: Uy: expected a number, found 'x'"},
         Damage{"Toa5Column", "toa5.dat", "\"Uz\"", "\"w\"",
                "f:2: Uz: no such column for w; the header has TIMESTAMP, RECORD, Ux, Uy, w"}),
     [](const auto& info) { return info.param.name; });

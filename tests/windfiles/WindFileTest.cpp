@@ -120,7 +120,7 @@ TEST(WindFile, Toa5CountsFromItsFirstRecordAndLeavesOutNan) {
     EXPECT_EQ(file.summary.times, (std::vector<double>{0.0, 2.0}));
     expectNear(asField(file.wind)->velocity({}, 0.0), {1, 2, 0.5f});
     expectNear(asField(file.wind)->velocity({}, 1.0), {3, 0, 0.375f});
-    EXPECT_TRUE(notes(file.summary, "1 records marked NAN"));
+    EXPECT_TRUE(notes(file.summary, "1 of 3 records have no wind and are left out"));
 }
 
 TEST(WindFile, CsvWithUsualNamesNeedsNoColumns) {

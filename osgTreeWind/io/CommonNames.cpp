@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/CommonNames.h>
+
+#include <osgTreeWind/base/CsvTable.h>
+#include <osgTreeWind/base/EmbeddedTexts.h>
+#include <osgTreeWind/base/Unicode.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace osgTreeWind {
+
+namespace {
+
+const std::string none;
+
+/// Calls `take` with each part of a cell, "Zierkirsche|Kirsche".
+template <typename Take>
+void eachOf(const std::string& cell, const Take& take) {
+    for (std::size_t from = 0; from <= cell.size();) {
+        const std::size_t to = std::min(cell.find('|', from), cell.size());
+        if (to > from)
+            take(cell.substr(from, to - from));
+        from = to + 1;
+    }
+}
+
+/// Scientific names by comparableName() of common ones.
+const std::unordered_map<std::string, std::string>& scientificNames() {
+    static const std::unordered_map<std::string, std::string> all = [] {
+        std::unordered_map<std::string, std::string> names;
+        const EmbeddedText* table = findEmbeddedText("osgTreeWind/species/names.csv");
+        static_cast<void>(
+            readCsvRows(table->text, table->name, ',', [&](const CsvTable&, CsvTable::Row& row) {
+                for (std::size_t language = 1; language < row.cells.size(); ++language)
+                    eachOf(row.cells[language], [&](const std::string& name) {
+                        names.emplace(comparableName(name), row.cells[0]);
+                    });
+            }));
+        return names;
+    }();
+    return all;
+}
+
+const std::string& find(const std::string& comparable) {
+    const auto found = scientificNames().find(comparable);
+    return found == scientificNames().end() ? none : found->second;
+}
+
+} // namespace
+
+const std::string& scientificName(const std::string& commonName) {
+    return find(comparableName(commonName));
+}
+
+const std::string& scientificNameOfKin(const std::string& commonName) {
+    const std::string folded = foldedName(commonName);
+    const std::size_t word = folded.find_last_of(" -");
+    if (word != std::string::npos)
+        if (const std::string& found = find(comparableName(folded.substr(word + 1))); !found.empty())
+            return found;
+    constexpr std::size_t shortestEnd = 5, shortestBegin = 3; // bytes
+    const std::string comparable = comparableName(commonName);
+    for (std::size_t begin = shortestBegin; begin + shortestEnd <= comparable.size(); ++begin)
+        if (const std::string& found = find(comparable.substr(begin)); !found.empty())
+            return found;
+    return none;
+}
+
+} // namespace osgTreeWind

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/SpreadOfPlaces.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace osgTreeWind {
+
+namespace {
+
+double middleOf(const std::vector<glm::dvec2>& places, int axis) {
+    std::vector<double> all;
+    all.reserve(places.size());
+    for (const glm::dvec2& place : places)
+        all.push_back(place[axis]);
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
+}
+
+} // namespace
+
+void SpreadOfPlaces::add(const glm::dvec2& place, const std::function<std::string()>& row) {
+    const bool isAtEdge = place.x < _low.x || place.y < _low.y || place.x > _high.x || place.y > _high.y;
+    if (isAtEdge)
+        _edges.emplace_back(_places.size(), row());
+    _places.push_back(place);
+    _low = glm::min(_low, place);
+    _high = glm::max(_high, place);
+}
+
+std::optional<OutlyingPlace> SpreadOfPlaces::outlier() const {
+    constexpr std::size_t fewest = 4;
+    constexpr double timesAsFar = 20.0, least = 10000.0;
+    if (_places.size() < fewest || glm::distance(_low, _high) < least)
+        return std::nullopt;
+    const glm::dvec2 middle(middleOf(_places, 0), middleOf(_places, 1));
+    std::vector<double> distances;
+    distances.reserve(_places.size());
+    for (const glm::dvec2& place : _places)
+        distances.push_back(glm::distance(place, middle));
+    const auto farthest = std::max_element(distances.begin(), distances.end());
+    const auto index = static_cast<std::size_t>(farthest - distances.begin());
+    const double distance = *farthest;
+    distances.erase(farthest);
+    const auto usual =
+        distances.begin() + static_cast<std::ptrdiff_t>(distances.size() - 1 - distances.size() / 100);
+    std::nth_element(distances.begin(), usual, distances.end());
+    const auto edge =
+        std::find_if(_edges.begin(), _edges.end(), [&](const auto& each) { return each.first == index; });
+    if (edge == _edges.end() || distance < least || distance < timesAsFar * *usual)
+        return std::nullopt;
+    return OutlyingPlace{edge->second, distance, *usual};
+}
+
+} // namespace osgTreeWind

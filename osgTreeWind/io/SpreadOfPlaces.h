@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace osgTreeWind {
+
+/// A place that is far from all others.
+struct OutlyingPlace {
+    std::string row;
+    double distance, others; ///< Metres from their middle: its own, and of all but one in a hundred of them.
+};
+
+/// Where the trees of an inventory stand, which tells the one whose place was mistyped.
+class SpreadOfPlaces {
+public:
+    /// @param row says which it is; asked where the place is at an edge of those so far.
+    void add(const glm::dvec2& place, const std::function<std::string()>& row);
+    /// The farthest one, if it is 20 times as far from the middle as the others and 10 km at least.
+    std::optional<OutlyingPlace> outlier() const;
+
+private:
+    std::vector<glm::dvec2> _places;
+    glm::dvec2 _low{1e300}, _high{-1e300};
+    std::vector<std::pair<std::size_t, std::string>> _edges; ///< Places that were at an edge, and their rows.
+};
+
+} // namespace osgTreeWind

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <osgTreeWind/io/StretchedMap.h>
+
+#include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/places/MapScale.h>
+
+#include <cmath>
+
+namespace osgTreeWind {
+
+Result<Crs> trueMapAt(const glm::dvec2& place, const Crs& map, ForestReading& reading) {
+    const double scale = scaleOfMap(map, place).value_or(1.0);
+    if (reading.keepsMap || !isStretched(scale))
+        return map;
+    Result<Crs> zone = utmZoneOf(place, map, "crs");
+    if (zone)
+        reading.forest.notes.push_back(
+            "a metre of " + map.name() + " is " + numberText(std::round(1000.0 / scale) / 1000.0) +
+            " m on the ground here; the scene is in " + zone.value().name() +
+            ". What the file says is read on the former (stretched = true keeps to it)");
+    return zone;
+}
+
+void leaveStretchedMap(ForestReading& reading) {
+    const TreesInAll trees = reading.treesInAll();
+    if (!reading.crs || reading.forest.tiles || trees.count == 0)
+        return;
+    const Result<Crs> map = trueMapAt(0.5 * glm::dvec2(trees.low + trees.high), *reading.crs, reading);
+    if (!map || map.value().isSame(*reading.crs))
+        return;
+    const Result<CrsWay> way = CrsWay::between(*reading.crs, map.value());
+    if (!way)
+        return;
+    reading.toScene = way.value();
+    reading.choose(map.value());
+    reading.trees.change([&](TreeStore::Trees& some, const std::vector<std::size_t>&) {
+        std::vector<glm::dvec2> places;
+        places.reserve(some.size());
+        for (const TreePlacement& tree : some)
+            places.emplace_back(tree.position);
+        reading.toScene.go(places);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            some[i].position = {places[i], some[i].position.z};
+    });
+}
+
+} // namespace osgTreeWind

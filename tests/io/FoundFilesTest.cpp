@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Files as cities, weather services and other programs write them: small ones of our own, and those of
+// shared/data/cases.
+#include <tests/TestData.h>
+#include <tests/base/FirstProblem.h>
+#include <tests/io/InventoryReading.h>
+
+#include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/windfiles/WindFile.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace osgTreeWind {
+
+namespace {
+
+ForestDescription forestIn(const std::string& folder, const std::string& text) {
+    std::istringstream input("version = 1\n" + text);
+    Result<ForestDescription> forest = readForest(input, {"f.treewind", folder});
+    EXPECT_TRUE(forest) << firstProblem(forest);
+    return forest ? std::move(forest.value()) : ForestDescription();
+}
+
+ForestDescription caseOf(const std::string& file) {
+    Result<ForestDescription> forest = readForestFile(file);
+    EXPECT_TRUE(forest) << firstProblem(forest);
+    return forest ? std::move(forest.value()) : ForestDescription();
+}
+
+std::string speciesOf(const ForestDescription& forest, std::size_t tree) {
+    return forest.species[forest.trees.at(tree).species].name;
+}
+
+} // namespace
+
+/// 60 trees as a newcomer's spreadsheet has them: ; and decimal commas, Latin-1, German names, gaps and
+/// zeros.
+TEST(FoundFiles, ATableOfANewcomerStandsAtTheFirstTry) {
+    const char* const names[] = {"Spitz-Ahorn", "Winterlinde", "Platane",  "Stieleiche",   "Ro\xdfkastanie",
+                                 "Hainbuche",   "Sandbirke",   "Rotbuche", "Schwarz-Erle", "Gemeine Kiefer",
+                                 "Eberesche",   "Robinie",     "Esche",    "Kugelahorn",   "Quitte"};
+    std::ostringstream table;
+    table << "Baum-Nr.;Rechtswert;Hochwert;Baumart;H\xf6he (m);Stammumfang (cm);Krone (m)\r\n";
+    for (int i = 0; i < 60; ++i)
+        table << 'B' << i << ";3567" << 10 + i << ",5;56450" << 10 + i << ",25;" << names[i % 15] << ';'
+              << (i % 7 == 0   ? "0"
+                  : i % 5 == 0 ? ""
+                               : "12,5")
+              << ';' << (i % 4 == 0 ? "0" : "95") << ";6,2\r\n";
+    const TemporaryFolder folder;
+    folder.write("baeume.csv", table.str());
+    const ForestDescription forest =
+        forestIn(folder.path(),
+                 "[inventory]\nfile = \"baeume.csv\"\ncolumns = { id = \"Baum-Nr.\", x = \"Rechtswert\", y = "
+                 "\"Hochwert\", species = \"Baumart\", height = \"H\xc3\xb6he (m)\", circumference = "
+                 "\"Stammumfang (cm)\", crown_width = \"Krone (m)\" }\nunits = { circumference = \"cm\" }\n");
+    ASSERT_EQ(forest.trees.size(), 60u);
+    EXPECT_DOUBLE_EQ(forest.trees[1].position.x, 356711.5);
+    EXPECT_FLOAT_EQ(forest.trees[1].size.height, 12.5f);
+    EXPECT_FLOAT_EQ(forest.trees[1].size.crownWidth, 6.2f);
+    EXPECT_TRUE(forest.trees[0].estimated.height);
+    const char* const species[] = {
+        "Norway maple", "linden",       "London plane", "oak",       "horse chestnut",
+        "broadleaf",    "silver birch", "beech",        "broadleaf", "Scots pine",
+        "broadleaf",    "honey locust", "ash",          "sycamore",  "broadleaf"};
+    for (std::size_t i = 0; i < 15; ++i)
+        EXPECT_EQ(speciesOf(forest, i), species[i]) << names[i];
+    const std::string notes = notesOf(forest);
+    for (const char* const note :
+         {"is no UTF-8 and is read as Windows-1252",
+          "its cells are parted by \";\", and its numbers may have decimal commas",
+          "4 trees, whose names no species has, stand as what they are called after: Kugelahorn as sycamore "
+          "(4)",
+          "4 trees, whose names no species has, stand as \"broadleaf\": Quitte (4)",
+          "0 and marks such as -99 count as not measured: circumference of 15, height of 9 rows",
+          "not given, by the laws of the species"})
+        EXPECT_NE(notes.find(note), std::string::npos) << note << "\nin\n" << notes;
+    EXPECT_EQ(forest.notes.size(), 6u) << notes;
+}
+
+TEST(FoundFiles, APlaceMayStandInOneCell) {
+    const TemporaryFolder folder;
+    const std::string lines = "[inventory]\nfile = \"a.csv\"\n";
+    folder.write("a.csv", "id;geo_point_2d\n1;48.8760, 2.3007\n2;48.8761, 2.3009\n");
+    for (const char* const columns :
+         {"columns = { id = \"id\" }\n", "columns = { point = \"geo_point_2d\" }\n",
+          "columns = { x = \"geo_point_2d\", y = \"geo_point_2d\" }\n"}) {
+        const ForestDescription forest = forestIn(folder.path(), lines + columns);
+        EXPECT_EQ(forest.crs, "EPSG:32631");
+        ASSERT_EQ(forest.trees.size(), 2u);
+        const glm::dvec3 apart = forest.trees[1].position - forest.trees[0].position;
+        EXPECT_NEAR(apart.x, 14.7, 0.2) << "2e-4 degrees of longitude";
+        EXPECT_NEAR(apart.y, 11.1, 0.2);
+    }
+    folder.write("a.csv", "id,wkt\n1,POINT (2.3007 48.8760)\n2,POINT Z (2.3009 48.8761 30)\n3,nowhere\n");
+    const ForestDescription forest = forestIn(folder.path(), lines + "columns = { id = \"id\" }\n");
+    ASSERT_EQ(forest.trees.size(), 2u);
+    EXPECT_NEAR(forest.trees[1].position.x - forest.trees[0].position.x, 14.7, 0.2);
+    EXPECT_NE(notesOf(forest).find("1 of 3 rows have no place"), std::string::npos) << notesOf(forest);
+    folder.write("a.csv", "point\n\"356000, 5645000\"\n");
+    EXPECT_EQ(forestIn(folder.path(), lines + "crs = \"EPSG:25832\"\ncolumns = { point = \"point\" }\n")
+                  .trees.at(0)
+                  .position.x,
+              356000.0);
+}
+
+TEST(FoundFiles, WebMapsAreBroughtToTrueMetres) {
+    const TemporaryFolder
+        folder; // PROJ's cs2cs of 2.35 E 48.85 N, and of places 100 m east and north of it (geod)
+    folder.write("a.csv",
+                 "x,y\n261600.8034,6249447.7528\n261752.4828,6249447.7514\n261600.8034,6249599.8763\n");
+    const std::string lines =
+        "[inventory]\nfile = \"a.csv\"\ncrs = \"EPSG:3857\"\ncolumns = { x = \"x\", y = \"y\" }\n";
+    const ForestDescription forest = forestIn(folder.path(), lines);
+    EXPECT_EQ(forest.crs, "EPSG:32631");
+    ASSERT_EQ(forest.trees.size(), 3u);
+    for (std::size_t i = 1; i < 3; ++i)
+        EXPECT_NEAR(glm::distance(forest.trees[i].position, forest.trees[0].position), 100.0, 0.1);
+    EXPECT_NE(notesOf(forest).find("a metre of WGS 84 / Pseudo-Mercator is 0.657 m on the ground here"),
+              std::string::npos)
+        << notesOf(forest);
+
+    const ForestDescription said = forestIn(
+        folder.path(),
+        "crs = \"EPSG:3857\"\norigin = [261600.8034, 6249447.7528, 0]\n[[tree]]\nposition = [261600.8034, "
+        "6249447.7528]\n[[tree]]\nposition = [261752.4828, 6249447.7514]\n[wind]\nkind = "
+        "\"calm\"\n[[wind.source]]"
+        "\nkind = \"jet\"\nposition = [261752.4828, 6249447.7514, 2]\nvelocity = [9, 0, 0]\nradius = 1.0\n");
+    EXPECT_EQ(said.crs, "EPSG:32631");
+    ASSERT_EQ(said.trees.size(), 2u);
+    EXPECT_NEAR(glm::distance(said.trees[1].position, said.trees[0].position), 100.0, 0.1);
+    EXPECT_NEAR(glm::distance(said.trees[0].position, said.origin), 0.0, 1e-3);
+    ASSERT_EQ(said.wind.sources.size(), 1u);
+    EXPECT_NEAR(glm::length(glm::dvec2(said.wind.sources[0].position)), 100.0, 0.1);
+
+    const ForestDescription kept = forestIn(folder.path(), "stretched = true\ncrs = \"EPSG:3857\"\n" + lines);
+    EXPECT_EQ(kept.crs, "EPSG:3857");
+    std::ostringstream written;
+    EXPECT_TRUE(writeForest(kept, written).empty());
+    std::istringstream again(written.str());
+    EXPECT_EQ(readForest(again).value().trees.at(1).position, kept.trees[1].position);
+}
+
+TEST(FoundFiles, CasesOfInventories) {
+    REQUIRE_REAL_DATA(zero, "cases/01-zero-means-unknown/trees.treewind");
+    EXPECT_EQ(caseOf(zero).trees.size(), 6u);
+    REQUIRE_REAL_DATA(census, "cases/01-zero-means-unknown/census.csv");
+    EXPECT_EQ(
+        forestIn(
+            "", "[inventory]\nfile = \"" + census +
+                    "\"\ncolumns = { x = \"longitude\", y = \"latitude\", species = \"spc_latin\", "
+                    "trunk_diameter = \"tree_dbh\" }\nunits = { trunk_diameter = \"in\" }\nfilter = \"status "
+                    "<> 'Stump'\"\n")
+            .trees.size(),
+        2u);
+    REQUIRE_REAL_DATA(mercator, "cases/02-web-mercator/trees.treewind");
+    const ForestDescription apart = caseOf(mercator);
+    EXPECT_NEAR(glm::distance(apart.trees.at(1).position, apart.trees.at(0).position), 100.0, 0.1);
+    REQUIRE_REAL_DATA(plot, "cases/03-decimal-comma/plot.treewind");
+    const ForestDescription commas = caseOf(plot);
+    EXPECT_EQ(commas.trees.at(1).position, glm::dvec3(2.15, 3.0, 0.0));
+    EXPECT_NEAR(commas.trees.at(1).size.trunkDiameter, 0.1225f, 1e-6f);
+    REQUIRE_REAL_DATA(header, "cases/04-latin1-table/header.treewind");
+    EXPECT_EQ(caseOf(header).trees.at(0).name, "S\xc3\xbc"
+                                               "d 1");
+    for (const char* const file : {"point", "wkt"}) {
+        REQUIRE_REAL_DATA(point, std::string("cases/19-point-in-one-column/") + file + ".treewind");
+        EXPECT_EQ(speciesOf(caseOf(point), 0), "horse chestnut");
+    }
+    REQUIRE_REAL_DATA(bands, "cases/18-elevation-in-many-bands/t.treewind");
+    EXPECT_NEAR(caseOf(bands).ground->height({727315.0, 5211235.0}).value_or(0.0), 1035.0, 2.0)
+        << "of a cell, and bilinear";
+}
+
+TEST(FoundFiles, CasesOfScans) {
+    for (const char* const file : {"cylinder_orphan_txt", "orphan_csv", "orphan_mat", "orphan_swc"}) {
+        REQUIRE_REAL_DATA(path, std::string("cases/09-qsm-orphans/") + file + ".treewind");
+        const ForestDescription forest = caseOf(path);
+        const ScanReport& report = forest.species.at(0).tree.scans->at(0).report;
+        const bool isSwc = std::string(file) == "orphan_swc"; // radii are those of the upper ends
+        EXPECT_NEAR(report.cylinderVolume, isSwc ? 0.43478 : 0.4388, 2.5e-4) << file;
+        EXPECT_NEAR(report.height, 8.0, 1e-6) << file;
+        EXPECT_NE(notesOf(forest).find("1 branches without a parent"), std::string::npos) << notesOf(forest);
+    }
+    REQUIRE_REAL_DATA(path, "cases/10-qsm-pytlidar/tree.treewind");
+    const ForestDescription forest = caseOf(path);
+    const ScanReport& report = forest.species.at(0).tree.scans->at(0).report;
+    EXPECT_NEAR(report.cylinderVolume, 0.447106097, 1e-6);
+    EXPECT_EQ(report.cylinders, 8u);
+}
+
+TEST(FoundFiles, CasesOfRecords) {
+    const auto velocity = [](const ForestDescription& forest, double time) {
+        return asField(forest.wind)->velocity({0.0f, 0.0f, 10.0f}, time);
+    };
+    REQUIRE_REAL_DATA(commas, "cases/03-decimal-comma/station.treewind");
+    EXPECT_NEAR(velocity(caseOf(commas), 0.0).x, 5.25f, 1e-4f);
+    for (const char* const file : {"iem", "service", "empty", "sentinel"}) {
+        REQUIRE_REAL_DATA(path, std::string("cases/15-station-gaps/") + file + ".treewind");
+        const ForestDescription forest = caseOf(path);
+        EXPECT_NE(notesOf(forest).find("1 of "), std::string::npos) << notesOf(forest);
+        EXPECT_LT(glm::length(velocity(forest, 60.0)), 10.0f) << file;
+    }
+    REQUIRE_REAL_DATA(epw, "cases/16-epw/year.treewind");
+    const glm::vec3 second = velocity(caseOf(epw), 3600.0);
+    EXPECT_NEAR(glm::length(second), 2.2f, 1e-4f);
+    EXPECT_NEAR(second.y, 2.2f * std::cos(glm::radians(20.0f)), 1e-4f) << "from 200 degrees";
+    for (const char* const file : {"sensor_epoch", "sensor_stamp"}) {
+        REQUIRE_REAL_DATA(path, std::string("cases/12-qes-timestamp/") + file + ".xml");
+        const WindFile wind = readWindFile(path).value();
+        EXPECT_EQ(wind.summary.start, "2020-01-01T01:00:00Z") << file;
+        EXPECT_EQ(wind.summary.times, (std::vector<double>{0.0, 1800.0})) << file;
+    }
+}
+
+TEST(FoundFiles, CasesOfGriddedWinds) {
+    const std::string folder = "cases/11-wind-not-over-forest/";
+    for (const char* const file : {"era5_sydney", "era5_edge", "map_385900", "map_386800", "map_395000",
+                                   "palm_far", "sydney_in_french_wind"}) {
+        REQUIRE_REAL_DATA(path, folder + file + ".treewind");
+        const auto forest = readForestFile(path);
+        EXPECT_NE(firstProblem(forest).find("no tree stands where the wind of"), std::string::npos) << file;
+        const auto held = readForestFile(path, 100, {"wind.beyond=hold"});
+        ASSERT_TRUE(held) << firstProblem(held);
+        EXPECT_NE(notesOf(held.value()).find("1 of 1 trees stand outside the grid of"), std::string::npos)
+            << file;
+    }
+    REQUIRE_REAL_DATA(both, folder + "one_in_one_out.treewind");
+    const std::string notes = notesOf(caseOf(both));
+    EXPECT_NE(notes.find("map.nc, x 385000 to 385700, y "), std::string::npos) << notes;
+    for (const char* const file : {"grib", "nc"}) {
+        REQUIRE_REAL_DATA(path, std::string("cases/17-components-in-two-files/") + file + ".treewind");
+        EXPECT_NE(notesOf(caseOf(path)).find("put together two and two"), std::string::npos) << file;
+    }
+    REQUIRE_REAL_DATA(u, "cases/17-components-in-two-files/u_10m.grib2");
+    REQUIRE_REAL_DATA(v, "cases/17-components-in-two-files/v_10m.grib2");
+    WindFileOptions options;
+    options.origin = {9.3, 50.2, 0.0};
+    options.asStored = true;
+    const auto wind = readWindFiles({u, v}, {}, options);
+    ASSERT_TRUE(wind) << firstProblem(wind);
+    const glm::vec3 velocity = asField(wind.value().wind)->velocity({0.0f, 0.0f, 10.0f}, 0.0);
+    EXPECT_NEAR(velocity.x, 2.93f, 0.01f);
+    EXPECT_NEAR(velocity.y, -1.51f, 0.01f);
+}
+
+} // namespace osgTreeWind
