@@ -53,14 +53,9 @@ const std::string& scientificName(const std::string& commonName) {
     return find(comparableName(commonName));
 }
 
-const std::string& scientificNameOfKin(const std::string& commonName) {
-    const std::string folded = foldedName(commonName);
-    const std::size_t word = folded.find_last_of(" -");
-    if (word != std::string::npos)
-        if (const std::string& found = find(comparableName(folded.substr(word + 1))); !found.empty())
-            return found;
+const std::string& scientificNameOfEnd(const std::string& name) {
     constexpr std::size_t shortestEnd = 5, shortestBegin = 3; // bytes
-    const std::string comparable = comparableName(commonName);
+    const std::string comparable = comparableName(name);
     for (std::size_t begin = shortestBegin; begin + shortestEnd <= comparable.size(); ++begin)
         if (const std::string& found = find(comparable.substr(begin)); !found.empty())
             return found;

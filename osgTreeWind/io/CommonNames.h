@@ -9,8 +9,7 @@ namespace osgTreeWind {
 /// Italian: osgTreeWind/species/names.csv. Empty where there is none.
 const std::string& scientificName(const std::string& commonName);
 
-/// The same of a kind that is not known but is called after one, which the end of its name says: "Kugelahorn"
-/// and "river birch" are a maple and a birch. Empty where there is none.
-const std::string& scientificNameOfKin(const std::string& commonName);
+/// The same of the common name with which a name ends: a maple for "Kugelahorn". Empty where there is none.
+const std::string& scientificNameOfEnd(const std::string& name);
 
 } // namespace osgTreeWind

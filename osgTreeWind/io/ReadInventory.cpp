@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/MessageText.h>
 #include <osgTreeWind/base/Number.h>
+#include <osgTreeWind/base/Problem.h>
 #include <osgTreeWind/base/Random.h>
 #include <osgTreeWind/forest/ForestFields.h>
 #include <osgTreeWind/io/ForestSections.h>
@@ -281,14 +282,22 @@ private:
                             : row.message.substr(0, row.message.find(": "));
     }
 
-    /// Names the tree that stands by far the farthest from the others, as one whose place is wrong does.
+    /// Names the tree that stands by far the farthest from the others, as one whose place is wrong does: a
+    /// problem where it is too far for any forest.
     void noteFarAway() {
         const std::optional<OutlyingPlace> far = _spread.outlier();
-        if (far)
-            _reading.forest.notes.push_back(_rows->file() + ": " + far->row + ": this tree stands " +
-                                            numberText(std::round(far->distance / 1000.0)) +
-                                            " km from the middle of the others, which are within " +
-                                            numberText(std::ceil(far->others / 1000.0)) + " km");
+        if (!far)
+            return;
+        const auto kilometres = [](double metres) { return numberText(std::ceil(metres / 1000.0)) + " km"; };
+        const std::string message =
+            far->row + ": this tree stands " + kilometres(far->distance) +
+            " from the middle of the others, which are within " + kilometres(far->others) +
+            (far->count > 1 ? "; so far are " + std::to_string(far->count) : std::string());
+        if (far->distance > farthestTree)
+            _reading.log.add(fileProblem(
+                _rows->file(), message + "; expected trees within 100 km: a filter leaves such rows out"));
+        else
+            _reading.forest.notes.push_back(_rows->file() + ": " + message);
     }
 
     TableReader& _table;

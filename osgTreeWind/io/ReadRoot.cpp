@@ -258,7 +258,7 @@ void readOrigin(TableReader& root, ForestReading& reading) {
         if (far != trees.end())
             first = far->position;
     });
-    if (first)
+    if (first && reading.log.problems.empty()) // else an inventory named the row
         root.problem("origin", "a tree at (" + numberText(first->x) + ", " + numberText(first->y) + ", " +
                                    numberText(first->z) + ") is more than 100 km from the origin");
 }

@@ -59,6 +59,14 @@ std::string firstWords(const std::string& name, int count) {
     return name.substr(0, end);
 }
 
+/// "plane" of "planetree" and "plane tree"; empty where the name does not end so.
+std::string withoutTree(const std::string& name) {
+    constexpr std::string_view tree = "tree";
+    if (name.size() <= tree.size() || name.compare(name.size() - tree.size(), tree.size(), tree) != 0)
+        return {};
+    return foldedName(name.substr(0, name.size() - tree.size()));
+}
+
 /// "Norway maple" of "Maple, Norway" and of "Maple - Norway"; empty where the name is not turned round.
 std::string turnedRound(const std::string& name) {
     for (const std::string& mark : {std::string(","), std::string(" - ")})
@@ -179,8 +187,19 @@ const Species* SpeciesCatalogue::find(const std::string& name) const {
 }
 
 const Species* SpeciesCatalogue::findKin(const std::string& name) const {
-    const std::string plain = plainName(name);
-    return findScientific(scientificNameOfKin(plain.empty() ? name : plain));
+    std::string folded = foldedName(plainName(name));
+    std::replace(folded.begin(), folded.end(), '-', ' ');
+    for (std::size_t at = folded.find(' '); at != std::string::npos; at = folded.find(' ', at + 1)) {
+        const std::string end = folded.substr(at + 1);
+        for (const std::string& each : {end, withoutTree(end)}) {
+            const Species* found = each.empty() ? nullptr : findExactly(each);
+            if (!found)
+                found = findScientific(scientificName(each));
+            if (found)
+                return found;
+        }
+    }
+    return findScientific(scientificNameOfEnd(folded));
 }
 
 const Species* SpeciesCatalogue::findModel(const std::string& name) const {

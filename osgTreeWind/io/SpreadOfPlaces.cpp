@@ -41,18 +41,17 @@ std::optional<OutlyingPlace> SpreadOfPlaces::outlier() const {
     distances.reserve(_places.size());
     for (const glm::dvec2& place : _places)
         distances.push_back(glm::distance(place, middle));
-    const auto farthest = std::max_element(distances.begin(), distances.end());
-    const auto index = static_cast<std::size_t>(farthest - distances.begin());
-    const double distance = *farthest;
-    distances.erase(farthest);
-    const auto usual =
-        distances.begin() + static_cast<std::ptrdiff_t>(distances.size() - 1 - distances.size() / 100);
-    std::nth_element(distances.begin(), usual, distances.end());
-    const auto edge =
-        std::find_if(_edges.begin(), _edges.end(), [&](const auto& each) { return each.first == index; });
-    if (edge == _edges.end() || distance < least || distance < timesAsFar * *usual)
+    std::vector<double> sorted = distances;
+    const auto usual = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() - 2 - sorted.size() / 100);
+    std::nth_element(sorted.begin(), usual, sorted.end());
+    const double far = std::max(least, timesAsFar * *usual);
+    const auto edge = std::find_if(_edges.begin(), _edges.end(),
+                                   [&](const auto& each) { return distances[each.first] > far; });
+    if (edge == _edges.end())
         return std::nullopt;
-    return OutlyingPlace{edge->second, distance, *usual};
+    const auto count =
+        std::count_if(distances.begin(), distances.end(), [&](double each) { return each > far; });
+    return OutlyingPlace{edge->second, distances[edge->first], *usual, static_cast<std::size_t>(count)};
 }
 
 } // namespace osgTreeWind

@@ -13,7 +13,9 @@ namespace osgTreeWind {
 /// A place that is far from all others.
 struct OutlyingPlace {
     std::string row;
-    double distance, others; ///< Metres from their middle: its own, and of all but one in a hundred of them.
+    double distance;   ///< Of its own from the middle of all, metres,
+    double others;     ///< and of all but one in a hundred.
+    std::size_t count; ///< How many are so far.
 };
 
 /// Where the trees of an inventory stand, which tells the one whose place was mistyped.
@@ -21,7 +23,7 @@ class SpreadOfPlaces {
 public:
     /// @param row says which it is; asked where the place is at an edge of those so far.
     void add(const glm::dvec2& place, const std::function<std::string()>& row);
-    /// The farthest one, if it is 20 times as far from the middle as the others and 10 km at least.
+    /// The first one that is 20 times as far from the middle as the others are, and 10 km at least.
     std::optional<OutlyingPlace> outlier() const;
 
 private:

@@ -46,8 +46,9 @@ AxisPart partAround(const EvenAxis& axis, double low, double high) {
     auto from = static_cast<long long>(std::floor(pointAt(low))) - 1,
          to = static_cast<long long>(std::ceil(pointAt(high))) + 1;
     if (!isRound(axis)) {
-        from = std::clamp(from, 0LL, last);
-        to = std::clamp(to, 0LL, last);
+        constexpr long long fewest = 2; // more, so that components on faces have both neighbours at an edge
+        from = std::clamp(from, 0LL, std::max(0LL, last - fewest));
+        to = std::clamp(to, std::min(last, fewest), last);
     } else if (to - from > last)
         to = from + last;
     AxisPart part = between(axis, from, to);

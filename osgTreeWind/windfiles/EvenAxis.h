@@ -27,7 +27,8 @@ struct AxisPart {
 /// All of them, each once.
 AxisPart wholeOf(const EvenAxis& axis);
 /// Those between two coordinates and one more on either side, as far as the axis goes; across its seam where
-/// it goes all the way round, then at most each once. Nearest to the two where it does not reach them.
+/// it goes all the way round, then at most each once. The three nearest to the two where it does not reach
+/// them.
 AxisPart partAround(const EvenAxis& axis, double low, double high);
 
 } // namespace osgTreeWind

@@ -11,6 +11,15 @@ glm::ivec3 VtkImage::vectors() const {
     return ofCells ? glm::max(points - 1, glm::ivec3(1)) : points;
 }
 
+std::string VtkImage::settleSpacing() {
+    for (int axis = 0; axis < 3; ++axis)
+        if (points[axis] == 1)
+            spacing[axis] = 1.0;
+        else if (!(spacing[axis] >= 1e-6))
+            return "expected metres above 0 between points";
+    return {};
+}
+
 double VtkImage::count() const {
     const glm::dvec3 n(vectors());
     return n.x * n.y * n.z;
@@ -24,6 +33,11 @@ WindContent windOfVtk(VtkImage&& image, const std::string& format) {
     for (int axis = 0; image.ofCells && axis < 3; ++axis)
         if (image.points[axis] > 1)
             grid.origin[axis] += 0.5 * image.spacing[axis];
+    for (std::size_t i = 0; i < image.levels.size(); ++i)
+        if (!image.ofCells)
+            grid.heights.push_back(image.levels[i]);
+        else if (i > 0)
+            grid.heights.push_back(0.5f * (image.levels[i - 1] + image.levels[i]));
     grid.values = std::move(image.values);
     if (image.time)
         grid.times = {*image.time};

@@ -18,13 +18,17 @@ struct VtkImage {
     glm::ivec3 points{0};
     glm::dvec3 origin{0.0};
     glm::dvec3 spacing{1.0};
-    bool ofCells = false;       ///< The vectors belong to cells, one fewer than points each way.
-    std::string name;           ///< Of the array of vectors.
-    std::vector<float> values;  ///< Three for each point or cell.
-    std::optional<double> time; ///< Seconds; where the file says when this wind is.
+    std::vector<float> levels{}; ///< Of the points upward, where they are not evenly spaced.
+    bool ofCells = false;        ///< The vectors belong to cells, one fewer than points each way.
+    std::string name;            ///< Of the array of vectors.
+    std::vector<float> values;   ///< Three for each point or cell.
+    std::optional<double> time;  ///< Seconds; where the file says when this wind is.
 
     /// Points or cells each way.
     glm::ivec3 vectors() const;
+    /// What keeps the spacing from being one, whose number along an axis of one point does not matter; empty:
+    /// nothing.
+    std::string settleSpacing();
     /// How many vectors there are; a double, so that no product of sizes overflows.
     double count() const;
 };

@@ -109,7 +109,7 @@ private:
                 _image.origin[axis] = _tokens.number("metres within 1e9", -maxCoordinate, maxCoordinate);
         else if (evenByKind && (word == "SPACING" || word == "ASPECT_RATIO"))
             for (int axis = 0; axis < 3; ++axis)
-                _image.spacing[axis] = _tokens.number("metres above 0", 1e-6, maxCoordinate);
+                _image.spacing[axis] = _tokens.number("metres above 0", 0.0, maxCoordinate);
         else if (_dataset == "RECTILINEAR_GRID" && word.size() == 13 && word.substr(1) == "_COORDINATES" &&
                  word[0] >= 'X' && word[0] <= 'Z')
             readCoordinates(word[0] - 'X');
@@ -153,6 +153,8 @@ private:
             return _tokens.fail("expected DIMENSIONS before the data");
         if (_dataset != "STRUCTURED_POINTS" && _placed != 7u)
             return _tokens.fail("expected the coordinates of the points before the data");
+        if (const std::string problem = _image.settleSpacing(); !problem.empty())
+            return _tokens.fail(problem);
         _image.ofCells = ofCells;
         expectCount("a number of points", 0.0, _image.count());
         _counted = true;
@@ -197,6 +199,12 @@ private:
         const double first = places.front(), last = places[(points - 1) * repeats];
         const double spacing = points > 1 ? (last - first) / static_cast<double>(points - 1) : 1.0;
         const char axisName = static_cast<char>('x' + axis);
+        _placed |= 1u << static_cast<unsigned>(axis);
+        if (axis == 2 && areLevels(places, points, repeats)) {
+            _image.origin.z = first;
+            _image.spacing.z = spacing;
+            return;
+        }
         if (!(std::abs(first) <= maxCoordinate && spacing >= 1e-6 && spacing <= maxCoordinate))
             return _tokens.fail(std::string("expected increasing metres within 1e9 along ") + axisName);
         // coordinates may be floats, and written with six digits
@@ -210,7 +218,29 @@ private:
                                     numberText(places[i]));
         _image.origin[axis] = first;
         _image.spacing[axis] = spacing;
-        _placed |= 1u << static_cast<unsigned>(axis);
+    }
+
+    /// Takes heights that are the same over the whole of each layer, where layers are not equally thick.
+    bool areLevels(const std::vector<double>& places, std::size_t points, std::size_t repeats) {
+        std::vector<float> levels;
+        bool isEven = true;
+        for (std::size_t i = 0; i < points; ++i) {
+            const double height = places[i * repeats];
+            const auto begin = places.begin() + static_cast<std::ptrdiff_t>(i * repeats);
+            const bool isLevel = std::all_of(begin, begin + static_cast<std::ptrdiff_t>(repeats),
+                                             [&](double each) { return std::abs(each - height) < 1e-3; });
+            if (!isLevel || !(std::abs(height) <= maxCoordinate) ||
+                (i > 0 && !(height > places[(i - 1) * repeats])))
+                return false;
+            const double even = places[0] + (places[(points - 1) * repeats] - places[0]) *
+                                                static_cast<double>(i) /
+                                                std::max(1.0, static_cast<double>(points) - 1.0);
+            isEven = isEven && std::abs(height - even) <= 1e-3 * std::max(1.0, std::abs(even));
+            levels.push_back(static_cast<float>(height));
+        }
+        if (!isEven)
+            _image.levels = std::move(levels);
+        return !isEven;
     }
 
     void readWind(const std::string_view name, const std::string& type) {

@@ -109,7 +109,7 @@ private:
         if (!readNumbers(image, "WholeExtent", whole, -maxCoordinate, maxCoordinate, "") ||
             !readNumbers(_piece, "Extent", extent, -maxCoordinate, maxCoordinate, "") ||
             !readNumbers(image, "Origin", origin, -maxCoordinate, maxCoordinate, "0 0 0") ||
-            !readNumbers(image, "Spacing", spacing, 1e-6, maxCoordinate, "1 1 1") ||
+            !readNumbers(image, "Spacing", spacing, 0.0, maxCoordinate, "1 1 1") ||
             !readNumbers(image, "Direction", direction, -1.0, 1.0, "1 0 0 0 1 0 0 0 1"))
             return false;
         for (int i = 0; i < 9; ++i)
@@ -125,6 +125,8 @@ private:
             _image.spacing[axis] = spacing[axis];
             _image.origin[axis] = origin[axis] + first * spacing[axis];
         }
+        if (const std::string problem = _image.settleSpacing(); !problem.empty())
+            return fail(image, "Spacing", problem);
         return true;
     }
 

@@ -299,7 +299,7 @@ Result<WindFile> readWindFiles(const std::vector<std::string>& files, const std:
         return step;
     };
     Result<WindContent> wind = readWindSteps(moments, times, read);
-    if (wind && !partners.empty())
+    if (wind && moments.size() < files.size())
         wind.value().summary.notes.push_back("components in files of their own, put together two and two");
     return fileOf(std::move(wind), files.empty() ? "" : files.front(), options);
 }

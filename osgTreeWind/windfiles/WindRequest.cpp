@@ -11,15 +11,22 @@ namespace osgTreeWind {
 
 namespace {
 
-void takeExtent(const EvenAxis& axis, double onMap, double& low, double& high) {
-    if (axis.count < 2 || isRound(axis))
+void takeExtent(const AxisPart& points, const EvenAxis& axis, double onMap, double& low, double& high) {
+    if (points.indices.size() < 2 || isRound(axis))
         return;
-    const AxisPart all = wholeOf(axis);
-    low = all.first + onMap;
-    high = low + all.step * static_cast<double>(axis.count - 1);
+    low = points.first + onMap;
+    high = low + points.step * static_cast<double>(points.indices.size() - 1);
 }
 
 } // namespace
+
+WindExtent extentOf(const AxisPart& x, const EvenAxis& xAxis, const AxisPart& y, const EvenAxis& yAxis,
+                    const glm::dvec2& onMap) {
+    WindExtent extent;
+    takeExtent(x, xAxis, onMap.x, extent.low.x, extent.high.x);
+    takeExtent(y, yAxis, onMap.y, extent.low.y, extent.high.y);
+    return extent;
+}
 
 Result<WindArea> areaOn(const std::string& crs, const WindArea& area) {
     WindArea there{crs, area.low, area.high};
@@ -57,9 +64,7 @@ Result<WindArea> areaOn(const std::string& crs, const WindArea& area) {
 
 Result<GridPart> partFor(const WindRequest& request, const std::string& crs, const EvenAxis& x,
                          const EvenAxis& y, const glm::dvec2& onMap) {
-    WindExtent whole;
-    takeExtent(x, onMap.x, whole.low.x, whole.high.x);
-    takeExtent(y, onMap.y, whole.low.y, whole.high.y);
+    const WindExtent whole = extentOf(wholeOf(x), x, wholeOf(y), y, onMap);
     if (!request.area)
         return GridPart{wholeOf(x), wholeOf(y), whole};
     const Result<WindArea> area = areaOn(crs, *request.area);

@@ -39,6 +39,10 @@ struct GridPart {
     WindExtent whole; ///< Of the file.
 };
 
+/// Where points on two axes lie. @param onMap as below.
+WindExtent extentOf(const AxisPart& x, const EvenAxis& xAxis, const AxisPart& y, const EvenAxis& yAxis,
+                    const glm::dvec2& onMap);
+
 /// Those of a file that a request is for: around its area, or all. Problems as of areaOn().
 /// @param crs of the file, as WindSummary::crs. @param onMap added to places on the axes it makes them those
 /// of the file's map.

@@ -26,19 +26,24 @@ bool guarded(const Entry& entry) {
     return guard.run("a Forest cannot be written or read", entry);
 }
 
-/// The forest as it is now; empty, with a warning, where no document can say it. Without its wind where it is
-/// only that.
-std::string documentOf(const Forest& forest) {
+/// The forest as it is now. Without its wind or its ground, with a warning, where no file can say them; a
+/// problem where it cannot be written at all.
+osgTreeWind::Result<std::string> documentOf(const Forest& forest) {
     osgTreeWind::ForestDescription now = forest.getSimulation().describe();
     for (;;) {
         std::ostringstream document;
         const osgTreeWind::Diagnostics problems = writeForest(now, document);
         if (problems.empty())
             return document.str();
-        OSG_WARN << "osgTreeWind: a Forest cannot be written: " << problems.front().text() << std::endl;
-        if (problems.front().key != "wind")
-            return {};
-        now.wind = nullptr;
+        const std::string& key = problems.front().key;
+        if (key != "wind" && key != "ground")
+            return problems;
+        OSG_WARN << "osgTreeWind: a Forest is written without its " << key << ": " << problems.front().text()
+                 << std::endl;
+        if (key == "wind")
+            now.wind = nullptr;
+        else
+            now.ground = nullptr;
     }
 }
 
@@ -52,7 +57,10 @@ bool writeDocument(osgDB::OutputStream& output, const Forest& forest) {
         output << output.PROPERTY("Folder");
         output.writeWrappedString(forest.getDescription().folder);
         output << std::endl << output.PROPERTY("Source");
-        output.writeWrappedString(documentOf(forest));
+        const osgTreeWind::Result<std::string> document = documentOf(forest);
+        if (!document)
+            output.throwException("a Forest cannot be written: " + document.problems().front().text());
+        output.writeWrappedString(document ? document.value() : std::string());
         output << std::endl << output.END_BRACKET << std::endl;
     });
 }

@@ -82,16 +82,19 @@ private:
             partFor(_request, summary().crs, _points.xAxis.points, _points.yAxis.points, _points.onMap);
         if (!part)
             return _file.fail({}, part.problems().front().message);
-        _content.whole = part.value().whole;
+        AxisPart wholeX = wholeOf(_points.xAxis.points), wholeY = wholeOf(_points.yAxis.points);
         _points.x = part.value().x;
         _points.y = part.value().y;
         for (const Array& array : arrays()) {
             const NetCdfRoles roles = rolesOf(_file, *array);
-            if (roles.x)
-                keepWithin(axisOf(_file, array->dimensions[*roles.x]), _points.xAxis, _points.x);
-            if (roles.y)
-                keepWithin(axisOf(_file, array->dimensions[*roles.y]), _points.yAxis, _points.y);
+            for (AxisPart* const x : {&_points.x, &wholeX})
+                if (roles.x)
+                    keepWithin(axisOf(_file, array->dimensions[*roles.x]), _points.xAxis, *x);
+            for (AxisPart* const y : {&_points.y, &wholeY})
+                if (roles.y)
+                    keepWithin(axisOf(_file, array->dimensions[*roles.y]), _points.yAxis, *y);
         }
+        _content.whole = extentOf(wholeX, _points.xAxis.points, wholeY, _points.yAxis.points, _points.onMap);
         _grid.origin = {_points.x.first + _points.onMap.x, _points.y.first + _points.onMap.y, 0.0};
         _grid.cell = {_points.x.step, _points.y.step, 1.0};
     }

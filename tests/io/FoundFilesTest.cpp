@@ -6,6 +6,7 @@
 #include <tests/io/InventoryReading.h>
 
 #include <osgTreeWind/io/ForestFile.h>
+#include <osgTreeWind/io/SpeciesCatalogue.h>
 #include <osgTreeWind/windfiles/WindFile.h>
 
 #include <gtest/gtest.h>
@@ -79,6 +80,42 @@ TEST(FoundFiles, ATableOfANewcomerStandsAtTheFirstTry) {
           "not given, by the laws of the species"})
         EXPECT_NE(notes.find(note), std::string::npos) << note << "\nin\n" << notes;
     EXPECT_EQ(forest.notes.size(), 6u) << notes;
+}
+
+TEST(FoundFiles, KindsStandAsWhatTheyAreCalledAfter) {
+    const SpeciesCatalogue& ours = SpeciesCatalogue::builtIn();
+    for (const auto& [name, species] : {std::pair("Eastern White Pine", "Scots pine"),
+                                        {"WHITE OAK", "oak"},
+                                        {"London Planetree", "London plane"},
+                                        {"Colorado Blue Spruce", "white spruce"},
+                                        {"Halka Honey Locust", "honey locust"},
+                                        {"Green Ash", "ash"},
+                                        {"Canary Island Date Palm", "palm"},
+                                        {"Kugel-Ahorn", "sycamore"},
+                                        {"S\xc3\xa4uleneiche", "oak"}}) {
+        const Species* kin = ours.findKin(name);
+        EXPECT_EQ(kin ? kin->name : "", species) << name;
+    }
+    for (const char* const name : {"STUMP", "Unknown", "TBD", "", "Quitte", "oak stump"})
+        EXPECT_FALSE(ours.findKin(name)) << name;
+    for (const auto& [name, species] : {std::pair("Maple, Norway", "Norway maple"),
+                                        {"Maple - Norway", "Norway maple"},
+                                        {"Acer platanoides 'Globosum'", "Norway maple"},
+                                        {"TILIA\xc2\xa0 CORDATA", "linden"},
+                                        {"ch\xc3\xaa"
+                                         "ne p\xc3\xa9"
+                                         "doncul\xc3\xa9",
+                                         "oak"},
+                                        {"Chene pedoncule", "oak"},
+                                        {"Haya", "beech"},
+                                        {"pl\xc3\xa1tano de sombra", "London plane"},
+                                        {"Zomereik", "oak"},
+                                        {"pino silvestre", "Scots pine"},
+                                        {"Hetre", "beech"},
+                                        {"Gewoehnliche Rosskastanie", "horse chestnut"}}) {
+        const Species* found = ours.find(name);
+        EXPECT_EQ(found ? found->name : "", species) << name;
+    }
 }
 
 TEST(FoundFiles, APlaceMayStandInOneCell) {
@@ -231,6 +268,11 @@ TEST(FoundFiles, CasesOfGriddedWinds) {
     REQUIRE_REAL_DATA(both, folder + "one_in_one_out.treewind");
     const std::string notes = notesOf(caseOf(both));
     EXPECT_NE(notes.find("map.nc, x 385000 to 385700, y "), std::string::npos) << notes;
+    REQUIRE_REAL_DATA(palm, folder + "palm_far.treewind");
+    const auto far = readForestFile(palm, 100, {"wind.beyond=hold"});
+    ASSERT_TRUE(far) << firstProblem(far);
+    EXPECT_NEAR(asField(far.value().wind)->velocity({0.0f, 0.0f, 10.0f}, 0.0).x, 2.52f, 0.01f)
+        << "of the last cell";
     for (const char* const file : {"grib", "nc"}) {
         REQUIRE_REAL_DATA(path, std::string("cases/17-components-in-two-files/") + file + ".treewind");
         EXPECT_NE(notesOf(caseOf(path)).find("put together two and two"), std::string::npos) << file;

@@ -232,6 +232,12 @@ TEST(InventoryPlaces, TheOneFarFromAllOthersIsNamed) {
         notes.find("line 32: this tree stands 40 km from the middle of the others, which are within 1 km"),
         std::string::npos)
         << notes;
+    folder.write("a.csv", rows + "400000,50\n3,3\n");
+    const auto tooFar = readInventoryOf(folder.path(), lines);
+    ASSERT_FALSE(tooFar);
+    EXPECT_NE(tooFar.problems().front().text().find("a.csv: line 32: this tree stands 400 km"),
+              std::string::npos)
+        << tooFar.problems().front().text();
 }
 
 } // namespace osgTreeWind

@@ -29,8 +29,8 @@ TEST(EvenAxis, PartIsWhatIsAroundAndNoMore) {
 
 TEST(EvenAxis, PartBeyondTheEndIsTheEnd) {
     const AxisPart part = partAround({0.0, 10.0, 4, 0.0}, 100.0, 120.0);
-    EXPECT_EQ(part.first, 30.0);
-    EXPECT_EQ(part.indices, (Indices{3}));
+    EXPECT_EQ(part.first, 10.0);
+    EXPECT_EQ(part.indices, (Indices{1, 2, 3}));
 }
 
 TEST(EvenAxis, WestOfGreenwichIsFoundPast180) {

@@ -109,4 +109,28 @@ TEST(WindFormats, FilesLargerThanTheMemoryAreNotRead) {
     EXPECT_EQ(formatOf(file).find(file + ": its bytes need about 1.1 TB of memory"), 0u) << formatOf(file);
 }
 
+TEST(WindFormats, VtkMayHaveLevelsOfUnequalThicknessAndAxesOfOnePoint) {
+    const std::string head = "# vtk DataFile Version 3.0\na\nASCII\n";
+    const auto rectilinear =
+        readVtkLegacy(head + "DATASET RECTILINEAR_GRID\nDIMENSIONS 2 1 3\nX_COORDINATES 2 float\n0 10\n"
+                             "Y_COORDINATES 1 float\n5\nZ_COORDINATES 3 float\n2 10 40\nPOINT_DATA 6\n"
+                             "VECTORS w float\n1 0 0 1 0 0 2 0 0 2 0 0 3 0 0 3 0 0\n",
+                      "f");
+    ASSERT_TRUE(rectilinear) << firstProblem(rectilinear);
+    const auto& grid = std::get<GridWind::Grid>(rectilinear.value().data);
+    EXPECT_EQ(grid.heights, (std::vector<float>{2, 10, 40}));
+    EXPECT_TRUE(GridWind::check(grid).empty());
+    const auto flat =
+        readVtkLegacy(head + "DATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\nORIGIN 0 0 3\nSPACING 10 10 0\n"
+                             "POINT_DATA 4\nVECTORS w float\n1 0 0 1 0 0 1 0 0 1 0 0\n",
+                      "f");
+    EXPECT_TRUE(flat) << firstProblem(flat);
+    const auto none =
+        readVtkLegacy(head + "DATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\nORIGIN 0 0 3\nSPACING 10 0 0\n"
+                             "POINT_DATA 4\nVECTORS w float\n1 0 0 1 0 0 1 0 0 1 0 0\n",
+                      "f");
+    EXPECT_NE(firstProblem(none).find("expected metres above 0 between points"), std::string::npos)
+        << firstProblem(none);
+}
+
 } // namespace osgTreeWind
