@@ -81,7 +81,8 @@ bool WindSeriesRows::isMissing(const Row& row, std::size_t column) const {
 
 /// A calm needs no direction.
 bool WindSeriesRows::hasWind(const Row& row) const {
-    if (isMissing(row, _time) || isMissing(row, _first) || (!_map.w.empty() && isMissing(row, _up)))
+    if (osgTreeWind::isMissing(row.cells[_time]) || // 999 s are a time
+        isMissing(row, _first) || (!_map.w.empty() && isMissing(row, _up)))
         return false;
     return !isMissing(row, _second) || (_polar && _table.format.numberOf(row.cells[_first]) == 0.0);
 }

@@ -181,6 +181,13 @@ TEST(FoundFiles, WebMapsAreBroughtToTrueMetres) {
     EXPECT_EQ(readForest(again).value().trees.at(1).position, kept.trees[1].position);
 }
 
+TEST(FoundFiles, TimesOfNinesAreTimes) {
+    const TemporaryFolder folder;
+    folder.write("a.csv", "time,u,v\n998,1,0\n999,2,0\n1000,M,0\n9999,3,0\n");
+    const WindFile wind = readWindFile(folder.path() + "/a.csv").value();
+    EXPECT_EQ(wind.summary.times, (std::vector<double>{0.0, 1.0, 9001.0}));
+}
+
 TEST(FoundFiles, CasesOfInventories) {
     REQUIRE_REAL_DATA(zero, "cases/01-zero-means-unknown/trees.treewind");
     EXPECT_EQ(caseOf(zero).trees.size(), 6u);
