@@ -182,7 +182,7 @@ private:
                 return *index;
             name = name.empty() ? said : name;
         }
-        if (const auto index = _reading.takeBuiltIn(_reading.builtIn().findKin(name))) {
+        if (const auto index = kinOf(name)) {
             ++_kin[name + " as " + _reading.forest.species[*index].name];
             return *index;
         }
@@ -195,6 +195,13 @@ private:
         const auto [entry, isNew] = _known.emplace(name, std::nullopt);
         if (isNew)
             entry->second = _reading.speciesOrBuiltIn(name);
+        return entry->second;
+    }
+    /// What a name that is not known is called after, likewise.
+    std::optional<std::size_t> kinOf(const std::string& name) {
+        const auto [entry, isNew] = _kinOf.emplace(name, std::nullopt);
+        if (isNew)
+            entry->second = _reading.takeBuiltIn(_reading.builtIn().findKin(name));
         return entry->second;
     }
 
@@ -317,7 +324,7 @@ private:
     std::size_t _row = 0, _skipped = 0;
     std::size_t _heights = 0, _diameters = 0, _crowns = 0; ///< That were estimated.
     std::optional<std::string> _standsFor; ///< The name of an unknown species that the row has.
-    std::unordered_map<std::string, std::optional<std::size_t>> _known; ///< Names to species.
+    std::unordered_map<std::string, std::optional<std::size_t>> _known, _kinOf; ///< Names to species.
     RowCounts _kin;       ///< "river birch as silver birch" to numbers of rows.
     RowCounts _unmatched; ///< Names of species to numbers of rows.
     RowCounts _repeated;  ///< Ids to numbers of rows that go without.

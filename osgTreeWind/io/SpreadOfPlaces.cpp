@@ -23,8 +23,9 @@ double middleOf(const std::vector<glm::dvec2>& places, int axis) {
 } // namespace
 
 void SpreadOfPlaces::add(const glm::dvec2& place, const std::function<std::string()>& row) {
-    const bool isAtEdge = place.x < _low.x || place.y < _low.y || place.x > _high.x || place.y > _high.y;
-    if (isAtEdge)
+    constexpr double jump = 1000.0; // metres; those between have others near them
+    const glm::dvec2 beyond = glm::max(_low - place, place - _high);
+    if (_places.empty() || std::max(beyond.x, beyond.y) > jump)
         _edges.emplace_back(_places.size(), row());
     _places.push_back(place);
     _low = glm::min(_low, place);

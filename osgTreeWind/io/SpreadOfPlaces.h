@@ -21,7 +21,7 @@ struct OutlyingPlace {
 /// Where the trees of an inventory stand, which tells the one whose place was mistyped.
 class SpreadOfPlaces {
 public:
-    /// @param row says which it is; asked where the place is at an edge of those so far.
+    /// @param row says which it is; asked where the place is a kilometre or more beyond all so far.
     void add(const glm::dvec2& place, const std::function<std::string()>& row);
     /// The first one that is 20 times as far from the middle as the others are, and 10 km at least.
     std::optional<OutlyingPlace> outlier() const;
@@ -29,7 +29,7 @@ public:
 private:
     std::vector<glm::dvec2> _places;
     glm::dvec2 _low{1e300}, _high{-1e300};
-    std::vector<std::pair<std::size_t, std::string>> _edges; ///< Places that were at an edge, and their rows.
+    std::vector<std::pair<std::size_t, std::string>> _edges; ///< Places that were beyond all, and their rows.
 };
 
 } // namespace osgTreeWind
