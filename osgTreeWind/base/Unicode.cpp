@@ -18,6 +18,7 @@ char32_t takeCharacter(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
     const std::size_t length = first < 0x80    ? 1
+                               : first > 0xf4  ? 0
                                : first >= 0xf0 ? 4
                                : first >= 0xe0 ? 3
                                : first >= 0xc2 ? 2

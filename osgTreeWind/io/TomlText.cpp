@@ -2,7 +2,7 @@
 #include <osgTreeWind/io/TomlText.h>
 
 #include <osgTreeWind/base/MessageText.h>
-#include <osgTreeWind/io/TableReader.h>
+#include <osgTreeWind/base/Unicode.h>
 
 #include <glm/trigonometric.hpp>
 
@@ -120,15 +120,9 @@ void writeFields(std::ostream& output, const std::string& table, const Fields& f
     }
 }
 
-bool isToml(const std::string& text) {
-    ReadLog log;
-    TableReader::readDocument("text = " + tomlText(text), log, [](TableReader& root) { root.ignoreRest(); });
-    return log.problems.empty();
-}
-
 std::string problemOfFile(const std::string& file) {
     std::error_code error;
-    return isToml(file) && std::filesystem::is_regular_file(file, error) ? "" : "no file " + inQuotes(file);
+    return isUtf8(file) && std::filesystem::is_regular_file(file, error) ? "" : "no file " + inQuotes(file);
 }
 
 } // namespace osgTreeWind

@@ -48,8 +48,6 @@ void writeTable(std::ostream& output, const std::string& table, const Struct& va
             return output << "\n[" << table << "]\n", writeFields(output, table, value, usual);
 }
 
-/// Whether it can be written: it is UTF-8.
-bool isToml(const std::string& text);
 /// Why a document cannot name a file; empty where it can.
 std::string problemOfFile(const std::string& file);
 

@@ -26,9 +26,9 @@ namespace {
 class Refusals {
 public:
     explicit Refusals(const ForestDescription& forest) : _problems(check(forest)) {
-        if (!isToml(forest.crs))
+        if (!isUtf8(forest.crs))
             add("crs", "expected UTF-8");
-        if (!isToml(forest.hostCrs))
+        if (!isUtf8(forest.hostCrs))
             add("host_crs", "expected UTF-8");
         if (forest.species.empty())
             add("species", "expected at least one");
@@ -52,7 +52,7 @@ private:
     }
     void ofName(const std::string& name, std::set<std::string>& names, const std::string& key,
                 const std::string& folded) {
-        if (!isToml(name))
+        if (!isUtf8(name))
             add(key, "expected UTF-8");
         else if (!names.insert(folded).second)
             add(key, "the name " + inQuotes(name) + " is taken already");
@@ -63,9 +63,9 @@ private:
         ofName(species.name, _species, path + ".name", foldedName(species.name));
         for (const std::string& alias : species.aliases)
             ofName(alias, _species, path + ".aliases", foldedName(alias));
-        if (!isToml(species.source))
+        if (!isUtf8(species.source))
             add(path + ".source", "expected UTF-8");
-        if (!isToml(species.height.source))
+        if (!isUtf8(species.height.source))
             add(path + ".height.source", "expected UTF-8");
         for (const std::string* picture : {&species.appearance.leafImage, &species.appearance.barkImage})
             if (!picture->empty())
