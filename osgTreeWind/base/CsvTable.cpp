@@ -66,10 +66,7 @@ bool isMissing(std::string_view cell) {
         "..", "...", "k.a.", "k. a.", "unknown", "unbekannt", "inconnu"};
     if (cell.size() > 20)
         return false;
-    std::string word = lower(std::string(cell));
-    word.erase(0, std::min(word.find_first_not_of(" \t"), word.size()));
-    word.erase(word.find_last_not_of(" \t") + 1);
-    return marks.count(word) > 0;
+    return marks.count(lower(std::string(trimmed(cell)))) > 0;
 }
 
 bool isMissing(double number) {

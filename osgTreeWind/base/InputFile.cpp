@@ -50,7 +50,11 @@ Result<std::string> readBytes(const std::string& path) {
     Result<std::ifstream> input = openInput(path);
     if (!input)
         return input.problems();
-    std::ifstream& file = input.value();
+    return readBytes(input.value(), path);
+}
+
+Result<std::string> readBytes(std::ifstream& file, const std::string& path) {
+    file.clear(); // of an end that was met
     const std::streamoff size = file.seekg(0, std::ios::end).tellg();
     if (const std::string memory =
             problemOfMemory("its bytes", static_cast<std::uint64_t>(std::max<std::streamoff>(size, 0)));

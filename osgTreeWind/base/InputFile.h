@@ -16,9 +16,12 @@ std::optional<Diagnostic> problemOfInput(const std::string& path);
 /// A regular file, open for reading bytes, or why it cannot be read.
 Result<std::ifstream> openInput(const std::string& path);
 
-/// All bytes of a file, or why there are none: an empty one is an error, and one that memoryLimit() does not
-/// allow.
+/// Reads all bytes of a file. A file that is empty, that cannot be read or that is larger than memoryLimit()
+/// is a problem.
 Result<std::string> readBytes(const std::string& path);
+/// Reads all bytes of a file that openInput() opened, however far it was read before.
+/// @param path for messages.
+Result<std::string> readBytes(std::ifstream& file, const std::string& path);
 
 /// All of a text file as readText() gives it, or why it cannot be read.
 Result<std::string> readTextFile(const std::string& path);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/base/Number.h>
 
+#include <osgTreeWind/base/Text.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,15 +11,7 @@ namespace osgTreeWind {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
 constexpr std::size_t longestQuote = 40;
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 } // namespace
 

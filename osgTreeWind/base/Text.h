@@ -3,6 +3,7 @@
 
 #include <osgTreeWind/base/Result.h>
 
+#include <algorithm>
 #include <istream>
 #include <string>
 #include <string_view>
@@ -29,6 +30,13 @@ Result<std::string> readText(std::istream& input, const std::string& file);
 /// Null becomes an empty text.
 inline std::string orEmpty(const char* text) {
     return text ? text : "";
+}
+
+/// Without spaces, tabs and line ends around it.
+inline std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
 /// With letters A to Z in lower case.

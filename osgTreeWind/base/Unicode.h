@@ -12,8 +12,7 @@ bool isUtf8(std::string_view bytes);
 /// A text as UTF-8.
 struct DecodedText {
     std::string text;
-    std::string
-        assumed; ///< The encoding that was taken for that of the bytes; empty: they say it themselves.
+    std::string assumed; ///< The encoding that the bytes were taken to have; empty where they say it.
 };
 
 /// Bytes as UTF-8: they are UTF-8 already, or UTF-16 behind a byte-order mark, or else Windows-1252, of which

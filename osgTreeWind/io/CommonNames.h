@@ -5,11 +5,12 @@
 
 namespace osgTreeWind {
 
-/// The scientific name, or the genus, of a tree's common name in English, German, French, Spanish, Dutch or
-/// Italian: osgTreeWind/species/names.csv. Empty where there is none.
+/// Finds the scientific name, or the genus, of a tree's common name in English, German, French, Spanish,
+/// Dutch or Italian, as osgTreeWind/species/names.csv has it. Empty for a name that is not in the table.
 const std::string& scientificName(const std::string& commonName);
 
-/// The same of the common name with which a name ends: a maple for "Kugelahorn". Empty where there is none.
+/// Finds the scientific name of the common name with which a name ends: a maple for "Kugelahorn". Empty for a
+/// name that ends with none of the table.
 const std::string& scientificNameOfEnd(const std::string& name);
 
 } // namespace osgTreeWind

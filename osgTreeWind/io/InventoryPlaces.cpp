@@ -183,7 +183,10 @@ Result<VectorPlace> InventoryPlaces::of(const TreeRows& rows, const InventoryCol
 }
 
 Result<double> metresOfRow(const TreeRows& rows, const Measure& measure) {
-    Result<double> number = rows.number(*measure.column);
+    return metresOfRow(rows, measure, rows.number(*measure.column));
+}
+
+Result<double> metresOfRow(const TreeRows& rows, const Measure& measure, const Result<double>& number) {
     if (!number)
         return number;
     const double metres = number.value() * measure.unit;

@@ -28,5 +28,7 @@ private:
 
 /// What a row has, in metres.
 Result<double> metresOfRow(const TreeRows& rows, const Measure& measure);
+/// The same of the number that was read from the row's cell.
+Result<double> metresOfRow(const TreeRows& rows, const Measure& measure, const Result<double>& number);
 
 } // namespace osgTreeWind

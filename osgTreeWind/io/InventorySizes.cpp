@@ -33,7 +33,7 @@ float InventorySizes::of(const TreeRows& row, const Measure& measure) {
         ++column.marked;
         return 0.0f;
     }
-    const Result<double> metres = metresOfRow(row, measure);
+    const Result<double> metres = metresOfRow(row, measure, number);
     if (metres) {
         ++column.used;
         return static_cast<float>(metres.value());

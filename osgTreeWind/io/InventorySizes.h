@@ -10,7 +10,7 @@
 
 namespace osgTreeWind {
 
-/// The sizes that the rows of an inventory give, and what became of those that are none. Cities write 0 or a
+/// Reads the sizes of the trees of an inventory, and counts those that cannot be used. Cities write 0 or a
 /// mark such as -99 or 999 where nobody measured, and mistype now and then: such a size counts as not given.
 class InventorySizes {
 public:

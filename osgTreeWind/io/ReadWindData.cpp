@@ -89,9 +89,11 @@ std::pair<std::size_t, std::size_t> countOutside(const WindFile& file, ForestRea
         for (const TreePlacement& tree : trees)
             take(glm::dvec2(tree.position));
     });
+    if (!reading.forest.tiles)
+        return {outside, all};
     const TreesInAll trees = reading.treesInAll();
     constexpr int steps = 4;
-    for (int i = 0; reading.forest.tiles && i < (steps + 1) * (steps + 1); ++i)
+    for (int i = 0; i < (steps + 1) * (steps + 1); ++i)
         take(glm::mix(glm::dvec2(trees.low), glm::dvec2(trees.high),
                       glm::dvec2(i % (steps + 1), i / (steps + 1)) / double(steps)));
     return {outside, all};

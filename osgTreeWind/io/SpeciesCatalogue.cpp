@@ -172,18 +172,20 @@ const Species* SpeciesCatalogue::findScientific(const std::string& name) const {
     return findExactly(firstWords(foldedName(name), 1));
 }
 
+const Species* SpeciesCatalogue::findByAnyName(const std::string& name) const {
+    if (name.empty())
+        return nullptr;
+    const Species* found = findExactly(name);
+    return found ? found : findScientific(scientificName(name));
+}
+
 const Species* SpeciesCatalogue::find(const std::string& name) const {
     const std::string plain = plainName(name);
     for (const std::string& each : {name, plain, turnedRound(plain), firstWords(foldedName(plain), 2)}) {
-        if (const Species* found = each.empty() ? nullptr : findExactly(each))
-            return found;
-        if (const Species* found = findScientific(scientificName(each)))
+        if (const Species* found = findByAnyName(each))
             return found;
     }
-    const std::string first = firstWords(foldedName(plain), 1);
-    if (const Species* genus = findExactly(first))
-        return genus;
-    return findScientific(scientificName(first));
+    return findByAnyName(firstWords(foldedName(plain), 1));
 }
 
 const Species* SpeciesCatalogue::findKin(const std::string& name) const {
@@ -191,13 +193,9 @@ const Species* SpeciesCatalogue::findKin(const std::string& name) const {
     std::replace(folded.begin(), folded.end(), '-', ' ');
     for (std::size_t at = folded.find(' '); at != std::string::npos; at = folded.find(' ', at + 1)) {
         const std::string end = folded.substr(at + 1);
-        for (const std::string& each : {end, withoutTree(end)}) {
-            const Species* found = each.empty() ? nullptr : findExactly(each);
-            if (!found)
-                found = findScientific(scientificName(each));
-            if (found)
+        for (const std::string& each : {end, withoutTree(end)})
+            if (const Species* found = findByAnyName(each))
                 return found;
-        }
     }
     return findScientific(scientificNameOfEnd(folded));
 }

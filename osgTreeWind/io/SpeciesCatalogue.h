@@ -49,6 +49,7 @@ private:
     void add(Species species);
     const Species* findExactly(const std::string& name) const;
     const Species* findScientific(const std::string& name) const; ///< Or its genus.
+    const Species* findByAnyName(const std::string& name) const;  ///< A common one, too.
 
     std::vector<Species> _species;
     std::map<std::string, std::size_t> _byName; ///< By comparableName() of names and aliases.

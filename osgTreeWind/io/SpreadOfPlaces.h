@@ -23,7 +23,7 @@ class SpreadOfPlaces {
 public:
     /// @param row says which it is; asked where the place is a kilometre or more beyond all so far.
     void add(const glm::dvec2& place, const std::function<std::string()>& row);
-    /// The first one that is 20 times as far from the middle as the others are, and 10 km at least.
+    /// The first place that is at least 10 km from the middle, and 20 times as far from it as the others.
     std::optional<OutlyingPlace> outlier() const;
 
 private:

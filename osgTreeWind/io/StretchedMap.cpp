@@ -22,8 +22,10 @@ Result<Crs> trueMapAt(const glm::dvec2& place, const Crs& map, ForestReading& re
 }
 
 void leaveStretchedMap(ForestReading& reading) {
+    if (!reading.crs || reading.forest.tiles)
+        return;
     const TreesInAll trees = reading.treesInAll();
-    if (!reading.crs || reading.forest.tiles || trees.count == 0)
+    if (trees.count == 0)
         return;
     const Result<Crs> map = trueMapAt(0.5 * glm::dvec2(trees.low + trees.high), *reading.crs, reading);
     if (!map || map.value().isSame(*reading.crs))

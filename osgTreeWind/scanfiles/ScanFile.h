@@ -16,8 +16,8 @@ constexpr std::size_t maxScanCylinders = 1000000, maxScanBytes = 400000000;
 struct ScanFile {
     std::string format; ///< "TreeQSM", "SimpleForest", "aRchi", "rTwig", "table", "RayCloudTools" or "SWC".
     std::vector<ScanCylinders> trees; ///< At least one; each is sound (problemOfScan).
-    std::vector<std::size_t>
-        joined{}; ///< Of each tree, the branches without a parent that were joined to the nearest.
+    /// For each tree, how many branches without a parent were joined to the nearest wood.
+    std::vector<std::size_t> joined{};
 
     auto parts() { return std::tie(format, trees); } ///< For Wire.
 };

@@ -67,15 +67,13 @@ Result<ScanCylinders> cylindersOf(const std::vector<ScanPoint>& points, const st
             {points[parent].place, points[i].place, points[i].radius, cylinderOf[parent], names[i].line});
     }
     const auto radiusOf = [&](int cylinder) { return cylinders[static_cast<std::size_t>(cylinder)].radius; };
-    for (const auto& [root, stem] : stems) {
-        int trunk = stem;
-        for (const auto& [other, rival] : stems)
-            if (other == root &&
-                (radiusOf(rival) > radiusOf(trunk) || (radiusOf(rival) == radiusOf(trunk) && rival < trunk)))
-                trunk = rival;
-        if (stem != trunk)
-            cylinders[static_cast<std::size_t>(stem)].parent = trunk;
-    }
+    std::unordered_map<std::size_t, int> trunks; // the thickest stem of each root point
+    for (const auto& [root, stem] : stems)
+        if (int& trunk = trunks.emplace(root, stem).first->second; radiusOf(stem) > radiusOf(trunk))
+            trunk = stem;
+    for (const auto& [root, stem] : stems)
+        if (stem != trunks[root])
+            cylinders[static_cast<std::size_t>(stem)].parent = trunks[root];
     if (cylinders.empty())
         return fileProblem(file, "expected more than one point", names.empty() ? 0 : names.front().line);
     return cylinders;

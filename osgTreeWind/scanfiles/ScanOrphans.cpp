@@ -73,7 +73,7 @@ Result<std::size_t> joinOrphans(ScanCylinders& cylinders) {
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
         if (cylinders[i].parent != -1 || i == root)
             continue;
-        if (!(all - volumes[root] <= mostOrphaned * all)) // NaN is none
+        if (!(all - volumes[root] <= mostOrphaned * all)) // also where a volume is NaN
             return fileProblem({},
                                "expected one root, found another one than in line " +
                                    std::to_string(cylinders[root].line) + "; all others bear " +

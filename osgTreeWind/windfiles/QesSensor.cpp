@@ -81,10 +81,7 @@ private:
     /// Seconds since 1970 of a date and time as text.
     double timeStamp(pugi::xml_node element) {
         const std::string text = element.child_value();
-        const std::size_t begin = text.find_first_not_of(" \t\r\n");
-        const auto seconds = parseIsoTime(
-            begin == std::string::npos ? ""
-                                       : text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1));
+        const auto seconds = parseIsoTime(trimmed(text));
         if (!seconds)
             report(element.offset_debug(), "timeStamp",
                    expectedFound("a date and time such as 2020-01-01T12:00:00", text));

@@ -200,11 +200,8 @@ private:
         const double spacing = points > 1 ? (last - first) / static_cast<double>(points - 1) : 1.0;
         const char axisName = static_cast<char>('x' + axis);
         _placed |= 1u << static_cast<unsigned>(axis);
-        if (axis == 2 && areLevels(places, points, repeats)) {
-            _image.origin.z = first;
-            _image.spacing.z = spacing;
+        if (axis == 2 && areLevels(places, points, repeats))
             return;
-        }
         if (!(std::abs(first) <= maxCoordinate && spacing >= 1e-6 && spacing <= maxCoordinate))
             return _tokens.fail(std::string("expected increasing metres within 1e9 along ") + axisName);
         // coordinates may be floats, and written with six digits

@@ -26,7 +26,7 @@ namespace osgTreeWind {
 
 namespace {
 
-/// Whether a component is a number, and none of those that programs write where there is no value.
+/// Whether a component is a number, and not a mark such as -9999 that a program writes for a missing value.
 bool isKnown(float component) {
     constexpr float leastMark = 99.0f;
     return !std::isnan(component) &&

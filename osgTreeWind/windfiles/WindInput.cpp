@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgTreeWind/windfiles/WindInput.h>
 
-#include <osgTreeWind/base/MemoryLimit.h>
 #include <osgTreeWind/base/Problem.h>
-
-#include <algorithm>
-#include <filesystem>
 
 namespace osgTreeWind {
 
@@ -32,19 +28,7 @@ Result<std::string> WindInput::head() const {
 }
 
 Result<std::string> WindInput::bytes() {
-    std::ifstream& file = _file.value();
-    std::error_code problem;
-    const std::uintmax_t size = std::filesystem::file_size(_path, problem);
-    if (const std::string memory = problemOfMemory("its bytes", problem ? 0 : size); !memory.empty())
-        return fileProblem(_path, memory);
-    std::string bytes = std::move(_head);
-    const std::size_t known = bytes.size();
-    bytes.resize(problem ? known : std::max<std::size_t>(known, size));
-    file.read(&bytes[known], static_cast<std::streamsize>(bytes.size() - known));
-    if (problem || file.bad())
-        return fileProblem(_path, "cannot be read");
-    bytes.resize(known + static_cast<std::size_t>(file.gcount())); // less of one that is cut meanwhile
-    return bytes;
+    return readBytes(_file.value(), _path);
 }
 
 } // namespace osgTreeWind

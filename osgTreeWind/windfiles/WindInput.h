@@ -7,7 +7,7 @@
 
 namespace osgTreeWind {
 
-/// A file that is read once, from its beginning to its end. Not part of the interface.
+/// A file whose beginning tells the reader of the rest. Not part of the interface.
 class WindInput {
 public:
     /// Reads the first kilobyte.
@@ -16,7 +16,7 @@ public:
     const std::string& path() const { return _path; }
     /// The first kilobyte; less of a short file. A file that is empty or cannot be read is a problem.
     Result<std::string> head() const;
-    /// All of it; once, and after head() was good.
+    /// All of it, after head() was good.
     Result<std::string> bytes();
 
 private:

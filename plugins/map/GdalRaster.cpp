@@ -108,7 +108,8 @@ Result<RasterHead> GdalRaster::head() {
     return head;
 }
 
-/// The band that is wanted; else the only one, or the only one whose name is that of heights. Null: none.
+/// The band that the file names as ground.band. Without that key, the only band, or the only one that is
+/// named as heights are. Null where there is no such band.
 void* GdalRaster::chosenOf(const std::vector<void*>& bands) const {
     std::vector<void*> called;
     for (void* const band : bands) {

@@ -262,10 +262,6 @@ private:
     std::optional<Diagnostic> _problem;
 };
 
-} // namespace
-
-namespace {
-
 /// The bytes of a file, without a copy.
 class MappedFile {
 public:
@@ -293,18 +289,18 @@ Result<WindContent> readGribWind(const std::string& path, const WindRequest& req
     std::vector<std::string> paths = {path};
     if (!request.also.empty())
         paths.push_back(request.also);
-    std::vector<std::unique_ptr<MappedFile>> files; // which the fields look into
+    std::vector<MappedFile> files; // which the fields look into
     std::vector<GribField> fields;
     double size = 0.0;
     for (const std::string& each : paths) {
-        files.push_back(std::make_unique<MappedFile>(each));
-        if (files.back()->bytes().empty())
+        const std::string_view bytes = files.emplace_back(each).bytes();
+        if (bytes.empty())
             return fileProblem(each, "cannot be read");
-        Result<std::vector<GribField>> some = readGribFields(files.back()->bytes(), each);
+        Result<std::vector<GribField>> some = readGribFields(bytes, each);
         if (!some)
             return some.problems();
         std::move(some.value().begin(), some.value().end(), std::back_inserter(fields));
-        size += static_cast<double>(files.back()->bytes().size());
+        size += static_cast<double>(bytes.size());
     }
     const Result<GribChoice> choice = chooseGribWind(fields, path);
     if (!choice)

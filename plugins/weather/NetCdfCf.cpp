@@ -87,12 +87,16 @@ private:
         _points.y = part.value().y;
         for (const Array& array : arrays()) {
             const NetCdfRoles roles = rolesOf(_file, *array);
-            for (AxisPart* const x : {&_points.x, &wholeX})
-                if (roles.x)
-                    keepWithin(axisOf(_file, array->dimensions[*roles.x]), _points.xAxis, *x);
-            for (AxisPart* const y : {&_points.y, &wholeY})
-                if (roles.y)
-                    keepWithin(axisOf(_file, array->dimensions[*roles.y]), _points.yAxis, *y);
+            const auto keep = [&](const std::optional<std::size_t>& dimension, const NetCdfAxis& axis,
+                                  AxisPart& wanted, AxisPart& whole) {
+                if (!dimension)
+                    return;
+                const NetCdfAxis own = axisOf(_file, array->dimensions[*dimension]);
+                keepWithin(own, axis, wanted);
+                keepWithin(own, axis, whole);
+            };
+            keep(roles.x, _points.xAxis, _points.x, wholeX);
+            keep(roles.y, _points.yAxis, _points.y, wholeY);
         }
         _content.whole = extentOf(wholeX, _points.xAxis.points, wholeY, _points.yAxis.points, _points.onMap);
         _grid.origin = {_points.x.first + _points.onMap.x, _points.y.first + _points.onMap.y, 0.0};

@@ -8,8 +8,8 @@
 
 namespace osgTreeWind {
 
-/// Width and height in pixels that the head of a PNG or JPEG file states. None of another format, or where
-/// the head is damaged.
+/// The width and height, in pixels, that the head of a PNG or JPEG file states. Empty for other formats and
+/// for a damaged head.
 std::optional<glm::dvec2> pictureSize(std::istream& file);
 
 } // namespace osgTreeWind
