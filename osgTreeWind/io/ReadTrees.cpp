@@ -215,7 +215,7 @@ void readScatter(TableReader& table, ForestReading& reading) {
         table.problem("spacing", "expected 0, or at least 0.001");
         complete = false;
     }
-    if (reading.crs && complete && scatter.spacing > 0.0) { // in true metres; the area is on the map
+    if (reading.crs && !reading.keepsMap && complete && scatter.spacing > 0.0) { // in true metres, on the map
         const double scale = scaleOfMap(*reading.crs, 0.5 * (scatter.low + scatter.high)).value_or(1.0);
         scatter.spacing *= isStretched(scale) ? scale : 1.0;
     }

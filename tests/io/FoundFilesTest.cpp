@@ -181,6 +181,22 @@ TEST(FoundFiles, WebMapsAreBroughtToTrueMetres) {
     EXPECT_EQ(readForest(again).value().trees.at(1).position, kept.trees[1].position);
 }
 
+TEST(FoundFiles, SpacingIsInMetresOfTheScene) {
+    const TemporaryFolder folder;
+    const std::string scatter = "crs = \"EPSG:3857\"\n[scatter]\narea = [261600, 6249400, 261632, "
+                                "6249432]\ncount = 36\nspacing = 3\n";
+    const auto nearest = [](const ForestDescription& forest) {
+        double least = 1e9;
+        for (const TreePlacement& a : forest.trees)
+            for (const TreePlacement& b : forest.trees)
+                least = &a == &b ? least : std::min(least, glm::distance(a.position, b.position));
+        return least;
+    };
+    // 36 trees 3 m apart in 32 x 32 m: near enough to jamming that some stand barely farther apart.
+    EXPECT_NEAR(nearest(forestIn(folder.path(), scatter)), 3.0, 0.25);
+    EXPECT_NEAR(nearest(forestIn(folder.path(), "stretched = true\n" + scatter)), 3.0, 0.25);
+}
+
 TEST(FoundFiles, TimesOfNinesAreTimes) {
     const TemporaryFolder folder;
     folder.write("a.csv", "time,u,v\n998,1,0\n999,2,0\n1000,M,0\n9999,3,0\n");
