@@ -6,7 +6,7 @@
 #include <osgTreeWind/io/ForestSections.h>
 #include <osgTreeWind/io/NameMatching.h>
 #include <osgTreeWind/io/ReadFields.h>
-#include <osgTreeWind/places/MapScale.h>
+#include <osgTreeWind/io/StretchedMap.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -215,10 +215,8 @@ void readScatter(TableReader& table, ForestReading& reading) {
         table.problem("spacing", "expected 0, or at least 0.001");
         complete = false;
     }
-    if (reading.crs && !reading.keepsMap && complete && scatter.spacing > 0.0) { // in true metres, on the map
-        const double scale = scaleOfMap(*reading.crs, 0.5 * (scatter.low + scatter.high)).value_or(1.0);
-        scatter.spacing *= isStretched(scale) ? scale : 1.0;
-    }
+    if (reading.crs && complete && scatter.spacing > 0.0)
+        scatter.spacing *= mapMetresAt(0.5 * (scatter.low + scatter.high), *reading.crs, reading);
     complete &= readMixture(table, reading, scatter);
     scatter.height = readDrawnNumber(table, "height", treeRange("height"));
     readEither(table, scatter, "trunk_diameter", scatter.trunkDiameter, "trunk_ratio", scatter.trunkRatio);

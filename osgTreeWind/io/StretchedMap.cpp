@@ -8,9 +8,13 @@
 
 namespace osgTreeWind {
 
+double mapMetresAt(const glm::dvec2& place, const Crs& map, const ForestReading& reading) {
+    return reading.keepsMap ? 1.0 : scaleOfMap(map, place);
+}
+
 Result<Crs> trueMapAt(const glm::dvec2& place, const Crs& map, ForestReading& reading) {
-    const double scale = scaleOfMap(map, place).value_or(1.0);
-    if (reading.keepsMap || !isStretched(scale))
+    const double scale = mapMetresAt(place, map, reading);
+    if (scale == 1.0)
         return map;
     Result<Crs> zone = utmZoneOf(place, map, "crs");
     if (zone)

@@ -161,7 +161,7 @@ bool isOnStretchedMap(const ForestDescription& forest) {
         return false;
     TreesInAll trees;
     trees.add(forest.trees);
-    return isStretched(scaleOfMap(map.value(), 0.5 * glm::dvec2(trees.low + trees.high)).value_or(1.0));
+    return scaleOfMap(map.value(), 0.5 * glm::dvec2(trees.low + trees.high)) != 1.0;
 }
 
 /// Names a folder of tiles below its own by the way there, so that both may move.

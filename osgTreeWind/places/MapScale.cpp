@@ -25,19 +25,20 @@ double metresBetween(const glm::dvec2& a, const glm::dvec2& b) {
 
 } // namespace
 
-std::optional<double> scaleOfMap(const Crs& map, const glm::dvec2& place) {
+double scaleOfMap(const Crs& map, const glm::dvec2& place) {
     constexpr double reach = 100.0;
     const auto way = CrsWay::between(map, Crs::degrees());
     if (!way)
-        return std::nullopt;
+        return 1.0;
     std::vector<glm::dvec2> places{place - glm::dvec2(reach, 0.0), place + glm::dvec2(reach, 0.0),
                                    place - glm::dvec2(0.0, reach), place + glm::dvec2(0.0, reach)};
     way.value().go(places);
     const double east = 2.0 * reach / metresBetween(places[0], places[1]),
                  north = 2.0 * reach / metresBetween(places[2], places[3]);
     if (!std::isfinite(east) || !std::isfinite(north))
-        return std::nullopt;
-    return std::abs(std::log(east)) > std::abs(std::log(north)) ? east : north;
+        return 1.0;
+    const double scale = std::abs(std::log(east)) > std::abs(std::log(north)) ? east : north;
+    return scale < 0.99 || scale > 1.01 ? scale : 1.0;
 }
 
 } // namespace osgTreeWind
